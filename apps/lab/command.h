@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <QJsonObject>
+#include <QStringList>
+
+#include <span>
+#include <string_view>
+
+namespace carina::lab {
+
+/// One subcommand of carina-lab: an experiment that prints one JSON object.
+struct Command {
+    std::string_view name; ///< first word of the command line
+    std::string_view help; ///< usage and the meaning of every flag and key, many lines
+    /// Runs on the words after the name. The object gets the key "schema" from the command itself,
+    /// such as "carina.breathe/1".
+    Result<QJsonObject> (*run)(const QStringList& arguments);
+};
+
+/// All subcommands this build has.
+[[nodiscard]] std::span<const Command> commands();
+
+/// Runs carina-lab on a whole command line: prints the object on stdout and returns 0, or one
+/// sentence on stderr and returns 1 (2 for a wrong command line).
+int runCommandLine(const QStringList& arguments);
+
+} // namespace carina::lab

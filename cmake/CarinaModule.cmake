@@ -1,0 +1,41 @@
+# carina_module(NAME [MOC] SOURCES file... LINK target... [PRIVATE target...])
+#
+# One library per module. NAME engine_core becomes the target carina_engine_core with the alias
+# Carina::engine_core. LINK holds exactly what the module's row of the include table permits.
+function(carina_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "MOC" "" "SOURCES;LINK;PRIVATE")
+  set(target carina_${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(Carina::${name} ALIAS ${target})
+  target_link_libraries(${target} PUBLIC carina_flags ${arg_LINK} PRIVATE ${arg_PRIVATE})
+  if(arg_MOC)
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOUIC ON
+      AUTOUIC_SEARCH_PATHS "${PROJECT_SOURCE_DIR}/ui")
+  endif()
+endfunction()
+
+# carina_test(NAME SOURCES file... LINK target... [LABELS label...] [DISPLAY])
+#
+# One Qt Test program per class, run by ctest under its own name. DISPLAY marks a test that draws
+# with OpenGL: it runs under Xvfb with xcb; all others run with QT_QPA_PLATFORM=offscreen.
+function(carina_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "SOURCES;LINK;LABELS")
+  add_executable(test_${name} ${arg_SOURCES})
+  set_target_properties(test_${name} PROPERTIES AUTOMOC ON)
+  target_link_libraries(test_${name} PRIVATE carina_flags Qt6::Test ${arg_LINK})
+  if(arg_DISPLAY)
+    set(platform xcb)
+    add_test(NAME ${name} COMMAND "${PROJECT_SOURCE_DIR}/tests/support/with_display"
+             $<TARGET_FILE:test_${name}>)
+  else()
+    set(platform offscreen)
+    add_test(NAME ${name} COMMAND test_${name})
+  endif()
+  set(labels ${arg_LABELS})
+  if(NOT labels)
+    set(labels fast)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 120
+    SKIP_RETURN_CODE 77
+    ENVIRONMENT "QT_QPA_PLATFORM=${platform};QT3D_RENDERER=opengl;LIBGL_ALWAYS_SOFTWARE=1")
+endfunction()

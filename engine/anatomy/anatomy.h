@@ -1,0 +1,79 @@
+#pragma once
+
+#include "engine/geometry/triangle_mesh.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// What a surface is, as far as Carina treats parts differently.
+enum class PartRole : std::uint8_t {
+    Trachea,
+    RightMainBronchus,
+    LeftMainBronchus,
+    BronchialTree,
+    Larynx,
+    Epiglottis,
+    RightUpperLobe,
+    RightMiddleLobe,
+    RightLowerLobe,
+    LeftUpperLobe,
+    LeftLowerLobe,
+    RightLung, ///< whole, where there are no lobes
+    LeftLung,
+    Diaphragm,
+    Mandible,
+    Tooth,
+    Tongue,
+    Pharynx,
+    Oesophagus,
+    Skull,
+    Spine,
+    Rib, ///< ribs, cartilages, sternum, clavicles, scapulae
+    Heart,
+    Vessel,
+    Muscle,
+    Skin,
+    Other,
+};
+
+enum class Side : std::uint8_t { Right, Left };
+
+/// The lung that a lobe or whole lung belongs to.
+[[nodiscard]] std::optional<Side> lungSide(PartRole role);
+
+/// The stable name of a role in files and JSON ("right_upper_lobe"), and back.
+[[nodiscard]] const char* roleName(PartRole role);
+[[nodiscard]] std::optional<PartRole> roleFromName(const std::string& name);
+
+/// One surface of a patient, in frame A, in one or more levels of detail.
+struct AnatomyPart {
+    std::string name; ///< as shown: "Trachea", "Left second rib"
+    PartRole role = PartRole::Other;
+    std::string conceptId;            ///< FMA id such as "FMA7394"; empty where unknown
+    std::vector<TriangleMesh> levels; ///< at least one; finest first, normals present in each
+};
+
+/// Points and the way of a tube that every patient has, in A, metres.
+struct AirwayLandmarks {
+    Vec3 p_A_incisors = Vec3::Zero(); ///< midpoint of the upper incisors' edge
+    Vec3 p_A_glottis = Vec3::Zero();  ///< midpoint between the vocal cords
+    Vec3 p_A_carina = Vec3::Zero();   ///< the ridge where the trachea divides: the origin of A
+    std::vector<Vec3> path_A;         ///< centreline from in front of the incisors to the carina
+};
+
+/// A virtual patient: parts in frame A (origin at the carina, +x patient's left, +y posterior, +z
+/// superior, metres).
+struct Anatomy {
+    std::string name;        ///< "Adult", "12 years, 150 cm", or the folder's name
+    std::string contentHash; ///< SHA-256 in hex of what it was made from; equal means same patient
+    std::vector<AnatomyPart> parts;
+    AirwayLandmarks landmarks;
+    std::vector<std::string> attributions; ///< licence lines to show
+};
+
+} // namespace carina

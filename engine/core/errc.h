@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+
+namespace carina
+{
+
+/// What went wrong. Every code has one translated sentence in models/error_text that says what to
+/// do next; a code without a sentence does not compile there.
+enum class Errc : std::uint8_t {
+    // Numbers and geometry
+    NotFinite,         ///< a NaN or an infinity where a number is needed
+    OutOfRange,        ///< a value outside the range its quantity may take
+    NotARotation,      ///< a matrix that is not a proper rotation
+    MeshNotClosed,     ///< a surface that encloses no volume
+    VolumeUnreachable, ///< no deformation of the mesh has the volume asked for
+
+    // Files
+    FileNotFound,      ///< no such file or folder
+    FileUnreadable,    ///< it is there and cannot be read
+    FileEmpty,         ///< it holds nothing
+    FileMalformed,     ///< it is truncated or does not follow its format
+    FileUnwritable,    ///< it cannot be written
+    UnknownFormat,     ///< no reader for this kind of file
+    NothingRecognised, ///< a folder without one usable part
+
+    // Network and session
+    PacketMalformed, ///< bytes that are not a Carina datagram
+    VersionMismatch, ///< the peer speaks another version of the protocol
+    AddressInUse,    ///< the port is taken
+    HostUnreachable, ///< the session host does not answer
+    StoreFailed,     ///< the fact log could not be written
+    StoreCorrupt,    ///< the fact log could not be read back whole
+    NotPermitted,    ///< the role may not do this
+    SessionEnded,    ///< the session takes no more changes
+
+    // Devices and graphics
+    TrackerFailed, ///< the tracker could not be started
+    NoGraphics,    ///< no OpenGL where a picture is needed
+};
+
+} // namespace carina

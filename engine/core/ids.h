@@ -1,0 +1,33 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <functional>
+
+namespace carina
+{
+
+/// A number that names one kind of thing and cannot be mistaken for another kind.
+template <class Tag, class Number> struct Id {
+    Number value{};
+
+    friend constexpr auto operator<=>(const Id&, const Id&) = default;
+};
+
+/// One manikin with its tracker, tools and patient. 0 is the first station of a session.
+using StationId = Id<struct StationTag, std::uint16_t>;
+/// One running program that takes part in a session. 0 is the session host.
+using ParticipantId = Id<struct ParticipantTag, std::uint16_t>;
+/// One shared object (a tube, a head, a jaw), unique within the session.
+using ObjectId = Id<struct ObjectTag, std::uint16_t>;
+/// Position of a fact in the session's log, from 1 without gaps.
+using FactNumber = Id<struct FactTag, std::uint64_t>;
+
+} // namespace carina
+
+template <class Tag, class Number> struct std::hash<carina::Id<Tag, Number>> {
+    std::size_t operator()(const carina::Id<Tag, Number>& id) const noexcept
+    {
+        return std::hash<Number>{}(id.value);
+    }
+};

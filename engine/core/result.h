@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/core/errc.h"
+
+#include <string>
+#include <tl/expected.hpp>
+#include <utility>
+
+namespace carina
+{
+
+/// A recoverable failure: what kind, and the particulars (which file, which value) for the person
+/// who has to mend it. The sentence shown to a person is made in models/error_text.
+struct Error {
+    Errc code;
+    std::string detail;
+
+    friend bool operator==(const Error&, const Error&) = default;
+};
+
+/// A value, or the reason why there is none. Input, files, network, devices and geometry fail this
+/// way; a programmer's error fails through CARINA_EXPECTS.
+template <class T> using Result = tl::expected<T, Error>;
+
+/// `return fail(Errc::FileEmpty, path);`
+[[nodiscard]] inline tl::unexpected<Error> fail(Errc code, std::string detail = {})
+{
+    return tl::unexpected<Error>(Error{code, std::move(detail)});
+}
+
+} // namespace carina

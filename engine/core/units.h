@@ -1,0 +1,43 @@
+#pragma once
+
+#include <compare>
+#include <numbers>
+
+namespace carina
+{
+
+/// A scalar with a dimension, held in its SI unit. Made from and read as a named unit, so that a
+/// conversion is written once, here.
+template <class Dimension> struct Quantity {
+    double si = 0.0;
+
+    friend constexpr auto operator<=>(const Quantity&, const Quantity&) = default;
+    friend constexpr Quantity operator+(Quantity a, Quantity b) { return {a.si + b.si}; }
+    friend constexpr Quantity operator-(Quantity a, Quantity b) { return {a.si - b.si}; }
+    friend constexpr Quantity operator*(double k, Quantity a) { return {k * a.si}; }
+    friend constexpr Quantity operator*(Quantity a, double k) { return {k * a.si}; }
+    friend constexpr double operator/(Quantity a, Quantity b) { return a.si / b.si; }
+};
+
+using Length = Quantity<struct LengthDimension>;       ///< metres
+using Angle = Quantity<struct AngleDimension>;         ///< radians
+using Volume = Quantity<struct VolumeDimension>;       ///< cubic metres
+using Frequency = Quantity<struct FrequencyDimension>; ///< per second
+
+constexpr Length metres(double m) { return {m}; }
+constexpr Length millimetres(double mm) { return {mm * 1e-3}; }
+constexpr double inMillimetres(Length l) { return l.si * 1e3; }
+
+constexpr Angle radians(double rad) { return {rad}; }
+constexpr Angle degrees(double deg) { return {deg * (std::numbers::pi / 180.0)}; }
+constexpr double inDegrees(Angle a) { return a.si * (180.0 / std::numbers::pi); }
+
+constexpr Volume cubicMetres(double m3) { return {m3}; }
+constexpr Volume millilitres(double ml) { return {ml * 1e-6}; }
+constexpr double inMillilitres(Volume v) { return v.si * 1e6; }
+
+constexpr Frequency hertz(double hz) { return {hz}; }
+constexpr Frequency perMinute(double perMin) { return {perMin / 60.0}; }
+constexpr double inPerMinute(Frequency f) { return f.si * 60.0; }
+
+} // namespace carina

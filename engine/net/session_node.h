@@ -1,0 +1,91 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/session/fact_store.h"
+#include "engine/session/session_state.h"
+#include "engine/tracking/pose_history.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+enum class LinkState : std::uint8_t { Connecting, Connected, Away };
+
+/// The link to another participant, measured.
+struct LinkReport {
+    ParticipantId peer;
+    LinkState state = LinkState::Connecting;
+    Duration roundTrip{};        ///< smallest of the recent ones
+    Duration clockUncertainty{}; ///< half of it: the bound of the offset's error
+    Duration sinceLastDatagram{};
+};
+
+/// A shared object as this node sees it.
+struct ObjectReport {
+    ObjectId object;
+    Duration age{};        ///< of the newest sample of it, at the time of the report
+    double driftDeg = 0.0; ///< how far the last update moved what this node drew for its time
+    double driftMm = 0.0;
+};
+
+struct HostSettings {
+    std::string sessionName;
+    std::string participantName; ///< of the instructor who hosts
+    std::uint16_t port = 0;      ///< UDP on loopback; 0 takes a free one
+};
+
+struct JoinSettings {
+    std::uint16_t port = 0; ///< of the host, on loopback
+    std::string participantName;
+    Role role = Role::Trainee;
+    StationId station;
+};
+
+/// One program's part in a session: pumps the deterministic core of engine/sync with a UDP socket
+/// and a clock, on a thread of its own. All functions may be called from any thread.
+class SessionNode
+{
+public:
+    /// Opens a session, or resumes the one the store holds, with its session time.
+    [[nodiscard]] static Result<std::unique_ptr<SessionNode>>
+    host(const HostSettings& settings, std::unique_ptr<FactStore> store);
+    /// Joins; returns at once and connects, and reconnects, by itself.
+    [[nodiscard]] static Result<std::unique_ptr<SessionNode>> join(const JoinSettings& settings);
+    virtual ~SessionNode() = default;
+
+    [[nodiscard]] virtual std::uint16_t port() const = 0;
+    [[nodiscard]] virtual ParticipantId self() const = 0;
+    /// The session clock's best estimate; nothing until the clock is first set.
+    [[nodiscard]] virtual std::optional<SessionTime> now() const = 0;
+    /// Session time of a local time by the same estimate.
+    [[nodiscard]] virtual std::optional<SessionTime> sessionTime(LocalTime t) const = 0;
+    /// Everything that follows from the facts so far; shared because readers on several threads
+    /// keep the snapshot while newer ones replace it.
+    [[nodiscard]] virtual std::shared_ptr<const SessionState> state() const = 0;
+
+    /// Proposes a fact; it appears in state() once the host has it on disk. Kept and repeated while
+    /// the host is away.
+    virtual void propose(StationId station, FactBody body) = 0;
+    /// Proposals not yet acknowledged, oldest first.
+    [[nodiscard]] virtual std::vector<FactBody> pending() const = 0;
+
+    /// Shares the poses X_A<object> of a local history, 60 times a second, under the object id that
+    /// the host gives to this owner, kind and name.
+    virtual void publish(StationId station, ObjectKind kind, std::string name,
+                         std::shared_ptr<const PoseHistory> history) = 0;
+    /// The poses X_A<object> of any shared object, local or remote; nullptr while unknown.
+    [[nodiscard]] virtual std::shared_ptr<const PoseHistory> object(ObjectId id) const = 0;
+
+    [[nodiscard]] virtual std::vector<LinkReport> links() const = 0;
+    [[nodiscard]] virtual std::vector<ObjectReport> objectReports() const = 0;
+
+    /// Called on the node's thread after the state, the pending proposals or the links changed;
+    /// must return at once.
+    virtual void onChange(std::function<void()> callback) = 0;
+};
+
+} // namespace carina

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/session/facts.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// What a host needs beside the facts to resume its clock after a crash.
+struct ClockAnchor {
+    std::string bootId; ///< of the machine's run; CLOCK_MONOTONIC means nothing across boots
+    Duration offset{};  ///< session time less local time
+};
+
+/// Where a session host keeps its log. Implemented on SQLite in engine/io.
+class FactStore
+{
+public:
+    virtual ~FactStore() = default;
+
+    /// All facts, in order. @returns StoreCorrupt when a number is missing or a body is unreadable.
+    [[nodiscard]] virtual Result<std::vector<Fact>> load() = 0;
+    /// On return the fact survives kill -9 and power loss. @returns StoreFailed otherwise.
+    [[nodiscard]] virtual Result<void> append(const Fact& fact) = 0;
+
+    [[nodiscard]] virtual Result<std::optional<ClockAnchor>> clockAnchor() = 0;
+    [[nodiscard]] virtual Result<void> setClockAnchor(const ClockAnchor& anchor) = 0;
+};
+
+} // namespace carina

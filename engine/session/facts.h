@@ -1,0 +1,84 @@
+#pragma once
+
+#include "engine/core/ids.h"
+#include "engine/core/session_time.h"
+#include "engine/core/units.h"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+namespace carina
+{
+
+enum class Role : std::uint8_t { Instructor, Trainee, Observer };
+enum class SessionPhase : std::uint8_t { Prepared, Running, Paused, Ended };
+enum class ObjectKind : std::uint8_t { Head, Jaw, Tube, Stylus };
+
+/// What may be decided or happen in a session. Each alternative is one kind of fact; its station,
+/// author and effect time are in the Fact around it.
+namespace fact
+{
+
+/// First fact of every log.
+struct SessionCreated {
+    std::string name;
+    std::string sessionId; ///< 128 random bits in hex
+};
+/// The session starts, pauses, goes on or ends, for all stations.
+struct PhaseChanged {
+    SessionPhase phase = SessionPhase::Prepared;
+};
+struct StationAdded {
+    std::string name;
+};
+/// A program came in, or came back: the same name and role give the same participant id.
+struct ParticipantJoined {
+    ParticipantId participant;
+    Role role = Role::Observer;
+    std::string name;
+};
+struct ParticipantLeft {
+    ParticipantId participant;
+};
+/// An object is shared from now on, by this owner.
+struct ObjectShared {
+    ObjectId object;
+    ParticipantId owner;
+    ObjectKind kind = ObjectKind::Tube;
+    std::string name;
+};
+/// The station's patient, by content hash and name.
+struct AnatomyChosen {
+    std::string contentHash;
+    std::string name;
+};
+struct BreathingRateSet {
+    Frequency rate;
+};
+struct TidalVolumeSet {
+    Volume tidalVolume;
+};
+/// Share of a breath that is inspiration: 0.41 is an I:E of 1:1.44.
+struct InspiratoryFractionSet {
+    double fraction = 0.4;
+};
+
+} // namespace fact
+
+using FactBody = std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
+                              fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
+                              fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
+                              fact::InspiratoryFractionSet>;
+
+/// One entry of the append-only log: ordered by the host, on disk before anyone sees it.
+struct Fact {
+    FactNumber number; ///< position in the log, from 1 without gaps
+    ParticipantId author;
+    StationId station;
+    SessionTime committed{}; ///< when the host put it on disk
+    SessionTime effect{};    ///< when it takes effect everywhere
+    FactBody body;
+};
+
+} // namespace carina

@@ -22,6 +22,9 @@ using ParticipantId = Id<struct ParticipantTag, std::uint16_t>;
 using ObjectId = Id<struct ObjectTag, std::uint16_t>;
 /// Position of a fact in the session's log, from 1 without gaps.
 using FactNumber = Id<struct FactTag, std::uint64_t>;
+/// Names one proposal of a fact, drawn at random by whoever proposes it, so that a proposal that is
+/// repeated until acknowledged, across crashes of either side, enters the log once.
+using ProposalId = Id<struct ProposalTag, std::uint64_t>;
 
 } // namespace carina
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/session/facts.h"
+#include "engine/sync/fact_record.h"
 
-#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,10 +22,10 @@ class FactStore
 public:
     virtual ~FactStore() = default;
 
-    /// All facts, in order. @returns StoreCorrupt when a number is missing or a body is unreadable.
-    [[nodiscard]] virtual Result<std::vector<Fact>> load() = 0;
+    /// All facts, in order. @returns StoreCorrupt when a number is missing.
+    [[nodiscard]] virtual Result<std::vector<FactRecord>> load() = 0;
     /// On return the fact survives kill -9 and power loss. @returns StoreFailed otherwise.
-    [[nodiscard]] virtual Result<void> append(const Fact& fact) = 0;
+    [[nodiscard]] virtual Result<void> append(const FactRecord& fact) = 0;
 
     [[nodiscard]] virtual Result<std::optional<ClockAnchor>> clockAnchor() = 0;
     [[nodiscard]] virtual Result<void> setClockAnchor(const ClockAnchor& anchor) = 0;

@@ -71,9 +71,18 @@ using FactBody = std::variant<fact::SessionCreated, fact::PhaseChanged, fact::St
                               fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
                               fact::InspiratoryFractionSet>;
 
+/// A fact that somebody would like to enter the log.
+struct Proposal {
+    ProposalId id;
+    ParticipantId author;
+    StationId station;
+    FactBody body;
+};
+
 /// One entry of the append-only log: ordered by the host, on disk before anyone sees it.
 struct Fact {
-    FactNumber number; ///< position in the log, from 1 without gaps
+    FactNumber number;   ///< position in the log, from 1 without gaps
+    ProposalId proposal; ///< the proposal it came from
     ParticipantId author;
     StationId station;
     SessionTime committed{}; ///< when the host put it on disk

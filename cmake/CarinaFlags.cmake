@@ -30,3 +30,6 @@ elseif(CARINA_SANITIZER STREQUAL "thread")
   add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
   add_link_options(-fsanitize=thread)
 endif()
+# moc reads these headers of the standard library without the ones they start from, and stops at
+# their first line; with their guards set it passes over them.
+set(CMAKE_AUTOMOC_MOC_OPTIONS -D_COMPARE -D_GLIBCXX_CONCEPTS -D_GLIBCXX_NUMBERS)

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/core/session_time.h"
+#include "engine/geometry/rigid_transform.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// One frame as it was drawn: what went to the screen, and when.
+struct DrawnFrame {
+    LocalTime local{};     ///< CLOCK_MONOTONIC when drawing ended; one clock for all on a machine
+    SessionTime session{}; ///< the session time that was drawn
+    int level = 0;         ///< level of detail of the lungs
+    std::array<float, 2> amplitude{};   ///< of the right and the left lung, as given to the shader
+    std::optional<RigidTransform> X_AE; ///< the tube as drawn
+    std::optional<Duration> sampleAge;  ///< of the newest sample of the tube behind it
+    std::array<double, 2> volume_ml{};  ///< right and left lung, from the vertices drawn
+};
+
+/// Writes frames as CSV with a header line, one line each; the columns are those of DrawnFrame with
+/// their units, empty where a value is absent.
+/// @returns FileUnwritable with the path.
+[[nodiscard]] Result<void> writeFrames(const QString& path, const std::vector<DrawnFrame>& frames);
+
+/// Reads what writeFrames wrote.
+/// @returns FileNotFound, or FileMalformed with the path and line.
+[[nodiscard]] Result<std::vector<DrawnFrame>> readFrames(const QString& path);
+
+} // namespace carina

@@ -33,6 +33,7 @@ enum class Errc : std::uint8_t {
     StoreCorrupt,    ///< the fact log could not be read back whole
     NotPermitted,    ///< the role may not do this
     SessionEnded,    ///< the session takes no more changes
+    NameTaken,       ///< somebody with the same name and role is in the session now
 
     // Devices and graphics
     TrackerFailed, ///< the tracker could not be started

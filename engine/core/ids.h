@@ -18,6 +18,8 @@ template <class Tag, class Number> struct Id {
 using StationId = Id<struct StationTag, std::uint16_t>;
 /// One running program that takes part in a session. 0 is the session host.
 using ParticipantId = Id<struct ParticipantTag, std::uint16_t>;
+/// Stands for a program that the session host has not admitted yet.
+inline constexpr ParticipantId kNobody{0xFFFF};
 /// One shared object (a tube, a head, a jaw), unique within the session.
 using ObjectId = Id<struct ObjectTag, std::uint16_t>;
 /// Position of a fact in the session's log, from 1 without gaps.

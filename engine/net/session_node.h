@@ -58,6 +58,7 @@ public:
     virtual ~SessionNode() = default;
 
     [[nodiscard]] virtual std::uint16_t port() const = 0;
+    /// kNobody until the host has admitted this node.
     [[nodiscard]] virtual ParticipantId self() const = 0;
     /// The session clock's best estimate; nothing until the clock is first set.
     [[nodiscard]] virtual std::optional<SessionTime> now() const = 0;
@@ -81,6 +82,9 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const PoseHistory> object(ObjectId id) const = 0;
 
     [[nodiscard]] virtual std::vector<LinkReport> links() const = 0;
+    /// Why the host does not admit this node, else why it refused the last proposal it refused;
+    /// nothing while all is well.
+    [[nodiscard]] virtual std::optional<Error> refusal() const = 0;
     [[nodiscard]] virtual std::vector<ObjectReport> objectReports() const = 0;
 
     /// Called on the node's thread after the state, the pending proposals or the links changed;

@@ -24,22 +24,32 @@ namespace fact
 struct SessionCreated {
     std::string name;
     std::string sessionId; ///< 128 random bits in hex
+
+    friend bool operator==(const SessionCreated&, const SessionCreated&) = default;
 };
 /// The session starts, pauses, goes on or ends, for all stations.
 struct PhaseChanged {
     SessionPhase phase = SessionPhase::Prepared;
+
+    friend bool operator==(const PhaseChanged&, const PhaseChanged&) = default;
 };
 struct StationAdded {
     std::string name;
+
+    friend bool operator==(const StationAdded&, const StationAdded&) = default;
 };
 /// A program came in, or came back: the same name and role give the same participant id.
 struct ParticipantJoined {
     ParticipantId participant;
     Role role = Role::Observer;
     std::string name;
+
+    friend bool operator==(const ParticipantJoined&, const ParticipantJoined&) = default;
 };
 struct ParticipantLeft {
     ParticipantId participant;
+
+    friend bool operator==(const ParticipantLeft&, const ParticipantLeft&) = default;
 };
 /// An object is shared from now on, by this owner.
 struct ObjectShared {
@@ -47,25 +57,36 @@ struct ObjectShared {
     ParticipantId owner;
     ObjectKind kind = ObjectKind::Tube;
     std::string name;
+
+    friend bool operator==(const ObjectShared&, const ObjectShared&) = default;
 };
 /// The station's patient, by content hash and name.
 struct AnatomyChosen {
     std::string contentHash;
     std::string name;
+
+    friend bool operator==(const AnatomyChosen&, const AnatomyChosen&) = default;
 };
 struct BreathingRateSet {
     Frequency rate;
+
+    friend bool operator==(const BreathingRateSet&, const BreathingRateSet&) = default;
 };
 struct TidalVolumeSet {
     Volume tidalVolume;
+
+    friend bool operator==(const TidalVolumeSet&, const TidalVolumeSet&) = default;
 };
 /// Share of a breath that is inspiration: 0.41 is an I:E of 1:1.44.
 struct InspiratoryFractionSet {
     double fraction = 0.4;
+
+    friend bool operator==(const InspiratoryFractionSet&, const InspiratoryFractionSet&) = default;
 };
 
 } // namespace fact
 
+/// The order of the alternatives is the kind byte on the wire and on disk: new ones go to the end.
 using FactBody = std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
                               fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
                               fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
@@ -77,6 +98,8 @@ struct Proposal {
     ParticipantId author;
     StationId station;
     FactBody body;
+
+    friend bool operator==(const Proposal&, const Proposal&) = default;
 };
 
 /// One entry of the append-only log: ordered by the host, on disk before anyone sees it.
@@ -88,6 +111,8 @@ struct Fact {
     SessionTime committed{}; ///< when the host put it on disk
     SessionTime effect{};    ///< when it takes effect everywhere
     FactBody body;
+
+    friend bool operator==(const Fact&, const Fact&) = default;
 };
 
 } // namespace carina

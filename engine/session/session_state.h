@@ -1,13 +1,11 @@
 #pragma once
 
-#include "engine/lungs/breathing_pattern.h"
 #include "engine/session/breathing_timeline.h"
 #include "engine/session/facts.h"
+#include "engine/session/parameter_timeline.h"
 
 #include <map>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace carina
 {
@@ -43,19 +41,36 @@ struct Station {
 class SessionState
 {
 public:
+    /// A fact about a station or participant that the log does not know changes nothing.
     /// @pre fact.number is one more than the last applied.
     void apply(const Fact& fact);
 
-    [[nodiscard]] FactNumber lastApplied() const;
-    [[nodiscard]] const std::string& name() const;
-    [[nodiscard]] const std::string& sessionId() const;
-    [[nodiscard]] SessionPhase phaseAt(SessionTime t) const;
+    /// 0 before the first.
+    [[nodiscard]] FactNumber lastApplied() const { return m_lastApplied; }
+    [[nodiscard]] const std::string& name() const { return m_name; }
+    [[nodiscard]] const std::string& sessionId() const { return m_sessionId; }
+    [[nodiscard]] SessionPhase phaseAt(SessionTime t) const { return m_phase.at(t); }
     /// Time spent in Running up to t, pauses left out.
-    [[nodiscard]] Duration runningTime(SessionTime t) const;
+    [[nodiscard]] Duration runningTime(SessionTime t) const { return m_running.integral(t); }
 
-    [[nodiscard]] const std::map<ParticipantId, Participant>& participants() const;
-    [[nodiscard]] const std::map<ObjectId, SharedObject>& objects() const;
-    [[nodiscard]] const std::map<StationId, Station>& stations() const;
+    [[nodiscard]] const std::map<ParticipantId, Participant>& participants() const
+    {
+        return m_participants;
+    }
+    [[nodiscard]] const std::map<ObjectId, SharedObject>& objects() const { return m_objects; }
+    [[nodiscard]] const std::map<StationId, Station>& stations() const { return m_stations; }
+
+private:
+    struct Applier;
+
+    FactNumber m_lastApplied;
+    std::string m_name;
+    std::string m_sessionId;
+    ParameterTimeline<SessionPhase> m_phase{SessionPhase::Prepared};
+    ParameterTimeline<bool> m_running{false};
+    std::map<ParticipantId, Participant> m_participants;
+    std::map<ObjectId, SharedObject> m_objects;
+    std::map<StationId, Station> m_stations;
 };
 
 } // namespace carina

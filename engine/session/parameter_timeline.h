@@ -1,0 +1,104 @@
+#pragma once
+
+#include "engine/core/session_time.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace carina
+{
+
+template <class T>
+concept TimesDuration = requires(T value, Duration time)
+{
+    value* time;
+};
+
+/// The unit of a value times time: Duration for bool, a duration of double for double.
+template <class T> struct TimeIntegral {
+    struct Type {
+    };
+};
+template <TimesDuration T> struct TimeIntegral<T> {
+    using Type = decltype(T{} * Duration{});
+};
+
+/// A parameter over the session: an initial value, and changes that each hold until the next.
+///
+/// Changes may come in any order; of two for the same time the one that came last holds. A look-up
+/// takes O(log n), a change O(1) when it is the newest and O(n) when it is not.
+template <class T> class ParameterTimeline
+{
+public:
+    using Integral = typename TimeIntegral<T>::Type;
+
+    struct Change {
+        SessionTime from;
+        T value;
+        Integral before{}; ///< integral up to `from`
+    };
+
+    explicit ParameterTimeline(T initial) : m_initial{initial} {}
+
+    void set(SessionTime from, T value)
+    {
+        auto place = std::lower_bound(m_changes.begin(), m_changes.end(), from, isEarlier);
+        if (place != m_changes.end() && place->from == from)
+            place->value = value;
+        else
+            place = m_changes.insert(place, Change{from, value, {}});
+        if constexpr (TimesDuration<T>)
+            integrateFrom(place);
+    }
+
+    [[nodiscard]] T at(SessionTime t) const
+    {
+        const auto next = after(t);
+        return next == m_changes.begin() ? m_initial : std::prev(next)->value;
+    }
+
+    /// The value summed over time, from the first change (nothing counts before it) to t.
+    [[nodiscard]] Integral integral(SessionTime t) const requires TimesDuration<T>
+    {
+        const auto next = after(t);
+        if (next == m_changes.begin())
+            return {};
+        const Change& inForce = *std::prev(next);
+        return inForce.before + inForce.value * (t - inForce.from);
+    }
+
+    /// In ascending order of time.
+    [[nodiscard]] std::span<const Change> changes() const { return m_changes; }
+
+    /// The time of the first change after t; the end of all time where there is none.
+    [[nodiscard]] SessionTime changeAfter(SessionTime t) const
+    {
+        const auto next = after(t);
+        return next == m_changes.end() ? SessionTime::max() : next->from;
+    }
+
+private:
+    static bool isEarlier(const Change& change, SessionTime t) { return change.from < t; }
+
+    [[nodiscard]] auto after(SessionTime t) const
+    {
+        return std::upper_bound(m_changes.begin(), m_changes.end(), t,
+                                [](SessionTime time, const Change& c) { return time < c.from; });
+    }
+
+    void integrateFrom(typename std::vector<Change>::iterator place)
+    {
+        if (place == m_changes.begin())
+            ++place;
+        for (; place != m_changes.end(); ++place) {
+            const Change& last = *std::prev(place);
+            place->before = last.before + last.value * (place->from - last.from);
+        }
+    }
+
+    T m_initial;
+    std::vector<Change> m_changes;
+};
+
+} // namespace carina

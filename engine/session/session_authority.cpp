@@ -1,0 +1,229 @@
+#include "engine/session/session_authority.h"
+
+#include "engine/session/fact_rules.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+namespace carina
+{
+
+namespace
+{
+
+constexpr ParticipantId kHost{0};
+
+template <class... Functions> struct Overloaded : Functions... {
+    using Functions::operator()...;
+};
+template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
+
+/// Drives a patient or the phase, so that it has to take effect everywhere at once.
+bool takesEffectLater(const FactBody& body)
+{
+    return std::visit(Overloaded{[](const fact::PhaseChanged&) { return true; },
+                                 [](const fact::AnatomyChosen&) { return true; },
+                                 [](const fact::BreathingRateSet&) { return true; },
+                                 [](const fact::TidalVolumeSet&) { return true; },
+                                 [](const fact::InspiratoryFractionSet&) { return true; },
+                                 [](const auto&) { return false; }},
+                      body);
+}
+
+/// The id of the entry that is the same, else the next free one; 0 where none is left.
+template <class Entries, class IsSame> auto idFor(const Entries& entries, IsSame isSame)
+{
+    using EntryId = typename Entries::key_type;
+    const auto known = std::ranges::find_if(
+        entries, [&isSame](const auto& entry) { return isSame(entry.second); });
+    if (known != entries.end())
+        return known->first;
+    if (entries.empty())
+        return EntryId{1};
+    constexpr auto kLast = std::numeric_limits<decltype(EntryId::value)>::max();
+    const auto last = entries.rbegin()->first.value;
+    return last == kLast ? EntryId{0} : EntryId{static_cast<decltype(EntryId::value)>(last + 1)};
+}
+
+/// Gives or checks an id: an explicit one has to name an entry that is the same.
+template <class Entries, class IsSame>
+Result<void> settleId(typename Entries::key_type& id, const Entries& entries, const char* what,
+                      IsSame isSame)
+{
+    if (id.value == 0) {
+        id = idFor(entries, isSame);
+        return id.value == 0 ? fail(Errc::OutOfRange, std::string{"no number left for a "} + what)
+                             : Result<void>{};
+    }
+    const auto entry = entries.find(id);
+    if (entry == entries.end() || !isSame(entry->second))
+        return fail(Errc::OutOfRange, std::string{what} + " " + std::to_string(id.value));
+    return {};
+}
+
+Result<void> settleIds(const SessionState& state, FactBody& body)
+{
+    return std::visit(
+        Overloaded{[&](fact::ParticipantJoined& joined) {
+                       return settleId(joined.participant, state.participants(), "participant",
+                                       [&](const Participant& known) {
+                                           return known.name == joined.name
+                                                  && known.role == joined.role;
+                                       });
+                   },
+                   [&](fact::ParticipantLeft& left) {
+                       return state.participants().contains(left.participant)
+                                  ? Result<void>{}
+                                  : fail(Errc::OutOfRange,
+                                         "participant " + std::to_string(left.participant.value));
+                   },
+                   [&](fact::ObjectShared& shared) {
+                       const bool takenOver = shared.object.value != 0;
+                       return settleId(shared.object, state.objects(), "object",
+                                       [&](const SharedObject& known) {
+                                           return known.kind == shared.kind
+                                                  && known.name == shared.name
+                                                  && (takenOver || known.owner == shared.owner);
+                                       });
+                   },
+                   [](auto&) { return Result<void>{}; }},
+        body);
+}
+
+/// What a trainee or an observer may do: come, go, and (a trainee) share what is their own.
+bool mayDoForThemselves(const SessionState& state, const Participant& author, const FactBody& body)
+{
+    return std::visit(
+        Overloaded{[&](const fact::ParticipantJoined& f) { return f.participant == author.id; },
+                   [&](const fact::ParticipantLeft& f) { return f.participant == author.id; },
+                   [&](const fact::ObjectShared& f) {
+                       const auto known = state.objects().find(f.object);
+                       return author.role == Role::Trainee && f.owner == author.id
+                              && (known == state.objects().end()
+                                  || known->second.owner == author.id);
+                   },
+                   [](const auto&) { return false; }},
+        body);
+}
+
+Result<void> checkPermission(const SessionState& state, ParticipantId authorId,
+                             const FactBody& body)
+{
+    if (authorId == kHost)
+        return {};
+    const auto author = state.participants().find(authorId);
+    if (author == state.participants().end())
+        return fail(Errc::NotPermitted, "participant " + std::to_string(authorId.value));
+    const bool creates = std::holds_alternative<fact::SessionCreated>(body);
+    const bool instructs = author->second.role == Role::Instructor && !creates;
+    if (!instructs && !mayDoForThemselves(state, author->second, body))
+        return fail(Errc::NotPermitted, author->second.name);
+    return {};
+}
+
+/// Creation comes first and once; after the end people and objects only come and go.
+Result<void> checkMoment(const SessionState& state, const FactBody& body)
+{
+    const bool creates = std::holds_alternative<fact::SessionCreated>(body);
+    if (creates != (state.lastApplied().value == 0))
+        return fail(Errc::NotPermitted, "a session is created first and once");
+    if (state.phaseAt(SessionTime::max()) != SessionPhase::Ended)
+        return {};
+    return std::visit(Overloaded{[](const fact::ParticipantJoined&) { return Result<void>{}; },
+                                 [](const fact::ParticipantLeft&) { return Result<void>{}; },
+                                 [](const fact::ObjectShared&) { return Result<void>{}; },
+                                 [&](const auto&) -> Result<void> {
+                                     return fail(Errc::SessionEnded, state.name());
+                                 }},
+                      body);
+}
+
+Result<void> checkStation(const SessionState& state, StationId id, const FactBody& body)
+{
+    const bool known = state.stations().contains(id);
+    const bool right = std::visit(Overloaded{[](const fact::SessionCreated&) { return true; },
+                                             [](const fact::PhaseChanged&) { return true; },
+                                             [](const fact::ParticipantLeft&) { return true; },
+                                             [known](const fact::StationAdded&) { return !known; },
+                                             [known](const auto&) { return known; }},
+                                  body);
+    if (!right)
+        return fail(Errc::OutOfRange, "station " + std::to_string(id.value)
+                                          + (known ? " (exists)" : " (does not exist)"));
+    return {};
+}
+
+bool canFollow(SessionPhase before, SessionPhase after)
+{
+    switch (before) {
+    case SessionPhase::Prepared:
+        return after == SessionPhase::Running;
+    case SessionPhase::Running:
+        return after == SessionPhase::Paused || after == SessionPhase::Ended;
+    case SessionPhase::Paused:
+        return after == SessionPhase::Running || after == SessionPhase::Ended;
+    case SessionPhase::Ended:
+        break;
+    }
+    return false;
+}
+
+Result<void> checkPhase(const SessionState& state, const FactBody& body)
+{
+    const auto* change = std::get_if<fact::PhaseChanged>(&body);
+    if (change && !canFollow(state.phaseAt(SessionTime::max()), change->phase))
+        return fail(Errc::OutOfRange, "a phase that cannot follow the present one");
+    return {};
+}
+
+} // namespace
+
+SessionAuthority::SessionAuthority(const std::vector<Fact>& log)
+{
+    for (const Fact& fact : log)
+        commit(fact);
+}
+
+Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
+                                     Duration slowestPath) const
+{
+    Fact fact{FactNumber{m_state.lastApplied().value + 1},
+              proposal.id,
+              proposal.author,
+              proposal.station,
+              now,
+              now,
+              proposal.body};
+    const Result<void> verdict =
+        settleIds(m_state, fact.body)
+            .and_then([&] { return checkPermission(m_state, fact.author, fact.body); })
+            .and_then([&] { return checkMoment(m_state, fact.body); })
+            .and_then([&] { return checkBody(fact.body); })
+            .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
+            .and_then([&] { return checkPhase(m_state, fact.body); });
+    if (!verdict)
+        return tl::unexpected(verdict.error());
+    if (takesEffectLater(fact.body))
+        fact.effect = std::max(now + std::max(kShortestLead, slowestPath), m_latestEffect);
+    return fact;
+}
+
+std::optional<FactNumber> SessionAuthority::settled(ProposalId id) const
+{
+    const auto known = m_settled.find(id);
+    if (known == m_settled.end())
+        return std::nullopt;
+    return known->second;
+}
+
+void SessionAuthority::commit(const Fact& fact)
+{
+    m_state.apply(fact);
+    m_settled.emplace(fact.proposal, fact.number);
+    if (takesEffectLater(fact.body))
+        m_latestEffect = std::max(m_latestEffect, fact.effect);
+}
+
+} // namespace carina

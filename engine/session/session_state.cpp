@@ -1,0 +1,93 @@
+#include "engine/session/session_state.h"
+
+#include "engine/core/expects.h"
+
+namespace carina
+{
+
+/// What each kind of fact does to the state; `around` is the fact that the body came in.
+struct SessionState::Applier {
+    SessionState& state;
+    const Fact& around;
+
+    void operator()(const fact::SessionCreated& body) const
+    {
+        state.m_name = body.name;
+        state.m_sessionId = body.sessionId;
+    }
+    void operator()(const fact::PhaseChanged& body) const
+    {
+        const bool running = body.phase == SessionPhase::Running;
+        state.m_phase.set(around.effect, body.phase);
+        state.m_running.set(around.effect, running);
+        for (auto& [id, station] : state.m_stations)
+            station.breathing.setRunning(around.effect, running);
+    }
+    void operator()(const fact::StationAdded& body) const
+    {
+        const auto [place, added] = state.m_stations.try_emplace(around.station);
+        Station& station = place->second;
+        station.id = around.station;
+        station.name = body.name;
+        if (!added)
+            return;
+        for (const auto& change : state.m_running.changes())
+            station.breathing.setRunning(change.from, change.value);
+    }
+    void operator()(const fact::ParticipantJoined& body) const
+    {
+        state.m_participants.insert_or_assign(
+            body.participant,
+            Participant{body.participant, body.role, body.name, around.station, true});
+    }
+    void operator()(const fact::ParticipantLeft& body) const
+    {
+        const auto participant = state.m_participants.find(body.participant);
+        if (participant != state.m_participants.end())
+            participant->second.present = false;
+    }
+    void operator()(const fact::ObjectShared& body) const
+    {
+        state.m_objects.insert_or_assign(
+            body.object,
+            SharedObject{body.object, body.owner, around.station, body.kind, body.name});
+    }
+    void operator()(const fact::AnatomyChosen& body) const
+    {
+        if (Station* station = ofFact()) {
+            station->anatomyHash = body.contentHash;
+            station->anatomyName = body.name;
+        }
+    }
+    void operator()(const fact::BreathingRateSet& body) const
+    {
+        if (Station* station = ofFact())
+            station->breathing.setRate(around.effect, body.rate);
+    }
+    void operator()(const fact::TidalVolumeSet& body) const
+    {
+        if (Station* station = ofFact())
+            station->breathing.setTidalVolume(around.effect, body.tidalVolume);
+    }
+    void operator()(const fact::InspiratoryFractionSet& body) const
+    {
+        if (Station* station = ofFact())
+            station->breathing.setInspiratoryFraction(around.effect, body.fraction);
+    }
+
+    /// The station that the fact is about; nullptr where there is none.
+    [[nodiscard]] Station* ofFact() const
+    {
+        const auto station = state.m_stations.find(around.station);
+        return station == state.m_stations.end() ? nullptr : &station->second;
+    }
+};
+
+void SessionState::apply(const Fact& fact)
+{
+    CARINA_EXPECTS(fact.number.value == m_lastApplied.value + 1);
+    std::visit(Applier{*this, fact}, fact.body);
+    m_lastApplied = fact.number;
+}
+
+} // namespace carina

@@ -23,6 +23,7 @@ function(carina_test name)
   add_executable(test_${name} ${arg_SOURCES})
   set_target_properties(test_${name} PROPERTIES AUTOMOC ON)
   target_link_libraries(test_${name} PRIVATE carina_flags Qt6::Test ${arg_LINK})
+  target_compile_definitions(test_${name} PRIVATE CARINA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(arg_DISPLAY)
     set(platform xcb)
     add_test(NAME ${name} COMMAND "${PROJECT_SOURCE_DIR}/tests/support/with_display"

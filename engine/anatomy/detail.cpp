@@ -83,31 +83,6 @@ TriangleMesh simplified(const TriangleMesh& mesh, std::size_t triangles)
 
 } // namespace
 
-bool isClosed(const TriangleMesh& mesh)
-{
-    std::vector<std::pair<std::uint64_t, int>> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = t[k];
-            const std::uint64_t b = t[(k + 1) % 3];
-            edges.emplace_back((std::min(a, b) << 32U) | std::max(a, b), a < b ? 1 : -1);
-        }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::size_t first = 0;
-    while (first < edges.size()) {
-        int balance = 0;
-        std::size_t last = first;
-        for (; last < edges.size() && edges[last].first == edges[first].first; ++last)
-            balance += edges[last].second;
-        if (balance != 0)
-            return false;
-        first = last;
-    }
-    return !mesh.empty();
-}
-
 std::vector<TriangleMesh> levelsOfDetail(TriangleMesh finest, std::span<const double> shares)
 {
     for (const Triangle& t : finest.triangles)

@@ -8,10 +8,6 @@
 namespace carina
 {
 
-/// Whether a mesh bounds a volume: along every edge as many triangles run one way as the other.
-/// An empty mesh does not.
-[[nodiscard]] bool isClosed(const TriangleMesh& mesh);
-
 /// Levels of detail of one surface, finest first, each with normals and ordered for the vertex
 /// cache of a graphics card.
 ///

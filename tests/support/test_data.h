@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace carina::test
+{
+
+/// A file or folder of the real data, `relative` to their root: the folder named by
+/// CARINA_TEST_DATA, else ../shared/data beside the project. Nothing where it is absent: the test
+/// that needs it then skips.
+inline std::optional<std::filesystem::path> testData(const std::string& relative)
+{
+    const char* named = std::getenv("CARINA_TEST_DATA");
+    const std::filesystem::path root =
+        named != nullptr && *named != '\0'
+            ? std::filesystem::path{named}
+            : std::filesystem::path{CARINA_SOURCE_DIR} / "../shared/data";
+    std::error_code error;
+    if (!std::filesystem::exists(root / relative, error))
+        return std::nullopt;
+    return root / relative;
+}
+
+} // namespace carina::test

@@ -45,6 +45,10 @@ struct JoinSettings {
     StationId station;
 };
 
+/// The newest measured pose of a local object in A; nothing while it was never seen. Must return at
+/// once.
+using PoseSource = std::function<std::optional<PoseSample>()>;
+
 /// One program's part in a session: pumps the deterministic core of engine/sync with a UDP socket
 /// and a clock, on a thread of its own. All functions may be called from any thread.
 class SessionNode
@@ -74,11 +78,13 @@ public:
     /// Proposals not yet acknowledged, oldest first.
     [[nodiscard]] virtual std::vector<FactBody> pending() const = 0;
 
-    /// Shares the poses X_A<object> of a local history, 60 times a second, under the object id that
-    /// the host gives to this owner, kind and name.
+    /// Shares a local object under the id that the host gives to this owner, kind and name: asks
+    /// `newest` on the node's thread, 60 times a second, for the newest sample X_A<object> (with
+    /// its motion, where known) and sends it where it is newer than the last one sent.
     virtual void publish(StationId station, ObjectKind kind, std::string name,
-                         std::shared_ptr<const PoseHistory> history) = 0;
-    /// The poses X_A<object> of any shared object, local or remote; nullptr while unknown.
+                         PoseSource newest) = 0;
+    /// The poses X_A<object> of an object that another participant shares; nullptr for an unknown
+    /// or own one. Shared because a viewer may ask while the node takes the object out.
     [[nodiscard]] virtual std::shared_ptr<const PoseHistory> object(ObjectId id) const = 0;
 
     [[nodiscard]] virtual std::vector<LinkReport> links() const = 0;

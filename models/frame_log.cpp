@@ -19,7 +19,7 @@ QByteArray header()
 
 QByteArray exact(double value) { return QByteArray::number(value, 'g', 17); }
 
-QByteArray line(const DrawnFrame& f)
+QByteArray line(const LoggedFrame& f)
 {
     QByteArrayList cells{QByteArray::number(qlonglong(f.local.time_since_epoch().count())),
                          QByteArray::number(qlonglong(f.session.time_since_epoch().count())),
@@ -40,7 +40,7 @@ QByteArray line(const DrawnFrame& f)
 }
 
 /// The numbers of one line; nothing where one is missing that must be there.
-std::optional<DrawnFrame> parse(const QByteArrayList& cells)
+std::optional<LoggedFrame> parse(const QByteArrayList& cells)
 {
     if (cells.size() != kColumns)
         return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<DrawnFrame> parse(const QByteArrayList& cells)
         allRight = allRight && right;
         return value;
     };
-    DrawnFrame f;
+    LoggedFrame f;
     f.local = LocalTime{Duration{whole(0)}};
     f.session = SessionTime{Duration{whole(1)}};
     f.level = static_cast<int>(whole(2));
@@ -76,31 +76,31 @@ std::optional<DrawnFrame> parse(const QByteArrayList& cells)
 
 } // namespace
 
-Result<void> writeFrames(const QString& path, const std::vector<DrawnFrame>& frames)
+Result<void> writeFrames(const QString& path, const std::vector<LoggedFrame>& frames)
 {
     QSaveFile file{path};
     if (!file.open(QIODevice::WriteOnly))
         return fail(Errc::FileUnwritable, path.toStdString());
     file.write(header());
-    for (const DrawnFrame& frame : frames)
+    for (const LoggedFrame& frame : frames)
         file.write(line(frame));
     if (!file.commit())
         return fail(Errc::FileUnwritable, path.toStdString());
     return {};
 }
 
-Result<std::vector<DrawnFrame>> readFrames(const QString& path)
+Result<std::vector<LoggedFrame>> readFrames(const QString& path)
 {
     QFile file{path};
     if (!file.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, path.toStdString());
-    std::vector<DrawnFrame> frames;
+    std::vector<LoggedFrame> frames;
     int number = 1;
     if (file.readLine() != header())
         return fail(Errc::FileMalformed, path.toStdString() + ": line 1 is not the header");
     while (!file.atEnd()) {
         ++number;
-        const std::optional<DrawnFrame> frame = parse(file.readLine().trimmed().split(','));
+        const std::optional<LoggedFrame> frame = parse(file.readLine().trimmed().split(','));
         if (!frame)
             return fail(Errc::FileMalformed, path.toStdString() + ": line " + std::to_string(number)
                                                  + " is not a frame");

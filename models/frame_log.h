@@ -14,7 +14,7 @@ namespace carina
 {
 
 /// One frame as it was drawn: what went to the screen, and when.
-struct DrawnFrame {
+struct LoggedFrame {
     LocalTime local{};     ///< CLOCK_MONOTONIC when drawing ended; one clock for all on a machine
     SessionTime session{}; ///< the session time that was drawn
     int level = 0;         ///< level of detail of the lungs
@@ -24,13 +24,13 @@ struct DrawnFrame {
     std::array<double, 2> volume_ml{};  ///< right and left lung, from the vertices drawn
 };
 
-/// Writes frames as CSV with a header line, one line each; the columns are those of DrawnFrame with
-/// their units, empty where a value is absent.
+/// Writes frames as CSV with a header line, one line each; the columns are those of LoggedFrame
+/// with their units, empty where a value is absent.
 /// @returns FileUnwritable with the path.
-[[nodiscard]] Result<void> writeFrames(const QString& path, const std::vector<DrawnFrame>& frames);
+[[nodiscard]] Result<void> writeFrames(const QString& path, const std::vector<LoggedFrame>& frames);
 
 /// Reads what writeFrames wrote.
 /// @returns FileNotFound, or FileMalformed with the path and line.
-[[nodiscard]] Result<std::vector<DrawnFrame>> readFrames(const QString& path);
+[[nodiscard]] Result<std::vector<LoggedFrame>> readFrames(const QString& path);
 
 } // namespace carina

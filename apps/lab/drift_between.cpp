@@ -34,8 +34,8 @@ double shareBetween(auto before, auto after, auto at)
 }
 
 /// Two neighbouring frames of the owner around a time told by `timeOf`, or null.
-std::pair<const DrawnFrame*, const DrawnFrame*> around(std::span<const DrawnFrame> owner, auto at,
-                                                       auto timeOf)
+std::pair<const LoggedFrame*, const LoggedFrame*> around(std::span<const LoggedFrame> owner,
+                                                         auto at, auto timeOf)
 {
     const auto after = std::ranges::upper_bound(owner, at, {}, timeOf);
     if (after == owner.begin() || after == owner.end())
@@ -48,12 +48,12 @@ std::pair<const DrawnFrame*, const DrawnFrame*> around(std::span<const DrawnFram
 
 } // namespace
 
-DriftSummary driftBetween(std::span<const DrawnFrame> owner, std::span<const DrawnFrame> viewer)
+DriftSummary driftBetween(std::span<const LoggedFrame> owner, std::span<const LoggedFrame> viewer)
 {
     std::vector<double> angles_deg;
     std::vector<double> distances_mm;
     std::vector<double> clocks_ms;
-    for (const DrawnFrame& seen : viewer) {
+    for (const LoggedFrame& seen : viewer) {
         const auto [s0, s1] = around(owner, seen.session, [](const auto& f) { return f.session; });
         if (s0 && seen.X_AE && s0->X_AE && s1->X_AE) {
             const RigidTransform X_AE = interpolate(

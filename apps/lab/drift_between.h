@@ -21,7 +21,7 @@ struct DriftSummary {
 /// Each frame of `viewer` is held against the pose of `owner` at the session time the viewer drew,
 /// interpolated between the owner's frames (state drift). The clocks are held against each other at
 /// the local time of each viewer's frame.
-[[nodiscard]] DriftSummary driftBetween(std::span<const DrawnFrame> owner,
-                                        std::span<const DrawnFrame> viewer);
+[[nodiscard]] DriftSummary driftBetween(std::span<const LoggedFrame> owner,
+                                        std::span<const LoggedFrame> viewer);
 
 } // namespace carina::lab

@@ -17,11 +17,11 @@ constexpr double kDegreesPerSecond = 100.0;
 constexpr double kMillimetresPerSecond = 200.0;
 
 /// Frames of a tube that turns and moves steadily, at 60 Hz from `start`, told `late` behind.
-std::vector<DrawnFrame> steady(Duration start, Duration late, Duration clockOffset = {})
+std::vector<LoggedFrame> steady(Duration start, Duration late, Duration clockOffset = {})
 {
-    std::vector<DrawnFrame> frames;
+    std::vector<LoggedFrame> frames;
     for (int i = 0; i < 120; ++i) {
-        DrawnFrame frame;
+        LoggedFrame frame;
         const Duration local = start + Duration{i * 16'666'667LL};
         frame.local = LocalTime{local};
         frame.session = SessionTime{local + clockOffset};

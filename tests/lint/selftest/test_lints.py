@@ -1,0 +1,170 @@
+"""Each lint is shown a small tree that is right, then the same tree with one planted fault."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import format as format_lint
+import layers
+import links
+import size
+import words
+
+TABLE = """# Architecture
+
+## Who may include whom
+
+| files in | may include | libraries |
+|---|---|---|
+| `engine/core` | - | tl::expected |
+| `engine/sync` | `engine/core` | Eigen |
+| `engine/net` | all above | Qt Core, Qt Network |
+| `models` | `engine/sync` | Qt Core |
+| `apps` | all | all |
+
+## Afterwards
+
+| `widgets` | all | all |
+"""
+PROMISE = "TO" + "DO"
+MACHINE = "/ho" + "me/someone/carina"
+
+
+class Tree(unittest.TestCase):
+    """A tree of files in a folder of its own, beside a folder of Qt's headers."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name) / "tree"
+        self.qt = pathlib.Path(folder.name) / "qt6"
+        for header in ("QtCore/QObject", "QtNetwork/QUdpSocket", "QtGui/QImage", "Qt3DCore/QEntity"):
+            self.write(header, "", self.qt)
+        self.write("docs/architecture.md", TABLE)
+        self.write("engine/core/result.h", "#include <tl/expected.hpp>\n#include <vector>\n")
+        self.write("engine/sync/codec.h", '#include "engine/core/result.h"\n#include <Eigen/Core>\n')
+        self.write("engine/net/pump.cpp", '#include "engine/sync/codec.h"\n#include <QUdpSocket>\n')
+        self.write("models/drift.cpp", '#include "drift.moc"\n#include "engine/sync/codec.h"\n')
+        self.write("apps/main.cpp", '#include "models/drift.cpp"\n#include <QImage>\n')
+
+    def write(self, path, text, root=None):
+        file = (root or self.root) / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+
+class Layers(Tree):
+    def faults(self):
+        return layers.faults_of(self.root, self.qt)
+
+    def one_fault(self, path, text, words_of_it):
+        self.write(path, text)
+        faults = self.faults()
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn(path, faults[0])
+        self.assertIn(words_of_it, faults[0])
+
+    def test_a_right_tree_has_no_fault(self):
+        self.assertEqual(self.faults(), [])
+
+    def test_refuses_an_include_against_the_order(self):
+        self.one_fault("engine/sync/x.h", '#include "engine/net/pump.cpp"\n', "in engine/net")
+
+    def test_all_above_ends_at_the_row(self):
+        self.one_fault("engine/net/x.h", '#include "models/drift.cpp"\n', "in models")
+
+    def test_names_the_line(self):
+        self.one_fault("engine/core/x.h", '\n\n#include "engine/sync/codec.h"\n', "x.h:3:")
+
+    def test_refuses_a_library_outside_the_row(self):
+        self.one_fault("engine/net/x.h", "#include <QImage>\n", "Qt Gui")
+
+    def test_refuses_a_library_named_by_its_folder(self):
+        self.one_fault("models/x.h", "#include <Qt3DCore/QEntity>\n", "Qt3D")
+
+    def test_refuses_an_unknown_library(self):
+        self.one_fault("apps/x.h", "#include <zlib.h>\n", "does not know")
+
+    def test_refuses_an_include_beside_the_file(self):
+        self.one_fault("engine/core/x.cpp", '#include "result.h"\n', "path from the root")
+
+    def test_refuses_a_folder_without_a_row(self):
+        self.one_fault("widgets/x.h", "#include <vector>\n", "no row")
+
+    def test_refuses_a_missing_table(self):
+        self.one_fault("docs/architecture.md", "# Architecture\n", "no table")
+
+
+class Links(unittest.TestCase):
+    RIGHT = "\tlibQt6Core.so.6 => /lib/libQt6Core.so.6 (0x1)\n\tlibc.so.6 => /lib/libc.so.6 (0x2)\n"
+
+    def test_qt_6_alone_is_right(self):
+        self.assertEqual(links.faults_in("lab", self.RIGHT), [])
+
+    def test_refuses_qt_5(self):
+        listing = self.RIGHT + "\tlibQt5Core.so.5 => /lib/libQt5Core.so.5 (0x3)\n"
+        self.assertEqual(links.faults_in("lab", listing), ["lab: loads libQt5Core.so.5"])
+
+    def test_refuses_highgui(self):
+        listing = self.RIGHT + "\tlibopencv_highgui.so.406 => /lib/libopencv_highgui.so.406 (0x3)\n"
+        self.assertEqual(links.faults_in("lab", listing), ["lab: loads libopencv_highgui.so.406"])
+
+    def test_refuses_a_missing_library(self):
+        listing = self.RIGHT + "\tlibvdb.so => not found\n"
+        self.assertEqual(links.faults_in("lab", listing), ["lab: libvdb.so is not there"])
+
+    def test_reads_a_program(self):
+        self.assertEqual(links.faults_of("/bin/sh"), [])
+        self.assertEqual(len(links.faults_of("/bin/no-such-program")), 1)
+
+
+class Format(Tree):
+    def test_refuses_other_spacing(self):
+        program = format_lint.formatter()
+        if program is None:
+            self.skipTest("no clang-format of that version")
+        self.write(".clang-format", "BasedOnStyle: LLVM\n")
+        self.write("apps/main.cpp", "int main() { return 0; }\n")
+        self.assertEqual(format_lint.faults_of(self.root, program), [])
+        self.write("apps/main.cpp", "int main()   { return 0; }\n")
+        self.assertEqual(len(format_lint.faults_of(self.root, program)), 1)
+
+
+class Size(Tree):
+    def test_299_lines_are_right_and_300_are_not(self):
+        self.write("engine/core/x.cpp", "\n" * 299)
+        self.assertEqual(size.faults_of(self.root), [])
+        self.write("engine/core/x.cpp", "\n" * 300)
+        self.assertEqual(len(size.faults_of(self.root)), 1)
+
+    def test_20_root_entries_are_right_and_21_are_not(self):
+        for number in range(16):
+            self.write(f"entry{number}.md", "")
+        self.write(".hidden", "")
+        self.assertEqual(size.faults_of(self.root), [])
+        self.write("entry16.md", "")
+        self.assertEqual(len(size.faults_of(self.root)), 1)
+
+
+class Words(Tree):
+    def test_a_right_tree_has_no_fault(self):
+        self.assertEqual(words.faults_of(self.root), [])
+
+    def test_refuses_a_promise(self):
+        self.write("engine/core/x.cpp", f"\n// {PROMISE}: later\n")
+        self.assertEqual(len(words.faults_of(self.root)), 1)
+        self.assertIn("engine/core/x.cpp:2:", words.faults_of(self.root)[0])
+
+    def test_refuses_a_path_of_one_machine(self):
+        self.write("docs/start.md", f"cd {MACHINE}\n")
+        self.assertEqual(len(words.faults_of(self.root)), 1)
+
+    def test_a_path_of_the_project_is_right(self):
+        self.write("docs/start.md", "tests/home/page.md and build/root/x and ../shared/data\n")
+        self.assertEqual(words.faults_of(self.root), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

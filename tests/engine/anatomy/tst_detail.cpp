@@ -1,4 +1,5 @@
 #include "engine/anatomy/detail.h"
+#include "engine/geometry/mesh_winding.h"
 #include "tests/engine/anatomy/surface_checks.h"
 
 #include <QTest>

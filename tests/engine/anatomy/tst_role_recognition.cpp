@@ -1,0 +1,148 @@
+#include "engine/anatomy/role_recognition.h"
+#include "tests/support/test_data.h"
+
+#include <QTest>
+
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace carina
+{
+namespace
+{
+
+/// The roles that a group of the anatomy set's manifest may hold.
+const std::map<std::string, std::set<PartRole>> kRolesOfGroup{
+    {"airway",
+     {PartRole::Trachea, PartRole::RightMainBronchus, PartRole::LeftMainBronchus,
+      PartRole::BronchialTree}},
+    {"larynx", {PartRole::Larynx, PartRole::Epiglottis}},
+    {"mouth_pharynx",
+     {PartRole::Tooth, PartRole::Tongue, PartRole::Pharynx, PartRole::Oesophagus, PartRole::Muscle,
+      PartRole::Other}},
+    {"skull", {PartRole::Skull, PartRole::Mandible}},
+    {"spine", {PartRole::Spine}},
+    {"thorax", {PartRole::Rib}},
+    {"neck_muscle", {PartRole::Muscle, PartRole::Other}},
+    {"vessels_heart", {PartRole::Heart, PartRole::Vessel}},
+};
+
+} // namespace
+
+class TestRoleRecognition : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void recognisesNames_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("role");
+        const auto row = [](const char* name, const char* role) {
+            QTest::newRow(name) << QString::fromLatin1(name) << QString::fromLatin1(role);
+        };
+        row("Trachea", "trachea");
+        row("TRACHEA", "trachea");
+        row("Left main bronchus", "left_main_bronchus");
+        row("Right main bronchus proper", "right_main_bronchus");
+        row("Main bronchus", "other");
+        row("Superior lingular bronchial tree", "bronchial_tree");
+        row("Bronchial branch of arch of aorta", "vessel");
+        row("Set of oesophageal branches of thoracic aorta", "vessel");
+        row("Left crico-arytenoid", "larynx");
+        row("Left thyrohyoid", "muscle");
+        row("Left thyrohyoid membrane", "larynx");
+        row("Epiglottis", "epiglottis");
+        row("Hyo-epiglottic ligament", "larynx");
+        row("Thyroid gland", "other");
+        row("right_upper_lobe", "right_upper_lobe");
+        row("Middle lobe of right lung", "right_middle_lobe");
+        row("Lower lobe of left lung", "left_lower_lobe");
+        row("LeftLung", "left_lung");
+        row("lung.R", "right_lung");
+        row("Lungs", "other");
+        row("Left upper central secondary incisor tooth", "tooth");
+        row("Mandible", "mandible");
+        row("Axis", "spine");
+        row("Left second costal cartilage", "rib");
+        row("Tribal mask", "other");
+        row("Esophagus", "oesophagus");
+        row("Left genioglossus", "tongue");
+        row("Diaphragm", "diaphragm");
+        row("", "other");
+    }
+
+    void recognisesNames()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, role);
+        const PartRole found = recogniseRole({}, name.toStdString());
+        QCOMPARE(QString::fromLatin1(roleName(found)), role);
+    }
+
+    void recognisesConceptsWithoutAName()
+    {
+        QVERIFY(recogniseRole("FMA7394", "") == PartRole::Trachea);
+        QVERIFY(recogniseRole("FMA68210", "") == PartRole::Other);
+        QVERIFY(recogniseRole("FMA68211", "") == PartRole::BronchialTree);
+        QVERIFY(recogniseRole("FMA68233", "") == PartRole::BronchialTree);
+        QVERIFY(recogniseRole("FMA68234", "") == PartRole::Other);
+        QVERIFY(recogniseRole("7394", "") == PartRole::Other);
+        QVERIFY(recogniseRole("FMA7394x", "") == PartRole::Other);
+        QVERIFY(recogniseRole("FMA99999999999999", "") == PartRole::Other);
+    }
+
+    void prefersTheConceptToTheName()
+    {
+        QVERIFY(recogniseRole("FMA7394", "Mandible") == PartRole::Trachea);
+        QVERIFY(recogniseRole("FMA1", "Mandible") == PartRole::Mandible);
+    }
+
+    void readsTheSideFromANameThatHasOne()
+    {
+        QVERIFY(sideFromName("Left second rib") == Side::Left);
+        QVERIFY(sideFromName("rib_R") == Side::Right);
+        QVERIFY(sideFromName("upright bar") == std::nullopt);
+        QVERIFY(sideFromName("left and right lung") == std::nullopt);
+    }
+
+    void recognisesTheWholeRealSet()
+    {
+        const auto manifest = test::testData("anatomy/bodyparts3d/MANIFEST.tsv");
+        if (!manifest)
+            QSKIP("the real anatomy is not here");
+        std::ifstream stream{*manifest};
+        std::string line;
+        std::getline(stream, line);
+        int parts = 0;
+        int others = 0;
+        while (std::getline(stream, line)) {
+            std::istringstream cells{line};
+            std::string group, file, conceptId, name;
+            std::getline(cells, group, '\t');
+            std::getline(cells, file, '\t');
+            std::getline(cells, conceptId, '\t');
+            std::getline(cells, name, '\t');
+            const PartRole role = recogniseRole(conceptId, name);
+            QVERIFY2(kRolesOfGroup.at(group).contains(role), line.c_str());
+            // Where the concept is known, name and concept agree.
+            QVERIFY2(recogniseRole(conceptId, "") == PartRole::Other
+                         || recogniseRole("", name) == role,
+                     line.c_str());
+            ++parts;
+            if (role == PartRole::Other) {
+                ++others;
+                qInfo() << "without a role:" << name.c_str();
+            }
+        }
+        QCOMPARE(parts, 358);
+        QCOMPARE(others, 6); // gingivae, submandibular glands, stylohyoid ligaments
+    }
+};
+
+} // namespace carina
+
+QTEST_APPLESS_MAIN(carina::TestRoleRecognition)
+#include "tst_role_recognition.moc"

@@ -1,0 +1,38 @@
+#version 330 core
+
+// Light on organs: a headlight, a soft sky that is brighter from above and in front of the patient,
+// a small highlight, and a rim that turns towards the silhouette. Both faces are lit.
+
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec3 color; // sRGB, as colours are chosen
+
+uniform vec3 eyePosition;
+uniform float gloss;       // strength of the highlight, 0 to 1
+uniform float opacity;     // of a surface seen face on
+uniform float rimOpacity;  // of a surface seen edge on
+uniform float rimLight;    // light added edge on
+
+out vec4 fragment;
+
+const vec3 kSky = vec3(0.80, 0.88, 1.00);
+const vec3 kGround = vec3(0.42, 0.36, 0.34);
+
+void main()
+{
+    vec3 view = normalize(eyePosition - worldPosition);
+    vec3 normal = normalize(worldNormal);
+    if (dot(normal, view) < 0.0)
+        normal = -normal;
+    float facing = dot(normal, view);
+    float edge = pow(1.0 - facing, 2.5);
+
+    vec3 albedo = color * color; // close to linear light
+    vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, normalize(vec3(0.0, -0.45, 0.9))));
+    vec3 light = 0.62 * facing * vec3(1.0, 0.98, 0.95) + 0.42 * sky;
+    vec3 half = normalize(view + normalize(vec3(-0.3, -0.8, 0.9)));
+    float highlight = gloss * pow(max(dot(normal, half), 0.0), 40.0);
+    vec3 shade = albedo * light + vec3(0.5 * highlight) + rimLight * edge * mix(albedo, kSky, 0.35);
+
+    fragment = vec4(sqrt(min(shade, 1.0)), mix(opacity, rimOpacity, edge));
+}

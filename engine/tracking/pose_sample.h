@@ -35,8 +35,8 @@ struct Motion {
 /// the object. A lost sample carries the last pose known; it is never an identity by default.
 struct PoseSample {
     SessionTime time{};
-    RigidTransform X_FO;
-    std::optional<Motion> motion; ///< where the source knows it
+    RigidTransform X_FO{};
+    std::optional<Motion> motion{}; ///< where the source knows it
     Validity validity = Validity::Tracked;
     double error = 0.0; ///< RMS fit error of the device, metres
     How how = How::Exact;

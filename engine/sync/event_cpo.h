@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/core/ids.h"
+#include "engine/core/session_time.h"
+#include "engine/geometry/rigid_transform.h"
+
+#include <cstdint>
+
+namespace carina
+{
+
+enum class ActionKind : std::uint8_t { Rotation, Translation, Scaling };
+
+/// A control packet object of an event: an action on a shared object O that goes on by itself, so
+/// that any node can evaluate it for any time, to the same bits.
+///
+/// With t the time since `start`: a rotation turns O about its own origin by rate t (rad) about
+/// axis_A; a translation moves it by rate t (m) along axis_A; a scaling multiplies its size by
+/// exp(rate t).
+struct EventCpo {
+    ObjectId object;
+    std::uint16_t epoch = 0;  ///< of the ownership under which the action was taken
+    std::uint32_t action = 0; ///< counts the owner's actions; wraps
+    ActionKind kind = ActionKind::Rotation;
+    SessionTime start{};
+    Quat q_AO = Quat::Identity(); ///< at the start; of unit length to 1e-9
+    Vec3 p_AO = Vec3::Zero();     ///< at the start, metres
+    Vec3f axis_A = Vec3f::UnitX();
+    float rate = 0.0F;  ///< rad/s, m/s or 1/s by kind
+    float scale = 1.0F; ///< size of O against its model at the start, above 0
+};
+
+/// A shared object as an action has left it.
+struct ActedPose {
+    RigidTransform X_AO;
+    double scale = 1.0;
+};
+
+/// The object at time t. Before the start it is as it was at the start.
+[[nodiscard]] ActedPose evaluate(const EventCpo& event, SessionTime t);
+
+} // namespace carina

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/core/ids.h"
+#include "engine/core/session_time.h"
+#include "engine/geometry/rigid_transform.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// How well the owner saw the object when the sample was taken.
+enum class StreamValidity : std::uint8_t { Tracked, PartlyOccluded, Lost };
+
+/// Velocity of an object O in the anatomy frame A of its station, in axes of A.
+struct StreamMotion {
+    Vec3 v_AO = Vec3::Zero(); ///< of the origin of O, m/s
+    Vec3 w_AO = Vec3::Zero(); ///< angular, rad/s
+};
+
+/// A control packet object of a stream: where a shared object was at one time, and how it moved.
+///
+/// On the wire it is quantised (docs/protocol.md): time to 1 us, each quaternion component to
+/// 2.2e-5, position to 10 um within +-83.8 m, velocity to 0.1 mm/s within +-3.2 m/s, angular
+/// velocity to 0.02 deg/s within +-655 deg/s, error to 0.05 mm up to 12.75 mm. What lies outside is
+/// sent as the nearest value inside; a position outside is sent as Lost.
+struct StreamCpo {
+    ObjectId object;
+    std::uint16_t sequence = 0; ///< of this object's samples; wraps
+    SessionTime time{};         ///< when the pose was true
+    RigidTransform X_AO;
+    std::optional<StreamMotion> motion; ///< where the owner knows it
+    StreamValidity validity = StreamValidity::Tracked;
+    double error = 0.0; ///< RMS error of the pose, metres
+};
+
+/// Stream samples of one owner at one station, as they travel together.
+struct StreamGroup {
+    ParticipantId owner;
+    std::uint16_t epoch = 0; ///< rises, wrapping, each time the owner comes into the session
+    StationId station;
+    std::vector<StreamCpo> streams; ///< 1 to kStreamsPerGroup, within kGroupTimeSpan
+};
+
+/// As many as fit into one datagram.
+inline constexpr std::size_t kStreamsPerGroup = 30;
+/// The times of a group lie this close to the first, half an hour: 32 bits of microseconds hold it.
+inline constexpr Duration kGroupTimeSpan = std::chrono::minutes{30};
+
+} // namespace carina

@@ -17,7 +17,8 @@ endfunction()
 # carina_test(NAME SOURCES file... LINK target... [LABELS label...] [DISPLAY])
 #
 # One Qt Test program per class, run by ctest under its own name. DISPLAY marks a test that draws
-# with OpenGL: it runs under Xvfb with xcb; all others run with QT_QPA_PLATFORM=offscreen.
+# with OpenGL: it runs under Xvfb with xcb; all others run with QT_QPA_PLATFORM=offscreen. A program
+# of which nothing ran but its set-up and clean-up is reported as skipped.
 function(carina_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "SOURCES;LINK;LABELS")
   add_executable(test_${name} ${arg_SOURCES})
@@ -37,6 +38,6 @@ function(carina_test name)
     set(labels fast)
   endif()
   set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 120
-    SKIP_RETURN_CODE 77
+    SKIP_REGULAR_EXPRESSION "Totals: [12] passed, 0 failed, [1-9][0-9]* skipped"
     ENVIRONMENT "QT_QPA_PLATFORM=${platform};QT3D_RENDERER=opengl;LIBGL_ALWAYS_SOFTWARE=1")
 endfunction()

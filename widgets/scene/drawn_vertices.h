@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/geometry/deformable_mesh.h"
+
+#include <memory>
+
+namespace carina
+{
+
+/// Where the graphics card puts the vertices of one deformable mesh, to measure what is drawn.
+///
+/// Runs resources/shaders/organ.vert, the shader that draws every organ, over the mesh's own
+/// buffers in an OpenGL 3.3 context of its own and captures its outputs by transform feedback. The
+/// model matrix is the identity, so that positions and normals come back in the frame of the mesh.
+/// The mesh is uploaded once. Leaves the OpenGL context that was current current.
+class DrawnVertices
+{
+public:
+    /// @returns NoGraphics where there is no OpenGL 3.3 core context or the shader does not run.
+    /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
+    [[nodiscard]] static Result<DrawnVertices> of(const DeformableMesh& mesh);
+
+    DrawnVertices(DrawnVertices&&) noexcept;
+    DrawnVertices& operator=(DrawnVertices&&) noexcept;
+    ~DrawnVertices();
+
+    /// One position per vertex, in the order of the mesh, metres.
+    ///
+    /// @returns NoGraphics when the context is lost.
+    [[nodiscard]] Result<std::vector<Vec3f>> positions(float amplitude);
+    /// One unit normal per vertex, likewise.
+    [[nodiscard]] Result<std::vector<Vec3f>> normals(float amplitude);
+
+private:
+    class Card;
+
+    explicit DrawnVertices(std::unique_ptr<Card> card);
+
+    std::unique_ptr<Card> m_card;
+};
+
+} // namespace carina

@@ -3,13 +3,13 @@
 #include "engine/core/expects.h"
 #include "engine/session/fact_rules.h"
 #include "engine/session/utf8.h"
+#include "engine/sync/byte_buffer.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace carina
@@ -51,97 +51,62 @@ template <> constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Stylu
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
 
-class BodyWriter
+// One pair of overloads per type of field.
+
+template <Enumeration Enum> void putField(ByteWriter& out, Enum value)
 {
-public:
-    template <std::unsigned_integral Number> void put(Number number)
-    {
-        for (std::size_t i = 0; i < sizeof(Number); ++i)
-            m_bytes.push_back(static_cast<std::byte>((number >> (8 * i)) & 0xffu));
-    }
-    template <Enumeration Enum> void put(Enum value) { put(static_cast<std::uint8_t>(value)); }
-    template <class Tag, class Number> void put(Id<Tag, Number> id) { put(id.value); }
-    void put(double number) { put(std::bit_cast<std::uint64_t>(number)); }
-    template <class Dimension> void put(Quantity<Dimension> quantity) { put(quantity.si); }
-    void put(const std::string& text)
-    {
-        CARINA_EXPECTS(text.size() <= std::numeric_limits<std::uint8_t>::max());
-        put(static_cast<std::uint8_t>(text.size()));
-        for (char c : text)
-            m_bytes.push_back(static_cast<std::byte>(c));
-    }
-
-    [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
-
-private:
-    std::vector<std::byte> m_bytes;
-};
-
-/// Reads fields until one is wrong; from then on everything is.
-class BodyReader
+    out.number(static_cast<std::uint8_t>(value));
+}
+template <Enumeration Enum> void getField(ByteReader& in, Enum& value)
 {
-public:
-    explicit BodyReader(std::span<const std::byte> bytes) : m_rest{bytes} {}
+    const auto number = in.number<std::uint8_t>();
+    in.require(number <= static_cast<std::uint8_t>(kLastEnumerator<Enum>), "enumerator");
+    value = static_cast<Enum>(number);
+}
 
-    template <std::unsigned_integral Number> void get(Number& number)
-    {
-        const auto bytes = take(sizeof(Number));
-        std::uint64_t sum = 0;
-        for (std::size_t i = 0; i < bytes.size(); ++i)
-            sum |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
-        number = static_cast<Number>(sum);
-    }
-    template <Enumeration Enum> void get(Enum& value)
-    {
-        std::uint8_t number = 0;
-        get(number);
-        require(number <= static_cast<std::uint8_t>(kLastEnumerator<Enum>));
-        value = static_cast<Enum>(number);
-    }
-    template <class Tag, class Number> void get(Id<Tag, Number>& id) { get(id.value); }
-    void get(double& number)
-    {
-        std::uint64_t bits = 0;
-        get(bits);
-        number = std::bit_cast<double>(bits);
-        require(std::isfinite(number));
-    }
-    template <class Dimension> void get(Quantity<Dimension>& quantity) { get(quantity.si); }
-    void get(std::string& text)
-    {
-        std::uint8_t size = 0;
-        get(size);
-        for (std::byte b : take(size))
-            text.push_back(static_cast<char>(b));
-        require(isUtf8(text));
-    }
-
-    /// All fields were right and nothing is left.
-    [[nodiscard]] bool isWhole() const { return m_right && m_rest.empty(); }
-
-private:
-    void require(bool condition) { m_right = m_right && condition; }
-    std::span<const std::byte> take(std::size_t size)
-    {
-        require(size <= m_rest.size());
-        if (!m_right)
-            return {};
-        const auto taken = m_rest.first(size);
-        m_rest = m_rest.subspan(size);
-        return taken;
-    }
-
-    std::span<const std::byte> m_rest;
-    bool m_right = true;
-};
-
-template <class Body> std::optional<FactBody> readBodyOf(std::span<const std::byte> fields)
+template <class Tag, class Number> void putField(ByteWriter& out, Id<Tag, Number> id)
 {
+    out.number(id.value);
+}
+template <class Tag, class Number> void getField(ByteReader& in, Id<Tag, Number>& id)
+{
+    id.value = in.number<Number>();
+}
+
+void putField(ByteWriter& out, double number) { out.real(number); }
+void getField(ByteReader& in, double& number)
+{
+    number = in.realDouble();
+    in.require(std::isfinite(number), "finite number");
+}
+
+template <class Dimension> void putField(ByteWriter& out, Quantity<Dimension> quantity)
+{
+    putField(out, quantity.si);
+}
+template <class Dimension> void getField(ByteReader& in, Quantity<Dimension>& quantity)
+{
+    getField(in, quantity.si);
+}
+
+void putField(ByteWriter& out, const std::string& text)
+{
+    CARINA_EXPECTS(text.size() <= std::numeric_limits<std::uint8_t>::max());
+    out.number(static_cast<std::uint8_t>(text.size()));
+    out.bytes(std::as_bytes(std::span{text}));
+}
+void getField(ByteReader& in, std::string& text)
+{
+    for (const std::byte b : in.bytes(in.number<std::uint8_t>()))
+        text.push_back(static_cast<char>(b));
+    in.require(isUtf8(text), "UTF-8");
+}
+
+template <class Body> FactBody readBodyOf(ByteReader& in)
+{
+    static_assert(std::tuple_size_v<decltype(kFields<Body>)> > 0, "name its fields above");
     Body body;
-    BodyReader reader{fields};
-    std::apply([&](auto... field) { (reader.get(body.*field), ...); }, kFields<Body>);
-    if (!reader.isWhole())
-        return std::nullopt;
+    std::apply([&](auto... field) { (getField(in, body.*field), ...); }, kFields<Body>);
     return body;
 }
 
@@ -157,27 +122,29 @@ constexpr auto kBodyReaders =
 
 std::vector<std::byte> encodeBody(const FactBody& body)
 {
-    BodyWriter writer;
-    writer.put(static_cast<std::uint8_t>(body.index() + 1));
+    std::vector<std::byte> bytes;
+    ByteWriter out{bytes};
+    out.number(static_cast<std::uint8_t>(body.index() + 1));
     std::visit(
         [&]<class Body>(const Body& fields) {
-            std::apply([&](auto... field) { (writer.put(fields.*field), ...); }, kFields<Body>);
+            std::apply([&](auto... field) { (putField(out, fields.*field), ...); }, kFields<Body>);
         },
         body);
-    return writer.take();
+    return bytes;
 }
 
 Result<FactBody> decodeBody(std::span<const std::byte> bytes)
 {
-    if (bytes.empty())
-        return fail(Errc::PacketMalformed, "a fact without a kind");
-    const auto kind = std::to_integer<std::size_t>(bytes.front());
+    ByteReader in{bytes};
+    const std::size_t kind = in.number<std::uint8_t>();
     if (kind < 1 || kind > kBodyReaders.size())
-        return fail(Errc::PacketMalformed, "a fact of unknown kind " + std::to_string(kind));
-    std::optional<FactBody> body = kBodyReaders[kind - 1](bytes.subspan(1));
-    if (!body)
-        return fail(Errc::PacketMalformed, "a fact of kind " + std::to_string(kind));
-    return *std::move(body);
+        return fail(Errc::PacketMalformed, "kind of fact " + std::to_string(kind));
+    FactBody body = kBodyReaders[kind - 1](in);
+    in.require(in.remaining() == 0, "length");
+    if (!in.ok())
+        return fail(Errc::PacketMalformed,
+                    "fact of kind " + std::to_string(kind) + ": " + in.brokenRule());
+    return body;
 }
 
 FactRecord toRecord(const Fact& fact)

@@ -3,9 +3,8 @@
 #include "engine/session/fact_rules.h"
 
 #include <algorithm>
-#include <limits>
+#include <cstdint>
 #include <string>
-#include <type_traits>
 
 namespace carina
 {
@@ -14,6 +13,7 @@ namespace
 {
 
 constexpr ParticipantId kHost{0};
+constexpr std::uint16_t kLastId = kNobody.value - 1;
 
 template <class... Functions> struct Overloaded : Functions... {
     using Functions::operator()...;
@@ -42,9 +42,8 @@ template <class Entries, class IsSame> auto idFor(const Entries& entries, IsSame
         return known->first;
     if (entries.empty())
         return EntryId{1};
-    constexpr auto kLast = std::numeric_limits<decltype(EntryId::value)>::max();
     const auto last = entries.rbegin()->first.value;
-    return last == kLast ? EntryId{0} : EntryId{static_cast<decltype(EntryId::value)>(last + 1)};
+    return last >= kLastId ? EntryId{0} : EntryId{static_cast<decltype(EntryId::value)>(last + 1)};
 }
 
 /// Gives or checks an id: an explicit one has to name an entry that is the same.
@@ -111,7 +110,9 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, co
 Result<void> checkPermission(const SessionState& state, ParticipantId authorId,
                              const FactBody& body)
 {
-    if (authorId == kHost)
+    const bool isAdmission =
+        authorId == kNobody && std::holds_alternative<fact::ParticipantJoined>(body);
+    if (authorId == kHost || isAdmission)
         return {};
     const auto author = state.participants().find(authorId);
     if (author == state.participants().end())

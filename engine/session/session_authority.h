@@ -33,7 +33,9 @@ public:
     /// and role, else the next free one; an ObjectShared with object 0 that of the same owner, kind
     /// and name. Ids other than 0 must be known.
     ///
-    /// @param author the role behind this id decides; the host itself (0) may everything.
+    /// @param proposal its author decides. The host itself (0) may everything, who is not
+    ///        admitted yet (kNobody) may join, instructors may all but create the session, trainees
+    ///        may join, leave and share objects as themselves, observers only join and leave.
     /// @returns NotPermitted where the author's role may not do this; SessionEnded after the end;
     ///          OutOfRange for a parameter outside the range a patient can have, an unknown
     ///          station, participant or object, and a phase that cannot follow the present one.

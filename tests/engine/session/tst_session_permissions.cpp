@@ -1,0 +1,232 @@
+#include "tests/engine/session/judging.h"
+
+#include <QTest>
+
+namespace carina::test
+{
+
+/// Who may do what, and when.
+class TestSessionPermissions : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void permitsByRole_data();
+    void permitsByRole();
+    void permitsPhasesInTheirOrder_data();
+    void permitsPhasesInTheirOrder();
+    void takesOnlyPeopleAndObjectsAfterTheEnd_data();
+    void takesOnlyPeopleAndObjectsAfterTheEnd();
+    void createsFirstAndOnce();
+    void refusesValuesThatNoPatientHas();
+    void knowsTheStationItIsAbout_data();
+    void knowsTheStationItIsAbout();
+};
+
+namespace
+{
+
+constexpr ParticipantId kStranger{42};
+
+/// The sample session moved to a phase by the ways there are.
+SessionAuthority authorityIn(SessionPhase phase)
+{
+    LogWriter writer = sampleSession();
+    const auto enter = [&](SessionPhase next) {
+        writer.add(atSeconds(double(writer.log().size())), fact::PhaseChanged{next});
+    };
+    if (phase != SessionPhase::Prepared)
+        enter(SessionPhase::Running);
+    if (phase == SessionPhase::Paused || phase == SessionPhase::Ended)
+        enter(phase);
+    return SessionAuthority{writer.log()};
+}
+
+fact::ParticipantJoined joinAs(const SessionState& state, ParticipantId id)
+{
+    const auto known = state.participants().find(id);
+    if (known == state.participants().end())
+        return {{}, Role::Trainee, "Newcomer"};
+    return {{}, known->second.role, known->second.name};
+}
+
+} // namespace
+
+void TestSessionPermissions::permitsByRole_data()
+{
+    QTest::addColumn<FactBody>("body");
+    QTest::addColumn<int>("author");
+    QTest::addColumn<bool>("permitted");
+
+    const SessionState state = sampleAuthority().state();
+    const ParticipantId authors[] = {kSampleHost,     kSampleInstructor, kSampleTrainee,
+                                     kSampleObserver, kStranger,         kNobody};
+    const char* authorNames[] = {"host", "instructor", "trainee", "observer", "stranger", "nobody"};
+    // One letter per author: y permitted, n not.
+    const auto row = [&](const char* action, const char* who, auto bodyOf) {
+        for (std::size_t i = 0; i < std::size(authors); ++i)
+            QTest::addRow("%s %s", authorNames[i], action)
+                << FactBody{bodyOf(authors[i])} << int(authors[i].value) << (who[i] == 'y');
+    };
+    row("starts", "yynnnn", [](auto) { return fact::PhaseChanged{SessionPhase::Running}; });
+    row("sets the rate", "yynnnn", [](auto) { return fact::BreathingRateSet{perMinute(20.0)}; });
+    row("sets the tidal volume", "yynnnn",
+        [](auto) { return fact::TidalVolumeSet{millilitres(400.0)}; });
+    row("sets the fraction", "yynnnn", [](auto) { return fact::InspiratoryFractionSet{0.3}; });
+    row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
+    row("comes back", "yyyyny", [&](auto id) { return joinAs(state, id); });
+    row("comes back under its number", "nyyynn", [&](ParticipantId id) {
+        fact::ParticipantJoined joined = joinAs(state, id);
+        joined.participant = id == kSampleHost ? kStranger : id;
+        return joined;
+    });
+    row("brings a new trainee", "yynnny", [](auto) {
+        return fact::ParticipantJoined{{}, Role::Trainee, "New"};
+    });
+    row("makes Tom an instructor", "yynnny", [](auto) {
+        return fact::ParticipantJoined{{}, Role::Instructor, "Tom"};
+    });
+    row("sends the other trainee away", "yynnnn",
+        [](auto) { return fact::ParticipantLeft{kSampleOtherTrainee}; });
+    row("shares its own stylus", "yyynnn", [](auto id) {
+        return fact::ObjectShared{{}, id, ObjectKind::Stylus, "stylus"};
+    });
+    row("shares for the other trainee", "yynnnn", [](auto) {
+        return fact::ObjectShared{{}, kSampleOtherTrainee, ObjectKind::Stylus, "stylus"};
+    });
+    row("keeps or takes the tube", "yyynnn", [](auto id) {
+        return fact::ObjectShared{kSampleTube, id, ObjectKind::Tube, "tube"};
+    });
+    row("gives the tube away", "yynnnn", [](auto) {
+        return fact::ObjectShared{kSampleTube, kSampleOtherTrainee, ObjectKind::Tube, "tube"};
+    });
+    QTest::newRow("other trainee takes the tube")
+        << FactBody{fact::ObjectShared{kSampleTube, kSampleOtherTrainee, ObjectKind::Tube, "tube"}}
+        << int(kSampleOtherTrainee.value) << false;
+    for (std::size_t i = 1; i < 4; ++i)
+        QTest::addRow("%s leaves", authorNames[i])
+            << FactBody{fact::ParticipantLeft{authors[i]}} << int(authors[i].value) << true;
+}
+
+void TestSessionPermissions::permitsByRole()
+{
+    QFETCH(const FactBody, body);
+    QFETCH(const int, author);
+    QFETCH(const bool, permitted);
+    const Result<Fact> fact =
+        judgeBy(sampleAuthority(), ParticipantId{std::uint16_t(author)}, body);
+    QCOMPARE(fact.has_value(), permitted);
+}
+
+void TestSessionPermissions::permitsPhasesInTheirOrder_data()
+{
+    QTest::addColumn<int>("from");
+    QTest::addColumn<int>("to");
+    QTest::addColumn<QByteArray>("expected");
+    const char* names[] = {"prepared", "running", "paused", "ended"};
+    const char* expected[] = {"nynn", "nnyy", "nyny", "eeee"}; // e: session ended
+    for (int from = 0; from < 4; ++from)
+        for (int to = 0; to < 4; ++to)
+            QTest::addRow("%s to %s", names[from], names[to])
+                << from << to
+                << QByteArray{expected[from][to] == 'y'   ? "fine"
+                              : expected[from][to] == 'n' ? "out of range"
+                                                          : "session ended"};
+}
+
+void TestSessionPermissions::permitsPhasesInTheirOrder()
+{
+    QFETCH(const int, from);
+    QFETCH(const int, to);
+    QFETCH(const QByteArray, expected);
+    const SessionAuthority authority = authorityIn(SessionPhase(from));
+    QCOMPARE(verdict(judgeBy(authority, kSampleInstructor, fact::PhaseChanged{SessionPhase(to)})),
+             expected);
+}
+
+void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
+{
+    QTest::addColumn<FactBody>("body");
+    QTest::addColumn<QByteArray>("expected");
+    const auto row = [](const char* name, const FactBody& body, const char* expected) {
+        QTest::newRow(name) << body << QByteArray{expected};
+    };
+    row("join", fact::ParticipantJoined{{}, Role::Observer, "Late"}, "fine");
+    row("leave", fact::ParticipantLeft{kSampleTrainee}, "fine");
+    row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine");
+    row("station", fact::StationAdded{"S"}, "session ended");
+    row("anatomy", fact::AnatomyChosen{"aa", "A"}, "session ended");
+    row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");
+    row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "session ended");
+    row("fraction", fact::InspiratoryFractionSet{0.4}, "session ended");
+}
+
+void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd()
+{
+    QFETCH(const FactBody, body);
+    QFETCH(const QByteArray, expected);
+    QCOMPARE(verdict(judgeBy(authorityIn(SessionPhase::Ended), kSampleInstructor, body)), expected);
+}
+
+void TestSessionPermissions::createsFirstAndOnce()
+{
+    const FactBody creation = fact::SessionCreated{"New", "ab"};
+    const SessionAuthority empty{{}};
+    QCOMPARE(verdict(judgeBy(empty, kSampleHost, creation)), QByteArray{"fine"});
+    QCOMPARE(verdict(judgeBy(empty, kSampleHost, fact::StationAdded{"S"})),
+             QByteArray{"not permitted"});
+    QCOMPARE(verdict(judgeBy(empty, kNobody, creation)), QByteArray{"not permitted"});
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, creation)),
+             QByteArray{"not permitted"});
+
+    // Not even an instructor who would be in an empty log's place.
+    const Result<Fact> byInstructor = judgeBy(sampleAuthority(), kSampleInstructor, creation);
+    QCOMPARE(byInstructor.error().detail, std::string{"Ina"});
+}
+
+void TestSessionPermissions::refusesValuesThatNoPatientHas()
+{
+    const SessionAuthority authority = sampleAuthority();
+    QCOMPARE(
+        verdict(judgeBy(authority, kSampleInstructor, fact::BreathingRateSet{perMinute(61.0)})),
+        QByteArray{"out of range"});
+    QCOMPARE(verdict(judgeBy(authority, kNobody,
+                             fact::ParticipantJoined{{}, Role::Trainee, std::string(65, 'x')})),
+             QByteArray{"out of range"});
+}
+
+void TestSessionPermissions::knowsTheStationItIsAbout_data()
+{
+    QTest::addColumn<FactBody>("body");
+    QTest::addColumn<QByteArray>("known");
+    QTest::addColumn<QByteArray>("unknown");
+    const auto row = [](const char* name, const FactBody& body, const char* known,
+                        const char* unknown) {
+        QTest::newRow(name) << body << QByteArray{known} << QByteArray{unknown};
+    };
+    row("new station", fact::StationAdded{"S"}, "out of range", "fine");
+    row("join", fact::ParticipantJoined{{}, Role::Observer, "New"}, "fine", "out of range");
+    row("leave", fact::ParticipantLeft{kSampleTrainee}, "fine", "fine");
+    row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine",
+        "out of range");
+    row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "out of range");
+    row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "out of range");
+    row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "out of range");
+    row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "out of range");
+    row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine", "fine");
+}
+
+void TestSessionPermissions::knowsTheStationItIsAbout()
+{
+    QFETCH(const FactBody, body);
+    QFETCH(const QByteArray, known);
+    QFETCH(const QByteArray, unknown);
+    const SessionAuthority authority = sampleAuthority();
+    QCOMPARE(verdict(judgeBy(authority, kSampleHost, body)), known);
+    QCOMPARE(verdict(judgeBy(authority, kSampleHost, body, StationId{1})), unknown);
+}
+
+} // namespace carina::test
+
+QTEST_APPLESS_MAIN(carina::test::TestSessionPermissions)
+#include "tst_session_permissions.moc"

@@ -1,0 +1,275 @@
+#include "engine/session/session_state.h"
+#include "tests/engine/session/judging.h"
+
+#include <QTest>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace carina::test
+{
+
+class TestSessionState : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void isEmptyBeforeTheFirstFact();
+    void knowsWhoAndWhatIsThere();
+    void remembersWhoLeftAndTakesThemBack();
+    void givesAnObjectToItsNewOwner();
+    void movesThroughThePhasesAtTheirTimes();
+    void countsOnlyRunningTime();
+    void drivesEachStationByItsOwnFacts();
+    void breathesOnlyWhileItRuns();
+    void letsALateStationRunAtOnce();
+    void namesAStationAnewWithoutForgettingIt();
+    void ignoresWhatItDoesNotKnow_data();
+    void ignoresWhatItDoesNotKnow();
+    void isTheSameAtEveryNode();
+    void stopsAtAGapInTheNumbers_data();
+    void stopsAtAGapInTheNumbers();
+};
+
+namespace
+{
+
+SessionState stateOf(const LogWriter& writer)
+{
+    SessionState state;
+    for (const Fact& fact : writer.log())
+        state.apply(fact);
+    return state;
+}
+
+} // namespace
+
+void TestSessionState::isEmptyBeforeTheFirstFact()
+{
+    const SessionState state;
+    QCOMPARE(state.lastApplied().value, std::uint64_t{0});
+    QVERIFY(state.phaseAt(SessionTime::max()) == SessionPhase::Prepared);
+    QVERIFY(state.runningTime(SessionTime::max()) == Duration{0});
+    QVERIFY(state.participants().empty() && state.objects().empty() && state.stations().empty());
+    QVERIFY(state.name().empty() && state.sessionId().empty());
+}
+
+void TestSessionState::knowsWhoAndWhatIsThere()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::AnatomyChosen{"5eed", "Adult"});
+    const SessionState state = stateOf(writer);
+    QCOMPARE(state.lastApplied().value, std::uint64_t{8});
+    QCOMPARE(state.name(), std::string{"Routine intubation"});
+    QCOMPARE(state.sessionId(), std::string{"00ff"});
+
+    QCOMPARE(state.participants().size(), std::size_t{4});
+    const Participant& trainee = state.participants().at(kSampleTrainee);
+    QVERIFY(trainee.id == kSampleTrainee && trainee.role == Role::Trainee);
+    QVERIFY(trainee.name == "Tom" && trainee.station == kSampleStation && trainee.present);
+
+    QCOMPARE(state.objects().size(), std::size_t{1});
+    const SharedObject& tube = state.objects().at(kSampleTube);
+    QVERIFY(tube.id == kSampleTube && tube.owner == kSampleTrainee);
+    QVERIFY(tube.kind == ObjectKind::Tube && tube.name == "tube");
+    QVERIFY(tube.station == kSampleStation);
+
+    QCOMPARE(state.stations().size(), std::size_t{1});
+    const Station& station = state.stations().at(kSampleStation);
+    QVERIFY(station.id == kSampleStation && station.name == "Station 1");
+    QVERIFY(station.anatomyHash == "5eed" && station.anatomyName == "Adult");
+}
+
+void TestSessionState::remembersWhoLeftAndTakesThemBack()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::ParticipantLeft{kSampleTrainee});
+    SessionState state = stateOf(writer);
+    QVERIFY(!state.participants().at(kSampleTrainee).present);
+    QVERIFY(state.participants().at(kSampleObserver).present);
+    QCOMPARE(state.participants().at(kSampleTrainee).name, std::string{"Tom"});
+    state.apply(writer.add(atSeconds(2.0),
+                           fact::ParticipantJoined{kSampleTrainee, Role::Trainee, "Tom"},
+                           StationId{5}));
+    QVERIFY(state.participants().at(kSampleTrainee).present);
+    QVERIFY(state.participants().at(kSampleTrainee).station == StationId{5});
+}
+
+void TestSessionState::givesAnObjectToItsNewOwner()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0),
+               fact::ObjectShared{kSampleTube, kSampleInstructor, ObjectKind::Tube, "tube"});
+    const SessionState state = stateOf(writer);
+    QCOMPARE(state.objects().size(), std::size_t{1});
+    QVERIFY(state.objects().at(kSampleTube).owner == kSampleInstructor);
+}
+
+void TestSessionState::movesThroughThePhasesAtTheirTimes()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(10.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(20.0), fact::PhaseChanged{SessionPhase::Paused});
+    writer.add(atSeconds(30.0), fact::PhaseChanged{SessionPhase::Ended});
+    const SessionState state = stateOf(writer);
+    QVERIFY(state.phaseAt(atSeconds(10.0) - Duration{1}) == SessionPhase::Prepared);
+    QVERIFY(state.phaseAt(atSeconds(10.0)) == SessionPhase::Running);
+    QVERIFY(state.phaseAt(atSeconds(20.0)) == SessionPhase::Paused);
+    QVERIFY(state.phaseAt(atSeconds(30.0)) == SessionPhase::Ended);
+}
+
+void TestSessionState::countsOnlyRunningTime()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(10.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(20.0), fact::PhaseChanged{SessionPhase::Paused});
+    writer.add(atSeconds(50.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(60.0), fact::PhaseChanged{SessionPhase::Ended});
+    const SessionState state = stateOf(writer);
+    using std::chrono::seconds;
+    QVERIFY(state.runningTime(atSeconds(9.0)) == seconds{0});
+    QVERIFY(state.runningTime(atSeconds(13.0)) == seconds{3});
+    QVERIFY(state.runningTime(atSeconds(40.0)) == seconds{10});
+    QVERIFY(state.runningTime(atSeconds(51.0)) == seconds{11});
+    QVERIFY(state.runningTime(atSeconds(900.0)) == seconds{20});
+}
+
+void TestSessionState::drivesEachStationByItsOwnFacts()
+{
+    LogWriter writer = sampleSession();
+    const StationId second{7};
+    writer.add(atSeconds(0.0), fact::StationAdded{"Station 2"}, second);
+    writer.add(atSeconds(1.0), fact::BreathingRateSet{perMinute(33.0)}, second);
+    writer.add(atSeconds(2.0), fact::TidalVolumeSet{millilitres(510.0)}, second);
+    writer.add(atSeconds(3.0), fact::InspiratoryFractionSet{0.5}, second);
+    writer.add(atSeconds(4.0), fact::AnatomyChosen{"77", "Child"}, second);
+    const SessionState state = stateOf(writer);
+    const auto at = [&](StationId id, double seconds) {
+        return state.stations().at(id).breathing.settingsAt(atSeconds(seconds));
+    };
+    QCOMPARE(at(second, 0.9).rate, BreathingPattern{}.rate);
+    QCOMPARE(at(second, 1.0).rate, perMinute(33.0));
+    QCOMPARE(at(second, 1.9).tidalVolume, BreathingPattern{}.tidalVolume);
+    QCOMPARE(at(second, 2.0).tidalVolume, millilitres(510.0));
+    QCOMPARE(at(second, 2.9).inspiratoryFraction, BreathingPattern{}.inspiratoryFraction);
+    QCOMPARE(at(second, 3.0).inspiratoryFraction, 0.5);
+    QCOMPARE(state.stations().at(second).anatomyName, std::string{"Child"});
+    QCOMPARE(at(kSampleStation, 9.0).rate, BreathingPattern{}.rate);
+    QCOMPARE(at(kSampleStation, 9.0).tidalVolume, BreathingPattern{}.tidalVolume);
+    QCOMPARE(at(kSampleStation, 9.0).inspiratoryFraction, BreathingPattern{}.inspiratoryFraction);
+    QVERIFY(state.stations().at(kSampleStation).anatomyName.empty());
+}
+
+void TestSessionState::breathesOnlyWhileItRuns()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(0.0), fact::BreathingRateSet{perMinute(30.0)});
+    writer.add(atSeconds(10.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(20.0), fact::PhaseChanged{SessionPhase::Paused});
+    const SessionState state = stateOf(writer);
+    const BreathingTimeline& breathing = state.stations().at(kSampleStation).breathing;
+    QCOMPARE(breathing.breathsAt(atSeconds(10.0)), 0.0);
+    QCOMPARE(breathing.breathsAt(atSeconds(16.0)), 3.0);
+    QCOMPARE(breathing.breathsAt(atSeconds(99.0)), 5.0);
+}
+
+void TestSessionState::letsALateStationRunAtOnce()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(10.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(12.0), fact::StationAdded{"late"}, StationId{1});
+    writer.add(atSeconds(20.0), fact::PhaseChanged{SessionPhase::Paused});
+    const SessionState state = stateOf(writer);
+    for (const double seconds : {11.0, 15.0, 30.0})
+        QCOMPARE(state.stations().at(StationId{1}).breathing.breathsAt(atSeconds(seconds)),
+                 state.stations().at(kSampleStation).breathing.breathsAt(atSeconds(seconds)));
+}
+
+void TestSessionState::namesAStationAnewWithoutForgettingIt()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::BreathingRateSet{perMinute(30.0)});
+    writer.add(atSeconds(2.0), fact::StationAdded{"Room 5"});
+    const SessionState state = stateOf(writer);
+    const Station& station = state.stations().at(kSampleStation);
+    QCOMPARE(station.name, std::string{"Room 5"});
+    QCOMPARE(station.breathing.settingsAt(atSeconds(3.0)).rate, perMinute(30.0));
+}
+
+void TestSessionState::ignoresWhatItDoesNotKnow_data()
+{
+    QTest::addColumn<FactBody>("body");
+    QTest::newRow("rate") << FactBody{fact::BreathingRateSet{perMinute(30.0)}};
+    QTest::newRow("tidal volume") << FactBody{fact::TidalVolumeSet{millilitres(300.0)}};
+    QTest::newRow("inspiratory fraction") << FactBody{fact::InspiratoryFractionSet{0.3}};
+    QTest::newRow("anatomy") << FactBody{fact::AnatomyChosen{"aa", "A"}};
+    QTest::newRow("participant") << FactBody{fact::ParticipantLeft{ParticipantId{77}}};
+}
+
+void TestSessionState::ignoresWhatItDoesNotKnow()
+{
+    QFETCH(const FactBody, body);
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), body, StationId{99});
+    const SessionState state = stateOf(writer);
+    QCOMPARE(state.lastApplied().value, writer.log().size());
+    QCOMPARE(state.stations().size(), std::size_t{1});
+    QCOMPARE(state.participants().size(), std::size_t{4});
+}
+
+void TestSessionState::isTheSameAtEveryNode()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::PhaseChanged{SessionPhase::Running});
+    for (int i = 0; i < 50; ++i) {
+        writer.add(atSeconds(2.0 + i), fact::BreathingRateSet{perMinute(10.0 + i)});
+        writer.add(atSeconds(3.0 + i), fact::TidalVolumeSet{millilitres(200.0 + i)});
+    }
+    const SessionState here = stateOf(writer);
+    SessionState early; // copied half-way, as a snapshot is
+    for (std::size_t i = 0; i < 40; ++i)
+        early.apply(writer.log()[i]);
+    SessionState there = early;
+    for (std::size_t i = 40; i < writer.log().size(); ++i)
+        there.apply(writer.log()[i]);
+    for (double seconds = 0.0; seconds < 70.0; seconds += 0.37) {
+        const SessionTime t = atSeconds(seconds);
+        const auto volume = [t](const SessionState& state) {
+            return state.stations().at(kSampleStation).breathing.inspiredAt(t).si;
+        };
+        QVERIFY(volume(here) == volume(there)); // to the last bit
+        QVERIFY(here.runningTime(t) == there.runningTime(t));
+    }
+    QCOMPARE(early.lastApplied().value, std::uint64_t{40});
+}
+
+void TestSessionState::stopsAtAGapInTheNumbers_data()
+{
+    QTest::addColumn<int>("number");
+    QTest::newRow("the same again") << 7;
+    QTest::newRow("one left out") << 9;
+    QTest::newRow("none") << 0;
+}
+
+/// A broken contract aborts: seen from outside, in a child.
+void TestSessionState::stopsAtAGapInTheNumbers()
+{
+    QFETCH(const int, number);
+    SessionState state = stateOf(sampleSession());
+    Fact fact;
+    fact.number = FactNumber{std::uint64_t(number)};
+    const pid_t child = fork();
+    if (child == 0) {
+        close(STDERR_FILENO);
+        signal(SIGABRT, SIG_DFL);
+        state.apply(fact);
+        _exit(0);
+    }
+    int status = 0;
+    QCOMPARE(waitpid(child, &status, 0), child);
+    QVERIFY(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
+}
+
+} // namespace carina::test
+
+QTEST_APPLESS_MAIN(carina::test::TestSessionState)
+#include "tst_session_state.moc"

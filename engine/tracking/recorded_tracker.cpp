@@ -1,0 +1,47 @@
+#include "engine/tracking/recorded_tracker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+
+RecordedTracker::RecordedTracker(const TrackerSequence& sequence, PlaybackPace pace,
+                                 ReadSessionClock clock)
+    : m_pace{pace}, m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
+{
+    for (const RecordedTool& tool : sequence.tools) {
+        PoseHistory& history =
+            m_histories.emplace_back(PoseHistory::Limits{.capacity = tool.samples.size()});
+        m_tools.push_back({tool.name, tool.role, &history});
+        for (const PoseSample& sample : tool.samples)
+            m_entries.push_back({&history, sample});
+    }
+    std::ranges::stable_sort(m_entries, {}, [](const Entry& entry) { return entry.sample.time; });
+}
+
+Result<void> RecordedTracker::start()
+{
+    stop();
+    for (PoseHistory& history : m_histories)
+        history.clear();
+    m_delivered = 0;
+    m_start.reset();
+    return m_thread.start();
+}
+
+std::optional<SessionTime> RecordedTracker::advance(SessionTime now)
+{
+    if (!m_start)
+        m_start = now;
+    for (; m_delivered < m_entries.size(); ++m_delivered) {
+        Entry entry = m_entries[m_delivered];
+        entry.sample.time = *m_start + (entry.sample.time - m_entries.front().sample.time);
+        if (m_pace == PlaybackPace::Recorded && entry.sample.time > now)
+            return entry.sample.time;
+        entry.history->push(entry.sample);
+    }
+    return std::nullopt;
+}
+
+} // namespace carina

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/tracking/delivery_thread.h"
+#include "engine/tracking/sequence_file.h"
+
+namespace carina
+{
+
+enum class PlaybackPace : std::uint8_t {
+    Recorded,   ///< every sample when as much time has gone by as in the recording
+    AtFullSpeed ///< all samples at once
+};
+
+/// A tracker that plays a recording. Samples are stamped with the session time of the start plus
+/// their time since the first frame of the recording, at either pace, and each tool's history holds
+/// the whole recording.
+class RecordedTracker : public Tracker
+{
+public:
+    RecordedTracker(const TrackerSequence& sequence, PlaybackPace pace, ReadSessionClock clock);
+
+    /// Plays from the beginning.
+    [[nodiscard]] Result<void> start() override;
+    void stop() override { m_thread.stop(); }
+    [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
+
+    /// What the thread does: delivers what is due at `now`; the first call is the start.
+    /// @returns when the next sample is due; nothing at the end of the recording.
+    /// @pre the thread does not run.
+    std::optional<SessionTime> advance(SessionTime now);
+
+private:
+    struct Entry {
+        PoseHistory* history = nullptr;
+        PoseSample sample;
+    };
+
+    PlaybackPace m_pace;
+    std::deque<PoseHistory> m_histories; // one for each tool; a history cannot be moved
+    std::vector<TrackedTool> m_tools;
+    std::vector<Entry> m_entries; // ascending in time
+    std::size_t m_delivered = 0;
+    std::optional<SessionTime> m_start;
+    DeliveryThread m_thread; // last: ends before what it uses
+};
+
+} // namespace carina

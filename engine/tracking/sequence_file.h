@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/tracking/tracker.h"
+
+#include <filesystem>
+#include <istream>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// One tool of a recording: its poses X_T<tool>, in the order and on the clock of the file.
+struct RecordedTool {
+    std::string name; ///< as the file has it: "Stylus" of StylusToTracker
+    ToolRole role = ToolRole::Other;
+    std::vector<PoseSample> samples{};
+    /// Frames before the tool was first seen: lost, and without a last pose to carry.
+    std::size_t neverSeenYet = 0;
+};
+
+/// A recording of a tracker, tools in the order of their first appearance.
+struct TrackerSequence {
+    std::vector<RecordedTool> tools;
+};
+
+/// Reads a sequence in MetaImage form (.igs.mha, written by Plus and 3D Slicer): a text header of
+/// `key = value` lines in which every frame NNNN, in ascending order from 0, has
+///
+///     Seq_FrameNNNN_<Tool>ToTrackerTransform = 16 numbers, row by row, millimetres
+///     Seq_FrameNNNN_<Tool>ToTrackerTransformStatus = OK
+///     Seq_FrameNNNN_Timestamp = seconds
+///
+/// up to the line ElementDataFile. Pixels after it, other fields, and transforms to frames other
+/// than the tracker's are passed over. Lengths become metres here. OK is Tracked; MISSING, INVALID,
+/// OUT_OF_VIEW, OUT_OF_VOLUME and REQ_TIMEOUT are Lost and carry the last pose seen.
+///
+/// @param name what to call the input in an error
+/// @returns FileUnreadable; FileEmpty; FileMalformed where it is cut off, holds another number of
+///          frames than DimSize says, no tool, a frame out of order, back in time, incomplete or
+///          with an unknown status; NotFinite, NotARotation or OutOfRange where a number of a
+///          tracked pose or a time is. The detail names input, frame and fault.
+[[nodiscard]] Result<TrackerSequence> readSequence(std::istream& input, const std::string& name);
+
+/// The same from a file. @returns also FileNotFound.
+[[nodiscard]] Result<TrackerSequence> readSequenceFile(const std::filesystem::path& path);
+
+} // namespace carina

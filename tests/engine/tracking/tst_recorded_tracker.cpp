@@ -1,0 +1,120 @@
+#include "engine/tracking/recorded_tracker.h"
+
+#include <QTest>
+
+#include <latch>
+
+namespace carina
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+SessionTime at(Duration t) { return SessionTime{t}; }
+
+std::optional<SessionTime> noClock() { return std::nullopt; }
+
+RecordedTool toolWith(const std::string& name, ToolRole role, std::vector<Duration> times)
+{
+    RecordedTool tool{.name = name, .role = role};
+    for (const Duration t : times)
+        tool.samples.push_back({.time = at(t), .X_FO = RigidTransform::translation({1, 2, 3})});
+    return tool;
+}
+
+/// Two tools, from 100 s on the clock of their file.
+TrackerSequence twoTools()
+{
+    return {{toolWith("Stylus", ToolRole::Stylus, {100s, 100'100ms, 100'200ms}),
+             toolWith("Reference", ToolRole::Other, {100'050ms, 100'150ms})}};
+}
+
+std::vector<SessionTime> timesOf(const TrackedTool& tool)
+{
+    std::vector<SessionTime> times;
+    for (const PoseSample& sample : tool.history->samples())
+        times.push_back(sample.time);
+    return times;
+}
+
+} // namespace
+
+class RecordedTrackerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasTheToolsOfTheRecording()
+    {
+        const RecordedTracker tracker{twoTools(), PlaybackPace::Recorded, noClock};
+        QCOMPARE(tracker.tools().size(), std::size_t{2});
+        QCOMPARE(tracker.tools()[0].name, std::string{"Stylus"});
+        QCOMPARE(tracker.tools()[0].role, ToolRole::Stylus);
+        QCOMPARE(tracker.tools()[1].name, std::string{"Reference"});
+    }
+
+    void playsAtThePaceOfTheRecording()
+    {
+        RecordedTracker tracker{twoTools(), PlaybackPace::Recorded, noClock};
+        const SessionTime start = at(7s);
+        QCOMPARE(tracker.advance(start).value(), start + 50ms);
+        QCOMPARE(timesOf(tracker.tools()[0]), std::vector{start});
+        QVERIFY(timesOf(tracker.tools()[1]).empty());
+        QCOMPARE(tracker.advance(start + 50ms - 1ns).value(), start + 50ms);
+        QVERIFY(timesOf(tracker.tools()[1]).empty());
+        QCOMPARE(tracker.advance(start + 50ms).value(), start + 100ms);
+        QCOMPARE(timesOf(tracker.tools()[1]), std::vector{start + 50ms});
+        QVERIFY(!tracker.advance(start + 200ms));
+        QCOMPARE(timesOf(tracker.tools()[0]), (std::vector{start, start + 100ms, start + 200ms}));
+        QCOMPARE(timesOf(tracker.tools()[1]), (std::vector{start + 50ms, start + 150ms}));
+        QCOMPARE(tracker.tools()[0].history->newest()->X_FO.translation(), Vec3(1, 2, 3));
+    }
+
+    void playsAllAtOnceAtFullSpeedAndKeepsAllOfIt()
+    {
+        constexpr int kSamples = 2000;
+        std::vector<Duration> times;
+        for (int i = 0; i < kSamples; ++i)
+            times.emplace_back(i * 15ms);
+        RecordedTracker tracker{
+            {{toolWith("Stylus", ToolRole::Stylus, times)}}, PlaybackPace::AtFullSpeed, noClock};
+        QVERIFY(!tracker.advance(at(1s)));
+        const std::vector<SessionTime> played = timesOf(tracker.tools()[0]);
+        QCOMPARE(played.size(), std::size_t{kSamples});
+        QCOMPARE(played.back(), at(1s + (kSamples - 1) * 15ms));
+    }
+
+    void endsAtOnceWithoutSamples()
+    {
+        RecordedTracker tracker{{}, PlaybackPace::Recorded, noClock};
+        QVERIFY(!tracker.advance(at(0s)));
+    }
+
+    void playsOnItsThreadAndFromTheBeginningAgain()
+    {
+        std::latch* lastDue = nullptr;
+        SessionTime now{};
+        RecordedTracker tracker{twoTools(), PlaybackPace::Recorded,
+                                [&]() -> std::optional<SessionTime> {
+                                    now += 20ms;
+                                    if (now == at(200ms))
+                                        lastDue->count_down();
+                                    return now;
+                                }};
+        for (int round = 0; round < 2; ++round) {
+            std::latch inside{1};
+            lastDue = &inside;
+            now = at(-20ms);
+            QVERIFY(tracker.start());
+            inside.wait();
+            tracker.stop(); // ends after the step that has begun
+            QCOMPARE(timesOf(tracker.tools()[0]), (std::vector{at(0ms), at(100ms), at(200ms)}));
+        }
+    }
+};
+
+} // namespace carina
+
+QTEST_APPLESS_MAIN(carina::RecordedTrackerTest)
+#include "tst_recorded_tracker.moc"

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "engine/sync/clock_estimate.h"
+#include "engine/sync/fact_replication.h"
+#include "engine/sync/peer_link.h"
+#include "engine/sync/stream_table.h"
+#include "engine/sync/stream_tick.h"
+
+#include <map>
+#include <span>
+
+namespace carina
+{
+
+/// A proposal that the host did not enter into the log.
+struct RefusedProposal {
+    ProposalRecord proposal;
+    Errc reason;
+};
+
+/// One participant's end of a session, without socket, clock or thread: whoever drives it brings
+/// bytes and local time in, and takes datagrams for the host, facts and stream samples out.
+///
+/// It says Hello until it is welcomed, more and more slowly; keeps its copy of the log; repeats its
+/// proposals; estimates the session clock; and begins anew, from where its log ends, when the host
+/// falls silent or has forgotten it.
+class SyncClient
+{
+public:
+    enum class State : std::uint8_t { Connecting, Connected, Away, Closed };
+
+    static constexpr Duration kFirstHelloWait = std::chrono::milliseconds{25};
+    static constexpr Duration kLastHelloWait = std::chrono::milliseconds{250};
+    /// Between probes while the clock is being set.
+    static constexpr Duration kAcquireInterval = std::chrono::milliseconds{20};
+
+    struct Output {
+        std::vector<std::vector<std::byte>> datagrams;
+        bool startedAfresh = false;    ///< another session: what came of the last is void
+        std::vector<FactRecord> facts; ///< next in order
+        std::vector<StreamSample> streams;
+        std::vector<RefusedProposal> refused;
+    };
+
+    /// @param join the fact that this participant comes in, proposed with every Hello
+    /// @param firstConnection at random, so that an earlier program's datagrams are not taken for
+    ///        this one's
+    SyncClient(ProposalRecord join, std::uint32_t firstConnection, LocalTime now);
+
+    /// A datagram from the host's address. What is malformed is dropped.
+    void receive(std::span<const std::byte> bytes, LocalTime now);
+    /// Sends what is due; called after everything else and at nextWake().
+    void advance(LocalTime now);
+    [[nodiscard]] LocalTime nextWake() const;
+    [[nodiscard]] Output take() { return std::exchange(m_output, {}); }
+
+    void propose(ProposalRecord proposal, LocalTime now);
+    /// Tells of a shared object, as the facts do; samples of others are dropped.
+    void share(ObjectId object, ParticipantId owner) { m_table.share(object, owner); }
+    /// Sends a sample of an object of its own with the next tick.
+    void publish(StationId station, const StreamCpo& cpo);
+    /// Says goodbye; nothing is received or sent any more.
+    void leave(LocalTime now);
+
+    [[nodiscard]] State state() const { return m_state; }
+    [[nodiscard]] ParticipantId self() const { return m_self; }
+    /// The whole log that the host had at the last Welcome is here.
+    [[nodiscard]] bool isCaughtUp() const;
+    [[nodiscard]] FactNumber lastFact() const { return m_facts.last(); }
+    [[nodiscard]] const std::deque<ProposalRecord>& waiting() const
+    {
+        return m_proposals.waiting();
+    }
+    [[nodiscard]] const ClockEstimate& clock() const { return m_clock; }
+    [[nodiscard]] const PeerLink& link() const { return m_link; }
+    [[nodiscard]] const StreamTick& tick() const { return m_tick; }
+    /// Why the host does not let this participant in.
+    [[nodiscard]] std::optional<Errc> helloRefused() const { return m_helloRefused; }
+
+private:
+    struct Visitor;
+
+    void welcomed(const Welcome& welcome, LocalTime now);
+    void startAfresh();
+    void reconnect(LocalTime now);
+    void takeFact(const FactRecord& fact);
+    void takeStreams(const StreamGroup& group, LocalTime now);
+    void addProbe(const RoundTrip& trip, LocalTime now);
+    void sendHello(LocalTime now);
+    void sendDue(LocalTime now);
+    void send(std::span<const WireRecord> records, LocalTime now);
+    [[nodiscard]] Duration keepAlive() const;
+
+    ProposalRecord m_join;
+    State m_state = State::Connecting;
+    PeerLink m_link;
+    LocalTime m_nextHello;
+    Duration m_helloWait = kFirstHelloWait;
+    std::optional<Errc> m_helloRefused;
+
+    SessionKey m_session{};
+    ParticipantId m_self = kNobody;
+    std::uint16_t m_epoch = 0;
+    FactNumber m_logAtWelcome;
+
+    FactReceiver m_facts;
+    bool m_acknowledge = false;
+    ProposalQueue m_proposals;
+    ClockEstimate m_clock;
+    StreamTable m_table;
+    StreamTick m_tick;
+    std::map<ObjectId, StreamSample> m_outgoing; // the newest of each
+    Output m_output;
+};
+
+} // namespace carina

@@ -30,8 +30,8 @@ void main()
     vec3 albedo = color * color; // close to linear light
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, normalize(vec3(0.0, -0.45, 0.9))));
     vec3 light = 0.62 * facing * vec3(1.0, 0.98, 0.95) + 0.42 * sky;
-    vec3 half = normalize(view + normalize(vec3(-0.3, -0.8, 0.9)));
-    float highlight = gloss * pow(max(dot(normal, half), 0.0), 40.0);
+    vec3 halfway = normalize(view + normalize(vec3(-0.3, -0.8, 0.9)));
+    float highlight = gloss * pow(max(dot(normal, halfway), 0.0), 40.0);
     vec3 shade = albedo * light + vec3(0.5 * highlight) + rimLight * edge * mix(albedo, kSky, 0.35);
 
     fragment = vec4(sqrt(min(shade, 1.0)), mix(opacity, rimOpacity, edge));

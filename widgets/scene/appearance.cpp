@@ -1,0 +1,93 @@
+#include "widgets/scene/appearance.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace carina
+{
+
+namespace
+{
+
+constexpr QColor kIvory{232, 220, 192};
+constexpr QColor kCartilage{178, 208, 222};
+
+AmplitudeChannel channelOf(PartRole role)
+{
+    const std::optional<Side> side = lungSide(role);
+    if (!side)
+        return AmplitudeChannel::None;
+    return *side == Side::Right ? AmplitudeChannel::RightLung : AmplitudeChannel::LeftLung;
+}
+
+QColor vesselColor(std::string name)
+{
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array kVeins{"vein", "vena", "venous", "sinus"};
+    const bool vein = std::any_of(kVeins.begin(), kVeins.end(), [&](const char* word) {
+        return name.find(word) != std::string::npos;
+    });
+    return vein ? QColor{92, 116, 176} : QColor{186, 72, 66};
+}
+
+} // namespace
+
+Appearance appearanceOf(const AnatomyPart& part)
+{
+    const AmplitudeChannel channel = channelOf(part.role);
+    switch (part.role) {
+    case PartRole::Trachea:
+    case PartRole::RightMainBronchus:
+    case PartRole::LeftMainBronchus:
+        return {MaterialGroup::Airway, kCartilage, channel};
+    case PartRole::BronchialTree:
+        return {MaterialGroup::SoftTissue, {186, 200, 206}, channel};
+    case PartRole::Larynx:
+        return {MaterialGroup::Airway, {196, 214, 208}, channel};
+    case PartRole::Epiglottis:
+        return {MaterialGroup::SoftTissue, {226, 178, 150}, channel};
+    case PartRole::RightUpperLobe:
+    case PartRole::LeftUpperLobe:
+        return {MaterialGroup::Lung, {226, 158, 158}, channel};
+    case PartRole::RightMiddleLobe:
+        return {MaterialGroup::Lung, {232, 176, 160}, channel};
+    case PartRole::RightLowerLobe:
+    case PartRole::LeftLowerLobe:
+        return {MaterialGroup::Lung, {208, 140, 150}, channel};
+    case PartRole::RightLung:
+    case PartRole::LeftLung:
+        return {MaterialGroup::Lung, {224, 156, 158}, channel};
+    case PartRole::Diaphragm:
+        return {MaterialGroup::SoftTissue, {150, 84, 78}, channel};
+    case PartRole::Mandible:
+        return {MaterialGroup::Bone, {236, 224, 196}, channel};
+    case PartRole::Tooth:
+        return {MaterialGroup::Bone, {246, 242, 228}, channel};
+    case PartRole::Skull:
+    case PartRole::Spine:
+        return {MaterialGroup::Bone, {214, 202, 176}, channel};
+    case PartRole::Rib:
+        return {MaterialGroup::Cage, kIvory, channel};
+    case PartRole::Tongue:
+        return {MaterialGroup::SoftTissue, {202, 112, 112}, channel};
+    case PartRole::Pharynx:
+        return {MaterialGroup::Airway, {216, 150, 138}, channel};
+    case PartRole::Oesophagus:
+        return {MaterialGroup::SoftTissue, {186, 132, 104}, channel};
+    case PartRole::Heart:
+        return {MaterialGroup::SoftTissue, {164, 68, 66}, channel};
+    case PartRole::Vessel:
+        return {MaterialGroup::Vessel, vesselColor(part.name), channel};
+    case PartRole::Muscle:
+        return {MaterialGroup::SoftTissue, {160, 82, 76}, channel};
+    case PartRole::Skin:
+        return {MaterialGroup::Skin, {222, 186, 164}, channel};
+    case PartRole::Other:
+        return {MaterialGroup::SoftTissue, {168, 160, 152}, channel};
+    }
+    return {};
+}
+
+} // namespace carina

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "widgets/scene/scene_part.h"
+
+#include "engine/anatomy/anatomy.h"
+
+namespace carina
+{
+
+/// How a part of a patient is drawn.
+struct Appearance {
+    MaterialGroup group = MaterialGroup::SoftTissue;
+    QColor color;
+    AmplitudeChannel channel = AmplitudeChannel::None; ///< of the lung that it belongs to
+};
+
+/// The usual colours of anatomical atlases, muted: bones ivory, cartilage pale blue, lungs pink and
+/// each lobe a little different, arteries red, veins blue. Vessels are told apart by name.
+[[nodiscard]] Appearance appearanceOf(const AnatomyPart& part);
+
+} // namespace carina

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/geometry/deformable_mesh.h"
+
+#include <QColor>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// What a surface is made of, as far as it is drawn differently. Surfaces are drawn in this order.
+/// The first four are opaque; each later group is blended over what was drawn before.
+enum class MaterialGroup : std::uint8_t {
+    Bone,
+    SoftTissue, ///< tongue, muscle, heart
+    Vessel,
+    Tool,   ///< tubes, blades, styluses
+    Airway, ///< larynx, trachea and bronchi: seen into
+    Lung,   ///< seen into
+    Cage,   ///< ribs and sternum: seen through
+    Skin,   ///< a faint outline
+};
+inline constexpr int kMaterialGroups = 8;
+
+/// The layers in which a scene is drawn: 0 holds all opaque groups, the others one group each.
+inline constexpr int kLayers = 5;
+[[nodiscard]] constexpr int layerOf(MaterialGroup group)
+{
+    return std::max(0, static_cast<int>(group) - static_cast<int>(MaterialGroup::Tool));
+}
+
+/// Which amplitude of a SceneFrame moves a surface.
+enum class AmplitudeChannel : std::uint8_t { None, RightLung, LeftLung };
+
+/// One surface of a scene.
+struct ScenePart {
+    std::string name;     ///< as shown: "Trachea"
+    std::uint16_t id = 0; ///< what visiblePixels() counts it under; unique in the scene
+    MaterialGroup group = MaterialGroup::SoftTissue;
+    QColor color;
+    AmplitudeChannel channel = AmplitudeChannel::None;
+
+    /// Empty for a part that is fixed in A, with meshes given in A; else the moving body that it is
+    /// fixed to, such as "tube" or "jaw", with meshes given in that body's frame.
+    std::string body;
+
+    /// At least one level of detail, finest first, each with normals; without displacement where
+    /// the channel is None. Shared with whoever works out volumes from the very same meshes.
+    std::vector<std::shared_ptr<const DeformableMesh>> levels;
+};
+
+} // namespace carina

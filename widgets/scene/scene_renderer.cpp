@@ -1,0 +1,139 @@
+#include "widgets/scene/scene_renderer.h"
+
+#include <QWindow>
+#include <Qt3DCore/QAspectEngine>
+#include <Qt3DCore/QEntity>
+#include <Qt3DRender/QCamera>
+#include <Qt3DRender/QRenderAspect>
+#include <Qt3DRender/QRenderCapture>
+#include <Qt3DRender/QRenderSettings>
+
+#include <algorithm>
+#include <numbers>
+
+namespace carina
+{
+
+namespace
+{
+
+/// Frames within which a capture that was asked for must have come back.
+constexpr int kMostCaptureFrames = 8;
+
+QVector3D toQt(const Vec3& v)
+{
+    const Vec3f single = v.cast<float>();
+    return {single.x(), single.y(), single.z()};
+}
+
+void countIn(const QImage& ids, std::map<std::uint16_t, std::size_t>& pixels)
+{
+    for (int y = 0; y < ids.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(ids.constScanLine(y));
+        for (int x = 0; x < ids.width(); ++x)
+            if (qBlue(row[x]) == 255)
+                ++pixels[static_cast<std::uint16_t>(qRed(row[x]) + 256 * qGreen(row[x]))];
+    }
+}
+
+} // namespace
+
+SceneRenderer::SceneRenderer(QWindow* window)
+    : m_window(window),
+      m_engine(std::make_unique<Qt3DCore::QAspectEngine>()),
+      m_root(new Qt3DCore::QEntity),
+      m_camera(new Qt3DRender::QCamera(m_root)),
+      m_frameGraph(window, m_camera),
+      m_effects(makeOrganEffects(m_root))
+{
+    m_engine->setRunMode(Qt3DCore::QAspectEngine::Manual);
+    m_engine->registerAspect(new Qt3DRender::QRenderAspect);
+    auto* settings = new Qt3DRender::QRenderSettings;
+    settings->setActiveFrameGraph(m_frameGraph.root());
+    m_root->addComponent(settings);
+    m_engine->setRootEntity(Qt3DCore::QEntityPtr(m_root));
+}
+
+SceneRenderer::~SceneRenderer()
+{
+    m_surfaces.clear();
+    m_engine->setRootEntity({});
+}
+
+void SceneRenderer::setParts(std::span<const ScenePart> parts)
+{
+    m_surfaces.clear();
+    for (const MergedSurface& surface : mergedSurfaces(parts))
+        m_surfaces.push_back(std::make_unique<SurfaceEntity>(
+            surface, m_effects[static_cast<std::size_t>(surface.key.group)], m_root));
+}
+
+void SceneRenderer::setCamera(const CameraPose& pose, double widthOverHeight)
+{
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    m_camera->lens()->setPerspectiveProjection(
+        static_cast<float>(OrbitCamera::kVerticalFieldOfView * kDegrees),
+        static_cast<float>(widthOverHeight), static_cast<float>(pose.nearPlane),
+        static_cast<float>(pose.farPlane));
+    m_camera->setPosition(toQt(pose.p_A_eye));
+    m_camera->setViewCenter(toQt(pose.p_A_target));
+    m_camera->setUpVector(toQt(pose.up_A));
+}
+
+void SceneRenderer::setEye(const RigidTransform& X_AD, const CameraPose& planes,
+                           double widthOverHeight)
+{
+    CameraPose pose = planes;
+    pose.p_A_eye = X_AD.translation();
+    pose.p_A_target = X_AD * Vec3(0.0, 0.0, -1.0);
+    pose.up_A = X_AD.rotation() * Vec3::UnitY();
+    setCamera(pose, widthOverHeight);
+}
+
+void SceneRenderer::apply(const SceneFrame& frame, int level)
+{
+    for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces)
+        surface->apply(frame, level);
+}
+
+void SceneRenderer::draw() { m_engine->processFrame(); }
+
+QImage SceneRenderer::picture()
+{
+    const std::vector<QImage> images = captured({m_frameGraph.pictureCapture()});
+    return images.empty() ? QImage() : images.front();
+}
+
+void SceneRenderer::countPixels(std::map<std::uint16_t, std::size_t>& pixels)
+{
+    m_frameGraph.setIdsDrawn(true, m_window->size() * m_window->devicePixelRatio());
+    for (const QImage& layer : captured(m_frameGraph.idCaptures()))
+        countIn(layer, pixels);
+    m_frameGraph.setIdsDrawn(false, {1, 1});
+}
+
+/// The captures of one and the same frame, as RGB32; none if they do not come.
+std::vector<QImage>
+SceneRenderer::captured(const std::vector<Qt3DRender::QRenderCapture*>& captures)
+{
+    std::vector<std::unique_ptr<Qt3DRender::QRenderCaptureReply>> replies;
+    for (Qt3DRender::QRenderCapture* capture : captures)
+        replies.emplace_back(capture->requestCapture());
+    const auto complete = [](const auto& reply) { return reply->isComplete(); };
+    for (int frame = 0; frame < kMostCaptureFrames; ++frame) {
+        if (std::all_of(replies.begin(), replies.end(), complete))
+            break;
+        draw();
+    }
+    std::vector<QImage> images;
+    for (const auto& reply : replies) {
+        if (!reply->isComplete())
+            return {};
+        QImage image = reply->image();
+        image.reinterpretAsFormat(QImage::Format_RGB32); // alpha means nothing here
+        images.push_back(std::move(image));
+    }
+    return images;
+}
+
+} // namespace carina

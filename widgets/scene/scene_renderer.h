@@ -1,0 +1,69 @@
+#pragma once
+
+#include "widgets/scene/frame_graph.h"
+#include "widgets/scene/orbit_camera.h"
+#include "widgets/scene/organ_effects.h"
+#include "widgets/scene/scene_frame.h"
+#include "widgets/scene/surface_entity.h"
+
+#include <QImage>
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace Qt3DCore
+{
+class QAspectEngine;
+class QEntity;
+} // namespace Qt3DCore
+namespace Qt3DRender
+{
+class QCamera;
+class QRenderCapture;
+} // namespace Qt3DRender
+
+namespace carina
+{
+
+/// Draws scene parts into a window with Qt 3D, one frame per call: what was set before draw() is
+/// what that call draws and swaps, not a frame later.
+class SceneRenderer
+{
+public:
+    /// @pre the window draws with OpenGL, and outlives this.
+    explicit SceneRenderer(QWindow* window);
+    ~SceneRenderer();
+    SceneRenderer(const SceneRenderer&) = delete;
+    SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+    void setParts(std::span<const ScenePart> parts);
+    void setBackground(const QColor& color) { m_frameGraph.setBackground(color); }
+
+    void setCamera(const CameraPose& pose, double widthOverHeight);
+    /// Looks out of an eye D (+x right, +y up, along -z), with the planes of the pose.
+    void setEye(const RigidTransform& X_AD, const CameraPose& planes, double widthOverHeight);
+    void apply(const SceneFrame& frame, int level);
+    void draw();
+
+    /// The picture as it is set now; a null image where the window cannot be drawn into.
+    [[nodiscard]] QImage picture();
+
+    /// Adds for each id the pixels in which it is seen now.
+    void countPixels(std::map<std::uint16_t, std::size_t>& pixels);
+
+private:
+    [[nodiscard]] std::vector<QImage>
+    captured(const std::vector<Qt3DRender::QRenderCapture*>& captures);
+
+    QWindow* m_window;
+    std::unique_ptr<Qt3DCore::QAspectEngine> m_engine;
+    Qt3DCore::QEntity* m_root;     ///< owned by m_engine
+    Qt3DRender::QCamera* m_camera; ///< owned by m_root
+    FrameGraph m_frameGraph;       ///< whose root m_root owns
+    OrganEffects m_effects;        ///< owned by m_root
+    std::vector<std::unique_ptr<SurfaceEntity>> m_surfaces;
+};
+
+} // namespace carina

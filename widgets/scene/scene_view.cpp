@@ -1,0 +1,122 @@
+#include "widgets/scene/scene_view.h"
+
+#include "widgets/scene/merged_surface.h"
+#include "widgets/scene/scene_renderer.h"
+#include "widgets/scene/scene_window.h"
+
+#include "engine/core/expects.h"
+#include "engine/core/monotonic_clock.h"
+
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <set>
+
+namespace carina
+{
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kTick{16};
+constexpr Duration kDrawingBudget = std::chrono::milliseconds{25}; ///< of one frame
+constexpr QColor kNight{14, 19, 24};
+
+/// What holds still and is worth framing; everything, where nothing holds still.
+Box boundsToFrame(std::span<const ScenePart> parts)
+{
+    Box fixed;
+    Box all;
+    for (const ScenePart& part : parts) {
+        const Box bounds = boundsOf(part.levels.back()->rest);
+        all.include(bounds);
+        if (part.body.empty())
+            fixed.include(bounds);
+    }
+    return fixed.empty() ? all : fixed;
+}
+
+} // namespace
+
+SceneView::SceneView(QWidget* parent)
+    : QWidget(parent),
+      m_window(new SceneWindow),
+      m_renderer(std::make_unique<SceneRenderer>(m_window)),
+      m_levelChoice({}, kDrawingBudget)
+{
+    QWidget* container = QWidget::createWindowContainer(m_window, this);
+    container->setFocusPolicy(Qt::StrongFocus);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(container);
+    setFocusProxy(container);
+    setBackground(kNight);
+    connect(m_window, &SceneWindow::tabbed, this,
+            [this](bool forward) { focusNextPrevChild(forward); });
+    connect(&m_tick, &QTimer::timeout, this, &SceneView::drawFrame);
+    m_tick.setTimerType(Qt::PreciseTimer);
+    m_tick.start(kTick);
+}
+
+SceneView::~SceneView() = default;
+
+void SceneView::setParts(std::span<const ScenePart> parts)
+{
+    m_ids.clear();
+    for (const ScenePart& part : parts)
+        m_ids.push_back(part.id);
+    CARINA_EXPECTS(std::set<std::uint16_t>(m_ids.begin(), m_ids.end()).size() == m_ids.size());
+    m_renderer->setParts(parts);
+    m_levels = levelCount(parts);
+    m_levelChoice = LevelChoice(trianglesPerLevel(parts), kDrawingBudget);
+    m_window->camera().setBounds(boundsToFrame(parts));
+    m_window->camera().setAspect(m_window->widthOverHeight());
+}
+
+void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
+
+void SceneView::setInteractive(bool interactive) { m_window->setInteractive(interactive); }
+
+void SceneView::setBackground(const QColor& color) { m_renderer->setBackground(color); }
+
+int SceneView::level() const
+{
+    return m_fixedLevel ? std::clamp(*m_fixedLevel, 0, m_levels - 1) : m_levelChoice.level();
+}
+
+QImage SceneView::picture() { return m_window->isExposed() ? m_renderer->picture() : QImage(); }
+
+std::map<std::uint16_t, std::size_t> SceneView::visiblePixels()
+{
+    std::map<std::uint16_t, std::size_t> pixels;
+    for (const std::uint16_t id : m_ids)
+        pixels[id] = 0;
+    if (m_window->isExposed())
+        m_renderer->countPixels(pixels);
+    return pixels;
+}
+
+void SceneView::drawFrame()
+{
+    if (!m_window->isExposed())
+        return;
+    DrawnFrame drawn;
+    drawn.level = level();
+    drawn.asked = monotonicNow();
+    if (m_source)
+        drawn.frame = m_source(drawn.level);
+    const CameraPose camera = m_window->camera().pose();
+    if (m_eyeFollowed && drawn.frame.X_AD)
+        m_renderer->setEye(*drawn.frame.X_AD, camera, m_window->widthOverHeight());
+    else
+        m_renderer->setCamera(camera, m_window->widthOverHeight());
+    m_renderer->apply(drawn.frame, drawn.level);
+    m_renderer->draw();
+    drawn.swapped = monotonicNow();
+    m_times.add(drawn.asked, drawn.swapped);
+    m_levelChoice.frameTook(drawn.swapped - drawn.asked);
+    if (m_listener)
+        m_listener(drawn);
+}
+
+} // namespace carina

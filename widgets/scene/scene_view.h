@@ -1,0 +1,88 @@
+#pragma once
+
+#include "widgets/scene/frame_statistics.h"
+#include "widgets/scene/level_choice.h"
+#include "widgets/scene/orbit_camera.h"
+#include "widgets/scene/scene_frame.h"
+#include "widgets/scene/scene_part.h"
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace carina
+{
+
+class SceneRenderer;
+class SceneWindow;
+
+/// A 3-D view of a patient and the tools in it, about 60 times a second while it can be seen.
+///
+/// It knows surfaces, poses and amplitudes, and nothing of where they come from: right before each
+/// frame it asks a frame source, and what the source answers is what that frame shows.
+class SceneView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// Asked for the state of the scene now, as drawn in this level of detail.
+    using FrameSource = std::function<SceneFrame(int level)>;
+    using FrameListener = std::function<void(const DrawnFrame&)>;
+
+    /// @pre prepareGraphics() was called, and graphicsDriver() has a value.
+    explicit SceneView(QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    /// Shows these parts and no others, framed by the present preset.
+    /// @pre ids are unique.
+    void setParts(std::span<const ScenePart> parts);
+    void setFrameSource(FrameSource source) { m_source = std::move(source); }
+    /// Called after each frame, when its buffers were swapped.
+    void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
+
+    void showFrom(ViewPreset preset);
+    /// Looks out of the frame's eye whenever it has one.
+    void setEyeFollowed(bool followed) { m_eyeFollowed = followed; }
+    /// Whether mouse and keys move the camera; they do from the start.
+    void setInteractive(bool interactive);
+    void setBackground(const QColor& color);
+
+    /// A level of detail to stay at, or none to choose by the time that frames take.
+    void setFixedLevel(std::optional<int> level) { m_fixedLevel = level; }
+    /// The level of detail that the next frame is drawn in, 0 the finest.
+    [[nodiscard]] int level() const;
+    [[nodiscard]] FrameStatistics statistics() const { return m_times.statistics(); }
+
+    /// What the window shows at the latest frame. Null while the view cannot be seen.
+    [[nodiscard]] QImage picture();
+
+    /// In how many pixels of the latest frame each part, by id, is drawn: an opaque part where no
+    /// opaque part is in front of it; a translucent part where it is the nearest of its material
+    /// group and nothing opaque, and no earlier translucent group, is in front of it. Later groups
+    /// are seen through and hide nothing. Zero for all while the view cannot be seen.
+    [[nodiscard]] std::map<std::uint16_t, std::size_t> visiblePixels();
+
+private:
+    void drawFrame();
+
+    SceneWindow* m_window; ///< owned by its container, a child of this
+    std::unique_ptr<SceneRenderer> m_renderer;
+    std::vector<std::uint16_t> m_ids;
+    FrameSource m_source;
+    FrameListener m_listener;
+    LevelChoice m_levelChoice;
+    std::optional<int> m_fixedLevel;
+    int m_levels = 1;
+    FrameTimes m_times;
+    QTimer m_tick;
+    bool m_eyeFollowed = false;
+};
+
+} // namespace carina

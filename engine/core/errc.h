@@ -23,6 +23,7 @@ enum class Errc : std::uint8_t {
     FileUnwritable,    ///< it cannot be written
     UnknownFormat,     ///< no reader for this kind of file
     NothingRecognised, ///< a folder without one usable part
+    Cancelled,         ///< stopped by whoever asked for it
 
     // Network and session
     PacketMalformed, ///< bytes that are not a Carina datagram

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/geometry/triangle_mesh.h"
+#include "engine/sync/byte_buffer.h"
+
+#include <string>
+#include <string_view>
+
+namespace carina
+{
+
+/// Text and meshes as bytes, little endian: 32-bit counts, then the characters, or positions and
+/// normals as 32-bit floats and corners as 32-bit indices.
+///
+/// Reading makes the reader not ok() for a count larger than the bytes that follow, for an index
+/// beyond the vertices and for normals that are neither absent nor one per vertex. Nothing is
+/// allocated by a count before the bytes are known to be there.
+void writeText(ByteWriter& writer, std::string_view text);
+[[nodiscard]] std::string readText(ByteReader& reader);
+void writeMesh(ByteWriter& writer, const TriangleMesh& mesh);
+[[nodiscard]] TriangleMesh readMesh(ByteReader& reader);
+
+} // namespace carina

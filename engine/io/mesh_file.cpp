@@ -1,0 +1,176 @@
+#include "engine/io/mesh_file.h"
+
+#include "engine/geometry/mesh_repair.h"
+#include "engine/io/surface_check.h"
+#include "engine/io/surface_format.h"
+#include "engine/io/surface_text.h"
+#include "engine/io/whole_file.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/commonMetaData.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+namespace carina
+{
+namespace
+{
+
+Result<void> checkFormat(SurfaceFormat format, const std::string& bytes,
+                         const std::filesystem::path& folder)
+{
+    switch (format) {
+    case SurfaceFormat::Obj:
+        return checkObj(bytes);
+    case SurfaceFormat::Ply:
+        return checkPly(bytes);
+    case SurfaceFormat::Stl:
+        return checkStl(bytes);
+    case SurfaceFormat::Gltf:
+        return checkGltf(bytes, folder);
+    case SurfaceFormat::Glb:
+        return checkGlb(bytes);
+    }
+    return fail(Errc::UnknownFormat);
+}
+
+/// Names that readers give to what has none.
+bool isPlaceholder(std::string_view name)
+{
+    return name.empty() || name.starts_with("$$$") || name.starts_with('<')
+           || name == "defaultobject" || name == "default" || name == "ROOT";
+}
+
+/// Adds the triangles of a mesh, placed by its node. False for indices beyond its vertices, or a
+/// coordinate that is not finite in `finite`.
+bool addMesh(const aiMesh& mesh, const aiMatrix4x4& placed, TriangleMesh& surface, bool& finite)
+{
+    const auto first = static_cast<std::uint32_t>(surface.positions.size());
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+        const aiVector3D p = placed * mesh.mVertices[i];
+        surface.positions.emplace_back(p.x, p.y, p.z);
+        finite = finite && surface.positions.back().allFinite();
+    }
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        if (face.mNumIndices != 3)
+            continue; // points and lines
+        Triangle t{};
+        for (unsigned k = 0; k < 3; ++k) {
+            if (face.mIndices[k] >= mesh.mNumVertices)
+                return false;
+            t[k] = first + face.mIndices[k];
+        }
+        surface.triangles.push_back(t);
+    }
+    return true;
+}
+
+/// Walks the nodes of a scene and collects one surface from each that has triangles.
+class SceneReader
+{
+public:
+    SceneReader(const aiScene& scene, std::string fallbackName)
+        : m_scene(scene), m_fallbackName(std::move(fallbackName))
+    {
+    }
+
+    Result<std::vector<NamedSurface>> surfaces()
+    {
+        if (m_scene.mRootNode != nullptr)
+            visit(*m_scene.mRootNode, {});
+        if (!m_finite)
+            return fail(Errc::NotFinite, "a coordinate that is not finite");
+        if (!m_indicesGood)
+            return fail(Errc::FileMalformed, "a triangle names a vertex that is not there");
+        if (m_surfaces.empty())
+            return fail(Errc::FileMalformed, "no triangles");
+        return std::move(m_surfaces);
+    }
+
+private:
+    void visit(const aiNode& node, const aiMatrix4x4& parent)
+    {
+        const aiMatrix4x4 placed = parent * node.mTransformation;
+        TriangleMesh whole;
+        for (unsigned i = 0; i < node.mNumMeshes && m_indicesGood; ++i)
+            m_indicesGood = addMesh(*m_scene.mMeshes[node.mMeshes[i]], placed, whole, m_finite);
+        if (m_finite && m_indicesGood)
+            whole = welded(whole, metres(0.0));
+        if (!whole.empty()) {
+            const std::string name{node.mName.C_Str()};
+            m_surfaces.push_back({isPlaceholder(name) ? m_fallbackName : name,
+                                  conceptIn(name).value_or(std::string{}), std::move(whole)});
+        }
+        for (unsigned i = 0; i < node.mNumChildren && m_finite && m_indicesGood; ++i)
+            visit(*node.mChildren[i], placed);
+    }
+
+    const aiScene& m_scene;
+    std::string m_fallbackName;
+    std::vector<NamedSurface> m_surfaces;
+    bool m_finite = true;
+    bool m_indicesGood = true;
+};
+
+Result<MeshFile> readScene(const aiScene& scene, const std::string& stem, SurfaceNotes notes)
+{
+    auto surfaces = SceneReader{scene, stem}.surfaces();
+    if (!surfaces)
+        return tl::unexpected(surfaces.error());
+    MeshFile file{std::move(*surfaces), std::move(notes.attributions)};
+    if (file.surfaces.size() == 1) {
+        NamedSurface& only = file.surfaces.front();
+        only.name = notes.name.empty() ? only.name : notes.name;
+        only.conceptId = notes.conceptId.empty() ? only.conceptId : notes.conceptId;
+        if (only.conceptId.empty())
+            only.conceptId = conceptIn(stem).value_or(std::string{});
+    }
+    aiString copyright;
+    if (scene.mMetaData != nullptr && scene.mMetaData->Get(AI_METADATA_SOURCE_COPYRIGHT, copyright)
+        && copyright.length > 0)
+        file.attributions.emplace_back(copyright.C_Str());
+    return file;
+}
+
+Result<MeshFile> parse(const std::filesystem::path& file, SurfaceFormat format,
+                       const std::string& bytes)
+{
+    Assimp::Importer importer;
+    try {
+        const aiScene* scene =
+            format == SurfaceFormat::Gltf
+                ? importer.ReadFile(file.string(), aiProcess_Triangulate)
+                : importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate,
+                                              endingOf(format));
+        if (scene == nullptr)
+            return fail(Errc::FileMalformed, importer.GetErrorString());
+        const bool text = format == SurfaceFormat::Obj || format == SurfaceFormat::Ply;
+        return readScene(*scene, file.stem().string(), text ? notesIn(bytes) : SurfaceNotes{});
+    } catch (const std::exception& thrown) {
+        return fail(Errc::FileMalformed, thrown.what());
+    }
+}
+
+} // namespace
+
+Result<MeshFile> readMeshFile(const std::filesystem::path& file)
+{
+    const auto bytes = readWholeFile(file);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const auto named = [&](const Error& error) {
+        return fail(error.code, file.string() + ": " + error.detail);
+    };
+    const auto format = surfaceFormat(file);
+    if (!format)
+        return named({Errc::UnknownFormat, "not OBJ, PLY, STL, glTF or GLB by its name"});
+    if (const auto good = checkFormat(*format, *bytes, file.parent_path()); !good)
+        return named(good.error());
+    auto read = parse(file, *format, *bytes);
+    if (!read)
+        return named(read.error());
+    return read;
+}
+
+} // namespace carina

@@ -1,0 +1,38 @@
+#include "engine/io/whole_file.h"
+
+#include <QFile>
+#include <QSaveFile>
+#include <QString>
+
+namespace carina
+{
+
+Result<std::string> readWholeFile(const std::filesystem::path& file)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(file, error))
+        return fail(Errc::FileNotFound, file.string() + ": no such file");
+    QFile source{QString::fromStdString(file.string())};
+    if (!std::filesystem::is_regular_file(file, error) || !source.open(QIODevice::ReadOnly))
+        return fail(Errc::FileUnreadable, file.string() + ": cannot be read");
+    std::string bytes(static_cast<std::size_t>(source.size()), '\0');
+    if (bytes.empty())
+        return fail(Errc::FileEmpty, file.string() + ": it is empty");
+    if (source.read(bytes.data(), source.size()) != source.size())
+        return fail(Errc::FileUnreadable, file.string() + ": cannot be read whole");
+    return bytes;
+}
+
+Result<void> writeWholeFile(const std::filesystem::path& file, std::string_view bytes)
+{
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    QSaveFile target{QString::fromStdString(file.string())};
+    const auto size = static_cast<qint64>(bytes.size());
+    if (error || !target.open(QIODevice::WriteOnly) || target.write(bytes.data(), size) != size
+        || !target.commit())
+        return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
+    return {};
+}
+
+} // namespace carina

@@ -21,9 +21,9 @@ struct Displacement {
 /// outward. Nothing moves at the hilum and on the mediastinal face of the box. All amplitudes are
 /// shares of the lung's height. At amplitude 1 an adult's domes go down by 18 mm, the front moves
 /// forward by 4 and the side outward by 2 mm: what was measured in quiet breathing (dome 18 +- 3
-/// mm, ribs 3 to 5 mm forward and 1 to 2 mm outward). It takes an amplitude of about 1.4 to hold a
-/// tidal volume of 7 ml/kg, as the mediastinal side is held fast here and slides along the heart in
-/// life.
+/// mm, ribs 3 to 5 mm forward and 1 to 2 mm outward). It takes an amplitude of 1.4 to 1.9 to hold a
+/// tidal volume of 7 ml/kg, because the mediastinal side is held fast here and slides along the
+/// heart in life.
 ///
 /// Continuous with its gradient everywhere. I + s A keeps its orientation (no fold) for every s
 /// within kLeastAmplitude and kGreatestAmplitude.

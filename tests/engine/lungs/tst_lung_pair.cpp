@@ -170,6 +170,10 @@ void TestLungPair::namesAPartThatIsOpen_data()
     for (Triangle& t : inward.triangles)
         std::swap(t[0], t[1]);
     QTest::newRow("facing inward") << inward;
+    TriangleMesh flat;
+    flat.positions = {{0.0F, 0.0F, 0.0F}, {0.1F, 0.0F, 0.0F}, {0.0F, 0.1F, 0.0F}};
+    flat.triangles = {{0, 1, 2}, {0, 2, 1}};
+    QTest::newRow("flat, both sides of a sheet") << flat;
     QTest::newRow("empty") << TriangleMesh{};
 }
 

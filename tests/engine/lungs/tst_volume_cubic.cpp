@@ -78,6 +78,7 @@ private Q_SLOTS:
     void knowsBodiesUnderLinearFields_data();
     void knowsBodiesUnderLinearFields();
     void ignoresATranslationOfTheBody();
+    void keepsItsDigitsFarFromTheOrigin();
     void convergesToTheSphere();
     void followsARandomSurfaceAtEveryAmplitude();
     void hasNoVolumeWithoutTriangles();
@@ -124,6 +125,14 @@ void TestVolumeCubic::ignoresATranslationOfTheBody()
     DeformableMesh mesh = underLinearField(box(), Mat3::Zero(), Vec3{1.0, 2.0, 3.0});
     const VolumeCubic cubic = volumeCubic(mesh);
     QCOMPARE(cubic.c, (std::array<double, 4>{24.0, 0.0, 0.0, 0.0}));
+}
+
+// Tetrahedra from the frame's origin would be a hundred million times the volume they sum up to.
+void TestVolumeCubic::keepsItsDigitsFarFromTheOrigin()
+{
+    const TriangleMesh far = test::lungLikeMesh({64.0, 64.0, 64.0}, {0.06, 0.09, 0.12}, 20, 30);
+    const VolumeCubic cubic = volumeCubic(underLinearField(far, Mat3::Zero(), Vec3::Zero()));
+    QVERIFY(std::abs(cubic.c[0] - test::volumeByColumns(far)) < 1e-12);
 }
 
 // A sphere that grows by s r: 4/3 pi r^3 (1 + s)^3, less what the chords of n patches cut off.

@@ -1,10 +1,17 @@
 #include "apps/lab/command.h"
+#include "apps/lab/track_command.h"
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace carina::lab {
 
-std::span<const Command> commands() { return {}; }
+std::span<const Command> commands()
+{
+    static const std::array all{trackCommand()};
+    return all;
+}
 
 } // namespace carina::lab
 

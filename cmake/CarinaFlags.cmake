@@ -10,7 +10,9 @@ endif()
 
 find_program(CARINA_CCACHE ccache)
 if(CARINA_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CARINA_CCACHE}")
+  # Without these two it does not cache what uses a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros "${CARINA_CCACHE}")
 endif()
 
 add_library(carina_flags INTERFACE)

@@ -14,6 +14,26 @@ function(carina_module name)
   endif()
 endfunction()
 
+# What nearly every test includes, precompiled once for all of them. Not <QTest>, which depends on
+# definitions that differ from test to test. Modules do without: their unity builds are as fast alone
+# (docs/decisions/0005-unity-and-precompiled-headers.md).
+function(carina_precompile_for_tests target)
+  if(NOT CARINA_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  if(NOT TARGET carina_test_headers)
+    file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/test_headers.cpp" CONTENT "")
+    add_library(carina_test_headers STATIC "${CMAKE_BINARY_DIR}/test_headers.cpp")
+    target_link_libraries(carina_test_headers PRIVATE carina_flags Eigen3::Eigen tl::expected Qt6::Core)
+    target_precompile_headers(carina_test_headers PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm>
+      <array> <chrono> <cmath> <functional> <map> <memory> <optional> <span> <string> <variant> <vector>
+      <tl/expected.hpp> <QDateTime> <QHash> <QMap> <QMetaEnum> <QObject> <QPointF> <QRectF>
+      <QStringList> <QTemporaryFile> <QUrl> <QVariant>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM carina_test_headers)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # for ccache
+endfunction()
+
 # carina_test(NAME SOURCES file... LINK target... [LABELS label...] [DISPLAY])
 #
 # One Qt Test program per class, run by ctest under its own name. DISPLAY marks a test that draws
@@ -25,6 +45,7 @@ function(carina_test name)
   set_target_properties(test_${name} PROPERTIES AUTOMOC ON)
   target_link_libraries(test_${name} PRIVATE carina_flags Qt6::Test ${arg_LINK})
   target_compile_definitions(test_${name} PRIVATE CARINA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  carina_precompile_for_tests(test_${name})
   if(arg_DISPLAY)
     set(platform xcb)
     add_test(NAME ${name} COMMAND "${PROJECT_SOURCE_DIR}/tests/support/with_display"

@@ -35,3 +35,6 @@ endif()
 # moc reads these headers of the standard library without the ones they start from, and stops at
 # their first line; with their guards set it passes over them.
 set(CMAKE_AUTOMOC_MOC_OPTIONS -D_COMPARE -D_GLIBCXX_CONCEPTS -D_GLIBCXX_NUMBERS)
+if(CARINA_FUZZERS)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()

@@ -1,0 +1,134 @@
+"""The launcher among stand-ins: programs that write down how they were called, and a ninja, a
+dpkg-query and an apt-get that do nothing else."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+RECORD = '#!/bin/sh\necho "$(basename "$0") $*" >> "$CALLS"\n'
+LAB = RECORD + 'echo "{}"\n'
+INSTALLED = RECORD + 'shift 3\nfor name; do [ "$name" = "$ABSENT" ] || echo "installed $name"; done\n'
+
+
+class Launcher(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        (self.root / "tests/support").mkdir(parents=True)
+        shutil.copy(ROOT / "carina", self.root)
+        shutil.copy(ROOT / "tests/support/with_display", self.root / "tests/support")
+        self.calls = self.root / "calls"
+        self.program("build/release/build.ninja", "")
+        self.program("build/release/apps/lab/carina-lab", LAB)
+        self.program("build/release/apps/instructor/carina-instructor", RECORD)
+        self.program("build/release/apps/trainee/carina-trainee", RECORD)
+        self.program("bin/dpkg-query", INSTALLED)
+        for name in ("ninja", "apt-get", "sudo", "ctest"):
+            self.program(f"bin/{name}", RECORD)
+        self.environment = {"PATH": f"{self.root}/bin:{os.environ['PATH']}", "CALLS": str(self.calls),
+                            "HOME": str(self.root), "ABSENT": ""}
+
+    def program(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+        file.chmod(0o755)
+
+    def carina(self, *arguments, **environment):
+        return subprocess.run([str(self.root / "carina"), *arguments], cwd=self.root, timeout=30,
+                              env=self.environment | environment, capture_output=True, text=True)
+
+    def called(self, name):
+        lines = self.calls.read_text(encoding="utf-8").splitlines() if self.calls.exists() else []
+        return [line for line in lines if line.startswith(name + " ")]
+
+    def test_help_needs_nothing(self):
+        run = self.carina("help")
+        self.assertEqual((run.returncode, run.stderr, self.called("ninja")), (0, "", []))
+        for command in ("setup", "demo", "test", "bench", "lab"):
+            self.assertIn(f"\n  {command} ", run.stdout)
+
+    def test_refuses_what_it_does_not_know(self):
+        for arguments in (["fly"], ["test", "--some"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
+                          ["demo", "--seconds", "0"], ["demo", "--patient", "horse"],
+                          ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"]):
+            run = self.carina(*arguments)
+            self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
+            self.assertIn("./carina help", run.stderr)
+
+    def test_installs_what_is_missing_and_says_so(self):
+        run = self.carina("lab", "help", ABSENT="ninja-build")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("installing ninja-build", run.stderr)
+        installs = self.called("apt-get") if os.getuid() == 0 else self.called("sudo")
+        self.assertTrue(installs[-1].endswith("--no-install-recommends ninja-build"), installs)
+
+    def test_no_install_names_what_is_missing(self):
+        run = self.carina("lab", "--no-install", "help", ABSENT="ninja-build")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("missing: ninja-build", run.stderr)
+        self.assertEqual((self.called("apt-get"), self.called("sudo")), ([], []))
+
+    def test_lab_leaves_stdout_to_the_program(self):
+        run = self.carina("lab", "breathe", "--seconds", "3")
+        self.assertEqual((run.returncode, run.stdout), (0, "{}\n"))
+        self.assertEqual(self.called("carina-lab"), ["carina-lab breathe --seconds 3"])
+
+    def test_the_fast_tests_are_the_default(self):
+        self.assertEqual(self.carina("test").returncode, 0)
+        self.assertTrue(self.called("ctest")[0].endswith("-L ^fast$"))
+
+    def test_a_failed_build_is_shown_and_stops(self):
+        self.program("bin/ninja", "#!/bin/sh\necho 'FAILED: x.o'\nexit 1\n")
+        run = self.carina("lab", "help")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("FAILED: x.o", run.stderr)
+        self.assertEqual(self.called("carina-lab"), [])
+
+    def test_demo_says_what_to_do_without_a_display(self):
+        run = self.carina("demo")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("--headless", run.stderr)
+
+    def test_demo_starts_both_programs_on_one_port(self):
+        run = self.carina("demo", "--patient", "child", DISPLAY=":none")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        instructor, trainee = self.called("carina-instructor")[0], self.called("carina-trainee")[0]
+        self.assertEqual(instructor.split()[2], trainee.split()[2])
+        for call in (instructor, trainee):
+            self.assertTrue(call.endswith("--patient child"), call)
+
+    def test_demo_ends_the_other_when_one_fails(self):
+        self.program("build/release/apps/instructor/carina-instructor", "#!/bin/sh\nexec sleep 300\n")
+        self.program("build/release/apps/trainee/carina-trainee", "#!/bin/sh\nexit 3\n")
+        run = self.carina("demo", DISPLAY=":none")
+        self.assertEqual(run.returncode, 3)  # and not TimeoutExpired: nobody waits for the other
+
+    @unittest.skipUnless(shutil.which("Xvfb"), "no Xvfb")
+    def test_headless_demo_measures_and_sums_up(self):
+        (self.root / "set").mkdir()
+        run = self.carina("demo", "--headless", "out", "--anatomy", "set", "--seconds", "2")
+        self.assertEqual((run.returncode, run.stdout), (0, "{}\n"), run.stderr)
+        self.assertEqual((self.root / "out/summary.json").read_text(encoding="utf-8"), "{}\n")
+        self.assertEqual(self.called("carina-lab"),
+                         [f"carina-lab anatomy import {self.root}/set",
+                          f"carina-lab summary {self.root}/out"])
+        for name in ("carina-instructor", "carina-trainee"):
+            self.assertIn(f"--measure {self.root}/out --seconds 2 --size 1280x800", self.called(name)[0])
+
+    @unittest.skipUnless(shutil.which("Xvfb"), "no Xvfb")
+    def test_headless_demo_fails_with_its_program_and_shows_why(self):
+        self.program("build/release/apps/trainee/carina-trainee", "#!/bin/sh\necho no sight\nexit 4\n")
+        run = self.carina("demo", "--headless", "out")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("no sight", run.stderr)
+        self.assertFalse((self.root / "out/summary.json").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 /// Reads the values of the `key = value` lines of a sequence file. Nothing where the text is not
 /// wholly what is asked for.

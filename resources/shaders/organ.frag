@@ -25,7 +25,7 @@ void main()
     if (dot(normal, view) < 0.0)
         normal = -normal;
     float facing = dot(normal, view);
-    float edge = pow(1.0 - facing, 2.5);
+    float edge = (1.0 - facing) * (1.0 - facing);
 
     vec3 albedo = color * color; // close to linear light
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, normalize(vec3(0.0, -0.45, 0.9))));

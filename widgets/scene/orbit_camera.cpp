@@ -35,6 +35,9 @@ double yawOf(ViewPreset preset)
     return 0.0;
 }
 
+constexpr double kReach = 2.0;        ///< metres about the bounds within which tools are seen
+constexpr double kDepthRange = 500.0; ///< far plane over near plane
+
 } // namespace
 
 void OrbitCamera::setAspect(double widthOverHeight)
@@ -84,11 +87,25 @@ CameraPose OrbitCamera::pose() const
     pose.p_A_eye = m_target_A + m_distance * backward();
     pose.p_A_target = m_target_A;
     pose.up_A = up();
-    const double radius = m_bounds_A.empty() ? 1.0 : m_bounds_A.size().norm();
-    pose.farPlane = m_distance + (m_target_A - m_bounds_A.centre()).norm() + radius;
-    if (m_bounds_A.empty())
-        pose.farPlane = m_distance + radius;
-    pose.nearPlane = pose.farPlane / 500.0;
+    return withPlanes(pose);
+}
+
+CameraPose OrbitCamera::poseOf(const RigidTransform& X_AD) const
+{
+    CameraPose pose;
+    pose.p_A_eye = X_AD.translation();
+    pose.p_A_target = X_AD * Vec3(0.0, 0.0, -1.0);
+    pose.up_A = X_AD.rotation() * Vec3::UnitY();
+    return withPlanes(pose);
+}
+
+CameraPose OrbitCamera::withPlanes(CameraPose pose) const
+{
+    const bool empty = m_bounds_A.empty();
+    const Vec3 p_A_centre = empty ? Vec3(Vec3::Zero()) : m_bounds_A.centre();
+    const double radius = empty ? 0.0 : 0.5 * m_bounds_A.size().norm();
+    pose.farPlane = (pose.p_A_eye - p_A_centre).norm() + radius + kReach;
+    pose.nearPlane = pose.farPlane / kDepthRange;
     return pose;
 }
 

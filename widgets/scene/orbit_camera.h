@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/triangle_mesh.h"
 
 #include <cstdint>
@@ -48,11 +49,14 @@ public:
     void zoom(double factor);
 
     [[nodiscard]] CameraPose pose() const;
+    /// A camera in an eye D instead (+x right, +y up, along -z), with planes for the same bounds.
+    [[nodiscard]] CameraPose poseOf(const RigidTransform& X_AD) const;
 
 private:
     [[nodiscard]] Vec3 backward() const; ///< from the target to the eye
     [[nodiscard]] Vec3 up() const;
     [[nodiscard]] double fittingDistance() const;
+    [[nodiscard]] CameraPose withPlanes(CameraPose pose) const;
 
     Box m_bounds_A;
     double m_aspect = 1.6;

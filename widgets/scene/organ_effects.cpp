@@ -38,9 +38,9 @@ constexpr Look lookOf(MaterialGroup group)
     case MaterialGroup::Airway:
         return {0.50F, 0.34F, 0.95F, 0.35F};
     case MaterialGroup::Lung:
-        return {0.30F, 0.42F, 0.95F, 0.18F};
+        return {0.35F, 0.54F, 0.95F, 0.25F};
     case MaterialGroup::Cage:
-        return {0.10F, 0.15F, 0.60F, 0.12F};
+        return {0.10F, 0.20F, 0.75F, 0.20F};
     case MaterialGroup::Skin:
         return {0.10F, 0.06F, 0.40F, 0.10F};
     }

@@ -80,16 +80,6 @@ void SceneRenderer::setCamera(const CameraPose& pose, double widthOverHeight)
     m_camera->setUpVector(toQt(pose.up_A));
 }
 
-void SceneRenderer::setEye(const RigidTransform& X_AD, const CameraPose& planes,
-                           double widthOverHeight)
-{
-    CameraPose pose = planes;
-    pose.p_A_eye = X_AD.translation();
-    pose.p_A_target = X_AD * Vec3(0.0, 0.0, -1.0);
-    pose.up_A = X_AD.rotation() * Vec3::UnitY();
-    setCamera(pose, widthOverHeight);
-}
-
 void SceneRenderer::apply(const SceneFrame& frame, int level)
 {
     for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces)

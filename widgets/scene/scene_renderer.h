@@ -42,8 +42,6 @@ public:
     void setBackground(const QColor& color) { m_frameGraph.setBackground(color); }
 
     void setCamera(const CameraPose& pose, double widthOverHeight);
-    /// Looks out of an eye D (+x right, +y up, along -z), with the planes of the pose.
-    void setEye(const RigidTransform& X_AD, const CameraPose& planes, double widthOverHeight);
     void apply(const SceneFrame& frame, int level);
     void draw();
 

@@ -20,7 +20,7 @@ namespace
 
 constexpr std::chrono::milliseconds kTick{16};
 constexpr Duration kDrawingBudget = std::chrono::milliseconds{25}; ///< of one frame
-constexpr QColor kNight{14, 19, 24};
+constexpr QColor kNight{18, 25, 31};
 
 /// What holds still and is worth framing; everything, where nothing holds still.
 Box boundsToFrame(std::span<const ScenePart> parts)
@@ -105,11 +105,10 @@ void SceneView::drawFrame()
     drawn.asked = monotonicNow();
     if (m_source)
         drawn.frame = m_source(drawn.level);
-    const CameraPose camera = m_window->camera().pose();
-    if (m_eyeFollowed && drawn.frame.X_AD)
-        m_renderer->setEye(*drawn.frame.X_AD, camera, m_window->widthOverHeight());
-    else
-        m_renderer->setCamera(camera, m_window->widthOverHeight());
+    const OrbitCamera& camera = m_window->camera();
+    const bool fromEye = m_eyeFollowed && drawn.frame.X_AD;
+    m_renderer->setCamera(fromEye ? camera.poseOf(*drawn.frame.X_AD) : camera.pose(),
+                          m_window->widthOverHeight());
     m_renderer->apply(drawn.frame, drawn.level);
     m_renderer->draw();
     drawn.swapped = monotonicNow();

@@ -1,0 +1,301 @@
+#include "tests/widgets/scene/scene_fixture.h"
+#include "widgets/scene/graphics.h"
+#include "widgets/scene/scene_window.h"
+
+#include <QScreen>
+
+using namespace carina;
+using namespace carina::test;
+
+namespace
+{
+
+bool isRed(QRgb pixel) { return qRed(pixel) > 60 && qRed(pixel) > 2 * qBlue(pixel); }
+
+/// Mean column and row of the red pixels, as a share of the picture; nothing without any.
+std::optional<QPointF> redCentre(const QImage& picture)
+{
+    double x = 0.0;
+    double y = 0.0;
+    double count = 0.0;
+    for (int row = 0; row < picture.height(); ++row)
+        for (int column = 0; column < picture.width(); ++column)
+            if (isRed(picture.pixel(column, row))) {
+                x += column + 0.5;
+                y += row + 0.5;
+                count += 1.0;
+            }
+    if (count == 0.0)
+        return std::nullopt;
+    return QPointF(x / count / picture.width(), y / count / picture.height());
+}
+
+/// What the X server shows where the view is: what came out of the swap, not what is drawn next.
+QImage onScreen(SceneView& view)
+{
+    const QPoint corner = view.mapToGlobal(QPoint(0, 0));
+    return view.screen()
+        ->grabWindow(0, corner.x(), corner.y(), view.width(), view.height())
+        .toImage();
+}
+
+constexpr double kPlaceTolerance = 0.01; ///< of the picture's width or height
+
+/// Share of the picture's width by which a point x to the side at the origin's depth is off centre.
+double offCentre(double x)
+{
+    const double focal = 0.5 * kHeight / std::tan(0.5 * OrbitCamera::kVerticalFieldOfView);
+    return focal * x / kDistance / kWidth;
+}
+
+} // namespace
+
+class TestSceneView : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { prepareGraphics(); }
+
+private Q_SLOTS:
+    void initTestCase();
+    void showsThePatientsRightOnTheLeftFromInFront();
+    void showsTheHeadUpFromInFront();
+    void looksOutOfTheEyeOfTheFrame();
+    void showsThePoseOfTheVerySameFrame();
+    void reportsWhatItDrew();
+    void showsATubeInsideATranslucentTrachea();
+    void movesTheSilhouetteWithTheAmplitude();
+    void asksForTheLevelThatItDraws();
+    void drawsTwoViewsAtOnce();
+    void replacesItsParts();
+    void turnsByMouseAndKeysOnlyWhereAllowed();
+    void comesAndGoesTwentyTimes();
+};
+
+void TestSceneView::initTestCase()
+{
+    if (!graphicsDriver())
+        QSKIP("no OpenGL 3.3");
+}
+
+void TestSceneView::showsThePatientsRightOnTheLeftFromInFront()
+{
+    ScenePart blue = spherePart(2, MaterialGroup::Bone, {0.1, 0.0, 0.0}, 0.05);
+    blue.color = QColor(20, 20, 220);
+    const auto view =
+        shownView({spherePart(1, MaterialGroup::Bone, {-0.1, 0.0, 0.0}, 0.05), blue}, {});
+    view->showFrom(ViewPreset::Front);
+    QVERIFY(draws(*view, 3));
+    const auto centre = redCentre(view->picture());
+    QVERIFY(centre && centre->x() < 0.4);
+}
+
+void TestSceneView::showsTheHeadUpFromInFront()
+{
+    ScenePart blue = spherePart(2, MaterialGroup::Bone, {0.0, 0.0, -0.1}, 0.05);
+    blue.color = QColor(20, 20, 220);
+    const auto view =
+        shownView({spherePart(1, MaterialGroup::Bone, {0.0, 0.0, 0.1}, 0.05), blue}, {});
+    QVERIFY(draws(*view, 3));
+    const auto centre = redCentre(view->picture());
+    QVERIFY(centre && centre->y() < 0.4);
+}
+
+void TestSceneView::looksOutOfTheEyeOfTheFrame()
+{
+    const auto view = shownView({spherePart(1, MaterialGroup::Bone, {0.2, 0.0, 0.1}, 0.02)},
+                                [](int) { return frontFrame(); });
+    QVERIFY(draws(*view, 3));
+    const auto centre = redCentre(view->picture());
+    QVERIFY(centre);
+    QVERIFY(std::abs(centre->x() - (0.5 + offCentre(0.2))) < kPlaceTolerance);
+    QVERIFY(std::abs(centre->y() - (0.5 - offCentre(0.1) * kWidth / kHeight)) < kPlaceTolerance);
+}
+
+void TestSceneView::showsThePoseOfTheVerySameFrame()
+{
+    constexpr int kWarmUp = 5; // frames until shaders and buffers are there
+    constexpr int kFrames = 40;
+    int asked = 0;
+    int late = 0;
+    const auto side = [](int frame) { return frame % 2 == 0 ? -0.2 : 0.2; };
+    const auto view =
+        shownView({spherePart(1, MaterialGroup::Tool, Vec3::Zero(), 0.05, "tube")}, [&](int) {
+            SceneFrame frame = frontFrame();
+            frame.bodies["tube"] = RigidTransform::translation({side(++asked), 0.0, 0.0});
+            return frame;
+        });
+    view->onFrameDrawn([&](const DrawnFrame& drawn) {
+        if (asked <= kWarmUp)
+            return;
+        const auto centre = redCentre(onScreen(*view));
+        const double expected = 0.5 + offCentre(drawn.frame.bodies.at("tube").translation().x());
+        if (!centre || std::abs(centre->x() - expected) > kPlaceTolerance)
+            ++late;
+    });
+    QVERIFY(draws(*view, kWarmUp + kFrames));
+    QCOMPARE(late, 0);
+}
+
+void TestSceneView::reportsWhatItDrew()
+{
+    std::vector<DrawnFrame> log;
+    int asked = 0;
+    const auto view = shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)}, [&](int) {
+        SceneFrame frame = frontFrame();
+        frame.time = SessionTime{std::chrono::milliseconds{++asked}};
+        frame.amplitude = {0.25, -0.5};
+        return frame;
+    });
+    view->onFrameDrawn([&](const DrawnFrame& drawn) { log.push_back(drawn); });
+    QVERIFY(draws(*view, 4));
+    for (std::size_t i = 0; i < log.size(); ++i) {
+        QCOMPARE(log[i].frame.time.time_since_epoch().count(),
+                 static_cast<std::int64_t>(i + 1) * 1'000'000);
+        QCOMPARE(log[i].frame.amplitude, (std::array{0.25, -0.5}));
+        QCOMPARE(log[i].level, 0);
+        QVERIFY(log[i].asked < log[i].swapped);
+        QVERIFY(i == 0 || log[i - 1].swapped <= log[i].asked);
+    }
+}
+
+void TestSceneView::showsATubeInsideATranslucentTrachea()
+{
+    ScenePart trachea = spherePart(1, MaterialGroup::Airway, Vec3::Zero(), 0.3);
+    trachea.color = QColor(170, 200, 220);
+    const auto view = shownView(
+        {trachea, spherePart(2, MaterialGroup::Tool, {-0.1, 0.0, 0.0}, 0.05, "tube")}, [](int) {
+            SceneFrame frame = frontFrame();
+            frame.bodies["tube"] = RigidTransform();
+            return frame;
+        });
+    QVERIFY(draws(*view, 3));
+    const QImage picture = view->picture();
+    const int row = kHeight / 2;
+    const QColor tube = picture.pixelColor(static_cast<int>((0.5 + offCentre(-0.1)) * kWidth), row);
+    const QColor wall = picture.pixelColor(static_cast<int>((0.5 + offCentre(0.1)) * kWidth), row);
+    QVERIFY(tube.red() > tube.blue() + 20); // the red tube, through the bluish wall
+    QVERIFY(wall.blue() > wall.red());
+    QVERIFY(wall.blue() > 40); // and the wall itself is seen over black
+}
+
+void TestSceneView::movesTheSilhouetteWithTheAmplitude()
+{
+    ScenePart lung = spherePart(1, MaterialGroup::Lung, Vec3::Zero(), 0.1);
+    lung.channel = AmplitudeChannel::RightLung;
+    lung.levels = {sphere(Vec3::Zero(), 0.1, 0.05)};
+    double amplitude = 0.0;
+    const auto view = shownView({lung}, [&](int) {
+        SceneFrame frame = frontFrame();
+        frame.amplitude[0] = amplitude;
+        return frame;
+    });
+    // A place just outside the sphere at rest and inside it at amplitude 1.
+    const QPoint place(static_cast<int>((0.5 + offCentre(0.125)) * kWidth), kHeight / 2);
+    QVERIFY(draws(*view, 3));
+    QCOMPARE(view->picture().pixelColor(place), QColor(Qt::black));
+    amplitude = 1.0;
+    QVERIFY(draws(*view, 1));
+    QVERIFY(view->picture().pixelColor(place).red() > 40);
+}
+
+void TestSceneView::asksForTheLevelThatItDraws()
+{
+    ScenePart part = spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1);
+    part.levels.push_back(sphere(Vec3::Zero(), 0.2));
+    int asked = -1;
+    const auto view = shownView({part}, [&](int level) {
+        asked = level;
+        return frontFrame();
+    });
+    for (const int level : {0, 1, 0}) {
+        view->setFixedLevel(level);
+        QVERIFY(draws(*view, 3));
+        QCOMPARE(asked, level);
+        const double counted = static_cast<double>(view->visiblePixels()[1]);
+        const double expected = discPixels(level == 0 ? 0.1 : 0.2, kDistance);
+        QVERIFY(std::abs(counted - expected) < 0.02 * expected);
+    }
+    view->setFixedLevel(7); // the scene has two
+    QCOMPARE(view->level(), 1);
+}
+
+void TestSceneView::drawsTwoViewsAtOnce()
+{
+    const auto side = [](double x) {
+        return [x](int) {
+            SceneFrame frame = frontFrame();
+            frame.bodies["tube"] = RigidTransform::translation({x, 0.0, 0.0});
+            return frame;
+        };
+    };
+    const std::vector parts{spherePart(1, MaterialGroup::Tool, Vec3::Zero(), 0.05, "tube")};
+    const auto first = shownView(parts, side(-0.2));
+    const auto second = shownView(parts, side(0.2));
+    second->move(kWidth + 10, 0);
+    QVERIFY(draws(*first, 5));
+    QVERIFY(draws(*second, 5));
+    QVERIFY(redCentre(first->picture())->x() < 0.4);
+    QVERIFY(redCentre(second->picture())->x() > 0.6);
+}
+
+void TestSceneView::replacesItsParts()
+{
+    const auto view = shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)},
+                                [](int) { return frontFrame(); });
+    QVERIFY(draws(*view, 3));
+    view->setParts(std::vector{spherePart(2, MaterialGroup::Bone, Vec3::Zero(), 0.2)});
+    QVERIFY(draws(*view, 3));
+    const auto pixels = view->visiblePixels();
+    QCOMPARE(pixels.size(), std::size_t{1});
+    QVERIFY(static_cast<double>(pixels.at(2)) > 0.98 * discPixels(0.2, kDistance));
+}
+
+void TestSceneView::turnsByMouseAndKeysOnlyWhereAllowed()
+{
+    const auto view = shownView({spherePart(1, MaterialGroup::Bone, {-0.1, 0.0, 0.0}, 0.03),
+                                 spherePart(2, MaterialGroup::Bone, {0.1, 0.0, 0.0}, 0.03)},
+                                {});
+    view->setEyeFollowed(false);
+    QVERIFY(draws(*view, 3));
+    SceneWindow* window = nullptr;
+    for (QWindow* open : QGuiApplication::allWindows())
+        if (auto* scene = qobject_cast<SceneWindow*>(open))
+            window = scene;
+    const auto apart = [&] { // a turn about z hides one sphere behind the other
+        const auto pixels = view->visiblePixels();
+        return pixels.at(1) > 0 && pixels.at(2) > 0;
+    };
+    QVERIFY(apart());
+    const auto quarterTurn = [&] { // 3 rad for the picture's height
+        const QPoint start(100, 100);
+        const QPoint end(100 + static_cast<int>(std::numbers::pi / 6.0 * kHeight), 100);
+        QTest::mousePress(window, Qt::LeftButton, {}, start);
+        QTest::mouseMove(window, end);
+        QTest::mouseRelease(window, Qt::LeftButton, {}, end);
+    };
+    view->setInteractive(false);
+    quarterTurn();
+    QVERIFY(draws(*view, 2));
+    QVERIFY(apart());
+    view->setInteractive(true);
+    quarterTurn();
+    QVERIFY(draws(*view, 2));
+    QVERIFY(!apart());
+    QTest::keyClick(window, Qt::Key_Home);
+    QVERIFY(draws(*view, 2));
+    QVERIFY(apart());
+}
+
+void TestSceneView::comesAndGoesTwentyTimes()
+{
+    for (int time = 0; time < 20; ++time) {
+        const auto view = shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)},
+                                    [](int) { return frontFrame(); });
+        QVERIFY(draws(*view, 2));
+    }
+}
+
+QTEST_MAIN(TestSceneView)
+#include "tst_scene_view.moc"

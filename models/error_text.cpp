@@ -1,0 +1,101 @@
+#include "models/error_text.h"
+
+#include <QCoreApplication>
+
+namespace carina
+{
+namespace
+{
+
+// A code without its sentence does not compile.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic error "-Wswitch"
+
+class ErrorSentences
+{
+    Q_DECLARE_TR_FUNCTIONS(ErrorText)
+
+public:
+    /// %1 takes the particulars in brackets with a blank before them, or nothing.
+    static QString of(Errc code)
+    {
+        switch (code) {
+        case Errc::NotFinite:
+            return tr("A number is missing or endless%1: enter a finite number.");
+        case Errc::OutOfRange:
+            return tr("A value is out of its range%1: choose one within it.");
+        case Errc::NotARotation:
+            return tr("An orientation is not a rotation%1: calibrate or export it again.");
+        case Errc::MeshNotClosed:
+            return tr("A surface has holes and encloses no volume%1: close it in the program it "
+                      "comes from, or leave it out.");
+        case Errc::VolumeUnreachable:
+            return tr(
+                "A lung cannot take on the volume asked for%1: choose a smaller tidal volume.");
+        case Errc::FileNotFound:
+            return tr("There is no such file or folder%1: check its name and place.");
+        case Errc::FileUnreadable:
+            return tr("A file cannot be read%1: check that you may read it.");
+        case Errc::FileEmpty:
+            return tr("A file is empty%1: copy or export it again.");
+        case Errc::FileMalformed:
+            return tr("A file is damaged or cut off%1: copy or export it again.");
+        case Errc::FileUnwritable:
+            return tr(
+                "A file cannot be written%1: check the free space and that you may write there.");
+        case Errc::UnknownFormat:
+            return tr(
+                "This kind of file is not known%1: choose one that this version of Carina reads.");
+        case Errc::NothingRecognised:
+            return tr("Nothing usable was found%1: choose the folder that holds the surfaces.");
+        case Errc::Cancelled:
+            return tr("You stopped this before it was done%1: start it again when you want it.");
+        case Errc::PacketMalformed:
+            return tr("Data came that make no sense%1: make sure that only Carina uses this port.");
+        case Errc::VersionMismatch:
+            return tr("The other computer runs another version of Carina%1: install the same one "
+                      "on both.");
+        case Errc::AddressInUse:
+            return tr("Another program uses this port%1: close it or choose another port.");
+        case Errc::HostUnreachable:
+            return tr("The session host does not answer%1: check that the instructor's program "
+                      "runs and that the port is right.");
+        case Errc::StoreFailed:
+            return tr("The session could not be saved%1: check the free space, and that no other "
+                      "program has it open.");
+        case Errc::StoreCorrupt:
+            return tr("The saved session is damaged%1: restore it from a copy, or start a new "
+                      "session under another name.");
+        case Errc::NotPermitted:
+            return tr("Your role may not do this%1: ask an instructor.");
+        case Errc::SessionEnded:
+            return tr("The session has ended%1: start a new one to make changes.");
+        case Errc::NameTaken:
+            return tr("Somebody with this name and role is in the session now%1: join under "
+                      "another name.");
+        case Errc::TrackerFailed:
+            return tr("The tracker does not start%1: check its cable and power, then try again.");
+        case Errc::NoGraphics:
+            return tr("The picture cannot be drawn%1: install the driver of the graphics card.");
+        }
+        return {};
+    }
+
+    static QString particulars(const std::string& detail)
+    {
+        return detail.empty() ? QString{} : tr(" (%1)").arg(QString::fromStdString(detail));
+    }
+};
+
+#pragma GCC diagnostic pop
+
+} // namespace
+
+QString errorText(const Error& error)
+{
+    // Not by arg, which would take a %1 in the particulars for its own.
+    return ErrorSentences::of(error.code)
+        .replace(QLatin1String("%1"), ErrorSentences::particulars(error.detail));
+}
+
+} // namespace carina

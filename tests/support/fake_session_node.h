@@ -1,0 +1,127 @@
+#pragma once
+
+#include "engine/net/session_node.h"
+#include "engine/session/session_authority.h"
+
+#include <utility>
+
+namespace carina::test
+{
+
+/// A session in virtual time, on one thread and without a network: proposals are judged by the real
+/// authority, at once while the host is here and in their order once it is back. Time and links are
+/// what a test says they are.
+class FakeSessionNode final : public SessionNode
+{
+public:
+    static constexpr StationId kStation{0};
+    static constexpr ParticipantId kHost{0};
+    static constexpr ParticipantId kInstructor{1};
+    static constexpr ParticipantId kTrainee{2};
+    static constexpr ParticipantId kObserver{3};
+    static constexpr ObjectId kTube{1}; ///< of kTrainee
+
+    /// A prepared session with one station and one of everybody, seen by one of them.
+    explicit FakeSessionNode(ParticipantId self = kInstructor) : m_self{self}
+    {
+        decide(fact::SessionCreated{"Routine intubation", "00ff"});
+        decide(fact::StationAdded{"Station 1"});
+        decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+        decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
+        decide(fact::ParticipantJoined{{}, Role::Observer, "Olga"});
+        decide(fact::ObjectShared{{}, kTrainee, ObjectKind::Tube, "tube"});
+    }
+
+    // What a test makes happen.
+
+    void advance(Duration time) { m_now += time; }
+    void loseClock() { m_hasClock = false; }
+    /// The host decides by itself, or for somebody else.
+    void decide(FactBody body, ParticipantId author = kHost)
+    {
+        judge({nextId(), author, kStation, std::move(body)});
+        announce();
+    }
+    /// From now on proposals wait.
+    void hostGoesAway() { m_hostIsHere = false; }
+    void hostComesBack()
+    {
+        m_hostIsHere = true;
+        for (const Proposal& proposal : std::exchange(m_waiting, {}))
+            judge(proposal);
+        announce();
+    }
+    void announce() const
+    {
+        if (m_callback)
+            m_callback();
+    }
+    std::vector<LinkReport> linkReports;
+    std::vector<ObjectReport> reports;
+    int proposed = 0; ///< how many proposals came
+
+    // SessionNode.
+
+    [[nodiscard]] std::uint16_t port() const override { return 0; }
+    [[nodiscard]] ParticipantId self() const override { return m_self; }
+    [[nodiscard]] std::optional<SessionTime> now() const override
+    {
+        return m_hasClock ? std::optional{m_now} : std::nullopt;
+    }
+    [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override
+    {
+        return m_hasClock ? std::optional{SessionTime{t.time_since_epoch()}} : std::nullopt;
+    }
+    [[nodiscard]] std::shared_ptr<const SessionState> state() const override
+    {
+        return std::make_shared<SessionState>(m_authority.state());
+    }
+    void propose(StationId station, FactBody body) override
+    {
+        ++proposed;
+        const Proposal proposal{nextId(), m_self, station, std::move(body)};
+        if (m_hostIsHere)
+            judge(proposal);
+        else
+            m_waiting.push_back(proposal);
+        announce();
+    }
+    [[nodiscard]] std::vector<FactBody> pending() const override
+    {
+        std::vector<FactBody> bodies;
+        for (const Proposal& proposal : m_waiting)
+            bodies.push_back(proposal.body);
+        return bodies;
+    }
+    void publish(StationId, ObjectKind, std::string, PoseSource) override {}
+    [[nodiscard]] std::shared_ptr<const PoseHistory> object(ObjectId) const override
+    {
+        return nullptr;
+    }
+    [[nodiscard]] std::vector<LinkReport> links() const override { return linkReports; }
+    [[nodiscard]] std::optional<Error> refusal() const override { return m_refusal; }
+    [[nodiscard]] std::vector<ObjectReport> objectReports() const override { return reports; }
+    void onChange(std::function<void()> callback) override { m_callback = std::move(callback); }
+
+private:
+    ProposalId nextId() { return ProposalId{++m_proposals}; }
+    void judge(const Proposal& proposal)
+    {
+        const Result<Fact> fact = m_authority.judge(proposal, m_now, Duration{});
+        if (fact)
+            m_authority.commit(*fact);
+        m_refusal = fact ? std::nullopt : std::optional{fact.error()};
+    }
+
+    ParticipantId m_self;
+    SessionTime m_now{std::chrono::seconds{1000}};
+    bool m_hasClock = true;
+    bool m_hostIsHere = true;
+    std::uint64_t m_proposals = 0;
+    SessionAuthority m_authority{{}};
+    std::vector<Proposal> m_waiting;
+    std::optional<Error> m_refusal;
+    std::function<void()> m_callback;
+};
+
+} // namespace carina::test

@@ -1,0 +1,154 @@
+#include "apps/lab/drawn_breathing.h"
+
+#include "engine/lungs/lung_pair.h"
+#include "widgets/scene/drawn_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carina::lab
+{
+namespace
+{
+
+using Volumes = std::array<Volume, 2>; // right, left
+
+std::size_t indexOf(Side side) { return side == Side::Right ? 0 : 1; }
+
+Volume total(const Volumes& volumes) { return volumes[0] + volumes[1]; }
+
+/// One closed part on the graphics card, and the triangles between its vertices.
+struct DrawnPart {
+    std::size_t lung = 0; // as indexOf
+    const std::vector<Triangle>* triangles = nullptr;
+    DrawnVertices vertices;
+};
+
+/// Volume inside a closed surface: the tetrahedra that its triangles span with its first vertex.
+double enclosedVolume(const std::vector<Vec3f>& positions, const std::vector<Triangle>& triangles)
+{
+    const Vec3 apex = positions.front().cast<double>();
+    double sum = 0.0;
+    for (const auto& [i, j, k] : triangles) {
+        const Vec3 u = positions[i].cast<double>() - apex;
+        const Vec3 v = positions[j].cast<double>() - apex;
+        const Vec3 w = positions[k].cast<double>() - apex;
+        sum += u.x() * (v.y() * w.z() - v.z() * w.y()) + u.y() * (v.z() * w.x() - v.x() * w.z())
+               + u.z() * (v.x() * w.y() - v.y() * w.x());
+    }
+    return sum / 6.0;
+}
+
+/// The parts of both lungs in one level of detail.
+Result<std::vector<DrawnPart>> upload(const LungPair& lungs, std::size_t level)
+{
+    std::vector<DrawnPart> parts;
+    for (const BreathingPart& part : lungs.parts()) {
+        const DeformableMesh& mesh = levelOf(part, level);
+        Result<DrawnVertices> vertices = DrawnVertices::of(mesh);
+        if (!vertices)
+            return tl::unexpected(vertices.error());
+        parts.push_back({indexOf(part.side), &mesh.rest.triangles, std::move(*vertices)});
+    }
+    return parts;
+}
+
+Result<Volumes> volumesDrawn(std::vector<DrawnPart>& parts, const LungAmplitudes& amplitudes)
+{
+    Volumes sums;
+    for (DrawnPart& part : parts) {
+        const auto drawn =
+            part.vertices.positions(part.lung == 0 ? amplitudes.right : amplitudes.left);
+        if (!drawn)
+            return tl::unexpected(drawn.error());
+        sums[part.lung].si += enclosedVolume(*drawn, *part.triangles);
+    }
+    return sums;
+}
+
+void raiseTo(Volume& largest, Volume error)
+{
+    largest = std::max(largest, cubicMetres(std::abs(error.si)));
+}
+
+/// A level of detail before its first frame.
+DrawnLevel undrawn(const LungPair& lungs, std::size_t level, const Volumes& rest)
+{
+    DrawnLevel result;
+    result.level = level;
+    for (const BreathingPart& part : lungs.parts()) {
+        DrawnLung& lung = result.lungs[indexOf(part.side)];
+        lung.vertices += levelOf(part, level).rest.positions.size();
+        lung.triangles += levelOf(part, level).rest.triangles.size();
+    }
+    for (std::size_t lung = 0; lung < rest.size(); ++lung)
+        result.lungs[lung].restVolume = rest[lung];
+    return result;
+}
+
+/// Breathes through one level frame by frame; `frc` are the volumes of the lungs at rest.
+Result<DrawnLevel> drawLevel(const LungPair& lungs, std::size_t level, const Volumes& frc,
+                             const BreathingTrial& trial)
+{
+    auto parts = upload(lungs, level);
+    if (!parts)
+        return tl::unexpected(parts.error());
+    const auto rest = volumesDrawn(*parts, {});
+    if (!rest)
+        return tl::unexpected(rest.error());
+    DrawnLevel result = undrawn(lungs, level, *rest);
+    Volume least = cubicMetres(std::numeric_limits<double>::infinity());
+    Volume greatest = cubicMetres(-std::numeric_limits<double>::infinity());
+    double breaths = 0.0;
+    const auto frames = static_cast<std::size_t>(trial.seconds * kFramesPerSecond);
+    for (; result.frames <= frames; ++result.frames) {
+        const Volume inspired = inspiredVolume(trial.pattern, breaths - std::floor(breaths));
+        breaths += trial.pattern.rate.si / kFramesPerSecond;
+        const auto drawn =
+            lungs.amplitudes(inspired, level).and_then([&](const LungAmplitudes& amplitudes) {
+                return volumesDrawn(*parts, amplitudes);
+            });
+        if (!drawn)
+            return tl::unexpected(drawn.error());
+        for (std::size_t lung = 0; lung < frc.size(); ++lung) {
+            const Volume commanded = frc[lung] + (frc[lung] / total(frc)) * inspired;
+            raiseTo(result.lungs[lung].largestError, (*drawn)[lung] - commanded);
+        }
+        raiseTo(result.largestError, total(*drawn) - total(frc) - inspired);
+        least = std::min(least, total(*drawn));
+        greatest = std::max(greatest, total(*drawn));
+    }
+    result.tidalVolume = greatest - least;
+    return result;
+}
+
+} // namespace
+
+Result<DrawnBreathing> drawBreathing(const Anatomy& anatomy, const BreathingTrial& trial)
+{
+    const auto lungs = LungPair::of(anatomy);
+    if (!lungs)
+        return tl::unexpected(lungs.error());
+    if (lungs->parts().empty())
+        return fail(Errc::NothingRecognised, anatomy.name + " has no lungs.");
+    if (trial.level && *trial.level >= lungs->levelCount())
+        return fail(Errc::OutOfRange, anatomy.name + " has levels 0 to "
+                                          + std::to_string(lungs->levelCount() - 1) + ".");
+    const auto frc = upload(*lungs, 0).and_then(
+        [](std::vector<DrawnPart> parts) { return volumesDrawn(parts, {}); });
+    if (!frc)
+        return tl::unexpected(frc.error());
+    DrawnBreathing drawn{total(*frc), {}};
+    const std::size_t first = trial.level.value_or(0);
+    const std::size_t last = trial.level.value_or(lungs->levelCount() - 1);
+    for (std::size_t level = first; level <= last; ++level) {
+        const auto drawnLevel = drawLevel(*lungs, level, *frc, trial);
+        if (!drawnLevel)
+            return tl::unexpected(drawnLevel.error());
+        drawn.levels.push_back(*drawnLevel);
+    }
+    return drawn;
+}
+
+} // namespace carina::lab

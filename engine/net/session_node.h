@@ -54,10 +54,18 @@ using PoseSource = std::function<std::optional<PoseSample>()>;
 class SessionNode
 {
 public:
-    /// Opens a session, or resumes the one the store holds, with its session time.
+    /// Opens a session, or resumes the one the store holds, with its session time. The name and
+    /// station of a session are those of its first start.
+    ///
+    /// @pre a QCoreApplication exists.
+    /// @returns AddressInUse with the port; OutOfRange for a name that checkBody refuses; what the
+    ///          store objects to.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>>
     host(const HostSettings& settings, std::unique_ptr<FactStore> store);
     /// Joins; returns at once and connects, and reconnects, by itself.
+    ///
+    /// @pre a QCoreApplication exists.
+    /// @returns OutOfRange for a name that checkBody refuses; AddressInUse without a free port.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>> join(const JoinSettings& settings);
     virtual ~SessionNode() = default;
 

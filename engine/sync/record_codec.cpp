@@ -26,16 +26,16 @@ enum class RecordKind : std::uint8_t {
     Goodbye,
 };
 
-/// Reasons that travel; the first has the number 1 on the wire.
-constexpr std::array kWireReasons{Errc::NotPermitted,   Errc::SessionEnded, Errc::NameTaken,
-                                  Errc::OutOfRange,     Errc::StoreFailed,  Errc::PacketMalformed,
-                                  Errc::VersionMismatch};
+/// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
+constexpr std::array kWireReasons{Errc::NotPermitted,    Errc::SessionEnded, Errc::NameTaken,
+                                  Errc::OutOfRange,      Errc::StoreFailed,  Errc::PacketMalformed,
+                                  Errc::VersionMismatch, Errc::NotFinite};
 
 void writeReason(ByteWriter& out, Errc reason)
 {
     const auto* found = std::ranges::find(kWireReasons, reason);
-    CARINA_EXPECTS(found != kWireReasons.end());
-    out.number(static_cast<std::uint8_t>(found - kWireReasons.begin() + 1));
+    const auto index = found == kWireReasons.end() ? 0 : found - kWireReasons.begin();
+    out.number(static_cast<std::uint8_t>(index + 1));
 }
 
 Errc readReason(ByteReader& in)

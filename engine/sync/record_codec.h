@@ -9,7 +9,7 @@ namespace carina
 /// One byte of kind and the record's fields, as in docs/protocol.md.
 ///
 /// @pre the numbers are finite and within their ranges; bodies of facts and proposals have 1 to
-///      kLargestFactBody bytes; a reason for refusal is one of those that travel.
+///      kLargestFactBody bytes. A reason for refusal that does not travel becomes NotPermitted.
 void writeRecord(ByteWriter& out, const WireRecord& record);
 
 /// Meaningless when in.ok() is false afterwards.

@@ -9,7 +9,9 @@ namespace carina
 
 void StreamTable::share(ObjectId object, ParticipantId owner)
 {
-    m_objects.insert_or_assign(object, Object{owner, std::nullopt});
+    Object& entry = m_objects[object];
+    if (entry.owner != owner)
+        entry = Object{owner, std::nullopt};
 }
 
 bool StreamTable::accept(const StreamSample& sample, SessionTime now)

@@ -73,7 +73,6 @@ public:
     }
     [[nodiscard]] const ClockEstimate& clock() const { return m_clock; }
     [[nodiscard]] const PeerLink& link() const { return m_link; }
-    [[nodiscard]] const StreamTick& tick() const { return m_tick; }
     /// Why the host does not let this participant in.
     [[nodiscard]] std::optional<Errc> helloRefused() const { return m_helloRefused; }
 

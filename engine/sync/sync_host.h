@@ -91,9 +91,9 @@ public:
         return SessionTime{t.time_since_epoch() + m_clockOffset};
     }
     [[nodiscard]] const std::map<PeerAddress, Peer>& peers() const { return m_peers; }
+    [[nodiscard]] const std::vector<FactRecord>& log() const { return m_log; }
     /// How long a datagram to the slowest peer takes at worst.
     [[nodiscard]] Duration slowestPath() const;
-    [[nodiscard]] const StreamTick& tick() const { return m_tick; }
 
 private:
     struct Visitor;

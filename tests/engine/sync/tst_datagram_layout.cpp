@@ -244,7 +244,7 @@ private Q_SLOTS:
         std::uint8_t number = 1;
         for (const Errc reason :
              {Errc::NotPermitted, Errc::SessionEnded, Errc::NameTaken, Errc::OutOfRange,
-              Errc::StoreFailed, Errc::PacketMalformed, Errc::VersionMismatch}) {
+              Errc::StoreFailed, Errc::PacketMalformed, Errc::VersionMismatch, Errc::NotFinite}) {
             auto bytes = encodeHeader({});
             std::ranges::copy(encoded(HelloRefused{reason}), std::back_inserter(bytes));
             QCOMPARE(bytes.back(), std::byte{number++});
@@ -252,6 +252,11 @@ private Q_SLOTS:
             QVERIFY(datagram);
             QCOMPARE(std::get<HelloRefused>(datagram->records[0]).reason, reason);
         }
+    }
+
+    void anyOtherReasonArrivesAsNotPermitted()
+    {
+        QCOMPARE(toHex(encoded(HelloRefused{Errc::TrackerFailed})), QByteArray{"09 01"});
     }
 
     void recordsKeepTheirOrder()

@@ -185,7 +185,7 @@ private Q_SLOTS:
         row("proposal with the longest length", 3, 11, "ff ff", "body length");
         row("hello without a proposal", 6, 35, "00 00", "body length");
         row("reason zero", 5, 9, "00", "reason");
-        row("reason above the last", 5, 9, "08", "reason");
+        row("reason above the last", 5, 9, "09", "reason");
         row("reason above all", 8, 1, "ff", "reason");
     }
 
@@ -228,7 +228,7 @@ private Q_SLOTS:
         row("smallest scale", 1, 90, "01 00 00 00");
         row("negative rate", 1, 86, "00 00 c0 bf");
         row("first fact", 2, 1, "01 00 00 00 00 00 00 00");
-        row("last reason", 5, 9, "07");
+        row("last reason", 5, 9, "08");
     }
 
     void acceptsTheLastValueWithinEachRule()

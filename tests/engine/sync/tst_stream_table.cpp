@@ -87,6 +87,14 @@ private Q_SLOTS:
         QVERIFY(table.accept(sample(0, 0, ParticipantId{3}), kNow));
     }
 
+    void sharingAgainKeepsTheNewest()
+    {
+        StreamTable table = tableWithObject7();
+        QVERIFY(table.accept(sample(1, 5), kNow));
+        table.share(ObjectId{7}, kOwner);
+        QVERIFY(!table.accept(sample(1, 4), kNow));
+    }
+
     void unknownObjectsAreDropped()
     {
         StreamTable table;

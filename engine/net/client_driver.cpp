@@ -1,0 +1,169 @@
+#include "engine/net/client_driver.h"
+
+#include "engine/session/fact_codec.h"
+
+#include <QRandomGenerator>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr ParticipantId kHostParticipant{0};
+
+ProposalRecord newProposal(StationId station, FactBody body)
+{
+    const ProposalId id{QRandomGenerator::system()->generate64()};
+    return toRecord(Proposal{id, kNobody, station, std::move(body)});
+}
+
+LinkState linkState(SyncClient::State state)
+{
+    switch (state) {
+    case SyncClient::State::Connected:
+        return LinkState::Connected;
+    case SyncClient::State::Connecting:
+        return LinkState::Connecting;
+    case SyncClient::State::Away:
+    case SyncClient::State::Closed:
+        break;
+    }
+    return LinkState::Away;
+}
+
+} // namespace
+
+ClientDriver::ClientDriver(const JoinSettings& settings, PeerAddress host, NodeBoard& board,
+                           LocalTime now)
+    : m_host{host},
+      m_board{board},
+      m_core{newProposal(settings.station, fact::ParticipantJoined{ParticipantId{}, settings.role,
+                                                                   settings.participantName}),
+             QRandomGenerator::system()->generate(), now}
+{
+    show(now);
+}
+
+void ClientDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
+{
+    if (from == m_host)
+        m_core.receive(bytes, now);
+}
+
+void ClientDriver::propose(StationId station, FactBody body, LocalTime now)
+{
+    m_refusal.reset();
+    m_core.propose(newProposal(station, std::move(body)), now);
+}
+
+void ClientDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+{
+    m_publications.add(station, kind, std::move(name), std::move(newest));
+}
+
+NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
+{
+    sendOwnStreams(now);
+    m_core.advance(now);
+    SyncClient::Output output = m_core.take();
+    if (output.startedAfresh)
+        startAfresh();
+    for (const FactRecord& record : output.facts)
+        apply(record, now);
+    for (const StreamSample& sample : output.streams)
+        m_board.objects.take(sample.cpo);
+    for (const RefusedProposal& refused : output.refused)
+        m_refusal = Error{refused.reason, {}};
+    show(now);
+    return addressed(std::move(output.datagrams));
+}
+
+LocalTime ClientDriver::nextWake() const
+{
+    return std::min(m_core.nextWake(), m_publications.nextTick());
+}
+
+NodeDriver::Datagrams ClientDriver::close(LocalTime now)
+{
+    m_core.leave(now);
+    return addressed(m_core.take().datagrams);
+}
+
+void ClientDriver::sendOwnStreams(LocalTime now)
+{
+    if (m_core.isCaughtUp())
+        for (auto& [station, object] : m_publications.takeUnknown(m_state, m_core.self()))
+            m_core.propose(newProposal(station, std::move(object)), now);
+    for (const auto& [station, cpo] : m_publications.sample(m_state, m_core.self(), now))
+        m_core.publish(station, cpo);
+}
+
+void ClientDriver::startAfresh()
+{
+    m_state = {};
+    m_shownState.reset();
+    m_board.objects.clear();
+    m_publications.forget();
+}
+
+void ClientDriver::apply(const FactRecord& record, LocalTime now)
+{
+    const auto fact = fromRecord(record);
+    if (!fact) { // a host that stores what it cannot have judged: not to be followed
+        m_refusal = fact.error();
+        return m_core.leave(now);
+    }
+    m_state.apply(*fact);
+    m_shownState.reset();
+    if (const auto* shared = std::get_if<fact::ObjectShared>(&fact->body))
+        share(shared->object, shared->owner);
+}
+
+void ClientDriver::share(ObjectId object, ParticipantId owner)
+{
+    m_core.share(object, owner);
+    if (owner == m_core.self())
+        m_board.objects.remove(object);
+    else
+        m_board.objects.add(object);
+}
+
+NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>> datagrams) const
+{
+    Datagrams result;
+    for (auto& bytes : datagrams)
+        result.push_back({m_host, std::move(bytes)});
+    return result;
+}
+
+NodeBoard::Link ClientDriver::link(LocalTime now) const
+{
+    const ClockEstimate& clock = m_core.clock();
+    return {{kHostParticipant, linkState(m_core.state()),
+             m_core.link().shortestRoundTrip().value_or(Duration{}),
+             clock.mapping() ? clock.uncertainty(now) : Duration{}, Duration{}},
+            m_core.link().lastHeard()};
+}
+
+void ClientDriver::show(LocalTime now)
+{
+    if (!m_shownState)
+        m_shownState = std::make_shared<SessionState>(m_state);
+    NodeBoard::View view;
+    view.self = m_core.self();
+    view.clock = m_core.clock().mapping();
+    view.state = m_shownState;
+    for (const ProposalRecord& record : m_core.waiting())
+        if (auto body = decodeBody(record.body))
+            view.pending.push_back(*std::move(body));
+    view.links.push_back(link(now));
+    view.refusal = m_refusal;
+    if (const auto refused = m_core.helloRefused())
+        view.refusal = Error{*refused, {}};
+    if (m_board.show(std::move(view)))
+        m_board.announce();
+}
+
+} // namespace carina

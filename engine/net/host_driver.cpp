@@ -1,0 +1,280 @@
+#include "engine/net/host_driver.h"
+
+#include "engine/net/host_clock.h"
+#include "engine/net/session_identity.h"
+#include "engine/session/fact_codec.h"
+
+#include <QRandomGenerator>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr ParticipantId kSelf{0};
+constexpr StationId kFirstStation{0};
+constexpr const char* kFirstStationName = "Station 1";
+
+std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
+
+Result<std::vector<Fact>> decodeLog(const std::vector<FactRecord>& records)
+{
+    std::vector<Fact> facts;
+    for (const FactRecord& record : records) {
+        auto fact = fromRecord(record);
+        if (!fact)
+            return fail(Errc::StoreCorrupt,
+                        "fact " + std::to_string(record.number.value) + ": " + fact.error().detail);
+        facts.push_back(*std::move(fact));
+    }
+    return facts;
+}
+
+} // namespace
+
+Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& settings,
+                                                     std::unique_ptr<FactStore> store,
+                                                     NodeBoard& board, LocalTime now)
+{
+    auto records = store->load();
+    if (!records)
+        return tl::unexpected(records.error());
+    const auto facts = decodeLog(*records);
+    if (!facts)
+        return tl::unexpected(facts.error());
+    const auto anchor = store->clockAnchor();
+    if (!anchor)
+        return tl::unexpected(anchor.error());
+
+    const bool isNew = records->empty();
+    const std::string bootId = readBootId();
+    const auto lastCommitted = isNew ? std::nullopt : std::optional{records->back().committed};
+    const Duration offset = sessionClockOffset(*anchor, bootId, lastCommitted, now, hostRandom());
+    if (const auto kept = store->setClockAnchor({bootId, offset}); !kept)
+        return tl::unexpected(kept.error());
+
+    std::unique_ptr<HostDriver> driver{
+        new HostDriver{std::move(store), SessionAuthority{*facts}, board, now}};
+    const std::string sessionId = isNew ? newSessionId() : driver->m_authority.state().sessionId();
+    driver->startCore(sessionId, *std::move(records), offset);
+    const auto ready =
+        (isNew ? driver->begin(settings, sessionId, now) : Result<void>{}).and_then([&] {
+            return driver->joinItself(settings.participantName, now);
+        });
+    if (!ready)
+        return tl::unexpected(ready.error());
+    driver->show(now);
+    return driver;
+}
+
+HostDriver::HostDriver(std::unique_ptr<FactStore> store, SessionAuthority authority,
+                       NodeBoard& board, LocalTime now)
+    : m_store{std::move(store)},
+      m_authority{std::move(authority)},
+      m_board{board},
+      m_returnsEnd{now + kPeerTimeout}
+{
+}
+
+void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord> log,
+                           Duration clockOffset)
+{
+    HostRules rules{
+        [this](const ProposalRecord& join, LocalTime now) { return identify(join, now); },
+        [this](const ProposalRecord& join, LocalTime now) { return admit(join, now); },
+        [this](const ProposalRecord& record, LocalTime now) {
+            return fromRecord(record).and_then(
+                [&](const Proposal& proposal) { return decide(proposal, now); });
+        },
+        [this](ParticipantId participant, LocalTime now) { left(participant, now); }};
+    m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
+                                        std::move(rules));
+    for (const auto& [id, object] : m_authority.state().objects())
+        share(id, object.owner);
+}
+
+Result<void> HostDriver::begin(const HostSettings& settings, const std::string& sessionId,
+                               LocalTime now)
+{
+    return decideByHost(kFirstStation, fact::SessionCreated{settings.sessionName, sessionId}, now)
+        .and_then([&](const FactRecord&) {
+            return decideByHost(kFirstStation, fact::StationAdded{kFirstStationName}, now);
+        })
+        .map([](const FactRecord&) {});
+}
+
+Result<void> HostDriver::joinItself(const std::string& name, LocalTime now)
+{
+    // Not judged: the authority would give the host a number as it does to everybody else.
+    const SessionTime time = m_core->sessionTime(now);
+    const FactNumber number{m_core->log().size() + 1};
+    const fact::ParticipantJoined joined{kSelf, Role::Instructor, name};
+    m_epoch = static_cast<std::uint16_t>(number.value);
+    return enter({number, ProposalId{hostRandom()}, kSelf, kFirstStation, time, time, joined})
+        .map([](const FactRecord&) {});
+}
+
+Result<FactRecord> HostDriver::decide(const Proposal& proposal, LocalTime now)
+{
+    if (const auto number = m_authority.settled(proposal.id))
+        return m_core->log()[number->value - 1];
+    return m_authority.judge(proposal, m_core->sessionTime(now), m_core->slowestPath())
+        .and_then([this](const Fact& fact) { return enter(fact); });
+}
+
+Result<FactRecord> HostDriver::decideByHost(StationId station, FactBody body, LocalTime now)
+{
+    auto fact = decide({ProposalId{hostRandom()}, kSelf, station, std::move(body)}, now);
+    if (!fact)
+        m_refusal = fact.error();
+    return fact;
+}
+
+Result<FactRecord> HostDriver::enter(const Fact& fact)
+{
+    const FactRecord record = toRecord(fact);
+    if (const auto stored = m_store->append(record); !stored)
+        return fail(Errc::StoreFailed, stored.error().detail);
+    m_authority.commit(fact);
+    m_core->append(record);
+    if (const auto* shared = std::get_if<fact::ObjectShared>(&fact.body))
+        share(shared->object, shared->owner);
+    m_shownState.reset();
+    return record;
+}
+
+Result<ParticipantId> HostDriver::identify(const ProposalRecord& join, LocalTime now) const
+{
+    const auto proposal = fromRecord(join);
+    if (!proposal)
+        return tl::unexpected(proposal.error());
+    const auto* joined = std::get_if<fact::ParticipantJoined>(&proposal->body);
+    if (!joined || joined->participant.value != 0)
+        return fail(Errc::NotPermitted);
+    const Participant& self = m_authority.state().participants().at(kSelf);
+    if (joined->name == self.name && joined->role == self.role)
+        return kSelf;
+    return m_authority.judge(*proposal, m_core->sessionTime(now), Duration{})
+        .map([](const Fact& fact) {
+            return std::get<fact::ParticipantJoined>(fact.body).participant;
+        });
+}
+
+Result<Admission> HostDriver::admit(const ProposalRecord& join, LocalTime now)
+{
+    const auto participant = identify(join, now);
+    auto proposal = fromRecord(join);
+    if (!participant || !proposal)
+        return tl::unexpected(participant ? proposal.error() : participant.error());
+    const auto& participants = m_authority.state().participants();
+    const auto known = participants.find(*participant);
+    // The same run of a program that was given up meanwhile comes in a second time.
+    if (m_authority.settled(proposal->id) && known != participants.end() && !known->second.present)
+        proposal->id = ProposalId{hostRandom()};
+    return decide(*proposal, now).map([&](const FactRecord& fact) {
+        return Admission{*participant, fact};
+    });
+}
+
+void HostDriver::left(ParticipantId participant, LocalTime now)
+{
+    // A store that fails is shown as the node's refusal; the participant is gone all the same.
+    static_cast<void>(decideByHost(kFirstStation, fact::ParticipantLeft{participant}, now));
+}
+
+void HostDriver::dropAbsent(LocalTime now)
+{
+    if (now < m_returnsEnd)
+        return;
+    m_returnsEnd = LocalTime::max();
+    std::vector<ParticipantId> absent;
+    for (const auto& [id, participant] : m_authority.state().participants()) {
+        const bool isHere = id == kSelf || std::ranges::any_of(m_core->peers(), [&](const auto& p) {
+                                return p.second.participant == id;
+                            });
+        if (participant.present && !isHere)
+            absent.push_back(id);
+    }
+    for (const ParticipantId id : absent)
+        left(id, now);
+}
+
+void HostDriver::share(ObjectId object, ParticipantId owner)
+{
+    m_core->share(object, owner);
+    if (owner == kSelf)
+        m_board.objects.remove(object);
+    else
+        m_board.objects.add(object);
+}
+
+void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
+{
+    m_core->receive(from, bytes, now);
+}
+
+void HostDriver::propose(StationId station, FactBody body, LocalTime now)
+{
+    m_refusal.reset();
+    static_cast<void>(decideByHost(station, std::move(body), now)); // a refusal is shown
+}
+
+void HostDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+{
+    m_publications.add(station, kind, std::move(name), std::move(newest));
+}
+
+void HostDriver::sendOwnStreams(LocalTime now)
+{
+    for (auto& [station, object] : m_publications.takeUnknown(m_authority.state(), kSelf))
+        static_cast<void>(decideByHost(station, std::move(object), now)); // a refusal is shown
+    for (const auto& [station, cpo] : m_publications.sample(m_authority.state(), kSelf, now))
+        m_core->publish({kSelf, m_epoch, station, cpo}, now);
+}
+
+NodeDriver::Datagrams HostDriver::advance(LocalTime now)
+{
+    sendOwnStreams(now);
+    m_core->advance(now);
+    dropAbsent(now);
+    SyncHost::Output output = m_core->take();
+    for (const StreamSample& sample : output.streams)
+        m_board.objects.take(sample.cpo);
+    show(now);
+    return std::move(output.datagrams);
+}
+
+LocalTime HostDriver::nextWake() const
+{
+    return std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd});
+}
+
+NodeDriver::Datagrams HostDriver::close(LocalTime now)
+{
+    m_core->close(now);
+    return std::move(m_core->take().datagrams);
+}
+
+void HostDriver::show(LocalTime now)
+{
+    if (!m_shownState)
+        m_shownState = std::make_shared<SessionState>(m_authority.state());
+    NodeBoard::View view;
+    view.self = kSelf;
+    view.clock =
+        ClockMapping{now, m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch()};
+    view.state = m_shownState;
+    for (const auto& [address, peer] : m_core->peers()) {
+        const Duration roundTrip = peer.link.shortestRoundTrip().value_or(Duration{});
+        view.links.push_back(
+            {{peer.participant, LinkState::Connected, roundTrip, roundTrip / 2, Duration{}},
+             peer.link.lastHeard()});
+    }
+    view.refusal = m_refusal;
+    if (m_board.show(std::move(view)))
+        m_board.announce();
+}
+
+} // namespace carina

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "engine/net/node_board.h"
+#include "engine/net/node_driver.h"
+#include "engine/net/publications.h"
+#include "engine/session/session_authority.h"
+
+namespace carina
+{
+
+/// The host's part: judges what is proposed, has it on disk and then hands it to everyone.
+class HostDriver : public NodeDriver
+{
+public:
+    /// Opens the session of the store, or a new one. @param board outlives the driver.
+    [[nodiscard]] static Result<std::unique_ptr<HostDriver>> open(const HostSettings& settings,
+                                                                  std::unique_ptr<FactStore> store,
+                                                                  NodeBoard& board, LocalTime now);
+
+    void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
+    void propose(StationId station, FactBody body, LocalTime now) override;
+    void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    Datagrams advance(LocalTime now) override;
+    [[nodiscard]] LocalTime nextWake() const override;
+    Datagrams close(LocalTime now) override;
+
+private:
+    HostDriver(std::unique_ptr<FactStore> store, SessionAuthority authority, NodeBoard& board,
+               LocalTime now);
+
+    void startCore(const std::string& sessionId, std::vector<FactRecord> log, Duration clockOffset);
+    [[nodiscard]] Result<void> begin(const HostSettings& settings, const std::string& sessionId,
+                                     LocalTime now);
+    [[nodiscard]] Result<void> joinItself(const std::string& name, LocalTime now);
+
+    [[nodiscard]] Result<FactRecord> decide(const Proposal& proposal, LocalTime now);
+    [[nodiscard]] Result<FactRecord> decideByHost(StationId station, FactBody body, LocalTime now);
+    [[nodiscard]] Result<FactRecord> enter(const Fact& fact);
+    [[nodiscard]] Result<ParticipantId> identify(const ProposalRecord& join, LocalTime now) const;
+    [[nodiscard]] Result<Admission> admit(const ProposalRecord& join, LocalTime now);
+    void left(ParticipantId participant, LocalTime now);
+    /// Those of the last run who did not come back.
+    void dropAbsent(LocalTime now);
+
+    void share(ObjectId object, ParticipantId owner);
+    void sendOwnStreams(LocalTime now);
+    void show(LocalTime now);
+
+    std::unique_ptr<FactStore> m_store;
+    SessionAuthority m_authority;
+    NodeBoard& m_board;
+    std::unique_ptr<SyncHost> m_core;
+    Publications m_publications;
+    std::uint16_t m_epoch = 0;
+    LocalTime m_returnsEnd; // until then those of the last run may come back
+    std::optional<Error> m_refusal;
+    std::shared_ptr<const SessionState> m_shownState;
+};
+
+} // namespace carina

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/net/remote_objects.h"
+#include "engine/net/session_node.h"
+#include "engine/sync/clock_estimate.h"
+
+#include <mutex>
+
+namespace carina
+{
+
+/// What a node shows to the other threads: its own thread writes, any thread reads.
+class NodeBoard
+{
+public:
+    struct Link {
+        LinkReport report; ///< but for sinceLastDatagram
+        LocalTime lastHeard{};
+    };
+    struct View {
+        ParticipantId self = kNobody;
+        std::optional<ClockMapping> clock;
+        std::shared_ptr<const SessionState> state = std::make_shared<SessionState>();
+        std::vector<FactBody> pending;
+        std::vector<Link> links;
+        std::optional<Error> refusal;
+    };
+
+    [[nodiscard]] View view() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view;
+    }
+    /// Parts of it, for those who ask at every frame.
+    [[nodiscard]] std::optional<ClockMapping> clock() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view.clock;
+    }
+    [[nodiscard]] std::shared_ptr<const SessionState> state() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view.state;
+    }
+    /// @returns whether what onChange announces is another than before.
+    bool show(View view);
+
+    void onChange(std::function<void()> callback);
+    void announce() const;
+
+    RemoteObjects objects;
+
+private:
+    mutable std::mutex m_mutex;
+    View m_view;
+    std::function<void()> m_callback;
+};
+
+} // namespace carina

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/net/session_node.h"
+#include "engine/sync/sync_host.h"
+
+namespace carina
+{
+
+/// One role's part of a node: joins a core of engine/sync to the session behind it. Lives on the
+/// node's thread; whoever runs that thread brings datagrams and time.
+class NodeDriver
+{
+public:
+    using Datagrams = std::vector<SyncHost::Output::Addressed>;
+
+    virtual ~NodeDriver() = default;
+
+    virtual void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) = 0;
+    virtual void propose(StationId station, FactBody body, LocalTime now) = 0;
+    virtual void publish(StationId station, ObjectKind kind, std::string name,
+                         PoseSource newest) = 0;
+    /// Does what is due, after everything else and at nextWake(). @returns what is to be sent.
+    [[nodiscard]] virtual Datagrams advance(LocalTime now) = 0;
+    [[nodiscard]] virtual LocalTime nextWake() const = 0;
+    /// The last datagrams.
+    [[nodiscard]] virtual Datagrams close(LocalTime now) = 0;
+};
+
+} // namespace carina

@@ -1,0 +1,121 @@
+#include "engine/net/threaded_node.h"
+
+#include "engine/core/monotonic_clock.h"
+
+namespace carina
+{
+
+Result<std::unique_ptr<SessionNode>> ThreadedNode::start(std::uint16_t port,
+                                                         const MakeDriver& makeDriver)
+{
+    std::unique_ptr<ThreadedNode> node{new ThreadedNode};
+    node->m_thread.setObjectName(QStringLiteral("carina-node"));
+    node->m_thread.start();
+    node->m_loop = std::make_unique<NodeLoop>();
+    node->m_loop->moveToThread(&node->m_thread);
+    if (const auto opened = node->open(port, makeDriver); !opened)
+        return tl::unexpected(opened.error());
+    return node;
+}
+
+Result<void> ThreadedNode::open(std::uint16_t port, const MakeDriver& makeDriver)
+{
+    Result<void> opened;
+    runThere([&] {
+        const auto bound = m_loop->bind(port);
+        if (!bound) {
+            opened = tl::unexpected(bound.error());
+            return;
+        }
+        m_port = *bound;
+        auto driver = makeDriver(m_board, monotonicNow());
+        if (driver)
+            m_loop->drive(*std::move(driver));
+        else
+            opened = tl::unexpected(driver.error());
+    });
+    return opened;
+}
+
+ThreadedNode::~ThreadedNode()
+{
+    m_board.onChange({});
+    runThere([this] {
+        m_loop->close();
+        m_loop.reset();
+    });
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void ThreadedNode::runThere(const std::function<void()>& task)
+{
+    QMetaObject::invokeMethod(m_loop.get(), task, Qt::BlockingQueuedConnection);
+}
+
+ParticipantId ThreadedNode::self() const { return m_board.view().self; }
+
+std::optional<SessionTime> ThreadedNode::now() const { return sessionTime(monotonicNow()); }
+
+std::optional<SessionTime> ThreadedNode::sessionTime(LocalTime t) const
+{
+    const auto clock = m_board.clock();
+    return clock ? std::optional{clock->at(t)} : std::nullopt;
+}
+
+std::shared_ptr<const SessionState> ThreadedNode::state() const { return m_board.state(); }
+
+void ThreadedNode::propose(StationId station, FactBody body)
+{
+    QMetaObject::invokeMethod(
+        m_loop.get(),
+        [this, station, body = std::move(body)] {
+            m_loop->driver().propose(station, body, monotonicNow());
+            m_loop->serve();
+        },
+        Qt::QueuedConnection);
+}
+
+std::vector<FactBody> ThreadedNode::pending() const { return m_board.view().pending; }
+
+void ThreadedNode::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+{
+    QMetaObject::invokeMethod(
+        m_loop.get(),
+        [this, station, kind, name = std::move(name), newest = std::move(newest)] {
+            m_loop->driver().publish(station, kind, name, newest);
+            m_loop->serve();
+        },
+        Qt::QueuedConnection);
+}
+
+std::shared_ptr<const PoseHistory> ThreadedNode::object(ObjectId id) const
+{
+    return m_board.objects.history(id);
+}
+
+std::vector<LinkReport> ThreadedNode::links() const
+{
+    const LocalTime now = monotonicNow();
+    std::vector<LinkReport> reports;
+    for (const NodeBoard::Link& link : m_board.view().links) {
+        reports.push_back(link.report);
+        reports.back().sinceLastDatagram = now - link.lastHeard;
+    }
+    return reports;
+}
+
+std::optional<Error> ThreadedNode::refusal() const { return m_board.view().refusal; }
+
+std::vector<ObjectReport> ThreadedNode::objectReports() const
+{
+    const auto time = now();
+    return time ? m_board.objects.reports(*time) : std::vector<ObjectReport>{};
+}
+
+void ThreadedNode::onChange(std::function<void()> callback)
+{
+    m_board.onChange(std::move(callback));
+}
+
+} // namespace carina

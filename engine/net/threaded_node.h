@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/net/node_board.h"
+#include "engine/net/node_loop.h"
+
+#include <QThread>
+
+namespace carina
+{
+
+/// A node with its thread. Reads come from the board; what changes something is done on the thread.
+class ThreadedNode : public SessionNode
+{
+public:
+    /// Made on the node's thread, for what it opens may be tied to it.
+    using MakeDriver =
+        std::function<Result<std::unique_ptr<NodeDriver>>(NodeBoard& board, LocalTime now)>;
+
+    /// @returns AddressInUse with the port, or what the driver's making fails with.
+    [[nodiscard]] static Result<std::unique_ptr<SessionNode>> start(std::uint16_t port,
+                                                                    const MakeDriver& makeDriver);
+    ~ThreadedNode() override;
+    ThreadedNode(const ThreadedNode&) = delete;
+    ThreadedNode& operator=(const ThreadedNode&) = delete;
+
+    [[nodiscard]] std::uint16_t port() const override { return m_port; }
+    [[nodiscard]] ParticipantId self() const override;
+    [[nodiscard]] std::optional<SessionTime> now() const override;
+    [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override;
+    [[nodiscard]] std::shared_ptr<const SessionState> state() const override;
+    void propose(StationId station, FactBody body) override;
+    [[nodiscard]] std::vector<FactBody> pending() const override;
+    void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    [[nodiscard]] std::shared_ptr<const PoseHistory> object(ObjectId id) const override;
+    [[nodiscard]] std::vector<LinkReport> links() const override;
+    [[nodiscard]] std::optional<Error> refusal() const override;
+    [[nodiscard]] std::vector<ObjectReport> objectReports() const override;
+    void onChange(std::function<void()> callback) override;
+
+private:
+    ThreadedNode() = default;
+
+    [[nodiscard]] Result<void> open(std::uint16_t port, const MakeDriver& makeDriver);
+    /// Runs on the node's thread, before this returns.
+    void runThere(const std::function<void()>& task);
+
+    NodeBoard m_board;
+    QThread m_thread;
+    std::unique_ptr<NodeLoop> m_loop;
+    std::uint16_t m_port = 0;
+};
+
+} // namespace carina

@@ -13,8 +13,6 @@ StationTracking::StationTracking(std::unique_ptr<Tracker> tracker,
 {
 }
 
-StationTracking::~StationTracking() { m_tracker->stop(); }
-
 Result<void> StationTracking::start() { return m_tracker->start(); }
 
 std::optional<PoseSample> StationTracking::at(ToolRole role, SessionTime t) const

@@ -23,10 +23,14 @@ class StationTracking
 {
 public:
     StationTracking(std::unique_ptr<Tracker> tracker, const StationRegistration& registration);
-    ~StationTracking();
+    ~StationTracking() { stop(); }
 
     /// @returns TrackerFailed with what to look at.
     [[nodiscard]] Result<void> start();
+
+    /// On return no sample arrives any more and the session clock is not read. Harmless when not
+    /// started.
+    void stop() { m_tracker->stop(); }
 
     /// X_A<tool> at a time, as PoseHistory::at answers it; nothing for a tool the tracker lacks.
     [[nodiscard]] std::optional<PoseSample> at(ToolRole role, SessionTime t) const;

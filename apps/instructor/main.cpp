@@ -1,0 +1,152 @@
+#include "apps/instructor/scripted_console.h"
+#include "apps/viewer/journal.h"
+#include "apps/viewer/measurement.h"
+#include "apps/viewer/patient_option.h"
+#include "apps/viewer/program.h"
+#include "engine/io/sql_fact_store.h"
+#include "ui/instructor_window.h"
+#include "widgets/scene/graphics.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QStandardPaths>
+#include <QTimer>
+
+namespace carina
+{
+namespace
+{
+
+constexpr StationId kStation{0};
+
+QString words(const char* text) { return QApplication::translate("Instructor", text); }
+
+void addOptions(QCommandLineParser& parser)
+{
+    parser.setApplicationDescription(words("The instructor's console, which hosts the session."));
+    parser.addHelpOption();
+    parser.addOption({QStringLiteral("port"),
+                      words("UDP port of the session on this computer; 0 takes a free one."),
+                      QStringLiteral("P"), QStringLiteral("0")});
+    parser.addOption({QStringLiteral("data"), words("Folder that the session is stored in."),
+                      QStringLiteral("DIR"),
+                      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
+    parser.addOption({QStringLiteral("new"),
+                      words("Begin a new session; the stored one is kept beside it. Without this "
+                            "the stored session goes on.")});
+    parser.addOption({QStringLiteral("start"), words("Start a session that is ready to start.")});
+    viewer::addPatientOptions(parser);
+    viewer::addMeasureOptions(parser);
+    viewer::addJournalOption(parser);
+}
+
+/// The file of the session to go on with; for a new one, what was there is moved out of its way.
+Result<QString> sessionFile(const QCommandLineParser& parser)
+{
+    const QDir folder{parser.value(QStringLiteral("data"))};
+    if (!folder.mkpath(QStringLiteral(".")))
+        return fail(Errc::FileUnwritable, folder.path().toStdString());
+    const QString file = folder.filePath(QStringLiteral("session.sqlite"));
+    if (parser.isSet(QStringLiteral("new")) && QFile::exists(file)) {
+        const QString kept = folder.filePath(QStringLiteral("session-%1.sqlite")
+                                                 .arg(QDateTime::currentDateTimeUtc().toString(
+                                                     QStringLiteral("yyyyMMdd-hhmmss-zzz"))));
+        if (!QFile::rename(file, kept))
+            return fail(Errc::FileUnwritable, kept.toStdString());
+    }
+    return file;
+}
+
+/// Tells a new session which patient lies at the station and how it breathes at rest.
+void introducePatient(SessionNode& node, const viewer::ChosenPatient& patient)
+{
+    const auto state = node.state();
+    const auto station = state->stations().find(kStation);
+    const bool known = station != state->stations().end()
+                       && station->second.anatomyHash == patient.model.contentHash();
+    if (known)
+        return;
+    node.propose(kStation, fact::AnatomyChosen{patient.model.contentHash(), patient.model.name()});
+    node.propose(kStation, fact::BreathingRateSet{patient.dimensions.breathingRate});
+    node.propose(kStation, fact::TidalVolumeSet{patient.dimensions.tidalVolume});
+    node.propose(kStation, fact::InspiratoryFractionSet{patient.dimensions.inspiratoryFraction});
+}
+
+/// Measures the window while a script works its controls, then leaves.
+int measure(InstructorWindow& window, SessionNode& node, BreathingModel& breathing,
+            const viewer::MeasureOptions& options)
+{
+    viewer::Measurement measurement{window, window.stationScene()};
+    ScriptedConsole script{window, node, breathing};
+    QTimer::singleShot(options.seconds * 1000, [&] {
+        const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("instructor"),
+                                             {{QStringLiteral("console"), script.report()}});
+        QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
+    });
+    return QApplication::exec();
+}
+
+Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parser)
+{
+    const auto port = viewer::portOption(parser);
+    if (!port)
+        return tl::unexpected(port.error());
+    const auto file = sessionFile(parser);
+    if (!file)
+        return tl::unexpected(file.error());
+    auto store = openFactStore(file->toStdString());
+    if (!store)
+        return tl::unexpected(store.error());
+    return SessionNode::host({.sessionName = words("Routine intubation").toStdString(),
+                              .participantName = words("Instructor").toStdString(),
+                              .port = *port},
+                             std::move(*store));
+}
+
+Result<int> run(const QCommandLineParser& parser)
+{
+    const auto options = viewer::measureOptions(parser);
+    if (!options)
+        return tl::unexpected(options.error());
+    if (const auto driver = graphicsDriver(); !driver)
+        return tl::unexpected(driver.error());
+    const auto patient = viewer::choosePatient(parser);
+    if (!patient)
+        return tl::unexpected(patient.error());
+    const auto node = hostSession(parser);
+    if (!node)
+        return tl::unexpected(node.error());
+    introducePatient(**node, *patient);
+
+    SessionModel session{**node};
+    BreathingModel breathing{session, kStation};
+    ParticipantsModel participants{session};
+    const StationView view{**node, kStation, patient->model.lungs(), posesOf(**node, kStation)};
+    InstructorWindow window{session, breathing, participants, patient->model, view};
+    window.resize(options->size);
+    window.show();
+    const auto journal =
+        viewer::journalFromOptions(parser, **node, kStation, window.stationScene());
+    if (!journal)
+        return tl::unexpected(journal.error());
+    if (parser.isSet(QStringLiteral("start")) && session.canStart())
+        session.start();
+    return options->folder.isEmpty() ? QApplication::exec()
+                                     : measure(window, **node, breathing, *options);
+}
+
+} // namespace
+} // namespace carina
+
+int main(int argc, char** argv)
+{
+    carina::prepareGraphics();
+    QApplication application{argc, argv};
+    carina::viewer::prepareProgram(application, QStringLiteral("carina-instructor"));
+    QCommandLineParser parser;
+    carina::addOptions(parser);
+    parser.process(application);
+    const carina::Result<int> status = carina::run(parser);
+    return status ? *status : carina::viewer::refuse(status.error());
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/net/session_node.h"
+#include "models/breathing_model.h"
+
+#include <QJsonObject>
+#include <QObject>
+#include <QWidget>
+
+namespace carina
+{
+
+/// An instructor without a person, for a measured demo: starts the session and, once it runs, sets
+/// rate and tidal volume by the controls that a person would use.
+class ScriptedConsole : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// @pre all outlive this.
+    ScriptedConsole(QWidget& window, SessionNode& node, BreathingModel& breathing);
+
+    /// The values in force at the console, and the session time from which on every breath has
+    /// them: breathing_rate_per_min, tidal_volume_ml, steady_from_ns (as text, exact).
+    [[nodiscard]] QJsonObject report() const;
+
+private:
+    void work();
+
+    QWidget& m_window;
+    SessionNode& m_node;
+    BreathingModel& m_breathing;
+    std::optional<SessionTime> m_inForce; ///< since when both are
+};
+
+} // namespace carina

@@ -1,0 +1,141 @@
+#include "apps/lab/summary_command.h"
+
+#include "apps/lab/breath_estimate.h"
+#include "apps/lab/drift_between.h"
+#include "models/frame_log.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <vector>
+
+namespace carina::lab
+{
+namespace
+{
+
+/// One process of the demo: what it wrote of itself, and its frames.
+struct Viewer {
+    QJsonObject report;
+    std::vector<LoggedFrame> frames;
+};
+
+Result<Viewer> readViewer(const QDir& folder, const QString& name)
+{
+    const QString path = folder.filePath(name + QStringLiteral(".json"));
+    QFile file{path};
+    if (!file.open(QIODevice::ReadOnly))
+        return fail(Errc::FileNotFound,
+                    "No " + path.toStdString() + ". Run ./carina demo --headless DIR first.");
+    const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
+    if (!document.isObject())
+        return fail(Errc::FileMalformed, path.toStdString() + " is not a JSON object.");
+    auto frames = readFrames(folder.filePath(name + QStringLiteral("_frames.csv")));
+    if (!frames)
+        return tl::unexpected(frames.error());
+    return Viewer{document.object(), std::move(*frames)};
+}
+
+/// Median and 95th percentile of the newest sample's age when each frame was drawn.
+QJsonObject sampleAges(const std::vector<LoggedFrame>& frames)
+{
+    std::vector<double> ages_ms;
+    for (const LoggedFrame& frame : frames)
+        if (frame.sampleAge)
+            ages_ms.push_back(1e3 * toSeconds(*frame.sampleAge));
+    if (ages_ms.empty())
+        return {};
+    std::sort(ages_ms.begin(), ages_ms.end());
+    return {{QStringLiteral("median_ms"), ages_ms[ages_ms.size() / 2]},
+            {QStringLiteral("p95_ms"), ages_ms[(ages_ms.size() * 95 + 99) / 100 - 1]}};
+}
+
+/// Breathing estimated from the volumes drawn since the controls came to rest.
+QJsonObject drawnBreathing(const Viewer& viewer, SessionTime from)
+{
+    std::vector<VolumeSample> samples;
+    for (const LoggedFrame& frame : viewer.frames)
+        if (frame.session >= from)
+            samples.push_back({frame.local, frame.volume_ml[0] + frame.volume_ml[1]});
+    const auto estimate = estimateBreathing(samples);
+    if (!estimate)
+        return {};
+    return {{QStringLiteral("breathing_rate_per_min"), inPerMinute(estimate->rate)},
+            {QStringLiteral("tidal_volume_ml"), inMillilitres(estimate->tidalVolume)},
+            {QStringLiteral("breaths"), estimate->breaths}};
+}
+
+QJsonObject describe(const Viewer& viewer, SessionTime steadyFrom)
+{
+    QJsonObject object = viewer.report;
+    object.remove(QStringLiteral("console"));
+    object[QStringLiteral("frames")] = static_cast<int>(viewer.frames.size());
+    if (viewer.frames.size() > 1)
+        object[QStringLiteral("frames_per_second")] =
+            double(viewer.frames.size() - 1)
+            / toSeconds(viewer.frames.back().local - viewer.frames.front().local);
+    object[QStringLiteral("tracker_sample_age")] = sampleAges(viewer.frames);
+    object[QStringLiteral("drawn")] = drawnBreathing(viewer, steadyFrom);
+    return object;
+}
+
+QJsonObject describe(const DriftSummary& drift)
+{
+    return {{QStringLiteral("instants"), drift.instants},
+            {QStringLiteral("mean_deg"), drift.mean_deg},
+            {QStringLiteral("p95_deg"), drift.p95_deg},
+            {QStringLiteral("largest_deg"), drift.largest_deg},
+            {QStringLiteral("mean_mm"), drift.mean_mm},
+            {QStringLiteral("p95_mm"), drift.p95_mm},
+            {QStringLiteral("largest_mm"), drift.largest_mm},
+            {QStringLiteral("clock_mean_ms"), drift.clockMean_ms},
+            {QStringLiteral("clock_largest_ms"), drift.clockLargest_ms}};
+}
+
+Result<QJsonObject> summarise(const QStringList& arguments)
+{
+    if (arguments.size() != 1)
+        return fail(Errc::OutOfRange, "summary takes one folder: carina-lab summary DIR");
+    const QDir folder{arguments.first()};
+    const auto instructor = readViewer(folder, QStringLiteral("instructor"));
+    if (!instructor)
+        return tl::unexpected(instructor.error());
+    const auto trainee = readViewer(folder, QStringLiteral("trainee"));
+    if (!trainee)
+        return tl::unexpected(trainee.error());
+
+    const QJsonObject console = instructor->report[QStringLiteral("console")].toObject();
+    const SessionTime steadyFrom{
+        Duration{console[QStringLiteral("steady_from_ns")].toString().toLongLong()}};
+    return QJsonObject{
+        {QStringLiteral("schema"), QStringLiteral("carina.demo/1")},
+        {QStringLiteral("console"), console},
+        {QStringLiteral("instructor"), describe(*instructor, steadyFrom)},
+        {QStringLiteral("trainee"), describe(*trainee, steadyFrom)},
+        {QStringLiteral("drift"), describe(driftBetween(trainee->frames, instructor->frames))}};
+}
+
+constexpr std::string_view kSummaryHelp = R"(summary DIR
+    What a headless demo measured, from the logs of its two processes in DIR. schema carina.demo/1
+      console                the values in force in the console while it was measured:
+                             breathing_rate_per_min, tidal_volume_ml, and steady_from_ns, the session
+                             time from which on they held
+      instructor, trainee    per program: screenshot, anatomy, triangles and level (of detail) drawn,
+                             frames, frames_per_second, tracker_sample_age (median_ms and p95_ms of
+                             the newest tube sample's age when a frame was drawn), visible_pixels
+                             (per part, from an id pass), drawn (breathing_rate_per_min,
+                             tidal_volume_ml and breaths, estimated from the volumes of the vertices
+                             drawn)
+      drift                  the tube in the console against the tube at the trainee for the same
+                             session time, over a number of instants: mean_, p95_, largest_ in _deg
+                             and _mm; clock_mean_ms and clock_largest_ms are the difference of the two
+                             session clocks against CLOCK_MONOTONIC
+)";
+
+} // namespace
+
+Command summaryCommand() { return {"summary", kSummaryHelp, summarise}; }
+
+} // namespace carina::lab

@@ -1,0 +1,159 @@
+#include "apps/viewer/journal.h"
+#include "apps/viewer/measurement.h"
+#include "apps/viewer/patient_option.h"
+#include "apps/viewer/program.h"
+#include "engine/session/simulated_station.h"
+#include "ui/trainee_window.h"
+#include "widgets/scene/graphics.h"
+#include "widgets/scene/scene_view.h"
+
+#include <QApplication>
+#include <QTimer>
+
+namespace carina
+{
+namespace
+{
+
+constexpr StationId kStation{0};
+
+void addOptions(QCommandLineParser& parser)
+{
+    parser.setApplicationDescription(
+        QApplication::translate("Trainee", "What a trainee sees of a Carina session."));
+    parser.addHelpOption();
+    parser.addOption(
+        {QStringLiteral("port"),
+         QApplication::translate("Trainee", "UDP port of the session on this computer."),
+         QStringLiteral("P")});
+    parser.addOption({QStringLiteral("name"),
+                      QApplication::translate("Trainee", "The trainee's name in the session."),
+                      QStringLiteral("NAME"), QApplication::translate("Trainee", "Trainee")});
+    parser.addOption({QStringLiteral("simulated-tracker"),
+                      QApplication::translate("Trainee", "Use a simulated tracker and a scripted "
+                                                         "pair of hands; without it this program "
+                                                         "only watches.")});
+    parser.addOption(
+        {QStringLiteral("full-screen"), QApplication::translate("Trainee", "Fill the screen.")});
+    viewer::addPatientOptions(parser);
+    viewer::addMeasureOptions(parser);
+    viewer::addJournalOption(parser);
+}
+
+/// Shares the tools that others see: the newest sample of each, in the patient's frame.
+void publish(SessionNode& node, const StationTracking& tracking)
+{
+    const auto share = [&](ObjectKind kind, ToolRole tool, std::string name) {
+        node.publish(kStation, kind, std::move(name),
+                     [&tracking, tool] { return tracking.newest(tool); });
+    };
+    share(ObjectKind::Tube, ToolRole::Tube, "Tube");
+    share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
+    share(ObjectKind::Head, ToolRole::Head, "Head");
+}
+
+/// The node asks the tracking for poses, the tracking reads the node's clock: neither may end
+/// while the other runs.
+struct TrackedStation {
+    std::unique_ptr<StationTracking> tracking;
+    std::unique_ptr<SessionNode> node;
+
+    TrackedStation() = default;
+    TrackedStation(const TrackedStation&) = delete;
+    TrackedStation& operator=(const TrackedStation&) = delete;
+    ~TrackedStation()
+    {
+        if (tracking)
+            tracking->stop();
+        node.reset();
+    }
+};
+
+Result<void> watchHands(TrackedStation& station, const PatientModel& patient)
+{
+    auto tracking = simulatedStation(patient.landmarks(), patient.tube(),
+                                     [node = station.node.get()] { return node->now(); });
+    if (!tracking)
+        return tl::unexpected(tracking.error());
+    station.tracking = std::move(*tracking);
+    if (auto started = station.tracking->start(); !started)
+        return started;
+    publish(*station.node, *station.tracking);
+    return {};
+}
+
+/// Shows the window until it is closed, or measures it for as long as it was asked to.
+int show(TraineeWindow& window, const QCommandLineParser& parser,
+         const viewer::MeasureOptions& options)
+{
+    if (options.folder.isEmpty()) {
+        window.resize(options.size);
+        if (parser.isSet(QStringLiteral("full-screen")))
+            window.showFullScreen();
+        else
+            window.show();
+        return QApplication::exec();
+    }
+    window.resize(options.size);
+    window.show();
+    viewer::Measurement measurement{window, window.stationScene()};
+    QTimer::singleShot(options.seconds * 1000, [&] {
+        const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"), {});
+        QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
+    });
+    return QApplication::exec();
+}
+
+Result<int> run(const QCommandLineParser& parser)
+{
+    const auto port = viewer::portOption(parser);
+    if (!port)
+        return tl::unexpected(port.error());
+    const auto options = viewer::measureOptions(parser);
+    if (!options)
+        return tl::unexpected(options.error());
+    if (const auto driver = graphicsDriver(); !driver)
+        return tl::unexpected(driver.error());
+    const auto patient = viewer::choosePatient(parser);
+    if (!patient)
+        return tl::unexpected(patient.error());
+
+    TrackedStation station;
+    auto joined =
+        SessionNode::join({.port = *port,
+                           .participantName = parser.value(QStringLiteral("name")).toStdString(),
+                           .role = Role::Trainee,
+                           .station = kStation});
+    if (!joined)
+        return tl::unexpected(joined.error());
+    station.node = std::move(*joined);
+    if (parser.isSet(QStringLiteral("simulated-tracker"))) {
+        if (auto watched = watchHands(station, patient->model); !watched)
+            return tl::unexpected(watched.error());
+    }
+
+    const StationView view{*station.node, kStation, patient->model.lungs(),
+                           station.tracking ? posesOf(*station.tracking)
+                                            : posesOf(*station.node, kStation)};
+    TraineeWindow window{*station.node, kStation, patient->model, view};
+    const auto journal =
+        viewer::journalFromOptions(parser, *station.node, kStation, window.stationScene());
+    if (!journal)
+        return tl::unexpected(journal.error());
+    return show(window, parser, *options);
+}
+
+} // namespace
+} // namespace carina
+
+int main(int argc, char** argv)
+{
+    carina::prepareGraphics();
+    QApplication application{argc, argv};
+    carina::viewer::prepareProgram(application, QStringLiteral("carina-trainee"));
+    QCommandLineParser parser;
+    carina::addOptions(parser);
+    parser.process(application);
+    const carina::Result<int> status = carina::run(parser);
+    return status ? *status : carina::viewer::refuse(status.error());
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/net/session_node.h"
+#include "ui/station_scene.h"
+
+#include <QCommandLineParser>
+#include <QFile>
+#include <QTimer>
+
+namespace carina::viewer
+{
+
+/// What a program shows, as one JSON object a line ten times a second, for whoever has to
+/// understand later what was on which screen when. Keys: local_ns (CLOCK_MONOTONIC) and session_ns
+/// of the frame shown last, facts (number of the last), session_id, phase, breathing_rate_per_min,
+/// tidal_volume_ml, inspired_ml.
+class Journal
+{
+public:
+    /// Appends to the file from now on. @pre all outlive this.
+    /// @returns FileUnwritable with the path.
+    [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const QString& path,
+                                                               const SessionNode& node,
+                                                               StationId station,
+                                                               const StationScene& scene);
+
+private:
+    Journal(const SessionNode& node, StationId station, const StationScene& scene);
+    void writeLine();
+
+    const SessionNode& m_node;
+    StationId m_station;
+    const StationScene& m_scene;
+    QFile m_file;
+    QTimer m_timer;
+};
+
+/// Adds `--journal FILE`.
+void addJournalOption(QCommandLineParser& parser);
+
+/// The journal that `--journal` asks for; null without it. @returns what Journal::open does.
+[[nodiscard]] Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
+                                                                  const SessionNode& node,
+                                                                  StationId station,
+                                                                  const StationScene& scene);
+
+} // namespace carina::viewer

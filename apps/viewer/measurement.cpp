@@ -1,0 +1,148 @@
+#include "apps/viewer/measurement.h"
+
+#include "engine/geometry/triangle_mesh.h"
+#include "widgets/scene/drawn_vertices.h"
+#include "widgets/scene/scene_view.h"
+
+#include <QJsonDocument>
+#include <QSaveFile>
+#include <QScreen>
+#include <QTimer>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace carina::viewer
+{
+namespace
+{
+
+constexpr double kInPlace_m = 0.006;
+constexpr int kRest_ms = 1000; ///< from the tube's arrival to the picture
+
+LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
+{
+    LoggedFrame entry;
+    entry.local = drawn.asked;
+    entry.session = drawn.frame.time;
+    entry.level = drawn.level;
+    entry.amplitude = {moment.amplitudes.right, moment.amplitudes.left};
+    if (moment.tube && moment.tube->validity != Validity::Lost)
+        entry.X_AE = moment.tube->X_FO;
+    entry.sampleAge = moment.sampleAge;
+    return entry;
+}
+
+/// Whether the tube lies where it was preformed to lie.
+bool isInPlace(const LoggedFrame& frame, const TubeShape& tube)
+{
+    return frame.X_AE
+           && (*frame.X_AE * tube.p_E_tip - tube.X_AE * tube.p_E_tip).norm() < kInPlace_m;
+}
+
+/// The finest of the surface's own levels that a level of the scene shows.
+const DeformableMesh& shownLevel(const PatientSurface& surface, int level)
+{
+    return *surface.levels[std::min(std::size_t(level), surface.levels.size() - 1)];
+}
+
+qint64 trianglesAt(const PatientModel& patient, int level)
+{
+    qint64 count = 0;
+    for (const PatientSurface& surface : patient.surfaces())
+        count += qint64(shownLevel(surface, level).rest.triangles.size());
+    return count;
+}
+
+} // namespace
+
+Measurement::Measurement(QWidget& window, StationScene& scene) : m_window{window}, m_scene{scene}
+{
+    m_scene.onFrameDrawn([this](const DrawnFrame& drawn, const StationMoment& moment) {
+        if (moment.time == SessionTime{})
+            return; // not in a session yet
+        m_frames.push_back(logged(drawn, moment));
+        const bool inPlace = isInPlace(m_frames.back(), m_scene.patient().tube());
+        // Taken after the frame: reading the picture back draws again.
+        if (std::exchange(m_inPlace, inPlace) != inPlace && inPlace)
+            QTimer::singleShot(kRest_ms, &m_window, [this] { takePicture(); });
+    });
+}
+
+void Measurement::takePicture()
+{
+    m_visiblePixels = visiblePixels();
+    m_picture = m_window.screen()->grabWindow(m_window.winId());
+}
+
+Result<void> Measurement::measureVolumes()
+{
+    for (const PatientSurface& surface : m_scene.patient().surfaces()) {
+        const std::optional<Side> side = lungSide(surface.description.role);
+        if (!side)
+            continue;
+        const std::size_t lung = *side == Side::Right ? 0 : 1;
+        std::map<int, DrawnVertices> readers; // one for each level that was drawn
+        for (LoggedFrame& frame : m_frames) {
+            const DeformableMesh& mesh = shownLevel(surface, frame.level);
+            auto reader = readers.find(frame.level);
+            if (reader == readers.end()) {
+                auto made = DrawnVertices::of(mesh);
+                if (!made)
+                    return tl::unexpected(made.error());
+                reader = readers.emplace(frame.level, std::move(*made)).first;
+            }
+            auto positions = reader->second.positions(frame.amplitude[lung]);
+            if (!positions)
+                return tl::unexpected(positions.error());
+            const TriangleMesh drawn{std::move(*positions), {}, mesh.rest.triangles};
+            frame.volume_ml[lung] += inMillilitres(cubicMetres(signedVolume(drawn)));
+        }
+    }
+    return {};
+}
+
+QJsonObject Measurement::visiblePixels() const
+{
+    const auto counts = m_scene.scene().visiblePixels();
+    QJsonObject pixels;
+    std::uint16_t id = 0;
+    for (const PatientSurface& surface : m_scene.patient().surfaces()) {
+        const auto found = counts.find(++id);
+        const auto count = found != counts.end() ? qint64(found->second) : qint64{0};
+        const QString name = QString::fromStdString(surface.name);
+        pixels[name] = pixels[name].toInteger() + count;
+    }
+    return pixels;
+}
+
+Result<void> Measurement::write(const QDir& folder, const QString& name, const QJsonObject& extra)
+{
+    if (m_picture.isNull())
+        takePicture(); // the tube never was in place
+    const QString picture = folder.filePath(name + QStringLiteral(".png"));
+    if (!m_picture.save(picture))
+        return fail(Errc::FileUnwritable, picture.toStdString());
+    if (auto measured = measureVolumes(); !measured)
+        return measured;
+    if (auto wrote = writeFrames(folder.filePath(name + QStringLiteral("_frames.csv")), m_frames);
+        !wrote)
+        return wrote;
+
+    QJsonObject report = extra;
+    report[QStringLiteral("schema")] = QStringLiteral("carina.view/1");
+    report[QStringLiteral("anatomy")] = QString::fromStdString(m_scene.patient().name());
+    report[QStringLiteral("screenshot")] = picture;
+    const int level = m_frames.empty() ? 0 : m_frames.back().level;
+    report[QStringLiteral("level")] = level;
+    report[QStringLiteral("triangles")] = trianglesAt(m_scene.patient(), level);
+    report[QStringLiteral("visible_pixels")] = m_visiblePixels;
+    QSaveFile file{folder.filePath(name + QStringLiteral(".json"))};
+    if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument{report}.toJson()) < 0
+        || !file.commit())
+        return fail(Errc::FileUnwritable, file.fileName().toStdString());
+    return {};
+}
+
+} // namespace carina::viewer

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "models/frame_log.h"
+#include "ui/station_scene.h"
+
+#include <QDir>
+#include <QJsonObject>
+#include <QPixmap>
+#include <QWidget>
+
+namespace carina::viewer
+{
+
+/// What a program measured of itself while people, or a script, used it: its frames as drawn, the
+/// lung volumes of the vertices drawn, and, taken when the tube lies in place, a picture of its
+/// window and the visible pixels of each part. Read by `carina-lab summary`.
+class Measurement
+{
+public:
+    /// Logs every frame from now on. @pre window and scene outlive this.
+    Measurement(QWidget& window, StationScene& scene);
+
+    /// Writes NAME.png, NAME.json (what was measured, and `extra` with it) and NAME_frames.csv.
+    /// @returns NoGraphics where vertices cannot be read back; FileUnwritable with the path.
+    [[nodiscard]] Result<void> write(const QDir& folder, const QString& name,
+                                     const QJsonObject& extra);
+
+private:
+    void takePicture();
+    [[nodiscard]] Result<void> measureVolumes();
+    [[nodiscard]] QJsonObject visiblePixels() const;
+
+    QWidget& m_window;
+    StationScene& m_scene;
+    std::vector<LoggedFrame> m_frames;
+    bool m_inPlace = false; ///< the tube, in the latest frame
+    QPixmap m_picture;
+    QJsonObject m_visiblePixels; ///< when the picture was taken
+};
+
+} // namespace carina::viewer

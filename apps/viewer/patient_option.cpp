@@ -1,0 +1,70 @@
+#include "apps/viewer/patient_option.h"
+
+#include "engine/anatomy/builtin_patient.h"
+#include "engine/io/anatomy_set.h"
+#include "models/error_text.h"
+
+#include <QCoreApplication>
+
+#include <cstdio>
+
+namespace carina::viewer
+{
+namespace
+{
+
+const QString kAnatomy = QStringLiteral("anatomy");
+const QString kPatient = QStringLiteral("patient");
+
+Result<BuiltinPatient> builtinNamed(const QString& name)
+{
+    if (name == QStringLiteral("adult"))
+        return BuiltinPatient::Adult;
+    if (name == QStringLiteral("child"))
+        return BuiltinPatient::TwelveYears;
+    return fail(Errc::OutOfRange, "--patient " + name.toStdString());
+}
+
+/// The set in a folder; files that could not be used are told on stderr, and the rest is shown.
+Result<Anatomy> importedPatient(const QString& folder)
+{
+    auto loaded = loadAnatomySet(folder.toStdString(), AnatomyCache::defaultFolder());
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    for (const FileFault& fault : loaded->set.faults)
+        std::fprintf(stderr, "%s\n", qPrintable(errorText(fault.error)));
+    return std::move(loaded->set.anatomy);
+}
+
+} // namespace
+
+void addPatientOptions(QCommandLineParser& parser)
+{
+    parser.addOption(
+        {kAnatomy,
+         QCoreApplication::translate("Program", "Show the anatomy set in this folder of surfaces."),
+         QStringLiteral("DIR")});
+    parser.addOption({kPatient,
+                      QCoreApplication::translate("Program", "Show a built-in patient: adult, or "
+                                                             "child of twelve years."),
+                      QStringLiteral("NAME"), QStringLiteral("child")});
+}
+
+Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
+{
+    const bool imported = parser.isSet(kAnatomy);
+    const auto builtin = imported ? Result<BuiltinPatient>{BuiltinPatient::Adult}
+                                  : builtinNamed(parser.value(kPatient));
+    if (!builtin)
+        return tl::unexpected(builtin.error());
+    auto anatomy = imported ? importedPatient(parser.value(kAnatomy)) : builtinPatient(*builtin);
+    if (!anatomy)
+        return tl::unexpected(anatomy.error());
+    const PatientDimensions dimensions = dimensionsOf(*builtin);
+    auto model = PatientModel::of(std::move(*anatomy), dimensions.tubeInnerDiameter);
+    if (!model)
+        return tl::unexpected(model.error());
+    return ChosenPatient{std::move(*model), dimensions};
+}
+
+} // namespace carina::viewer

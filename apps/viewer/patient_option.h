@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/anatomy/patient_dimensions.h"
+#include "models/patient_model.h"
+
+#include <QCommandLineParser>
+
+namespace carina::viewer
+{
+
+/// The patient that a program was started with.
+struct ChosenPatient {
+    PatientModel model;
+    PatientDimensions
+        dimensions; ///< of the built-in patient nearest to it: how it breathes at rest
+};
+
+/// Adds `--anatomy DIR` and `--patient adult|child`.
+void addPatientOptions(QCommandLineParser& parser);
+
+/// The patient that these options name; the child without them. An imported set is taken for an
+/// adult.
+///
+/// @returns OutOfRange for another patient; what importing or building it fails with.
+[[nodiscard]] Result<ChosenPatient> choosePatient(const QCommandLineParser& parser);
+
+} // namespace carina::viewer

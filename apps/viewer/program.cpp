@@ -1,0 +1,76 @@
+#include "apps/viewer/program.h"
+
+#include "models/error_text.h"
+#include "widgets/theme/dark_theme.h"
+
+#include <QApplication>
+#include <QLocale>
+#include <QTranslator>
+
+#include <cstdio>
+
+namespace carina::viewer
+{
+namespace
+{
+
+const QString kMeasure = QStringLiteral("measure");
+const QString kSeconds = QStringLiteral("seconds");
+const QString kSize = QStringLiteral("size");
+
+} // namespace
+
+void prepareProgram(QApplication& application, const QString& name)
+{
+    QApplication::setApplicationName(name);
+    QApplication::setOrganizationName(QStringLiteral("carina"));
+    applyDarkTheme(application);
+    auto* translator = new QTranslator{&application};
+    if (translator->load(QLocale{}, QStringLiteral("carina"), QStringLiteral("_"),
+                         QStringLiteral(":/carina/translations")))
+        QApplication::installTranslator(translator);
+}
+
+void addMeasureOptions(QCommandLineParser& parser)
+{
+    parser.addOption(
+        {kMeasure,
+         QApplication::translate("Program", "Measure what is drawn, write it into this "
+                                            "folder and leave."),
+         QStringLiteral("DIR")});
+    parser.addOption({kSeconds, QApplication::translate("Program", "How long to measure."),
+                      QStringLiteral("N"), QStringLiteral("20")});
+    parser.addOption({kSize, QApplication::translate("Program", "Size of the window measured."),
+                      QStringLiteral("WxH"), QStringLiteral("1280x800")});
+}
+
+Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
+{
+    MeasureOptions options{.folder = parser.value(kMeasure)};
+    options.seconds = parser.value(kSeconds).toInt();
+    if (options.seconds <= 0)
+        return fail(Errc::OutOfRange, "--seconds " + parser.value(kSeconds).toStdString());
+    const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
+    options.size = QSize{sides.value(0).toInt(), sides.value(1).toInt()};
+    if (sides.size() != 2 || options.size.isEmpty())
+        return fail(Errc::OutOfRange, "--size " + parser.value(kSize).toStdString());
+    return options;
+}
+
+Result<std::uint16_t> portOption(const QCommandLineParser& parser)
+{
+    bool right = false;
+    const std::uint16_t port = parser.value(QStringLiteral("port")).toUShort(&right);
+    if (!right)
+        return fail(Errc::OutOfRange,
+                    "--port " + parser.value(QStringLiteral("port")).toStdString());
+    return port;
+}
+
+int refuse(const Error& error)
+{
+    std::fprintf(stderr, "%s\n", qPrintable(errorText(error)));
+    return 1;
+}
+
+} // namespace carina::viewer

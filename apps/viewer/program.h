@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <QCommandLineParser>
+#include <QSize>
+#include <QString>
+
+class QApplication;
+
+namespace carina::viewer
+{
+
+/// How a program was asked to measure itself; nothing of it when a person uses it.
+struct MeasureOptions {
+    QString folder; ///< empty: do not measure
+    int seconds = 20;
+    QSize size{1280, 800};
+};
+
+/// Names, theme and translations that all programs with a window share.
+void prepareProgram(QApplication& application, const QString& name);
+
+/// Adds `--measure DIR`, `--seconds N` and `--size WxH`.
+void addMeasureOptions(QCommandLineParser& parser);
+/// @returns OutOfRange for a number or size that is none.
+[[nodiscard]] Result<MeasureOptions> measureOptions(const QCommandLineParser& parser);
+
+/// A UDP port from `--port`. @returns OutOfRange for something else.
+[[nodiscard]] Result<std::uint16_t> portOption(const QCommandLineParser& parser);
+
+/// Says on stderr why the program cannot go on, and returns its exit status.
+int refuse(const Error& error);
+
+} // namespace carina::viewer

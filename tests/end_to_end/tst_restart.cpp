@@ -1,0 +1,184 @@
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <functional>
+#include <memory>
+
+namespace
+{
+
+constexpr int kPatience_ms = 20'000; ///< for a program to start on a busy machine
+constexpr int kBackWithin_ms = 2'000;
+constexpr double kSameClock_ms = 5.0;
+
+/// One of the two programs, with the journal of what it shows.
+class Program
+{
+public:
+    Program(QString path, QStringList arguments, QString journal)
+        : m_path{std::move(path)}, m_arguments{std::move(arguments)}, m_journal{std::move(journal)}
+    {
+        m_arguments << QStringLiteral("--journal") << m_journal;
+    }
+    ~Program() { kill(); }
+
+    void start(const QStringList& more = {})
+    {
+        m_process = std::make_unique<QProcess>();
+        m_process->setProcessChannelMode(QProcess::ForwardedChannels);
+        m_process->start(m_path, m_arguments + more);
+        QVERIFY2(m_process->waitForStarted(), qPrintable(m_path));
+    }
+
+    /// kill -9: no chance to say goodbye.
+    void kill()
+    {
+        if (!m_process)
+            return;
+        m_process->kill();
+        m_process->waitForFinished();
+        m_process.reset();
+        m_linesBefore = lines().size();
+    }
+
+    /// What was shown last since the program was started; empty before anything was.
+    [[nodiscard]] QJsonObject shown() const
+    {
+        const QByteArrayList all = lines();
+        return all.size() > m_linesBefore ? QJsonDocument::fromJson(all.last()).object()
+                                          : QJsonObject{};
+    }
+
+private:
+    [[nodiscard]] QByteArrayList lines() const
+    {
+        QFile file{m_journal};
+        if (!file.open(QIODevice::ReadOnly))
+            return {};
+        QByteArrayList all = file.readAll().split('\n');
+        all.removeLast(); // what follows the last line's end, or half a line
+        return all;
+    }
+
+    QString m_path;
+    QStringList m_arguments;
+    QString m_journal;
+    std::unique_ptr<QProcess> m_process;
+    qsizetype m_linesBefore = 0;
+};
+
+double sessionLessLocal_ms(const QJsonObject& line)
+{
+    return 1e-6
+           * double(line[QStringLiteral("session_ns")].toInteger()
+                    - line[QStringLiteral("local_ns")].toInteger());
+}
+
+/// Everything in a journal's line that both programs must agree on.
+QJsonObject stateOf(QJsonObject line)
+{
+    for (const char* moving : {"local_ns", "session_ns", "inspired_ml"})
+        line.remove(QLatin1String{moving});
+    return line;
+}
+
+} // namespace
+
+/// The two programs as people start them, killed without warning and started again.
+class TestRestart : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+        const QString port = QString::number(20'000 + QCoreApplication::applicationPid() % 30'000);
+        const QStringList common{QStringLiteral("--port"), port, QStringLiteral("--patient"),
+                                 QStringLiteral("child")};
+        m_instructor = std::make_unique<Program>(
+            QStringLiteral(CARINA_INSTRUCTOR),
+            common + QStringList{QStringLiteral("--data"), m_folder->path()},
+            m_folder->filePath(QStringLiteral("instructor.jsonl")));
+        m_trainee = std::make_unique<Program>(
+            QStringLiteral(CARINA_TRAINEE),
+            common
+                + QStringList{QStringLiteral("--name"), QStringLiteral("Trainee"),
+                              QStringLiteral("--simulated-tracker")},
+            m_folder->filePath(QStringLiteral("trainee.jsonl")));
+        m_instructor->start({QStringLiteral("--start")});
+        m_trainee->start();
+        QTRY_VERIFY_WITH_TIMEOUT(bothAgree(), kPatience_ms);
+    }
+
+    void cleanup()
+    {
+        m_trainee.reset();
+        m_instructor.reset();
+    }
+
+    void traineeComesBackToTheSameSession()
+    {
+        const QString session = m_instructor->shown()[QStringLiteral("session_id")].toString();
+        m_trainee->kill();
+        const qint64 before = m_instructor->shown()[QStringLiteral("session_ns")].toInteger();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_instructor->shown()[QStringLiteral("session_ns")].toInteger() > before, kPatience_ms);
+        m_trainee->start();
+        comesBack(*m_trainee);
+        QVERIFY(bothAgree());
+        QCOMPARE(m_trainee->shown()[QStringLiteral("session_id")].toString(), session);
+    }
+
+    void traineeGoesOnWithoutTheInstructorWhoResumes()
+    {
+        const QJsonObject lastTold = m_trainee->shown();
+        m_instructor->kill();
+        // The trainee's lungs go on breathing by what was decided before.
+        const qint64 second = 1'000'000'000;
+        const qint64 from = m_trainee->shown()[QStringLiteral("session_ns")].toInteger();
+        QTRY_VERIFY_WITH_TIMEOUT(m_trainee->shown()[QStringLiteral("session_ns")].toInteger()
+                                     > from + second,
+                                 kPatience_ms);
+        QCOMPARE(m_trainee->shown()[QStringLiteral("phase")].toString(), QStringLiteral("running"));
+
+        m_instructor->start();
+        comesBack(*m_instructor);
+        QVERIFY(bothAgree());
+        QCOMPARE(m_instructor->shown()[QStringLiteral("session_id")],
+                 lastTold[QStringLiteral("session_id")]);
+        QVERIFY(std::abs(sessionLessLocal_ms(m_instructor->shown()) - sessionLessLocal_ms(lastTold))
+                < kSameClock_ms);
+    }
+
+private:
+    [[nodiscard]] bool bothAgree() const
+    {
+        const QJsonObject instructor = m_instructor->shown();
+        const QJsonObject trainee = m_trainee->shown();
+        return instructor[QStringLiteral("phase")].toString() == QStringLiteral("running")
+               && stateOf(instructor) == stateOf(trainee)
+               && std::abs(sessionLessLocal_ms(instructor) - sessionLessLocal_ms(trainee))
+                      < kSameClock_ms;
+    }
+
+    /// Both show the same within two seconds of the program's first picture of a session.
+    void comesBack(const Program& program)
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(!program.shown().isEmpty(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(bothAgree(), kBackWithin_ms);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Program> m_instructor;
+    std::unique_ptr<Program> m_trainee;
+};
+
+QTEST_GUILESS_MAIN(TestRestart)
+#include "tst_restart.moc"

@@ -1,0 +1,125 @@
+#include "ui/instructor_window.h"
+
+#include "ui_instructor_window.h"
+
+#include <QTimer>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kRefreshInterval_ms = 250;
+constexpr int kEndAsked_ms = 4000;
+
+/// Told by shape besides the word.
+QString phaseShape(SessionPhase phase)
+{
+    switch (phase) {
+    case SessionPhase::Prepared:
+        return QStringLiteral("○");
+    case SessionPhase::Running:
+        return QStringLiteral("●");
+    case SessionPhase::Paused:
+        return QStringLiteral("❙❙");
+    case SessionPhase::Ended:
+        return QStringLiteral("■");
+    }
+    return {};
+}
+
+} // namespace
+
+InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
+                                   ParticipantsModel& participants, const PatientModel& patient,
+                                   const StationView& view)
+    : m_ui{std::make_unique<Ui::InstructorWindow>()},
+      m_session{session},
+      m_phase{new QLabel{this}},
+      m_status{new QLabel{this}}
+{
+    m_ui->setupUi(this);
+    m_ui->breathing->setModel(breathing);
+    m_ui->participants->setModel(participants);
+    m_ui->patient->setText(tr("Patient: %1").arg(QString::fromStdString(patient.name())));
+    m_ui->scene->setBackground(palette().color(QPalette::Base));
+    m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
+    m_ui->statusBar->addWidget(m_status, 1);
+    fillSessionBar();
+    connectViews();
+
+    connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &InstructorWindow::refresh);
+    timer->start(kRefreshInterval_ms);
+    refresh();
+}
+
+InstructorWindow::~InstructorWindow() = default;
+
+void InstructorWindow::fillSessionBar()
+{
+    m_phase->setMargin(8);
+    QFont bold = m_phase->font();
+    bold.setBold(true);
+    m_phase->setFont(bold);
+    m_ui->sessionBar->addWidget(m_phase);
+    m_ui->sessionBar->addActions({m_ui->start, m_ui->pause, m_ui->end});
+    connect(m_ui->start, &QAction::triggered, &m_session, &SessionModel::start);
+    connect(m_ui->pause, &QAction::triggered, &m_session, &SessionModel::pause);
+    connect(m_ui->end, &QAction::triggered, this, &InstructorWindow::endOnSecondPress);
+}
+
+void InstructorWindow::connectViews()
+{
+    const auto shows = [this](ViewPreset preset) {
+        return [this, preset] { m_ui->scene->showFrom(preset); };
+    };
+    connect(m_ui->front, &QToolButton::clicked, this, shows(ViewPreset::Front));
+    connect(m_ui->side, &QToolButton::clicked, this, shows(ViewPreset::Right));
+    connect(m_ui->head, &QToolButton::clicked, this, shows(ViewPreset::Trainee));
+}
+
+void InstructorWindow::endOnSecondPress()
+{
+    if (m_endAsked) {
+        m_session.end();
+        return;
+    }
+    m_endAsked = true;
+    refresh();
+    QTimer::singleShot(kEndAsked_ms, this, [this] {
+        m_endAsked = false;
+        refresh();
+    });
+}
+
+void InstructorWindow::refresh()
+{
+    const SessionPhase phase = m_session.phase();
+    m_phase->setText(tr("%1   %2 %3 %4")
+                         .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
+                              m_session.runningTimeText()));
+    m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
+    m_ui->start->setEnabled(m_session.canStart());
+    m_ui->pause->setEnabled(m_session.canPause());
+    m_ui->end->setEnabled(m_session.canEnd());
+    m_ui->end->setText(m_endAsked ? tr("&End: press again to confirm") : tr("&End"));
+    refreshStatus();
+}
+
+void InstructorWindow::refreshStatus()
+{
+    const StationMoment& moment = m_stationScene->moment();
+    const QString age =
+        moment.sampleAge
+            ? tr("Newest tube sample %1 ms old").arg(qRound(1e3 * toSeconds(*moment.sampleAge)))
+            : tr("No tube seen yet");
+    const QString pictures =
+        tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
+    m_status->setText(QStringLiteral("%1      %2").arg(age, pictures));
+}
+
+} // namespace carina

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "models/breathing_model.h"
+#include "models/participants_model.h"
+#include "models/session_model.h"
+#include "ui/station_scene.h"
+
+#include <QLabel>
+#include <QMainWindow>
+
+#include <memory>
+
+namespace Ui
+{
+class InstructorWindow;
+}
+
+namespace carina
+{
+
+/// The instructor's console: the session and how it runs, how the patient breathes, who takes part,
+/// and the patient in three dimensions.
+class InstructorWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    /// @pre all outlive the window.
+    InstructorWindow(SessionModel& session, BreathingModel& breathing,
+                     ParticipantsModel& participants, const PatientModel& patient,
+                     const StationView& view);
+    ~InstructorWindow() override;
+
+    [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
+
+private:
+    void fillSessionBar();
+    void connectViews();
+    void endOnSecondPress();
+    void refresh();
+    void refreshStatus();
+
+    std::unique_ptr<Ui::InstructorWindow> m_ui;
+    SessionModel& m_session;
+    std::unique_ptr<StationScene> m_stationScene;
+    QLabel* m_phase;
+    QLabel* m_status;
+    bool m_endAsked = false;
+};
+
+} // namespace carina

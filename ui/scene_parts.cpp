@@ -1,0 +1,72 @@
+#include "ui/scene_parts.h"
+
+#include "widgets/scene/appearance.h"
+
+namespace carina
+{
+namespace
+{
+
+constexpr const char* kMandible = "mandible";
+constexpr const char* kTube = "tube";
+
+std::string bodyName(SurfaceBody body)
+{
+    switch (body) {
+    case SurfaceBody::Anatomy:
+        return {};
+    case SurfaceBody::Mandible:
+        return kMandible;
+    case SurfaceBody::Tube:
+        return kTube;
+    }
+    return {};
+}
+
+/// A clear tube with dark marks, a bluish cuff and a white connector, as they are sold.
+Appearance tubeAppearance(const std::string& piece)
+{
+    if (piece == "Depth marks")
+        return {MaterialGroup::Tool, {28, 32, 44}, AmplitudeChannel::None};
+    if (piece == "Cuff")
+        return {MaterialGroup::Tool, {112, 176, 216}, AmplitudeChannel::None};
+    if (piece == "Connector")
+        return {MaterialGroup::Tool, {238, 240, 242}, AmplitudeChannel::None};
+    return {MaterialGroup::Tool, {214, 226, 150}, AmplitudeChannel::None};
+}
+
+} // namespace
+
+std::vector<ScenePart> sceneParts(const PatientModel& patient)
+{
+    std::vector<ScenePart> parts;
+    for (const PatientSurface& surface : patient.surfaces()) {
+        const Appearance look = surface.body == SurfaceBody::Tube
+                                    ? tubeAppearance(surface.name)
+                                    : appearanceOf(surface.description);
+        parts.push_back({.name = surface.name,
+                         .id = static_cast<std::uint16_t>(parts.size() + 1),
+                         .group = look.group,
+                         .color = look.color,
+                         .channel = look.channel,
+                         .body = bodyName(surface.body),
+                         .restsInPlace = surface.body == SurfaceBody::Mandible,
+                         .levels = surface.levels});
+    }
+    return parts;
+}
+
+SceneFrame sceneFrame(const StationMoment& moment)
+{
+    SceneFrame frame;
+    frame.time = moment.time;
+    frame.amplitude = {double{moment.amplitudes.right}, double{moment.amplitudes.left}};
+    // Without a chin probe in view the mouth is drawn closed.
+    frame.bodies[kMandible] =
+        moment.jaw && moment.jaw->validity != Validity::Lost ? moment.jaw->X_FO : RigidTransform{};
+    if (moment.tube && moment.tube->validity != Validity::Lost)
+        frame.bodies[kTube] = moment.tube->X_FO;
+    return frame;
+}
+
+} // namespace carina

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "models/patient_model.h"
+#include "models/station_view.h"
+#include "widgets/scene/scene_frame.h"
+#include "widgets/scene/scene_part.h"
+
+#include <vector>
+
+namespace carina
+{
+
+/// The surfaces of a patient as parts of a scene, in their order; a part's id is its place + 1.
+[[nodiscard]] std::vector<ScenePart> sceneParts(const PatientModel& patient);
+
+/// A station's moment as a frame of that scene. What is lost is not drawn.
+[[nodiscard]] SceneFrame sceneFrame(const StationMoment& moment);
+
+} // namespace carina

@@ -15,9 +15,9 @@ namespace carina
 
 /// One frame as it was drawn: what went to the screen, and when.
 struct LoggedFrame {
-    LocalTime local{};     ///< CLOCK_MONOTONIC when drawing ended; one clock for all on a machine
-    SessionTime session{}; ///< the session time that was drawn
-    int level = 0;         ///< level of detail of the lungs
+    LocalTime local{}; ///< CLOCK_MONOTONIC when the frame was begun; one clock for all on a machine
+    SessionTime session{};              ///< the session time that was drawn
+    int level = 0;                      ///< level of detail of the lungs
     std::array<float, 2> amplitude{};   ///< of the right and the left lung, as given to the shader
     std::optional<RigidTransform> X_AE; ///< the tube as drawn
     std::optional<Duration> sampleAge;  ///< of the newest sample of the tube behind it

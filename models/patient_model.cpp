@@ -1,0 +1,76 @@
+#include "models/patient_model.h"
+
+namespace carina
+{
+namespace
+{
+
+/// Lower teeth, gums and lips move with the mandible; names are those of anatomy sets.
+bool movesWithMandible(const AnatomyPart& part)
+{
+    if (part.role == PartRole::Mandible)
+        return true;
+    return part.role == PartRole::Tooth
+           && (part.name.find(" lower ") != std::string::npos
+               || part.name.find("lower jaw") != std::string::npos);
+}
+
+std::shared_ptr<const DeformableMesh> stillMesh(TriangleMesh mesh)
+{
+    return std::make_shared<const DeformableMesh>(DeformableMesh{std::move(mesh), {}, {}, {}});
+}
+
+AnatomyPart withoutMeshes(const AnatomyPart& part)
+{
+    return {.name = part.name, .role = part.role, .conceptId = part.conceptId, .levels = {}};
+}
+
+} // namespace
+
+Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
+{
+    auto lungs = LungPair::of(anatomy);
+    if (!lungs)
+        return tl::unexpected(lungs.error());
+    auto tube = makeTube(innerDiameter, anatomy.landmarks.path_A, anatomy.landmarks.p_A_incisors);
+    if (!tube)
+        return tl::unexpected(tube.error());
+    PatientModel model;
+    model.m_name = std::move(anatomy.name);
+    model.m_contentHash = std::move(anatomy.contentHash);
+    model.m_landmarks = std::move(anatomy.landmarks);
+    model.m_attributions = std::move(anatomy.attributions);
+    model.m_lungs = std::make_shared<const LungPair>(std::move(*lungs));
+    model.m_tube = std::move(*tube);
+    model.addAnatomy(std::move(anatomy.parts));
+    model.addTube();
+    return model;
+}
+
+void PatientModel::addAnatomy(std::vector<AnatomyPart> parts)
+{
+    for (AnatomyPart& part : parts) {
+        PatientSurface surface{.name = part.name, .description = withoutMeshes(part), .levels = {}};
+        if (movesWithMandible(part))
+            surface.body = SurfaceBody::Mandible;
+        if (!lungSide(part.role))
+            for (TriangleMesh& level : part.levels)
+                surface.levels.push_back(stillMesh(std::move(level)));
+        m_surfaces.push_back(std::move(surface));
+    }
+    for (const BreathingPart& breathing : m_lungs->parts())
+        for (const DeformableMesh& level : breathing.levels)
+            m_surfaces[breathing.index].levels.emplace_back(m_lungs, &level);
+}
+
+void PatientModel::addTube()
+{
+    for (TubePiece& piece : m_tube.pieces)
+        m_surfaces.push_back({.name = piece.name,
+                              .description = {.name = piece.name, .conceptId = {}, .levels = {}},
+                              .body = SurfaceBody::Tube,
+                              .levels = {stillMesh(std::move(piece.mesh))}});
+    m_tube.pieces.clear(); // they are surfaces now
+}
+
+} // namespace carina

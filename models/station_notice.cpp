@@ -1,0 +1,59 @@
+#include "models/station_notice.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+QString words(const char* text) { return QCoreApplication::translate("StationNotice", text); }
+
+bool hostIsHere(const SessionNode& node)
+{
+    const auto links = node.links();
+    return std::ranges::any_of(
+        links, [](const LinkReport& link) { return link.state == LinkState::Connected; });
+}
+
+QString phaseNotice(SessionPhase phase)
+{
+    switch (phase) {
+    case SessionPhase::Prepared:
+        return words(QT_TRANSLATE_NOOP("StationNotice", "Waiting for the instructor to start"));
+    case SessionPhase::Paused:
+        return words(QT_TRANSLATE_NOOP("StationNotice", "Paused"));
+    case SessionPhase::Ended:
+        return words(QT_TRANSLATE_NOOP("StationNotice", "The session has ended"));
+    case SessionPhase::Running:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
+QString stationNotice(const SessionNode& node, StationId stationId, const std::string& anatomyHash,
+                      const StationMoment& moment)
+{
+    if (!hostIsHere(node))
+        return words(QT_TRANSLATE_NOOP("StationNotice", "Connecting to the instructor …"));
+    const auto state = node.state();
+    const QString phase = phaseNotice(state->phaseAt(moment.time));
+    if (!phase.isEmpty())
+        return phase;
+    const auto station = state->stations().find(stationId);
+    if (station != state->stations().end() && !station->second.anatomyHash.empty()
+        && station->second.anatomyHash != anatomyHash)
+        return words(QT_TRANSLATE_NOOP("StationNotice",
+                                       "The session's patient is “%1”, which is not on this "
+                                       "computer; another is shown"))
+            .arg(QString::fromStdString(station->second.anatomyName));
+    if (!moment.tube || moment.tube->validity == Validity::Lost)
+        return words(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
+    return {};
+}
+
+} // namespace carina

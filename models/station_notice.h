@@ -1,0 +1,18 @@
+#pragma once
+
+#include "models/station_view.h"
+
+#include <QString>
+
+#include <string>
+
+namespace carina
+{
+
+/// The one thing a person at a station has to know now, as a translated line; empty when all is
+/// well. In order of weight: no host, session not running, another patient than the session's,
+/// tube out of the tracker's view.
+[[nodiscard]] QString stationNotice(const SessionNode& node, StationId station,
+                                    const std::string& anatomyHash, const StationMoment& moment);
+
+} // namespace carina

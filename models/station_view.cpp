@@ -1,0 +1,87 @@
+#include "models/station_view.h"
+
+namespace carina
+{
+namespace
+{
+
+ToolRole toolOf(ObjectKind kind)
+{
+    switch (kind) {
+    case ObjectKind::Head:
+        return ToolRole::Head;
+    case ObjectKind::Jaw:
+        return ToolRole::Jaw;
+    case ObjectKind::Tube:
+        return ToolRole::Tube;
+    case ObjectKind::Stylus:
+        return ToolRole::Stylus;
+    }
+    return ToolRole::Other;
+}
+
+/// The history of the first object of this kind at the station, or null.
+std::shared_ptr<const PoseHistory> sharedHistory(const SessionNode& node, StationId station,
+                                                 ObjectKind kind)
+{
+    const auto state = node.state();
+    for (const auto& [id, object] : state->objects())
+        if (object.station == station && object.kind == kind)
+            if (auto history = node.object(id))
+                return history;
+    return nullptr;
+}
+
+} // namespace
+
+ObjectPoses posesOf(const StationTracking& tracking)
+{
+    return {
+        .at = [&tracking](ObjectKind kind, SessionTime t) { return tracking.at(toolOf(kind), t); },
+        .newest = [&tracking](ObjectKind kind) -> std::optional<SessionTime> {
+            const auto sample = tracking.newest(toolOf(kind));
+            return sample ? std::optional{sample->time} : std::nullopt;
+        }};
+}
+
+ObjectPoses posesOf(const SessionNode& node, StationId station)
+{
+    return {.at = [&node, station](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {
+                const auto history = sharedHistory(node, station, kind);
+                return history ? history->at(t) : std::nullopt;
+            },
+            .newest = [&node, station](ObjectKind kind) -> std::optional<SessionTime> {
+                const auto history = sharedHistory(node, station, kind);
+                const auto sample = history ? history->newest() : std::nullopt;
+                return sample ? std::optional{sample->time} : std::nullopt;
+            }};
+}
+
+StationView::StationView(const SessionNode& node, StationId station, const LungPair& lungs,
+                         ObjectPoses poses)
+    : m_node{node}, m_station{station}, m_lungs{lungs}, m_poses{std::move(poses)}
+{
+}
+
+StationMoment StationView::now(std::size_t level) const
+{
+    const std::optional<SessionTime> time = m_node.now();
+    if (!time)
+        return {};
+    StationMoment moment;
+    moment.time = *time;
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (station != state->stations().end()) {
+        const Volume inspired = station->second.breathing.inspiredAt(*time);
+        // A volume that these lungs cannot take is drawn as rest rather than as a torn surface.
+        moment.amplitudes = m_lungs.amplitudes(inspired, level).value_or(LungAmplitudes{});
+    }
+    moment.tube = m_poses.at(ObjectKind::Tube, *time);
+    moment.jaw = m_poses.at(ObjectKind::Jaw, *time);
+    if (const auto newest = m_poses.newest(ObjectKind::Tube))
+        moment.sampleAge = *time - *newest;
+    return moment;
+}
+
+} // namespace carina

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "engine/lungs/lung_pair.h"
+#include "engine/net/session_node.h"
+#include "engine/session/station_tracking.h"
+
+#include <functional>
+#include <optional>
+
+namespace carina
+{
+
+/// Where a viewer of a station takes its objects' poses from, in A.
+struct ObjectPoses {
+    /// The pose at a time; nothing for an object never seen.
+    std::function<std::optional<PoseSample>(ObjectKind, SessionTime)> at;
+    /// When the newest sample was true.
+    std::function<std::optional<SessionTime>(ObjectKind)> newest;
+};
+
+/// The objects of the tracker here. @pre `tracking` outlives what is returned.
+[[nodiscard]] ObjectPoses posesOf(const StationTracking& tracking);
+
+/// The objects that others share at a station. @pre `node` outlives what is returned.
+[[nodiscard]] ObjectPoses posesOf(const SessionNode& node, StationId station);
+
+/// Everything of a station that moves, at one session time.
+struct StationMoment {
+    SessionTime time{};
+    LungAmplitudes amplitudes;
+    std::optional<PoseSample> tube;    ///< X_AE; nothing while never seen
+    std::optional<PoseSample> jaw;     ///< X_AJ
+    std::optional<Duration> sampleAge; ///< of the newest sample of the tube
+};
+
+/// One station as a viewer draws it: a pure function of the facts, the poses and a time.
+class StationView
+{
+public:
+    /// @pre all three outlive the view.
+    StationView(const SessionNode& node, StationId station, const LungPair& lungs,
+                ObjectPoses poses);
+
+    /// The station now, with amplitudes for one level of detail; before the session clock is set,
+    /// the patient at rest and no objects.
+    [[nodiscard]] StationMoment now(std::size_t level) const;
+
+private:
+    const SessionNode& m_node;
+    StationId m_station;
+    const LungPair& m_lungs;
+    ObjectPoses m_poses;
+};
+
+} // namespace carina

@@ -1,10 +1,16 @@
 #include "engine/anatomy/detail.h"
 
 #include "engine/core/expects.h"
+#include "engine/geometry/mesh_edges.h"
+#include "engine/geometry/mesh_winding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <meshoptimizer.h>
+
 #include <utility>
 
 namespace carina
@@ -81,6 +87,107 @@ TriangleMesh simplified(const TriangleMesh& mesh, std::size_t triangles)
     return coarse;
 }
 
+/// Takes out two triangles on the same three corners that face each other: they bound nothing.
+void cancelOpposites(std::vector<Triangle>& triangles)
+{
+    const auto turned = [](Triangle t, bool over) {
+        if (over)
+            std::swap(t[1], t[2]);
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+        return t;
+    };
+    std::map<Triangle, int> uses;
+    for (const Triangle& t : triangles)
+        ++uses[turned(t, false)];
+    std::erase_if(triangles, [&](const Triangle& t) {
+        const auto opposite = uses.find(turned(t, true));
+        return opposite != uses.end() && opposite->second == 1 && uses[turned(t, false)] == 1;
+    });
+}
+
+/// Which corners of triangles are one vertex: those joined, directly or in turn.
+class CornerGroups
+{
+public:
+    explicit CornerGroups(std::size_t corners)
+    {
+        m_parent.reserve(corners);
+        for (std::size_t i = 0; i < corners; ++i)
+            m_parent.push_back(i);
+    }
+
+    [[nodiscard]] std::size_t groupOf(std::size_t corner)
+    {
+        while (m_parent[corner] != corner)
+            corner = m_parent[corner] = m_parent[m_parent[corner]];
+        return corner;
+    }
+
+    void join(std::size_t a, std::size_t b) { m_parent[groupOf(a)] = groupOf(b); }
+
+private:
+    std::vector<std::size_t> m_parent;
+};
+
+std::size_t cornerAt(const TriangleMesh& mesh, std::uint32_t triangle, std::uint32_t vertex)
+{
+    const Triangle& t = mesh.triangles[triangle];
+    return 3 * std::size_t{triangle}
+           + std::size_t(std::find(t.begin(), t.end(), vertex) - t.begin());
+}
+
+/// The mesh with a vertex of its own for every fan of triangles that hang together across edges of
+/// two, so that sheets no longer share the edges at which they touch.
+TriangleMesh withFansApart(const TriangleMesh& mesh)
+{
+    CornerGroups groups{3 * mesh.triangles.size()};
+    forEachEdge(sortedEdgeUses(mesh), [&](EdgeUseIterator first, EdgeUseIterator last) {
+        if (last - first != 2)
+            return;
+        for (const std::uint32_t vertex : {first->low, first->high})
+            groups.join(cornerAt(mesh, first->triangle, vertex),
+                        cornerAt(mesh, std::next(first)->triangle, vertex));
+    });
+    TriangleMesh apart;
+    constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> vertexOfGroup(3 * mesh.triangles.size(), kNone);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        Triangle t{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::uint32_t& vertex = vertexOfGroup[groups.groupOf(3 * i + k)];
+            if (vertex == kNone) {
+                vertex = std::uint32_t(apart.positions.size());
+                apart.positions.push_back(mesh.positions[mesh.triangles[i][k]]);
+            }
+            t[k] = vertex;
+        }
+        apart.triangles.push_back(t);
+    }
+    return apart;
+}
+
+bool sheetsTouch(const TriangleMesh& mesh)
+{
+    bool touch = false;
+    forEachEdge(sortedEdgeUses(mesh), [&touch](EdgeUseIterator first, EdgeUseIterator last) {
+        touch = touch || last - first > 2;
+    });
+    return touch;
+}
+
+/// Undoes what a collapse does to a thin place: sheets that come to touch along an edge part again,
+/// where the surface stays as closed as it was.
+void partTouchingSheets(TriangleMesh& mesh)
+{
+    if (!sheetsTouch(mesh))
+        return;
+    cancelOpposites(mesh.triangles);
+    TriangleMesh apart = withFansApart(mesh);
+    if (isClosed(apart) || !isClosed(mesh))
+        mesh = std::move(apart);
+    cancelOpposites(mesh.triangles);
+}
+
 } // namespace
 
 std::vector<TriangleMesh> levelsOfDetail(TriangleMesh finest, std::span<const double> shares)
@@ -101,6 +208,7 @@ std::vector<TriangleMesh> levelsOfDetail(TriangleMesh finest, std::span<const do
         const TriangleMesh& finer = levels.back();
         TriangleMesh level =
             simplified(finer, std::min(std::max(wanted, kFewestTriangles), finer.triangles.size()));
+        partTouchingSheets(level);
         finish(level);
         levels.push_back(std::move(level));
     }

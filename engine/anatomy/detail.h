@@ -16,7 +16,8 @@ namespace carina
 /// vertices. Level k has about `shares[k - 1]` times the triangles of level 0, but not fewer than
 /// 64 unless level 0 itself has fewer; edges are collapsed by quadric error (Garland and Heckbert
 /// 1997). A collapse takes closed surfaces to closed surfaces, so every level is closed if `finest`
-/// is. A mesh without a proper triangle yields empty levels.
+/// is; sheets that a collapse brings to touch along an edge are parted again. A mesh without a
+/// proper triangle yields empty levels.
 ///
 /// @pre each share lies in (0, 1] and none is larger than the one before it; every corner index is
 ///      a vertex of `finest`; positions are finite.

@@ -66,7 +66,7 @@ QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
         return cell(row, index.column());
     if (role == Qt::AccessibleTextRole)
         return spoken(row, index.column());
-    if (role == Qt::TextAlignmentRole && index.column() >= Age && index.column() <= DriftDistance)
+    if (role == Qt::TextAlignmentRole && index.column() >= Age && index.column() <= Clock)
         return int{Qt::AlignRight | Qt::AlignVCenter};
     return {};
 }

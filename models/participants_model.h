@@ -16,7 +16,7 @@ class ParticipantsModel : public QAbstractTableModel
     Q_OBJECT
 
 public:
-    enum Column { Name, RoleColumn, State, Age, DriftAngle, DriftDistance, Clock, ColumnCount };
+    enum Column { Name, State, Age, DriftAngle, DriftDistance, Clock, RoleColumn, ColumnCount };
 
     /// @pre session outlives this.
     explicit ParticipantsModel(SessionModel& session, QObject* parent = nullptr);

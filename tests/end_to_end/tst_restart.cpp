@@ -16,6 +16,8 @@ constexpr int kPatience_ms = 20'000; ///< for a program to start on a busy machi
 constexpr int kBackWithin_ms = 2'000;
 constexpr double kSameClock_ms = 5.0;
 
+} // namespace
+
 /// One of the two programs, with the journal of what it shows.
 class Program
 {
@@ -71,6 +73,9 @@ private:
     std::unique_ptr<QProcess> m_process;
     qsizetype m_linesBefore = 0;
 };
+
+namespace
+{
 
 double sessionLessLocal_ms(const QJsonObject& line)
 {

@@ -14,7 +14,8 @@ namespace carina
 {
 
 /// What a surface is made of, as far as it is drawn differently. Surfaces are drawn in this order.
-/// The first four are opaque; each later group is blended over what was drawn before.
+/// The first four are opaque; each later group is blended over what was drawn before. Surfaces are
+/// closed and face outward, or are seen into where they are not; tools are drawn from both sides.
 enum class MaterialGroup : std::uint8_t {
     Bone,
     SoftTissue, ///< tongue, muscle, heart
@@ -48,6 +49,9 @@ struct ScenePart {
     /// Empty for a part that is fixed in A, with meshes given in A; else the moving body that it is
     /// fixed to, such as "tube" or "jaw", with meshes given in that body's frame.
     std::string body;
+    /// Of a part of a moving body: the body's frame coincides with A at rest, so that presets frame
+    /// the part as they do the fixed ones.
+    bool restsInPlace = false;
 
     /// At least one level of detail, finest first, each with normals; without displacement where
     /// the channel is None. Shared with whoever works out volumes from the very same meshes.

@@ -30,7 +30,7 @@ Box boundsToFrame(std::span<const ScenePart> parts)
     for (const ScenePart& part : parts) {
         const Box bounds = boundsOf(part.levels.back()->rest);
         all.include(bounds);
-        if (part.body.empty())
+        if (part.body.empty() || part.restsInPlace)
             fixed.include(bounds);
     }
     return fixed.empty() ? all : fixed;

@@ -72,10 +72,10 @@ void TestParticipantsModel::listsEverybodyWithTheirRole()
 void TestParticipantsModel::namesItsColumnsWithTheirUnits()
 {
     const Table table;
-    const QStringList expected{QStringLiteral("Name"),       QStringLiteral("Role"),
-                               QStringLiteral("State"),      QStringLiteral("Age, ms"),
-                               QStringLiteral("Drift, °"),   QStringLiteral("Drift, mm"),
-                               QStringLiteral("Clock ±, ms")};
+    const QStringList expected{QStringLiteral("Name"),      QStringLiteral("State"),
+                               QStringLiteral("Age, ms"),   QStringLiteral("Drift, °"),
+                               QStringLiteral("Drift, mm"), QStringLiteral("Clock ±, ms"),
+                               QStringLiteral("Role")};
     QStringList headers;
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();

@@ -1,0 +1,83 @@
+#include "engine/io/anatomy_cache.h"
+
+#include "engine/io/set_codec.h"
+#include "engine/io/set_description.h"
+#include "engine/io/whole_file.h"
+
+#include <QJsonDocument>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <span>
+
+namespace carina
+{
+namespace
+{
+
+bool isHash(std::string_view text)
+{
+    constexpr std::size_t kHexDigitsOfSha256 = 64;
+    return text.size() == kHexDigitsOfSha256
+           && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+} // namespace
+
+AnatomyCache::AnatomyCache(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+
+std::filesystem::path AnatomyCache::defaultFolder()
+{
+    const QString caches = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
+    return std::filesystem::path{caches.toStdString()} / "carina" / "anatomy";
+}
+
+std::filesystem::path AnatomyCache::setFile(const std::string& contentHash) const
+{
+    return m_folder / (contentHash + ".anatomy");
+}
+
+std::optional<std::string> AnatomyCache::contentHash(const std::string& listingHash) const
+{
+    const Result<std::string> hash = readWholeFile(m_folder / (listingHash + ".listing"));
+    if (!hash || !isHash(*hash))
+        return std::nullopt;
+    return *hash;
+}
+
+Result<ImportedSet> AnatomyCache::load(const std::string& contentHash) const
+{
+    const std::filesystem::path file = setFile(contentHash);
+    const Result<std::string> bytes = readWholeFile(file);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    auto set = decodeSet(std::as_bytes(std::span{*bytes}));
+    if (!set)
+        return fail(set.error().code, file.string() + ": " + set.error().detail);
+    if (set->anatomy.contentHash != contentHash)
+        return fail(Errc::FileMalformed, file.string() + ": it holds another set");
+    return set;
+}
+
+Result<void> AnatomyCache::remember(const std::string& listingHash,
+                                    const std::string& contentHash) const
+{
+    return writeWholeFile(m_folder / (listingHash + ".listing"), contentHash);
+}
+
+Result<void> AnatomyCache::store(const ImportedSet& set, const std::string& listingHash) const
+{
+    const std::string& hash = set.anatomy.contentHash;
+    const std::vector<std::byte> bytes = encodeSet(set);
+    const QByteArray description = QJsonDocument{describeSet(set)}.toJson();
+    if (auto written = writeWholeFile(setFile(hash),
+                                      {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        !written)
+        return written;
+    if (auto written = writeWholeFile(m_folder / (hash + ".json"), description.toStdString());
+        !written)
+        return written;
+    return remember(listingHash, hash);
+}
+
+} // namespace carina

@@ -1,0 +1,186 @@
+#include "engine/io/set_codec.h"
+
+#include "engine/io/mesh_codec.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace carina
+{
+namespace
+{
+
+constexpr std::uint64_t kMagic = 0x5450414e49524143; // "CARINAPT"
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kHashBytes = 32;
+
+QByteArray hashOfPayload(std::span<const std::byte> payload)
+{
+    QCryptographicHash hash{QCryptographicHash::Blake2b_256};
+    hash.addData(QByteArrayView{payload.data(), static_cast<qsizetype>(payload.size())});
+    return hash.result();
+}
+
+void writePoint(ByteWriter& writer, const Vec3& p)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        writer.real(p[axis]);
+}
+
+Vec3 readPoint(ByteReader& reader)
+{
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis)
+        p[axis] = reader.realDouble();
+    reader.require(p.allFinite(), "a point is finite");
+    return p;
+}
+
+template <class Items, class WriteItem>
+void writeList(ByteWriter& writer, const Items& items, const WriteItem& writeItem)
+{
+    writer.number(static_cast<std::uint32_t>(items.size()));
+    for (const auto& item : items)
+        writeItem(writer, item);
+}
+
+/// Grows by one item for each that is there: a false count reads on into the end.
+template <class Item, class ReadItem>
+std::vector<Item> readList(ByteReader& reader, const ReadItem& readItem)
+{
+    std::vector<Item> items;
+    for (auto left = reader.number<std::uint32_t>(); left > 0 && reader.ok(); --left)
+        items.push_back(readItem(reader));
+    return items;
+}
+
+void writePart(ByteWriter& writer, const AnatomyPart& part)
+{
+    writeText(writer, part.name);
+    writeText(writer, roleName(part.role));
+    writeText(writer, part.conceptId);
+    writeList(writer, part.levels, writeMesh);
+}
+
+AnatomyPart readPart(ByteReader& reader)
+{
+    AnatomyPart part;
+    part.name = readText(reader);
+    const std::optional<PartRole> role = roleFromName(readText(reader));
+    reader.require(role.has_value(), "a part has a known role");
+    part.role = role.value_or(PartRole::Other);
+    part.conceptId = readText(reader);
+    part.levels = readList<TriangleMesh>(reader, readMesh);
+    reader.require(!part.levels.empty(), "a part has a surface");
+    return part;
+}
+
+void writeFault(ByteWriter& writer, const FileFault& fault)
+{
+    writeText(writer, fault.file);
+    writer.number(static_cast<std::uint8_t>(fault.error.code));
+    writeText(writer, fault.error.detail);
+}
+
+FileFault readFault(ByteReader& reader)
+{
+    std::string file = readText(reader);
+    const auto code = static_cast<Errc>(reader.number<std::uint8_t>());
+    return {std::move(file), {code, readText(reader)}};
+}
+
+void writeFrame(ByteWriter& writer, const SetFrame& frame)
+{
+    writer.real(frame.metresPerUnit);
+    for (int axis = 0; axis < 3; ++axis)
+        writePoint(writer, frame.R_AF.col(axis));
+}
+
+SetFrame readFrame(ByteReader& reader)
+{
+    SetFrame frame;
+    frame.metresPerUnit = reader.realDouble();
+    for (int axis = 0; axis < 3; ++axis)
+        frame.R_AF.col(axis) = readPoint(reader);
+    return frame;
+}
+
+std::vector<std::byte> payloadOf(const ImportedSet& set)
+{
+    std::vector<std::byte> bytes;
+    ByteWriter writer{bytes};
+    writeText(writer, set.anatomy.name);
+    writeText(writer, set.anatomy.contentHash);
+    writeFrame(writer, set.frame);
+    writePoint(writer, set.anatomy.landmarks.p_A_incisors);
+    writePoint(writer, set.anatomy.landmarks.p_A_glottis);
+    writePoint(writer, set.anatomy.landmarks.p_A_carina);
+    writeList(writer, set.anatomy.landmarks.path_A, writePoint);
+    writeList(writer, set.anatomy.parts, writePart);
+    writeList(writer, set.anatomy.attributions, writeText);
+    writeList(writer, set.faults, writeFault);
+    writeList(writer, set.leftOut, writeText);
+    return bytes;
+}
+
+ImportedSet readPayload(ByteReader& reader)
+{
+    ImportedSet set;
+    set.anatomy.name = readText(reader);
+    set.anatomy.contentHash = readText(reader);
+    set.frame = readFrame(reader);
+    set.anatomy.landmarks.p_A_incisors = readPoint(reader);
+    set.anatomy.landmarks.p_A_glottis = readPoint(reader);
+    set.anatomy.landmarks.p_A_carina = readPoint(reader);
+    set.anatomy.landmarks.path_A = readList<Vec3>(reader, readPoint);
+    set.anatomy.parts = readList<AnatomyPart>(reader, readPart);
+    set.anatomy.attributions = readList<std::string>(reader, readText);
+    set.faults = readList<FileFault>(reader, readFault);
+    set.leftOut = readList<std::string>(reader, readText);
+    reader.require(reader.remaining() == 0, "nothing follows");
+    return set;
+}
+
+} // namespace
+
+std::vector<std::byte> encodeSet(const ImportedSet& set)
+{
+    const std::vector<std::byte> payload = payloadOf(set);
+    std::vector<std::byte> bytes;
+    ByteWriter writer{bytes};
+    writer.number(kMagic);
+    writer.number(kVersion);
+    writer.number(static_cast<std::uint64_t>(payload.size()));
+    const QByteArray hash = hashOfPayload(payload);
+    writer.bytes(std::as_bytes(std::span{hash.constData(), kHashBytes}));
+    writer.bytes(payload);
+    return bytes;
+}
+
+Result<ImportedSet> decodeSet(std::span<const std::byte> bytes)
+{
+    ByteReader reader{bytes};
+    reader.require(reader.number<std::uint64_t>() == kMagic, "its first bytes");
+    reader.require(reader.number<std::uint32_t>() == kVersion, "its version");
+    const auto length = reader.number<std::uint64_t>();
+    const auto hash = reader.bytes(kHashBytes);
+    reader.require(length == reader.remaining(), "its length");
+    const auto payload = reader.bytes(reader.remaining());
+    if (reader.ok()) {
+        const QByteArray expected = hashOfPayload(payload);
+        const auto expectedBytes = std::as_bytes(std::span{expected.constData(), kHashBytes});
+        reader.require(std::ranges::equal(hash, expectedBytes), "its checksum");
+    }
+    if (!reader.ok())
+        return fail(Errc::FileMalformed, reader.brokenRule());
+    ByteReader content{payload};
+    ImportedSet set = readPayload(content);
+    if (!content.ok())
+        return fail(Errc::FileMalformed, content.brokenRule());
+    return set;
+}
+
+} // namespace carina

@@ -10,15 +10,17 @@
 namespace carina::test
 {
 
-/// A tetrahedron with three edges of `size` along x, y and z from (x, 0, 0): volume size^3 / 6.
+/// A tetrahedron with three edges of `size` along x, y and z from (x, y, z): volume size^3 / 6.
 /// Written out here in every format by hand, so that readers are judged by what was meant.
 struct Tetrahedron {
     float size = 1.0F;
     float x = 0.0F;
+    float y = 0.0F;
+    float z = 0.0F;
 
     [[nodiscard]] std::vector<float> coordinates() const
     {
-        return {x, 0, 0, x + size, 0, 0, x, size, 0, x, 0, size};
+        return {x, y, z, x + size, y, z, x, y + size, z, x, y, z + size};
     }
     [[nodiscard]] static std::vector<std::uint32_t> corners()
     {

@@ -17,6 +17,8 @@ out vec4 fragment;
 
 const vec3 kSky = vec3(0.80, 0.88, 1.00);
 const vec3 kGround = vec3(0.42, 0.36, 0.34);
+const vec3 kZenith = vec3(0.0, -0.447, 0.894); // where the sky is brightest, in A
+const vec3 kLamp = vec3(-0.242, -0.644, 0.725); // what the highlight mirrors, in A
 
 void main()
 {
@@ -28,10 +30,13 @@ void main()
     float edge = (1.0 - facing) * (1.0 - facing);
 
     vec3 albedo = color * color; // close to linear light
-    vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, normalize(vec3(0.0, -0.45, 0.9))));
+    vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, kZenith));
     vec3 light = 0.62 * facing * vec3(1.0, 0.98, 0.95) + 0.42 * sky;
-    vec3 halfway = normalize(view + normalize(vec3(-0.3, -0.8, 0.9)));
-    float highlight = gloss * pow(max(dot(normal, halfway), 0.0), 40.0);
+    vec3 halfway = view + kLamp; // not of unit length: divided out below
+    float aligned = dot(normal, halfway);
+    float cosine2 = aligned * aligned / dot(halfway, halfway);
+    float cosine8 = cosine2 * cosine2 * cosine2 * cosine2;
+    float highlight = gloss * cosine8 * cosine8 * cosine8 * cosine8;
     vec3 shade = albedo * light + vec3(0.5 * highlight) + rimLight * edge * mix(albedo, kSky, 0.35);
 
     fragment = vec4(sqrt(min(shade, 1.0)), mix(opacity, rimOpacity, edge));

@@ -154,7 +154,8 @@ void FrameGraph::addIds(Qt3DRender::QCamera* camera)
         clear->setBuffers(layer == 0 ? Qt3DRender::QClearBuffers::ColorDepthBuffer
                                      : Qt3DRender::QClearBuffers::ColorBuffer);
         clear->setClearColor(QColor(0, 0, 0, 0));
-        states(passes(kIdPass, layer, clear), Depth::Write, Qt3DRender::QCullFace::NoCulling);
+        states(passes(kIdPass, layer, clear), Depth::Write,
+               layer == 0 ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
         m_idLayers.push_back(capture);
     }
 }

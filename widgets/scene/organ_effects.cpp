@@ -2,6 +2,7 @@
 
 #include "resources/resources.h"
 
+#include <Qt3DRender/QCullFace>
 #include <Qt3DRender/QEffect>
 #include <Qt3DRender/QFilterKey>
 #include <Qt3DRender/QGraphicsApiFilter>
@@ -55,6 +56,7 @@ Qt3DRender::QShaderProgram* program(const char* fragmentShader, Qt3DCore::QNode*
     return made;
 }
 
+/// Bodies are closed, so half of their triangles need no drawing; tools may be open, as tubes are.
 Qt3DRender::QRenderPass* pass(const char* key, MaterialGroup group,
                               Qt3DRender::QShaderProgram* shaders)
 {
@@ -64,6 +66,11 @@ Qt3DRender::QRenderPass* pass(const char* key, MaterialGroup group,
     auto* made = new Qt3DRender::QRenderPass;
     made->addFilterKey(filter);
     made->setShaderProgram(shaders);
+    if (layerOf(group) == 0 && group != MaterialGroup::Tool) {
+        auto* cull = new Qt3DRender::QCullFace;
+        cull->setMode(Qt3DRender::QCullFace::Back);
+        made->addRenderState(cull);
+    }
     return made;
 }
 

@@ -1,6 +1,5 @@
 #include "tests/widgets/scene/scene_fixture.h"
 #include "widgets/scene/graphics.h"
-#include "widgets/scene/scene_window.h"
 
 #include <QScreen>
 
@@ -69,7 +68,6 @@ private Q_SLOTS:
     void asksForTheLevelThatItDraws();
     void drawsTwoViewsAtOnce();
     void replacesItsParts();
-    void turnsByMouseAndKeysOnlyWhereAllowed();
     void comesAndGoesTwentyTimes();
 };
 
@@ -250,42 +248,6 @@ void TestSceneView::replacesItsParts()
     const auto pixels = view->visiblePixels();
     QCOMPARE(pixels.size(), std::size_t{1});
     QVERIFY(static_cast<double>(pixels.at(2)) > 0.98 * discPixels(0.2, kDistance));
-}
-
-void TestSceneView::turnsByMouseAndKeysOnlyWhereAllowed()
-{
-    const auto view = shownView({spherePart(1, MaterialGroup::Bone, {-0.1, 0.0, 0.0}, 0.03),
-                                 spherePart(2, MaterialGroup::Bone, {0.1, 0.0, 0.0}, 0.03)},
-                                {});
-    view->setEyeFollowed(false);
-    QVERIFY(draws(*view, 3));
-    SceneWindow* window = nullptr;
-    for (QWindow* open : QGuiApplication::allWindows())
-        if (auto* scene = qobject_cast<SceneWindow*>(open))
-            window = scene;
-    const auto apart = [&] { // a turn about z hides one sphere behind the other
-        const auto pixels = view->visiblePixels();
-        return pixels.at(1) > 0 && pixels.at(2) > 0;
-    };
-    QVERIFY(apart());
-    const auto quarterTurn = [&] { // 3 rad for the picture's height
-        const QPoint start(100, 100);
-        const QPoint end(100 + static_cast<int>(std::numbers::pi / 6.0 * kHeight), 100);
-        QTest::mousePress(window, Qt::LeftButton, {}, start);
-        QTest::mouseMove(window, end);
-        QTest::mouseRelease(window, Qt::LeftButton, {}, end);
-    };
-    view->setInteractive(false);
-    quarterTurn();
-    QVERIFY(draws(*view, 2));
-    QVERIFY(apart());
-    view->setInteractive(true);
-    quarterTurn();
-    QVERIFY(draws(*view, 2));
-    QVERIFY(!apart());
-    QTest::keyClick(window, Qt::Key_Home);
-    QVERIFY(draws(*view, 2));
-    QVERIFY(apart());
 }
 
 void TestSceneView::comesAndGoesTwentyTimes()

@@ -34,28 +34,27 @@ void addOptions(QCommandLineParser& parser)
                       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
     parser.addOption({QStringLiteral("new"),
                       words("Begin a new session; the stored one is kept beside it. Without this "
-                            "the stored session goes on.")});
+                            "the stored session goes on, unless it has ended.")});
     parser.addOption({QStringLiteral("start"), words("Start a session that is ready to start.")});
     viewer::addPatientOptions(parser);
     viewer::addMeasureOptions(parser);
     viewer::addJournalOption(parser);
 }
 
-/// The file of the session to go on with; for a new one, what was there is moved out of its way.
-Result<QString> sessionFile(const QCommandLineParser& parser)
+QString sessionFile(const QDir& folder)
 {
-    const QDir folder{parser.value(QStringLiteral("data"))};
-    if (!folder.mkpath(QStringLiteral(".")))
-        return fail(Errc::FileUnwritable, folder.path().toStdString());
-    const QString file = folder.filePath(QStringLiteral("session.sqlite"));
-    if (parser.isSet(QStringLiteral("new")) && QFile::exists(file)) {
-        const QString kept = folder.filePath(QStringLiteral("session-%1.sqlite")
-                                                 .arg(QDateTime::currentDateTimeUtc().toString(
-                                                     QStringLiteral("yyyyMMdd-hhmmss-zzz"))));
-        if (!QFile::rename(file, kept))
-            return fail(Errc::FileUnwritable, kept.toStdString());
-    }
-    return file;
+    return folder.filePath(QStringLiteral("session.sqlite"));
+}
+
+/// Moves the stored session out of the way of a new one, under the time at which that happened.
+Result<void> keepStoredSession(const QDir& folder)
+{
+    const QString kept = folder.filePath(
+        QStringLiteral("session-%1.sqlite")
+            .arg(QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-hhmmss-zzz"))));
+    if (QFile::exists(sessionFile(folder)) && !QFile::rename(sessionFile(folder), kept))
+        return fail(Errc::FileUnwritable, kept.toStdString());
+    return {};
 }
 
 /// Tells a new session which patient lies at the station and how it breathes at rest.
@@ -87,21 +86,43 @@ int measure(InstructorWindow& window, SessionNode& node, BreathingModel& breathi
     return QApplication::exec();
 }
 
+Result<std::unique_ptr<SessionNode>> hostStored(const QDir& folder, std::uint16_t port)
+{
+    auto store = openFactStore(sessionFile(folder).toStdString());
+    if (!store)
+        return tl::unexpected(store.error());
+    return SessionNode::host({.sessionName = words("Routine intubation").toStdString(),
+                              .participantName = words("Instructor").toStdString(),
+                              .port = port},
+                             std::move(*store));
+}
+
+bool hasEnded(const SessionNode& node)
+{
+    const auto now = node.now();
+    return now && node.state()->phaseAt(*now) == SessionPhase::Ended;
+}
+
+/// The stored session, or a new one where that was asked for, nothing is stored, or what is stored
+/// has ended.
 Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parser)
 {
     const auto port = viewer::portOption(parser);
     if (!port)
         return tl::unexpected(port.error());
-    const auto file = sessionFile(parser);
-    if (!file)
-        return tl::unexpected(file.error());
-    auto store = openFactStore(file->toStdString());
-    if (!store)
-        return tl::unexpected(store.error());
-    return SessionNode::host({.sessionName = words("Routine intubation").toStdString(),
-                              .participantName = words("Instructor").toStdString(),
-                              .port = *port},
-                             std::move(*store));
+    const QDir folder{parser.value(QStringLiteral("data"))};
+    if (!folder.mkpath(QStringLiteral(".")))
+        return fail(Errc::FileUnwritable, folder.path().toStdString());
+    if (parser.isSet(QStringLiteral("new")))
+        if (auto kept = keepStoredSession(folder); !kept)
+            return tl::unexpected(kept.error());
+    auto node = hostStored(folder, *port);
+    if (!node || !hasEnded(**node))
+        return node;
+    node->reset(); // closes the file
+    if (auto kept = keepStoredSession(folder); !kept)
+        return tl::unexpected(kept.error());
+    return hostStored(folder, *port);
 }
 
 Result<int> run(const QCommandLineParser& parser)

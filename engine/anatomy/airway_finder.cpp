@@ -219,13 +219,13 @@ Result<AirwayLandmarks> findAirway(std::span<const AnatomyPart> parts)
         return fail(Errc::NothingRecognised, "a trachea above the carina");
 
     Centreline down = alongTrachea(*trachea, found.p_A_carina);
-    const Length length = lengthOf(down);
-    const Vec3 up = (down.front() - pointAlong(down, 0.4 * length)).normalized();
+    const Vec3 up = (down.front() - pointAlong(down, 0.4 * lengthOf(down))).normalized();
     const double toTop = (box.max.z() - down.front().z()) / up.z();
-    found.p_A_glottis = middleOfCords(parts).value_or(
-        down.front() + (toTop + 26.0 / 101.0 * (length.si + toTop)) * up);
+    const double length = lengthOf(down).si + toTop;
+    found.p_A_glottis =
+        middleOfCords(parts).value_or(down.front() + (toTop + 26.0 / 101.0 * length) * up);
     down.insert(down.begin(), found.p_A_glottis);
-    found.p_A_incisors = incisorsOf(parts, down, length);
+    found.p_A_incisors = incisorsOf(parts, down, metres(length));
     found.path_A = airwayPath(found.p_A_incisors, down);
     return found;
 }

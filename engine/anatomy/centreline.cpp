@@ -30,21 +30,6 @@ Vec3 pointAlong(std::span<const Vec3> line, Length along)
     return line.back();
 }
 
-Centreline pieceOf(std::span<const Vec3> line, Length from, Length to)
-{
-    CARINA_EXPECTS(metres(0.0) <= from && from < to && to <= lengthOf(line));
-    Centreline piece{pointAlong(line, from)};
-    double before = 0.0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (i > 0)
-            before += (line[i] - line[i - 1]).norm();
-        if (before > from.si && before < to.si)
-            piece.push_back(line[i]);
-    }
-    piece.push_back(pointAlong(line, to));
-    return piece;
-}
-
 Centreline evenlySpaced(std::span<const Vec3> line, Length spacing)
 {
     CARINA_EXPECTS(line.size() >= 2 && spacing.si > 0.0);

@@ -18,10 +18,6 @@ using Centreline = std::vector<Vec3>;
 /// @pre the line has a point.
 [[nodiscard]] Vec3 pointAlong(std::span<const Vec3> line, Length along);
 
-/// The piece between two ways along the line, with both ends and the line's own points between.
-/// @pre from < to, both on the line.
-[[nodiscard]] Centreline pieceOf(std::span<const Vec3> line, Length from, Length to);
-
 /// The same line with points at equal distances along it, as close as `spacing` at most; both ends
 /// stay where they are.
 /// @pre at least two points and spacing above zero.

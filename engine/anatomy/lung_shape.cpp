@@ -11,7 +11,7 @@ namespace
 
 /// Lung shapes are written in millimetres of the adult, towards the lung's own side: x is positive
 /// away from the midline in both lungs.
-constexpr double kMillimetre = 1e-3;
+constexpr double kAdultMillimetre = 1e-3;
 
 /// Free way between an airway and the lung beside it, in the adult.
 constexpr double kClearance = 1.5;
@@ -114,7 +114,7 @@ double lungDistance(Side side, const Vec3& p)
 ImplicitShape lungShape(Side side, double size, Implicit outsideLungs)
 {
     const double sign = side == Side::Right ? -1.0 : 1.0;
-    const double unit = kMillimetre * size;
+    const double unit = kAdultMillimetre * size;
     Box bounds;
     bounds.include(unit * Vec3{sign * 2.0, -105.0, -200.0});
     bounds.include(unit * Vec3{sign * 125.0, 75.0, 85.0});
@@ -128,7 +128,7 @@ ImplicitShape lungShape(Side side, double size, Implicit outsideLungs)
 
 Vec3 hilum(Side side, double size)
 {
-    const double unit = kMillimetre * size;
+    const double unit = kAdultMillimetre * size;
     return side == Side::Right ? unit * Vec3{-24.0, 0.0, -20.0} : unit * Vec3{40.0, 0.0, -34.0};
 }
 

@@ -4,8 +4,10 @@
 
 #include <cstdio>
 
-namespace carina::lab {
-namespace {
+namespace carina::lab
+{
+namespace
+{
 
 void print(std::FILE* stream, const QByteArray& text)
 {

@@ -8,7 +8,8 @@
 #include <span>
 #include <string_view>
 
-namespace carina::lab {
+namespace carina::lab
+{
 
 /// One subcommand of carina-lab: an experiment that prints one JSON object.
 struct Command {

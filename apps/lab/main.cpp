@@ -1,15 +1,18 @@
+#include "apps/lab/anatomy_command.h"
+#include "apps/lab/breathe_command.h"
 #include "apps/lab/command.h"
+#include "apps/lab/summary_command.h"
 #include "apps/lab/track_command.h"
-
-#include <QCoreApplication>
 
 #include <array>
 
-namespace carina::lab {
+namespace carina::lab
+{
 
 std::span<const Command> commands()
 {
-    static const std::array all{trackCommand()};
+    static const std::array all{anatomyCommand(), breatheCommand(), summaryCommand(),
+                                trackCommand()};
     return all;
 }
 
@@ -17,6 +20,8 @@ std::span<const Command> commands()
 
 int main(int argc, char** argv)
 {
-    const QCoreApplication application{argc, argv};
+    const bool draws = argc > 1 && argv[1] == carina::lab::breatheCommand().name;
+    const auto application = draws ? carina::lab::drawingApplication(argc, argv)
+                                   : std::make_unique<QCoreApplication>(argc, argv);
     return carina::lab::runCommandLine(QCoreApplication::arguments());
 }

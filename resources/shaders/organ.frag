@@ -31,7 +31,7 @@ void main()
 
     vec3 albedo = color * color; // close to linear light
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, kZenith));
-    vec3 light = 0.62 * facing * vec3(1.0, 0.98, 0.95) + 0.42 * sky;
+    vec3 light = 0.74 * facing * vec3(1.0, 0.98, 0.95) + 0.44 * sky;
     vec3 halfway = view + kLamp; // not of unit length: divided out below
     float aligned = dot(normal, halfway);
     float cosine2 = aligned * aligned / dot(halfway, halfway);

@@ -32,15 +32,13 @@ constexpr Look lookOf(MaterialGroup group)
         return {0.20F, 1.0F, 1.0F, 0.10F};
     case MaterialGroup::SoftTissue:
         return {0.35F, 1.0F, 1.0F, 0.12F};
-    case MaterialGroup::Vessel:
-        return {0.45F, 1.0F, 1.0F, 0.12F};
     case MaterialGroup::Tool:
         return {0.80F, 1.0F, 1.0F, 0.35F};
     case MaterialGroup::Airway:
-        return {0.50F, 0.34F, 0.95F, 0.35F};
+        return {0.50F, 0.40F, 0.95F, 0.40F};
     case MaterialGroup::Lung:
-        return {0.35F, 0.54F, 0.95F, 0.25F};
-    case MaterialGroup::Cage:
+        return {0.40F, 0.60F, 0.95F, 0.30F};
+    case MaterialGroup::Veil:
         return {0.10F, 0.20F, 0.75F, 0.20F};
     case MaterialGroup::Skin:
         return {0.10F, 0.06F, 0.40F, 0.10F};

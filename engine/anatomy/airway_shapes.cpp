@@ -92,15 +92,17 @@ double AirwaySolid::tracheaDistance(const Vec3& p_WQ) const
 {
     const double blend = 2.0 * kMillimetre * m_scale;
     const double side = 0.5 * m_dimensions.tracheaCoronal.si;
-    // An ellipse cut flat at the back, at three quarters of its half depth.
-    const double front = m_dimensions.tracheaSagittal.si / 1.75;
-    const double back = 0.75 * front;
+    // An ellipse cut flat at the back, at three quarters of its half depth; the axis runs midway
+    // between front and back.
+    const double halfDepth = m_dimensions.tracheaSagittal.si / 1.75;
+    const double back = 0.875 * halfDepth;
     const double spacing = m_dimensions.tracheaLength.si / m_dimensions.tracheaRings;
     // The open ends of a cartilage lie at the edges of the flat wall.
     const double cartilage = 1.0 - easedStep(0.35 * back, 0.95 * back, p_WQ.y());
     const double ring =
         kRingHeight * m_scale * cartilage * ripple(p_WQ.z() - 0.5 * spacing, spacing);
-    const double round = ellipseDistance({p_WQ.x(), p_WQ.y()}, {side, front}) - ring;
+    const double round =
+        ellipseDistance({p_WQ.x(), p_WQ.y() - 0.125 * halfDepth}, {side, halfDepth}) - ring;
     const double tube = roundedMax(round, p_WQ.y() - back, blend);
     const double ends = std::max(p_WQ.z() - m_dimensions.tracheaLength.si, blend - p_WQ.z());
     return roundedMax(tube, ends, 0.5 * blend);

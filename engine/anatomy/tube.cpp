@@ -18,7 +18,7 @@ constexpr double kBevel = 0.003;       ///< of the tip
 constexpr double kMarkRise = 0.00015;  ///< of a depth mark above the wall
 constexpr double kCuffFromTip = 0.015; ///< metres, to its lower end
 constexpr double kCuffLength = 0.032;
-constexpr double kCuffSwell = 1.45; ///< of the tube's radius
+constexpr double kCuffSwell = 1.25; ///< of the tube's radius: fills a trachea the tube fits
 constexpr double kConnectorLength = 0.02;
 constexpr double kConnectorRadius = 0.0075; ///< ISO 5356: 15 mm
 constexpr double kFlangeRadius = 0.0105;
@@ -117,7 +117,7 @@ Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,
     const SweptLine path = sweptLine(path_A);
     const double from = nearestAlong(path, p_A_incisors) - kOutside;
     const double until = path.along.back() - tipAboveCarina.si;
-    if (from < 0.0 || until <= from + kCuffFromTip + kCuffLength)
+    if (!(from >= 0.0 && until > from + kCuffFromTip + kCuffLength && tipAboveCarina.si >= 0.0))
         return fail(Errc::OutOfRange, "the tube does not lie within the airway");
 
     const RigidTransform X_AE = connectorPose(placeAt(path, from));

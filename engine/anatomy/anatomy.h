@@ -69,8 +69,10 @@ struct AirwayLandmarks {
 /// A virtual patient: parts in frame A (origin at the carina, +x patient's left, +y posterior, +z
 /// superior, metres).
 struct Anatomy {
-    std::string name;        ///< "Adult", "12 years, 150 cm", or the folder's name
-    std::string contentHash; ///< SHA-256 in hex of what it was made from; equal means same patient
+    std::string name; ///< "Adult", "12 years, 150 cm", or the folder's name
+    /// Equal means the same patient: SHA-256 in hex of the files a set was made from; of a built-in
+    /// patient its name and the version of what makes it, such as "builtin-adult-1".
+    std::string contentHash;
     std::vector<AnatomyPart> parts;
     AirwayLandmarks landmarks;
     std::vector<std::string> attributions; ///< licence lines to show

@@ -34,7 +34,7 @@ constexpr std::string_view kAnatomyHelp =
     attributions      lines about licence and copyright to show with the set
     faults            "file" and "fault" of each file that could not be used
     left_out          surfaces given twice, and whole lungs beside their lobes
-    import_s          seconds this took
+    import_s          seconds until the set was there
     from_cache        whether the files were not read anew
     cache             the file that keeps the set; null where it could not be written
 )";
@@ -50,8 +50,9 @@ Result<QJsonObject> describeAnatomy(const QStringList& arguments)
                                        {}, import ? CacheUse::Renewed : CacheUse::Allowed);
     if (!loaded)
         return tl::unexpected(loaded.error());
+    const Duration time = monotonicNow() - begin;
     QJsonObject object = describeSet(loaded->set);
-    object.insert(QStringLiteral("import_s"), toSeconds(monotonicNow() - begin));
+    object.insert(QStringLiteral("import_s"), toSeconds(time));
     object.insert(QStringLiteral("from_cache"), loaded->fromCache);
     object.insert(QStringLiteral("cache"),
                   loaded->cacheFault ? QJsonValue{QJsonValue::Null}

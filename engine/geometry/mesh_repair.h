@@ -9,11 +9,6 @@ namespace carina
 /// Vertices around one hole, in the order and direction in which the triangles beside the hole run.
 using BoundaryLoop = std::vector<std::uint32_t>;
 
-/// The mesh with vertices no further apart than `tolerance` made one (the first of them stays
-/// where it is), without triangles that then have a corner twice, without all but the first of
-/// triangles on the same three vertices, and without vertices that no triangle uses. No normals.
-[[nodiscard]] TriangleMesh welded(const TriangleMesh& mesh, Length tolerance);
-
 /// The holes of a mesh with consistent winding. An edge that is used more often in one direction
 /// than in the other counts once for every excess use; at a vertex that several holes share they
 /// are separated, so that no loop visits a vertex twice. Deterministic.

@@ -1,6 +1,6 @@
 #include "engine/io/mesh_file.h"
 
-#include "engine/geometry/mesh_repair.h"
+#include "engine/geometry/mesh_weld.h"
 #include "engine/io/surface_check.h"
 #include "engine/io/surface_format.h"
 #include "engine/io/surface_text.h"

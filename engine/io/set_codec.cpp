@@ -14,7 +14,8 @@ namespace
 {
 
 constexpr std::uint64_t kMagic = 0x5450414e49524143; // "CARINAPT"
-constexpr std::uint32_t kVersion = 1;
+/// Raised when the layout changes, or what an import makes of the same files.
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kHashBytes = 32;
 
 QByteArray hashOfPayload(std::span<const std::byte> payload)

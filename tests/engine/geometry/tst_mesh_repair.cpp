@@ -1,4 +1,5 @@
 #include "engine/geometry/mesh_repair.h"
+#include "engine/geometry/mesh_weld.h"
 #include "engine/geometry/mesh_winding.h"
 
 #include <QTest>
@@ -84,14 +85,37 @@ private Q_SLOTS:
         TriangleMesh mesh = cubeOfSquares();
         mesh.positions.push_back({5.0F, 5.0F, 5.0F});
         mesh.triangles.push_back({0, 0, 24});
-        mesh.triangles.push_back(
-            {mesh.triangles[3][1], mesh.triangles[3][2], mesh.triangles[3][0]});
-        mesh.triangles.push_back(
-            {mesh.triangles[3][1], mesh.triangles[3][0], mesh.triangles[3][2]});
+        const Triangle t = mesh.triangles[3];
+        mesh.triangles.push_back({t[1], t[2], t[0]});
+        mesh.triangles.insert(mesh.triangles.begin(), {t[0], t[2], t[1]}); // outvoted, two to one
         const TriangleMesh clean = welded(mesh, kTolerance);
         QCOMPARE(clean.positions.size(), std::size_t{8});
         QCOMPARE(clean.triangles.size(), std::size_t{12});
         QVERIFY(isClosed(clean));
+    }
+
+    void dropsBothFacesOfAFold()
+    {
+        TriangleMesh mesh = cubeOfSquares();
+        mesh.positions.push_back({0.5F, 0.5F, 2.0F});
+        mesh.triangles.push_back({20, 22, 24}); // on the diagonal of the top
+        mesh.triangles.push_back({22, 20, 24});
+        const TriangleMesh clean = welded(mesh, kTolerance);
+        QCOMPARE(clean.positions.size(), std::size_t{8});
+        QCOMPARE(clean.triangles.size(), std::size_t{12});
+        QVERIFY(isClosed(clean));
+    }
+
+    void keepsOneSideOfATwoSidedSurface()
+    {
+        TriangleMesh mesh = cubeOfSquares();
+        for (std::size_t i = 0; i < 12; ++i) {
+            mesh.triangles.push_back(mesh.triangles[i]);
+            turn(mesh.triangles.back());
+        }
+        const TriangleMesh clean = welded(mesh, kTolerance);
+        QCOMPARE(clean.triangles.size(), std::size_t{12});
+        QVERIFY(std::abs(signedVolume(clean) - 1.0) < kVolumeTolerance);
     }
 
     void callsAnEmptyMeshOpen()

@@ -1,4 +1,5 @@
 #include "engine/geometry/mesh_repair.h"
+#include "engine/geometry/mesh_weld.h"
 #include "engine/geometry/mesh_winding.h"
 #include "tests/support/test_data.h"
 

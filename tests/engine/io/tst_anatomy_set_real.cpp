@@ -95,6 +95,13 @@ private Q_SLOTS:
             QVERIFY(std::abs(ml[side] - expected) < kVolumeTolerance * expected);
     }
 
+    void findsEverySurfaceOfBodyParts3dClosed() // as its SOURCE.txt says
+    {
+        for (const AnatomyPart& part : m_loaded->set.anatomy.parts)
+            if (part.role != PartRole::Diaphragm)
+                QVERIFY2(isClosed(part.levels[0]), part.name.c_str());
+    }
+
     void givesEveryPartNormalsAndFewerTriangles()
     {
         for (const AnatomyPart& part : m_loaded->set.anatomy.parts) {

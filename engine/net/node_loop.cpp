@@ -2,6 +2,8 @@
 
 #include "engine/core/monotonic_clock.h"
 
+#include <QNetworkProxy>
+
 #include <algorithm>
 #include <array>
 
@@ -27,6 +29,7 @@ PeerAddress loopbackAddress(std::uint16_t port)
 
 Result<std::uint16_t> NodeLoop::bind(std::uint16_t port)
 {
+    m_socket.setProxy(QNetworkProxy::NoProxy);
     if (!m_socket.bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress))
         return fail(Errc::AddressInUse, std::to_string(port));
     return m_socket.localPort();

@@ -23,6 +23,27 @@ std::string bodyName(SurfaceBody body)
     return {};
 }
 
+/// Views show what intubation is about: head, airway and lungs.
+bool isFramed(const PatientSurface& surface)
+{
+    if (surface.body == SurfaceBody::Tube)
+        return false;
+    switch (surface.description.role) {
+    case PartRole::Spine:
+    case PartRole::Rib:
+    case PartRole::Diaphragm:
+    case PartRole::Oesophagus:
+    case PartRole::Heart:
+    case PartRole::Vessel:
+    case PartRole::Muscle:
+    case PartRole::Skin:
+    case PartRole::Other:
+        return false;
+    default:
+        return true;
+    }
+}
+
 /// A clear tube with dark marks, a bluish cuff and a white connector, as they are sold.
 Appearance tubeAppearance(const std::string& piece)
 {
@@ -50,7 +71,7 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                          .color = look.color,
                          .channel = look.channel,
                          .body = bodyName(surface.body),
-                         .restsInPlace = surface.body == SurfaceBody::Mandible,
+                         .framed = isFramed(surface),
                          .levels = surface.levels});
     }
     return parts;

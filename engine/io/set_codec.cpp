@@ -15,7 +15,7 @@ namespace
 
 constexpr std::uint64_t kMagic = 0x5450414e49524143; // "CARINAPT"
 /// Raised when the layout changes, or what an import makes of the same files.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kHashBytes = 32;
 
 QByteArray hashOfPayload(std::span<const std::byte> payload)

@@ -129,7 +129,8 @@ Result<std::vector<AnatomyPart>> makeParts(std::vector<RecognisedSurface> surfac
     return parts;
 }
 
-void moveOrigin(Anatomy& anatomy, const Vec3& p_A_newOrigin)
+/// By value: the new origin is a landmark of the anatomy itself, which moves under way.
+void moveOrigin(Anatomy& anatomy, const Vec3 p_A_newOrigin)
 {
     for (AnatomyPart& part : anatomy.parts)
         for (TriangleMesh& level : part.levels)

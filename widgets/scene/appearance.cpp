@@ -60,7 +60,7 @@ Appearance appearanceOf(const AnatomyPart& part)
     case PartRole::LeftLung:
         return {MaterialGroup::Lung, {224, 156, 158}, channel};
     case PartRole::Diaphragm:
-        return {MaterialGroup::SoftTissue, {150, 84, 78}, channel};
+        return {MaterialGroup::Veil, {150, 84, 78}, channel};
     case PartRole::Mandible:
         return {MaterialGroup::Bone, {236, 224, 196}, channel};
     case PartRole::Tooth:
@@ -69,19 +69,19 @@ Appearance appearanceOf(const AnatomyPart& part)
     case PartRole::Spine:
         return {MaterialGroup::Bone, {214, 202, 176}, channel};
     case PartRole::Rib:
-        return {MaterialGroup::Cage, kIvory, channel};
+        return {MaterialGroup::Veil, kIvory, channel};
     case PartRole::Tongue:
         return {MaterialGroup::SoftTissue, {202, 112, 112}, channel};
     case PartRole::Pharynx:
         return {MaterialGroup::Airway, {216, 150, 138}, channel};
     case PartRole::Oesophagus:
-        return {MaterialGroup::SoftTissue, {186, 132, 104}, channel};
+        return {MaterialGroup::Veil, {186, 132, 104}, channel};
     case PartRole::Heart:
-        return {MaterialGroup::SoftTissue, {164, 68, 66}, channel};
+        return {MaterialGroup::Veil, {164, 68, 66}, channel};
     case PartRole::Vessel:
-        return {MaterialGroup::Vessel, vesselColor(part.name), channel};
+        return {MaterialGroup::Veil, vesselColor(part.name), channel};
     case PartRole::Muscle:
-        return {MaterialGroup::SoftTissue, {160, 82, 76}, channel};
+        return {MaterialGroup::Veil, {160, 82, 76}, channel};
     case PartRole::Skin:
         return {MaterialGroup::Skin, {222, 186, 164}, channel};
     case PartRole::Other:

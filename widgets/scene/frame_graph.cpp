@@ -122,7 +122,7 @@ void FrameGraph::addPicture(Qt3DRender::QCamera* camera)
         Qt3DRender::QRenderPassFilter* surfaces = passes(kSurfacePass, layer, view);
         if (layer == layerOf(MaterialGroup::Airway))
             states(surfaces, Depth::TestOnly, Cull::Front);
-        if (layer != layerOf(MaterialGroup::Cage))
+        if (layer != layerOf(MaterialGroup::Veil))
             states(surfaces, Depth::WriteOnly, Cull::Back);
         states(surfaces, Depth::TestOnly, Cull::Back);
     }

@@ -14,19 +14,18 @@ namespace carina
 {
 
 /// What a surface is made of, as far as it is drawn differently. Surfaces are drawn in this order.
-/// The first four are opaque; each later group is blended over what was drawn before. Surfaces are
+/// The first three are opaque; each later group is blended over what was drawn before. Surfaces are
 /// closed and face outward, or are seen into where they are not; tools are drawn from both sides.
 enum class MaterialGroup : std::uint8_t {
     Bone,
-    SoftTissue, ///< tongue, muscle, heart
-    Vessel,
-    Tool,   ///< tubes, blades, styluses
-    Airway, ///< larynx, trachea and bronchi: seen into
-    Lung,   ///< seen into
-    Cage,   ///< ribs and sternum: seen through
-    Skin,   ///< a faint outline
+    SoftTissue, ///< tongue, epiglottis, bronchial tree
+    Tool,       ///< tubes, blades, styluses
+    Airway,     ///< larynx, trachea and bronchi: seen into
+    Lung,       ///< seen into
+    Veil,       ///< what lies around the airway and lungs, as ribs, heart, muscles: seen through
+    Skin,       ///< a faint outline
 };
-inline constexpr int kMaterialGroups = 8;
+inline constexpr int kMaterialGroups = 7;
 
 /// The layers in which a scene is drawn: 0 holds all opaque groups, the others one group each.
 inline constexpr int kLayers = 5;
@@ -49,9 +48,8 @@ struct ScenePart {
     /// Empty for a part that is fixed in A, with meshes given in A; else the moving body that it is
     /// fixed to, such as "tube" or "jaw", with meshes given in that body's frame.
     std::string body;
-    /// Of a part of a moving body: the body's frame coincides with A at rest, so that presets frame
-    /// the part as they do the fixed ones.
-    bool restsInPlace = false;
+    /// Whether a view preset makes sure to show it whole. Not for a body that comes and goes.
+    bool framed = true;
 
     /// At least one level of detail, finest first, each with normals; without displacement where
     /// the channel is None. Shared with whoever works out volumes from the very same meshes.

@@ -22,18 +22,18 @@ constexpr std::chrono::milliseconds kTick{16};
 constexpr Duration kDrawingBudget = std::chrono::milliseconds{25}; ///< of one frame
 constexpr QColor kNight{18, 25, 31};
 
-/// What holds still and is worth framing; everything, where nothing holds still.
+/// What presets show whole; everything, where no part asks for it.
 Box boundsToFrame(std::span<const ScenePart> parts)
 {
-    Box fixed;
+    Box framed;
     Box all;
     for (const ScenePart& part : parts) {
         const Box bounds = boundsOf(part.levels.back()->rest);
         all.include(bounds);
-        if (part.body.empty() || part.restsInPlace)
-            fixed.include(bounds);
+        if (part.framed)
+            framed.include(bounds);
     }
-    return fixed.empty() ? all : fixed;
+    return framed.empty() ? all : framed;
 }
 
 } // namespace

@@ -120,6 +120,13 @@ private Q_SLOTS:
         QVERIFY(anatomy.landmarks.p_A_carina.norm() < 1e-9);
         QVERIFY(anatomy.landmarks.p_A_incisors.z() > anatomy.landmarks.p_A_glottis.z());
         QVERIFY(anatomy.landmarks.p_A_glottis.z() > 0.08);
+        // The path moved with the rest: it ends at the carina and passes by incisors and glottis.
+        constexpr double kOnPath = 2e-3; // metres: half the distance of its points, and smoothing
+        const auto& path = anatomy.landmarks.path_A;
+        QVERIFY(path.back().norm() < kOnPath);
+        for (const Vec3& p_A : {anatomy.landmarks.p_A_incisors, anatomy.landmarks.p_A_glottis})
+            QVERIFY(std::ranges::any_of(
+                path, [&](const Vec3& point) { return (point - p_A).norm() < kOnPath; }));
         for (const AnatomyPart& part : anatomy.parts) {
             const Box box = boundsOf(part.levels[0]);
             if (part.role == PartRole::Trachea)

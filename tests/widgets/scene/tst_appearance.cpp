@@ -67,7 +67,8 @@ void TestAppearance::showsTheTubeThroughWhatItGoesInto_data()
     for (const PartRole role :
          {PartRole::Trachea, PartRole::RightMainBronchus, PartRole::LeftMainBronchus,
           PartRole::Larynx, PartRole::Pharynx, PartRole::RightLung, PartRole::LeftLung,
-          PartRole::Rib, PartRole::Skin})
+          PartRole::Rib, PartRole::Heart, PartRole::Vessel, PartRole::Muscle, PartRole::Diaphragm,
+          PartRole::Skin})
         QTest::newRow(roleName(role)) << role;
 }
 
@@ -91,11 +92,10 @@ void TestAppearance::drawsOpaqueFirstAndSkinLast()
 {
     QCOMPARE(layerOf(MaterialGroup::Bone), 0);
     QCOMPARE(layerOf(MaterialGroup::SoftTissue), 0);
-    QCOMPARE(layerOf(MaterialGroup::Vessel), 0);
     QCOMPARE(layerOf(MaterialGroup::Tool), 0);
     QCOMPARE(layerOf(MaterialGroup::Airway), 1);
     QCOMPARE(layerOf(MaterialGroup::Lung), 2);
-    QCOMPARE(layerOf(MaterialGroup::Cage), 3);
+    QCOMPARE(layerOf(MaterialGroup::Veil), 3);
     QCOMPARE(layerOf(MaterialGroup::Skin), kLayers - 1);
 }
 

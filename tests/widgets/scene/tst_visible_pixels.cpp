@@ -65,7 +65,7 @@ void TestVisiblePixels::countsTheDiscOfASphere_data()
     QTest::newRow("opaque, large") << MaterialGroup::Tool << 0.4;
     QTest::newRow("airway") << MaterialGroup::Airway << 0.2;
     QTest::newRow("lung") << MaterialGroup::Lung << 0.2;
-    QTest::newRow("cage") << MaterialGroup::Cage << 0.2;
+    QTest::newRow("cage") << MaterialGroup::Veil << 0.2;
     QTest::newRow("skin") << MaterialGroup::Skin << 0.2;
 }
 

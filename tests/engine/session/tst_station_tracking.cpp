@@ -1,0 +1,178 @@
+#include "engine/session/station_tracking.h"
+
+#include "engine/geometry/rotation.h"
+
+#include <QTest>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kTolerance_m = 1e-12;
+constexpr double kTolerance_rad = 1e-12;
+
+SessionTime at(double seconds) { return SessionTime{fromSeconds(seconds)}; }
+
+/// A tracker whose samples a test pushes itself.
+class HandFedTracker final : public Tracker
+{
+public:
+    explicit HandFedTracker(bool& runs) : m_runs{runs} {}
+
+    Result<void> start() override
+    {
+        m_runs = true;
+        return {};
+    }
+    void stop() override { m_runs = false; }
+    std::vector<TrackedTool> tools() const override
+    {
+        return {{"tube", ToolRole::Tube, &tube}, {"jaw", ToolRole::Jaw, &jaw}};
+    }
+
+    mutable PoseHistory tube;
+    mutable PoseHistory jaw;
+
+private:
+    bool& m_runs;
+};
+
+/// A screw motion with known velocities: turns about z of T through the point c_T while it moves
+/// along z.
+struct Screw {
+    static constexpr double kTurn = 0.8;   ///< rad/s
+    static constexpr double kClimb = 0.05; ///< m/s
+    Vec3 c_T{0.1, 0.2, 0.0};
+
+    [[nodiscard]] RigidTransform X_TO(double t) const
+    {
+        const Quat turn = rotationFromVector(Vec3{0.0, 0.0, kTurn * t});
+        const Vec3 arm{0.3, 0.0, 0.0};
+        return {turn, c_T + turn * arm + Vec3{0.0, 0.0, kClimb * t}};
+    }
+    [[nodiscard]] Motion motion(double t) const
+    {
+        const Vec3 w{0.0, 0.0, kTurn};
+        return {.v_FO = w.cross(X_TO(t).translation() - c_T) + Vec3{0.0, 0.0, kClimb}, .w_FO = w};
+    }
+    [[nodiscard]] PoseSample sample(double t) const
+    {
+        PoseSample sample;
+        sample.time = at(t);
+        sample.X_FO = X_TO(t);
+        sample.motion = motion(t);
+        return sample;
+    }
+};
+
+const StationRegistration kRegistration{
+    .X_AT = {rotationFromVector(Vec3{0.4, -1.1, 0.7}), Vec3{-0.2, 0.5, 1.0}},
+    .X_JA = {rotationFromVector(Vec3{-0.3, 0.2, 0.1}), Vec3{0.02, 0.07, -0.04}}};
+
+bool same(const RigidTransform& a, const RigidTransform& b)
+{
+    return (a.translation() - b.translation()).norm() < kTolerance_m
+           && angleBetween(a.rotation(), b.rotation()).si < kTolerance_rad;
+}
+
+} // namespace
+
+class TestStationTracking : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        auto tracker = std::make_unique<HandFedTracker>(m_runs);
+        m_tracker = tracker.get();
+        m_station = std::make_unique<StationTracking>(std::move(tracker), kRegistration);
+    }
+
+    void tellsATubeInTheAnatomy()
+    {
+        m_tracker->tube.push(m_screw.sample(0.5));
+        const auto told = m_station->at(ToolRole::Tube, at(0.5));
+        QVERIFY(told.has_value());
+        QVERIFY(same(told->X_FO, kRegistration.X_AT * m_screw.X_TO(0.5)));
+        QVERIFY(told->validity == Validity::Tracked);
+        QVERIFY(told->time == at(0.5));
+    }
+
+    void tellsTheMandibleWithTheMouthClosedAtTheAnatomy()
+    {
+        // The chin probe stands where it stood when the mouth was closed: X_TJ = X_TA X_AJ.
+        PoseSample closed = m_screw.sample(0.0);
+        closed.X_FO = kRegistration.X_AT.inverse() * kRegistration.X_JA.inverse();
+        m_tracker->jaw.push(closed);
+        const auto told = m_station->at(ToolRole::Jaw, at(0.0));
+        QVERIFY(told.has_value());
+        QVERIFY(same(told->X_FO, RigidTransform{}));
+    }
+
+    void velocitiesAreThoseOfTheFramesTold_data()
+    {
+        QTest::addColumn<ToolRole>("role");
+        QTest::newRow("tube, its own frame") << ToolRole::Tube;
+        QTest::newRow("jaw, the mandible's frame") << ToolRole::Jaw;
+    }
+
+    void velocitiesAreThoseOfTheFramesTold()
+    {
+        QFETCH(ToolRole, role);
+        PoseHistory& history = role == ToolRole::Tube ? m_tracker->tube : m_tracker->jaw;
+        constexpr double kStep = 1e-4;
+        for (const double t : {1.0 - kStep, 1.0, 1.0 + kStep})
+            history.push(m_screw.sample(t));
+        const auto before = m_station->at(role, at(1.0 - kStep));
+        const auto now = m_station->at(role, at(1.0));
+        const auto after = m_station->at(role, at(1.0 + kStep));
+        QVERIFY(before && now && after && now->motion);
+        // Central differences of the poses told; their error is that of the third derivative.
+        const Vec3 v_A = (after->X_FO.translation() - before->X_FO.translation()) / (2.0 * kStep);
+        const Vec3 w_A =
+            rotationVector(after->X_FO.rotation() * before->X_FO.rotation().conjugate())
+            / (2.0 * kStep);
+        constexpr double kDifference = 1e-7; // m/s and rad/s
+        QVERIFY((now->motion->v_FO - v_A).norm() < kDifference);
+        QVERIFY((now->motion->w_FO - w_A).norm() < kDifference);
+    }
+
+    void newestIsTheLatestSampleWithItsMotion()
+    {
+        m_tracker->tube.push(m_screw.sample(1.0));
+        m_tracker->tube.push(m_screw.sample(1.1));
+        const auto newest = m_station->newest(ToolRole::Tube);
+        QVERIFY(newest.has_value());
+        QVERIFY(newest->time == at(1.1));
+        QVERIFY(newest->motion.has_value());
+    }
+
+    void saysNothingOfToolsNeverSeenOrNotThere()
+    {
+        QVERIFY(!m_station->at(ToolRole::Tube, at(0.0)).has_value());
+        QVERIFY(!m_station->newest(ToolRole::Tube).has_value());
+        QVERIFY(!m_station->at(ToolRole::Stylus, at(0.0)).has_value());
+        QVERIFY(!m_station->newest(ToolRole::Stylus).has_value());
+    }
+
+    void stopsItsTrackerWhenItGoes()
+    {
+        QVERIFY(m_station->start().has_value());
+        QVERIFY(m_runs);
+        m_station.reset();
+        QVERIFY(!m_runs);
+    }
+
+private:
+    bool m_runs = false;
+    Screw m_screw;
+    HandFedTracker* m_tracker = nullptr; ///< owned by the station
+    std::unique_ptr<StationTracking> m_station;
+};
+
+} // namespace carina
+
+QTEST_APPLESS_MAIN(carina::TestStationTracking)
+#include "tst_station_tracking.moc"

@@ -1,5 +1,7 @@
 #include "models/station_notice.h"
 
+#include "models/error_text.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -38,6 +40,8 @@ QString phaseNotice(SessionPhase phase)
 QString stationNotice(const SessionNode& node, StationId stationId, const std::string& anatomyHash,
                       const StationMoment& moment)
 {
+    if (const auto refusal = node.refusal())
+        return errorText(*refusal);
     if (!hostIsHere(node))
         return words(QT_TRANSLATE_NOOP("StationNotice", "Connecting to the instructor …"));
     const auto state = node.state();

@@ -10,8 +10,8 @@ namespace carina
 {
 
 /// The one thing a person at a station has to know now, as a translated line; empty when all is
-/// well. In order of weight: no host, session not running, another patient than the session's,
-/// tube out of the tracker's view.
+/// well. In order of weight: what the host refused, no host, session not running, another patient
+/// than the session's, tube out of the tracker's view.
 [[nodiscard]] QString stationNotice(const SessionNode& node, StationId station,
                                     const std::string& anatomyHash, const StationMoment& moment);
 

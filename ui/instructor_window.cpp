@@ -1,5 +1,6 @@
 #include "ui/instructor_window.h"
 
+#include "models/error_text.h"
 #include "ui_instructor_window.h"
 
 #include <QTimer>
@@ -119,7 +120,9 @@ void InstructorWindow::refreshStatus()
             : tr("No tube seen yet");
     const QString pictures =
         tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
-    m_status->setText(QStringLiteral("%1      %2").arg(age, pictures));
+    const auto refusal = m_session.node().refusal();
+    m_status->setText(refusal ? errorText(*refusal)
+                              : QStringLiteral("%1      %2").arg(age, pictures));
 }
 
 } // namespace carina

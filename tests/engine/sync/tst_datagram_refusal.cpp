@@ -151,6 +151,7 @@ private Q_SLOTS:
         row("times far apart", 0, 55, "00 00 00 80", "time");
         row("validity", 0, 16, "1e", "validity");
         row("unknown stream flag", 0, 16, "36", "stream flags");
+        row("first unknown stream flag", 0, 53, "20", "stream flags");
         row("last stream flag", 0, 16, "96", "stream flags");
         row("rotation's lowest code", 0, 22, "00 80", "rotation");
         row("rotation too long", 0, 22, "ff 7f", "rotation");

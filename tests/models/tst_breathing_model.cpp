@@ -1,5 +1,5 @@
 #include "models/breathing_model.h"
-#include "tests/support/fake_session_node.h"
+#include "tests/models/fake_session_node.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,5 +1,5 @@
 #include "models/participants_model.h"
-#include "tests/support/fake_session_node.h"
+#include "tests/models/fake_session_node.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>

@@ -71,7 +71,8 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
     if (output.startedAfresh)
         startAfresh();
     for (const FactRecord& record : output.facts)
-        apply(record, now);
+        if (!apply(record, now))
+            break;
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo);
     for (const RefusedProposal& refused : output.refused)
@@ -108,17 +109,19 @@ void ClientDriver::startAfresh()
     m_publications.forget();
 }
 
-void ClientDriver::apply(const FactRecord& record, LocalTime now)
+bool ClientDriver::apply(const FactRecord& record, LocalTime now)
 {
     const auto fact = fromRecord(record);
-    if (!fact) { // a host that stores what it cannot have judged: not to be followed
+    if (!fact) { // no host that judges has such a fact
         m_refusal = fact.error();
-        return m_core.leave(now);
+        m_core.leave(now);
+        return false;
     }
     m_state.apply(*fact);
     m_shownState.reset();
     if (const auto* shared = std::get_if<fact::ObjectShared>(&fact->body))
         share(shared->object, shared->owner);
+    return true;
 }
 
 void ClientDriver::share(ObjectId object, ParticipantId owner)

@@ -25,7 +25,8 @@ public:
 private:
     void sendOwnStreams(LocalTime now);
     void startAfresh();
-    void apply(const FactRecord& record, LocalTime now);
+    /// @returns false for a fact that nobody can follow; this node then leaves.
+    [[nodiscard]] bool apply(const FactRecord& record, LocalTime now);
     void share(ObjectId object, ParticipantId owner);
     [[nodiscard]] Datagrams addressed(std::vector<std::vector<std::byte>> datagrams) const;
     [[nodiscard]] NodeBoard::Link link(LocalTime now) const;

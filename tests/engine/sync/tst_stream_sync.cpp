@@ -134,7 +134,8 @@ private Q_SLOTS:
     {
         TubeWorld world;
         const auto connection = world.site(1).client->link().connection();
-        StreamGroup forged{world.site(0).client->self(), 1, StationId{}, {world.sample(1)}};
+        StreamGroup forged{world.site(0).client->self(), 1, StationId{}, {}};
+        forged.streams.push_back(world.sample(1));
         world.host().receive(world.site(1).address, datagram(connection, forged), world.hostTime());
         forged.owner = world.site(1).client->self();
         world.host().receive(world.site(1).address, datagram(connection, forged), world.hostTime());

@@ -52,7 +52,7 @@ void TraineeWindow::makeMenu()
     m_menu.addAction(tr("From the &head end"), this,
                      [this] { m_scene->showFrom(ViewPreset::Trainee); });
     m_menu.addSeparator();
-    m_menu.addAction(tr("&Full screen on or off"), this,
+    m_menu.addAction(tr("F&ull screen on or off"), this,
                      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     m_menu.addAction(tr("&Leave"), this, &QWidget::close);
 

@@ -32,6 +32,17 @@ public:
         case Errc::VolumeUnreachable:
             return tr(
                 "A lung cannot take on the volume asked for%1: choose a smaller tidal volume.");
+        case Errc::TooFewLandmarks:
+            return tr("There are too few landmarks%1: touch at least three.");
+        case Errc::DegenerateLandmarks:
+            return tr("These landmarks leave the registration open%1: choose landmarks far apart "
+                      "and not on one line, and touch them in their order.");
+        case Errc::TooFewPoses:
+            return tr("The stylus was not seen well enough to calibrate it%1: keep its tip in the "
+                      "divot and its markers in view.");
+        case Errc::NotEnoughMotion:
+            return tr("The stylus was turned too little%1: swing it to all sides with its tip in "
+                      "the divot.");
         case Errc::FileNotFound:
             return tr("There is no such file or folder%1: check its name and place.");
         case Errc::FileUnreadable:
@@ -57,9 +68,6 @@ public:
                       "on both.");
         case Errc::AddressInUse:
             return tr("Another program uses this port%1: close it or choose another port.");
-        case Errc::HostUnreachable:
-            return tr("The session host does not answer%1: check that the instructor's program "
-                      "runs and that the port is right.");
         case Errc::StoreFailed:
             return tr("The session could not be saved%1: check the free space, and that no other "
                       "program has it open.");

@@ -15,6 +15,12 @@ enum class Errc : std::uint8_t {
     MeshNotClosed,     ///< a surface that encloses no volume
     VolumeUnreachable, ///< no deformation of the mesh has the volume asked for
 
+    // Registration
+    TooFewLandmarks,     ///< fewer than a fit needs
+    DegenerateLandmarks, ///< at one place, on one line, or otherwise without one best fit
+    TooFewPoses,         ///< fewer poses of a stylus, or fewer that agree, than a calibration needs
+    NotEnoughMotion,     ///< the stylus was turned too little to know its tip
+
     // Files
     FileNotFound,      ///< no such file or folder
     FileUnreadable,    ///< it is there and cannot be read
@@ -29,7 +35,6 @@ enum class Errc : std::uint8_t {
     PacketMalformed, ///< bytes that are not a Carina datagram
     VersionMismatch, ///< the peer speaks another version of the protocol
     AddressInUse,    ///< the port is taken
-    HostUnreachable, ///< the session host does not answer
     StoreFailed,     ///< the fact log could not be written
     StoreCorrupt,    ///< the fact log could not be read back whole
     NotPermitted,    ///< the role may not do this

@@ -1,6 +1,9 @@
 #include "engine/io/mesh_codec.h"
 
+#include "engine/core/expects.h"
+
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <span>
@@ -13,6 +16,10 @@ namespace
 static_assert(std::endian::native == std::endian::little,
               "vertices are copied as they lie in memory");
 static_assert(sizeof(Vec3f) == 12 && sizeof(Triangle) == 12);
+
+/// Their places here are in files: add at the end.
+constexpr std::array kFileErrors{Errc::NotFinite, Errc::FileNotFound,  Errc::FileUnreadable,
+                                 Errc::FileEmpty, Errc::FileMalformed, Errc::UnknownFormat};
 
 template <class Item> void writeItems(ByteWriter& writer, const std::vector<Item>& items)
 {
@@ -68,6 +75,21 @@ TriangleMesh readMesh(ByteReader& reader)
     reader.require(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size(),
                    "a vertex has a normal");
     return mesh;
+}
+
+void writeFileError(ByteWriter& writer, const Error& error)
+{
+    const auto known = std::find(kFileErrors.begin(), kFileErrors.end(), error.code);
+    CARINA_EXPECTS(known != kFileErrors.end());
+    writer.number(static_cast<std::uint8_t>(known - kFileErrors.begin()));
+    writeText(writer, error.detail);
+}
+
+Error readFileError(ByteReader& reader)
+{
+    const auto place = reader.number<std::uint8_t>();
+    reader.require(place < kFileErrors.size(), "a known failure");
+    return {reader.ok() ? kFileErrors[place] : Errc::FileMalformed, readText(reader)};
 }
 
 } // namespace carina

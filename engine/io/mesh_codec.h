@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/result.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/sync/byte_buffer.h"
 
@@ -19,5 +20,11 @@ void writeText(ByteWriter& writer, std::string_view text);
 [[nodiscard]] std::string readText(ByteReader& reader);
 void writeMesh(ByteWriter& writer, const TriangleMesh& mesh);
 [[nodiscard]] TriangleMesh readMesh(ByteReader& reader);
+
+/// Why a file could not be read: what readMeshFile fails with, as a number of its own that does not
+/// change when Errc does.
+/// @pre the code is one of those.
+void writeFileError(ByteWriter& writer, const Error& error);
+[[nodiscard]] Error readFileError(ByteReader& reader);
 
 } // namespace carina

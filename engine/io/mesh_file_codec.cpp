@@ -2,19 +2,12 @@
 
 #include "engine/io/mesh_codec.h"
 
-#include <algorithm>
-#include <array>
-
 namespace carina
 {
 namespace
 {
 
 enum class Answer : std::uint8_t { Surfaces, Failure };
-
-/// What readMeshFile fails with.
-constexpr std::array kFailures{Errc::NotFinite, Errc::FileNotFound,  Errc::FileUnreadable,
-                               Errc::FileEmpty, Errc::FileMalformed, Errc::UnknownFormat};
 
 MeshFile readSurfaces(ByteReader& reader)
 {
@@ -39,8 +32,7 @@ std::vector<std::byte> encodeMeshFile(const Result<MeshFile>& file)
     ByteWriter writer{bytes};
     if (!file) {
         writer.number(static_cast<std::uint8_t>(Answer::Failure));
-        writer.number(static_cast<std::uint8_t>(file.error().code));
-        writeText(writer, file.error().detail);
+        writeFileError(writer, file.error());
         return bytes;
     }
     writer.number(static_cast<std::uint8_t>(Answer::Surfaces));
@@ -56,18 +48,15 @@ std::vector<std::byte> encodeMeshFile(const Result<MeshFile>& file)
     return bytes;
 }
 
-Result<MeshFile> decodeMeshFile(std::span<const std::byte> bytes)
+Result<Result<MeshFile>> decodeMeshFile(std::span<const std::byte> bytes)
 {
     ByteReader reader{bytes};
     const auto answer = static_cast<Answer>(reader.number<std::uint8_t>());
     reader.require(answer == Answer::Surfaces || answer == Answer::Failure, "a known answer");
     if (answer == Answer::Failure) {
-        const auto code = static_cast<Errc>(reader.number<std::uint8_t>());
-        reader.require(std::find(kFailures.begin(), kFailures.end(), code) != kFailures.end(),
-                       "a known failure");
-        std::string detail = readText(reader);
+        Error error = readFileError(reader);
         if (reader.ok())
-            return fail(code, std::move(detail));
+            return Result<MeshFile>{tl::unexpected(std::move(error))};
     }
     MeshFile file = readSurfaces(reader);
     reader.require(reader.remaining() == 0, "nothing follows");

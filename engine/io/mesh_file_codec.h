@@ -13,7 +13,8 @@ namespace carina
 /// What carina-surface-reader answers for one file: its surfaces, or why there are none.
 [[nodiscard]] std::vector<std::byte> encodeMeshFile(const Result<MeshFile>& file);
 
-/// The inverse. Bytes that encodeMeshFile cannot have written give FileMalformed.
-[[nodiscard]] Result<MeshFile> decodeMeshFile(std::span<const std::byte> bytes);
+/// The inverse.
+/// @returns FileMalformed for bytes that encodeMeshFile did not write.
+[[nodiscard]] Result<Result<MeshFile>> decodeMeshFile(std::span<const std::byte> bytes);
 
 } // namespace carina

@@ -82,15 +82,13 @@ AnatomyPart readPart(ByteReader& reader)
 void writeFault(ByteWriter& writer, const FileFault& fault)
 {
     writeText(writer, fault.file);
-    writer.number(static_cast<std::uint8_t>(fault.error.code));
-    writeText(writer, fault.error.detail);
+    writeFileError(writer, fault.error);
 }
 
 FileFault readFault(ByteReader& reader)
 {
     std::string file = readText(reader);
-    const auto code = static_cast<Errc>(reader.number<std::uint8_t>());
-    return {std::move(file), {code, readText(reader)}};
+    return {std::move(file), readFileError(reader)};
 }
 
 void writeFrame(ByteWriter& writer, const SetFrame& frame)

@@ -91,10 +91,11 @@ Result<MeshFile> SurfaceReader::read(const std::filesystem::path& file)
     if (const auto started = start(); !started)
         return aboutFile(file, started.error().code, started.error().detail);
     const auto answer = answerTo(file);
-    if (answer)
-        return decodeMeshFile(*answer);
+    auto read = answer ? decodeMeshFile(*answer) : tl::unexpected(answer.error());
+    if (read)
+        return std::move(*read);
     stop();
-    return aboutFile(file, answer.error().code, answer.error().detail);
+    return aboutFile(file, read.error().code, read.error().detail);
 }
 
 } // namespace carina

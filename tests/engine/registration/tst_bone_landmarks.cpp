@@ -1,0 +1,150 @@
+#include "engine/registration/bone_landmarks.h"
+
+#include "tests/support/test_data.h"
+
+#include <QTest>
+
+#include <fstream>
+#include <sstream>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kExact = 1e-8; // m, of single precision
+
+/// Bones by a few of their points each, in millimetres: a manubrium with a notch, ribs of which the
+/// left crosses the plane of its clavicle and the right ends before it.
+struct Thorax {
+    std::vector<std::pair<std::string, std::vector<Vec3f>>> surfaces{
+        {"Left clavicle", {{10, -60, 50}, {140, 0, 60}}},
+        {"Right clavicle", {{-10, -60, 50}, {-150, 0, 60}}},
+        {"Manubrium of sternum",
+         {{-28, -60, 45}, {30, -60, 45}, {0, -58, 34}, {2, -57, 35}, {5, -60, 39}, {0, -90, 0}}},
+        {"Body of sternum", {{0, -90, 0}, {0, -120, -100}}},
+        {"XIPHOID process", {{3, -124, -110}, {-1, -125, -124}}},
+        {"Left fifth costal cartilage", {{75, -200, -100}}},
+        {"Left fifth rib",
+         {{90, -150, -120}, {73, -110, -100}, {77, -116, -105}, {79, -118, -104}}},
+        {"Right fifth rib", {{-90, -100, -120}, {-85, -112, -104}, {-120, 0, 0}}}};
+
+    Thorax()
+    {
+        for (auto& [name, points] : surfaces)
+            for (Vec3f& p : points)
+                p *= 1e-3F;
+    }
+
+    [[nodiscard]] std::vector<Bone> bones() const
+    {
+        std::vector<Bone> bones;
+        for (const auto& [name, points] : surfaces)
+            bones.push_back({name, points});
+        return bones;
+    }
+};
+
+bool isAt(const Landmark& landmark, const Vec3& p_mm)
+{
+    return (landmark.p_AQ - 1e-3 * p_mm).norm() < kExact;
+}
+
+/// The vertices of an OBJ file, in metres.
+std::vector<Vec3f> verticesOf(const std::filesystem::path& file)
+{
+    std::vector<Vec3f> vertices;
+    std::ifstream input{file};
+    for (std::string line; std::getline(input, line);) {
+        std::istringstream words{line};
+        std::string key;
+        Vec3f p;
+        if (words >> key >> p.x() >> p.y() >> p.z() && key == "v")
+            vertices.push_back(1e-3F * p);
+    }
+    return vertices;
+}
+
+} // namespace
+
+class TestBoneLandmarks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void findsTheFourPlaces()
+    {
+        const Thorax thorax;
+        const auto catalogue = boneLandmarks(thorax.bones(), "abc");
+        QVERIFY(catalogue.has_value());
+        QCOMPARE(catalogue->anatomy, std::string{"abc"});
+        const auto& landmarks = catalogue->landmarks;
+        QCOMPARE(landmarks.size(), 4U);
+        QVERIFY(isAt(landmarks[0], {2, -57, 35}));     // not the shoulders beside the notch
+        QVERIFY(isAt(landmarks[1], {-1, -125, -124})); // its tip
+        QVERIFY(isAt(landmarks[2], {77, -116, -105})); // not further forward beside the plane
+        QVERIFY(isAt(landmarks[3], {-85, -112, -104}));
+    }
+
+    void namesThemAsTheProportionsDo()
+    {
+        const Thorax thorax;
+        const auto onBones = boneLandmarks(thorax.bones(), {});
+        const LandmarkCatalogue byHeight = ribCageCatalogue(metres(1.7), {});
+        QVERIFY(onBones.has_value());
+        QCOMPARE(onBones->name, byHeight.name);
+        for (std::size_t i = 0; i < 4; ++i)
+            QCOMPARE(onBones->landmarks[i].name, byHeight.landmarks[i].name);
+    }
+
+    void findsNothingWithoutOneOfTheBones_data()
+    {
+        QTest::addColumn<int>("missing");
+        for (const int bone : {0, 1, 2, 4, 6, 7})
+            QTest::newRow(Thorax{}.surfaces[std::size_t(bone)].first.c_str()) << bone;
+    }
+
+    void findsNothingWithoutOneOfTheBones()
+    {
+        QFETCH(int, missing);
+        Thorax thorax;
+        thorax.surfaces.erase(thorax.surfaces.begin() + missing);
+        QVERIFY(!boneLandmarks(thorax.bones(), {}));
+    }
+
+    void findsNothingOnAnEmptyBone()
+    {
+        Thorax thorax;
+        thorax.surfaces[4].second.clear();
+        QVERIFY(!boneLandmarks(thorax.bones(), {}));
+    }
+
+    /// A grown man's: the sternum is 15 to 18 cm long to the tip of its xiphoid process, and both
+    /// sides are alike to a few millimetres.
+    void findsThemOnARealMan()
+    {
+        const auto folder = test::testData("anatomy/bodyparts3d/thorax");
+        if (!folder)
+            QSKIP("anatomy/bodyparts3d is not there");
+        Thorax thorax;
+        thorax.surfaces = {{"Manubrium", verticesOf(*folder / "FJ3290.obj")},
+                           {"Xiphoid process", verticesOf(*folder / "FJ3153.obj")},
+                           {"Left fifth rib", verticesOf(*folder / "FJ3232.obj")},
+                           {"Right fifth rib", verticesOf(*folder / "FJ3342.obj")},
+                           {"Left clavicle", verticesOf(*folder / "FJ3237.obj")},
+                           {"Right clavicle", verticesOf(*folder / "FJ3362.obj")}};
+        const auto catalogue = boneLandmarks(thorax.bones(), {});
+        QVERIFY(catalogue.has_value());
+        const auto& q = catalogue->landmarks;
+        const double sternum = (q[0].p_AQ - q[1].p_AQ).norm();
+        QVERIFY(sternum > 0.15 && sternum < 0.18);
+        const Vec3 mirrored{-q[3].p_AQ.x(), q[3].p_AQ.y(), q[3].p_AQ.z()};
+        QVERIFY((q[2].p_AQ - mirrored).norm() < 0.006);
+        QVERIFY(q[2].p_AQ.x() > 0.07 && q[2].p_AQ.x() < 0.08);
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestBoneLandmarks)
+#include "tst_bone_landmarks.moc"

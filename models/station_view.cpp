@@ -20,16 +20,25 @@ ToolRole toolOf(ObjectKind kind)
     return ToolRole::Other;
 }
 
-/// The history of the first object of this kind at the station, or null.
+/// The history of the object of this kind at the station that was seen last, or null: of several
+/// trainees who came and went, the one who is at work.
 std::shared_ptr<const PoseHistory> sharedHistory(const SessionNode& node, StationId station,
                                                  ObjectKind kind)
 {
+    std::shared_ptr<const PoseHistory> latest;
+    SessionTime seen = SessionTime::min();
     const auto state = node.state();
-    for (const auto& [id, object] : state->objects())
-        if (object.station == station && object.kind == kind)
-            if (auto history = node.object(id))
-                return history;
-    return nullptr;
+    for (const auto& [id, object] : state->objects()) {
+        if (object.station != station || object.kind != kind)
+            continue;
+        const auto history = node.object(id);
+        const auto newest = history ? history->newest() : std::nullopt;
+        if (newest && newest->time > seen) {
+            seen = newest->time;
+            latest = history;
+        }
+    }
+    return latest;
 }
 
 } // namespace

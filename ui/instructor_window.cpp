@@ -68,6 +68,8 @@ void InstructorWindow::fillSessionBar()
     m_phase->setFont(bold);
     m_ui->sessionBar->addWidget(m_phase);
     m_ui->sessionBar->addActions({m_ui->start, m_ui->pause, m_ui->end});
+    for (QAction* action : {m_ui->start, m_ui->pause, m_ui->end})
+        m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
     connect(m_ui->start, &QAction::triggered, &m_session, &SessionModel::start);
     connect(m_ui->pause, &QAction::triggered, &m_session, &SessionModel::pause);
     connect(m_ui->end, &QAction::triggered, this, &InstructorWindow::endOnSecondPress);
@@ -104,6 +106,7 @@ void InstructorWindow::refresh()
                          .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
                               m_session.runningTimeText()));
     m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
+    m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
     m_ui->start->setEnabled(m_session.canStart());
     m_ui->pause->setEnabled(m_session.canPause());
     m_ui->end->setEnabled(m_session.canEnd());
@@ -120,9 +123,10 @@ void InstructorWindow::refreshStatus()
             : tr("No tube seen yet");
     const QString pictures =
         tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
+    const QString port = tr("Trainees join at port %1").arg(m_session.node().port());
     const auto refusal = m_session.node().refusal();
     m_status->setText(refusal ? errorText(*refusal)
-                              : QStringLiteral("%1      %2").arg(age, pictures));
+                              : QStringLiteral("%1      %2      %3").arg(age, pictures, port));
 }
 
 } // namespace carina

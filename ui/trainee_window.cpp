@@ -66,8 +66,10 @@ void TraineeWindow::makeMenu()
 
 void TraineeWindow::refreshNotice()
 {
-    m_notice->setText(stationNotice(m_node, m_station, m_stationScene.patient().contentHash(),
-                                    m_stationScene.moment()));
+    const QString notice = stationNotice(m_node, m_station, m_stationScene.patient().contentHash(),
+                                         m_stationScene.moment());
+    m_notice->setText(notice);
+    m_notice->setVisible(!notice.isEmpty());
 }
 
 } // namespace carina

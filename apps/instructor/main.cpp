@@ -41,20 +41,20 @@ void addOptions(QCommandLineParser& parser)
     viewer::addJournalOption(parser);
 }
 
-QString sessionFile(const QDir& folder)
+/// Each session has a file of its own, named by the time it began, and is never moved.
+QString newSessionFile(const QDir& folder)
 {
-    return folder.filePath(QStringLiteral("session.sqlite"));
+    const QString began =
+        QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-hhmmss-zzz"));
+    return folder.filePath(QStringLiteral("session-%1.sqlite").arg(began));
 }
 
-/// Moves the stored session out of the way of a new one, under the time at which that happened.
-Result<void> keepStoredSession(const QDir& folder)
+/// The session that began last; a new one where there is none.
+QString latestSessionFile(const QDir& folder)
 {
-    const QString kept = folder.filePath(
-        QStringLiteral("session-%1.sqlite")
-            .arg(QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-hhmmss-zzz"))));
-    if (QFile::exists(sessionFile(folder)) && !QFile::rename(sessionFile(folder), kept))
-        return fail(Errc::FileUnwritable, kept.toStdString());
-    return {};
+    const QStringList all =
+        folder.entryList({QStringLiteral("session-*.sqlite")}, QDir::Files, QDir::Name);
+    return all.isEmpty() ? newSessionFile(folder) : folder.filePath(all.last());
 }
 
 /// Tells a new session which patient lies at the station and how it breathes at rest.
@@ -86,9 +86,9 @@ int measure(InstructorWindow& window, SessionNode& node, BreathingModel& breathi
     return QApplication::exec();
 }
 
-Result<std::unique_ptr<SessionNode>> hostStored(const QDir& folder, std::uint16_t port)
+Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, std::uint16_t port)
 {
-    auto store = openFactStore(sessionFile(folder).toStdString());
+    auto store = openFactStore(file.toStdString());
     if (!store)
         return tl::unexpected(store.error());
     return SessionNode::host({.sessionName = words("Routine intubation").toStdString(),
@@ -114,15 +114,12 @@ Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parse
     if (!folder.mkpath(QStringLiteral(".")))
         return fail(Errc::FileUnwritable, folder.path().toStdString());
     if (parser.isSet(QStringLiteral("new")))
-        if (auto kept = keepStoredSession(folder); !kept)
-            return tl::unexpected(kept.error());
-    auto node = hostStored(folder, *port);
+        return hostFile(newSessionFile(folder), *port);
+    auto node = hostFile(latestSessionFile(folder), *port);
     if (!node || !hasEnded(**node))
         return node;
-    node->reset(); // closes the file
-    if (auto kept = keepStoredSession(folder); !kept)
-        return tl::unexpected(kept.error());
-    return hostStored(folder, *port);
+    node->reset(); // gives the port back
+    return hostFile(newSessionFile(folder), *port);
 }
 
 Result<int> run(const QCommandLineParser& parser)
@@ -162,11 +159,16 @@ Result<int> run(const QCommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    carina::prepareGraphics();
-    QApplication application{argc, argv};
-    carina::viewer::prepareProgram(application, QStringLiteral("carina-instructor"));
+    carina::viewer::nameProgram(QStringLiteral("carina-instructor"));
     QCommandLineParser parser;
     carina::addOptions(parser);
+    if (carina::viewer::asksForHelp(argc, argv)) {
+        const QCoreApplication application{argc, argv};
+        parser.process(application); // which ends here: help needs no display
+    }
+    carina::prepareGraphics();
+    QApplication application{argc, argv};
+    carina::viewer::prepareProgram(application);
     parser.process(application);
     const carina::Result<int> status = carina::run(parser);
     return status ? *status : carina::viewer::refuse(status.error());

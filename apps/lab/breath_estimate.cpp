@@ -44,16 +44,15 @@ std::optional<BreathEstimate> estimateBreathing(std::span<const VolumeSample> sa
     if (crossings.size() < 2 || most->volume_ml <= least->volume_ml)
         return std::nullopt;
 
-    double strokes_ml = 0.0;
-    for (std::size_t k = 0; k + 1 < crossings.size(); ++k) {
-        const auto breath =
-            samples.subspan(crossings[k].after, crossings[k + 1].after - crossings[k].after);
-        const auto [low, high] = std::minmax_element(breath.begin(), breath.end(), byVolume);
-        strokes_ml += high->volume_ml - low->volume_ml;
-    }
+    // Frames fall anywhere in a breath and miss its turning points by chance; over all breaths the
+    // least is missed.
+    const auto seen =
+        samples.subspan(crossings.front().after, crossings.back().after - crossings.front().after);
+    const auto [low, high] = std::minmax_element(seen.begin(), seen.end(), byVolume);
     const auto breaths = static_cast<int>(crossings.size()) - 1;
     const double lasted_s = crossings.back().time_s - crossings.front().time_s;
-    return BreathEstimate{hertz(breaths / lasted_s), millilitres(strokes_ml / breaths), breaths};
+    return BreathEstimate{hertz(breaths / lasted_s), millilitres(high->volume_ml - low->volume_ml),
+                          breaths};
 }
 
 } // namespace carina::lab

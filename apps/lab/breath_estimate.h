@@ -18,7 +18,7 @@ struct VolumeSample {
 /// Breathing as seen from outside: from volumes alone, knowing nothing of what was asked for.
 struct BreathEstimate {
     Frequency rate;     ///< from the first to the last upward crossing of the middle volume
-    Volume tidalVolume; ///< mean difference of each breath's largest and smallest volume
+    Volume tidalVolume; ///< largest less smallest volume over these breaths
     int breaths = 0;    ///< whole breaths between those crossings
 };
 

@@ -24,9 +24,11 @@ void addOptions(QCommandLineParser& parser)
     parser.addHelpOption();
     parser.addOption(
         {QStringLiteral("port"),
-         QApplication::translate("Trainee", "UDP port of the session on this computer."),
+         QApplication::translate("Trainee", "UDP port of the session on this computer; the "
+                                            "instructor's window shows it."),
          QStringLiteral("P")});
-    parser.addOption({QStringLiteral("name"),
+    // Not "name": Qt keeps that for itself.
+    parser.addOption({QStringLiteral("as"),
                       QApplication::translate("Trainee", "The trainee's name in the session."),
                       QStringLiteral("NAME"), QApplication::translate("Trainee", "Trainee")});
     parser.addOption({QStringLiteral("simulated-tracker"),
@@ -121,7 +123,7 @@ Result<int> run(const QCommandLineParser& parser)
     TrackedStation station;
     auto joined =
         SessionNode::join({.port = *port,
-                           .participantName = parser.value(QStringLiteral("name")).toStdString(),
+                           .participantName = parser.value(QStringLiteral("as")).toStdString(),
                            .role = Role::Trainee,
                            .station = kStation});
     if (!joined)
@@ -148,11 +150,16 @@ Result<int> run(const QCommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    carina::prepareGraphics();
-    QApplication application{argc, argv};
-    carina::viewer::prepareProgram(application, QStringLiteral("carina-trainee"));
+    carina::viewer::nameProgram(QStringLiteral("carina-trainee"));
     QCommandLineParser parser;
     carina::addOptions(parser);
+    if (carina::viewer::asksForHelp(argc, argv)) {
+        const QCoreApplication application{argc, argv};
+        parser.process(application); // which ends here: help needs no display
+    }
+    carina::prepareGraphics();
+    QApplication application{argc, argv};
+    carina::viewer::prepareProgram(application);
     parser.process(application);
     const carina::Result<int> status = carina::run(parser);
     return status ? *status : carina::viewer::refuse(status.error());

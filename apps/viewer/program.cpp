@@ -7,7 +7,9 @@
 #include <QLocale>
 #include <QTranslator>
 
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 namespace carina::viewer
 {
@@ -20,10 +22,21 @@ const QString kSize = QStringLiteral("size");
 
 } // namespace
 
-void prepareProgram(QApplication& application, const QString& name)
+bool asksForHelp(int argc, char** argv)
 {
-    QApplication::setApplicationName(name);
-    QApplication::setOrganizationName(QStringLiteral("carina"));
+    return std::any_of(argv + 1, argv + argc, [](std::string_view word) {
+        return word == "-h" || word == "--help" || word == "--help-all";
+    });
+}
+
+void nameProgram(const QString& name)
+{
+    QCoreApplication::setApplicationName(name);
+    QCoreApplication::setOrganizationName(QStringLiteral("carina"));
+}
+
+void prepareProgram(QApplication& application)
+{
     applyDarkTheme(application);
     auto* translator = new QTranslator{&application};
     if (translator->load(QLocale{}, QStringLiteral("carina"), QStringLiteral("_"),
@@ -62,8 +75,9 @@ Result<std::uint16_t> portOption(const QCommandLineParser& parser)
     bool right = false;
     const std::uint16_t port = parser.value(QStringLiteral("port")).toUShort(&right);
     if (!right)
-        return fail(Errc::OutOfRange,
-                    "--port " + parser.value(QStringLiteral("port")).toStdString());
+        return fail(Errc::OutOfRange, "--port needs a number from 0 to 65535, not '"
+                                          + parser.value(QStringLiteral("port")).toStdString()
+                                          + "'");
     return port;
 }
 

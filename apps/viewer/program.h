@@ -11,6 +11,9 @@ class QApplication;
 namespace carina::viewer
 {
 
+/// Whether the command line asks for help, which is given without a display.
+[[nodiscard]] bool asksForHelp(int argc, char** argv);
+
 /// How a program was asked to measure itself; nothing of it when a person uses it.
 struct MeasureOptions {
     QString folder; ///< empty: do not measure
@@ -18,8 +21,11 @@ struct MeasureOptions {
     QSize size{1280, 800};
 };
 
-/// Names, theme and translations that all programs with a window share.
-void prepareProgram(QApplication& application, const QString& name);
+/// The program's name, by which its folders are found. Before everything else.
+void nameProgram(const QString& name);
+
+/// Theme and translations that all programs with a window share.
+void prepareProgram(QApplication& application);
 
 /// Adds `--measure DIR`, `--seconds N` and `--size WxH`.
 void addMeasureOptions(QCommandLineParser& parser);

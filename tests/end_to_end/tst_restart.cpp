@@ -114,7 +114,7 @@ private Q_SLOTS:
         m_trainee = std::make_unique<Program>(
             QStringLiteral(CARINA_TRAINEE),
             common
-                + QStringList{QStringLiteral("--name"), QStringLiteral("Trainee"),
+                + QStringList{QStringLiteral("--as"), QStringLiteral("Trainee"),
                               QStringLiteral("--simulated-tracker")},
             m_folder->filePath(QStringLiteral("trainee.jsonl")));
         m_instructor->start({QStringLiteral("--start")});

@@ -8,8 +8,8 @@
 #include <array>
 #include <csignal>
 #include <random>
-#include <sched.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace carina
@@ -47,7 +47,7 @@ bool killAWriter(const std::filesystem::path& file, int writes, int yields)
     for (int i = 0; i <= writes && read(ends[0], &byte, 1) == 1;)
         ++i;
     for (int i = 0; i < yields; ++i)
-        sched_yield();
+        std::this_thread::yield();
     kill(writer, SIGKILL);
     int status = 0;
     const bool ended = waitpid(writer, &status, 0) == writer;

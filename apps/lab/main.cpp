@@ -1,6 +1,8 @@
 #include "apps/lab/anatomy_command.h"
 #include "apps/lab/breathe_command.h"
 #include "apps/lab/command.h"
+#include "apps/lab/fit_command.h"
+#include "apps/lab/pivot_command.h"
 #include "apps/lab/summary_command.h"
 #include "apps/lab/track_command.h"
 
@@ -11,8 +13,8 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(), breatheCommand(), summaryCommand(),
-                                trackCommand()};
+    static const std::array all{anatomyCommand(), breatheCommand(), fitCommand(),
+                                pivotCommand(),   summaryCommand(), trackCommand()};
     return all;
 }
 

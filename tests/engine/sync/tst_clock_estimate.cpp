@@ -167,9 +167,10 @@ private Q_SLOTS:
     {
         ClockEstimate clock = setAt(at(0ms), kOffset, 1ms);
         clock.reacquire();
-        for (int i = 0; i < 5; ++i)
-            clock.addProbe(probe(at(1s + i * 50ms), 20ms, 20ms, kOffset + 3ms, 0ms));
-        QCOMPARE(clock.mapping()->toGo(at(1s + 240ms)), Duration{3ms});
+        clock.addProbe(probe(at(1s), 20ms, 20ms, kOffset + 3ms, 0ms));
+        for (int i = 1; i < 5; ++i)
+            clock.addProbe(probe(at(1s + i * 100ms), 40ms, 40ms, kOffset + 9ms, 0ms));
+        QCOMPARE(clock.mapping()->toGo(at(1s + 480ms)), Duration{3ms});
     }
 
     void extremeTimesDoNotOverflow()

@@ -130,6 +130,25 @@ private Q_SLOTS:
         QCOMPARE(world.site(1).streams.size(), std::size_t{1});
     }
 
+    void hostKeepsItsBeat()
+    {
+        TubeWorld world;
+        world.host().share(ObjectId{2}, ParticipantId{0});
+        world.site(1).client->share(ObjectId{2}, ParticipantId{0});
+        const auto publish = [&](std::uint16_t sequence) {
+            StreamSample sample{ParticipantId{0}, 1, StationId{}, world.sample(sequence)};
+            sample.cpo.object = ObjectId{2};
+            world.host().publish(sample, world.hostTime());
+        };
+        publish(1);
+        world.run(1ms);
+        publish(2); // waits for the next beat
+        world.run(kCalm.delay + 2ms);
+        QCOMPARE(world.site(1).streams.size(), std::size_t{1});
+        world.run(StreamTick::kPeriod);
+        QCOMPARE(world.site(1).streams.size(), std::size_t{2});
+    }
+
     void nobodyMovesAnothersObject()
     {
         TubeWorld world;

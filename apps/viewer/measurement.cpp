@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 namespace carina::viewer
 {
@@ -19,7 +18,7 @@ namespace
 {
 
 constexpr double kInPlace_m = 0.006;
-constexpr int kRest_ms = 1000; ///< from the tube's arrival to the picture
+constexpr Duration kRest = std::chrono::seconds{1}; ///< in place before the picture
 
 LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
 {
@@ -63,10 +62,19 @@ Measurement::Measurement(QWidget& window, StationScene& scene) : m_window{window
         if (moment.time == SessionTime{})
             return; // not in a session yet
         m_frames.push_back(logged(drawn, moment));
-        const bool inPlace = isInPlace(m_frames.back(), m_scene.patient().tube());
-        // Taken after the frame: reading the picture back draws again.
-        if (std::exchange(m_inPlace, inPlace) != inPlace && inPlace)
-            QTimer::singleShot(kRest_ms, &m_window, [this] { takePicture(); });
+        if (!isInPlace(m_frames.back(), m_scene.patient().tube())) {
+            m_inPlaceSince.reset();
+            return;
+        }
+        if (!m_inPlaceSince) {
+            m_inPlaceSince = drawn.asked;
+            m_pictureDue = true;
+        }
+        if (m_pictureDue && drawn.asked - *m_inPlaceSince >= kRest) {
+            m_pictureDue = false;
+            // After this frame: reading the picture back draws again.
+            QTimer::singleShot(0, &m_window, [this] { takePicture(); });
+        }
     });
 }
 

@@ -8,12 +8,14 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <optional>
+
 namespace carina::viewer
 {
 
 /// What a program measured of itself while people, or a script, used it: its frames as drawn, the
-/// lung volumes of the vertices drawn, and, taken when the tube lies in place, a picture of its
-/// window and the visible pixels of each part. Read by `carina-lab summary`.
+/// lung volumes of the vertices drawn, and, taken when the tube has lain in place for a second, a
+/// picture of its window and the visible pixels of each part. Read by `carina-lab summary`.
 class Measurement
 {
 public:
@@ -33,7 +35,8 @@ private:
     QWidget& m_window;
     StationScene& m_scene;
     std::vector<LoggedFrame> m_frames;
-    bool m_inPlace = false; ///< the tube, in the latest frame
+    std::optional<LocalTime> m_inPlaceSince; ///< the tube, without a break until the latest frame
+    bool m_pictureDue = false;               ///< of this stay in place
     QPixmap m_picture;
     QJsonObject m_visiblePixels; ///< when the picture was taken
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/display/display_geometry.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/registration/landmark_catalogue.h"
 
@@ -45,16 +46,6 @@ struct SiteRegistration {
     std::optional<RigidTransform> X_JM{};
     double rms = 0.0; ///< FRE, metres
     std::vector<LandmarkResidual> residuals{};
-};
-
-/// The display before the eyes, in the head frame H, metres. The screen lies parallel to the x and
-/// y axes of H.
-struct DisplayGeometry {
-    Vec3 p_HDl = Vec3::Zero(); ///< left eye
-    Vec3 p_HDr = Vec3::Zero(); ///< right eye
-    Vec3 p_HQ_screenCentre = Vec3::Zero();
-    double screenWidth = 0.0;
-    double screenHeight = 0.0;
 };
 
 /// All that is known of a site: its tracker, stylus, manikin and display.

@@ -1,0 +1,91 @@
+#include "engine/display/eye_picture.h"
+
+#include <QTest>
+
+using namespace carina;
+
+Q_DECLARE_METATYPE(carina::Frustum)
+Q_DECLARE_METATYPE(carina::WindowPart)
+Q_DECLARE_METATYPE(carina::PixelRect)
+
+namespace
+{
+
+const Frustum kFourByThree{-0.1, 0.3, -0.2, 0.1}; // not about the line of sight
+const Frustum kTwoByOne{-1.0, 1.0, -0.5, 0.5};
+
+} // namespace
+
+class TestEyePicture : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void takesTheNearestPixels_data();
+    void takesTheNearestPixels();
+    void fillsOneSideAndIsCentred_data();
+    void fillsOneSideAndIsCentred();
+};
+
+void TestEyePicture::takesTheNearestPixels_data()
+{
+    QTest::addColumn<WindowPart>("part");
+    QTest::addColumn<int>("width");
+    QTest::addColumn<int>("height");
+    QTest::addColumn<PixelRect>("pixels");
+    QTest::newRow("all") << WindowPart{} << 1280 << 800 << PixelRect{0, 0, 1280, 800};
+    QTest::newRow("left half") << WindowPart{0.0, 0.0, 0.5, 1.0} << 1280 << 800
+                               << PixelRect{0, 0, 640, 800};
+    QTest::newRow("right half") << WindowPart{0.5, 0.0, 0.5, 1.0} << 1280 << 800
+                                << PixelRect{640, 0, 640, 800};
+    QTest::newRow("left half of an odd width")
+        << WindowPart{0.0, 0.0, 0.5, 1.0} << 1001 << 10 << PixelRect{0, 0, 501, 10};
+    QTest::newRow("right half of an odd width")
+        << WindowPart{0.5, 0.0, 0.5, 1.0} << 1001 << 10 << PixelRect{501, 0, 500, 10};
+    QTest::newRow("lower quarter")
+        << WindowPart{0.25, 0.75, 0.5, 0.25} << 100 << 200 << PixelRect{25, 150, 50, 50};
+    QTest::newRow("one pixel") << WindowPart{} << 1 << 1 << PixelRect{0, 0, 1, 1};
+}
+
+void TestEyePicture::takesTheNearestPixels()
+{
+    QFETCH(WindowPart, part);
+    QFETCH(int, width);
+    QFETCH(int, height);
+    QFETCH(PixelRect, pixels);
+    QCOMPARE(pixelsOf(part, width, height), pixels);
+}
+
+void TestEyePicture::fillsOneSideAndIsCentred_data()
+{
+    QTest::addColumn<Frustum>("frustum");
+    QTest::addColumn<PixelRect>("area");
+    QTest::addColumn<PixelRect>("picture");
+    QTest::newRow("of the same shape")
+        << kFourByThree << PixelRect{0, 0, 640, 480} << PixelRect{0, 0, 640, 480};
+    QTest::newRow("too high") << kFourByThree << PixelRect{0, 0, 640, 800}
+                              << PixelRect{0, 160, 640, 480};
+    QTest::newRow("too high, the right half")
+        << kFourByThree << PixelRect{640, 0, 640, 800} << PixelRect{640, 160, 640, 480};
+    QTest::newRow("too wide") << kFourByThree << PixelRect{0, 0, 1280, 800}
+                              << PixelRect{106, 0, 1067, 800};
+    QTest::newRow("too wide, lower down")
+        << kTwoByOne << PixelRect{10, 20, 300, 100} << PixelRect{60, 20, 200, 100};
+    QTest::newRow("a wide picture in a narrow area")
+        << kTwoByOne << PixelRect{0, 0, 3, 100} << PixelRect{0, 49, 3, 2};
+    QTest::newRow("a pixel at least") << Frustum{-1000.0, 1000.0, -1.0, 1.0}
+                                      << PixelRect{0, 0, 100, 99} << PixelRect{0, 49, 100, 1};
+    QTest::newRow("a pixel wide at least") << Frustum{-1.0, 1.0, -1000.0, 1000.0}
+                                           << PixelRect{0, 0, 99, 100} << PixelRect{49, 0, 1, 100};
+}
+
+void TestEyePicture::fillsOneSideAndIsCentred()
+{
+    QFETCH(Frustum, frustum);
+    QFETCH(PixelRect, area);
+    QFETCH(PixelRect, picture);
+    QCOMPARE(letterboxed(frustum, area), picture);
+}
+
+QTEST_GUILESS_MAIN(TestEyePicture)
+#include "tst_eye_picture.moc"

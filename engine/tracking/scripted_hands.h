@@ -74,9 +74,9 @@ private:
     std::vector<Waypoint> m_waypoints;
 };
 
-/// X_TA of a patient who lies so that a tracker 1.1 m to the left of and above a point between the
-/// incisors and the intubator's eyes looks at that point: with a tube of common size all four tools
-/// stay inside its working volume.
+/// X_TA of a patient who lies so that a tracker 1.25 m to the left of and above a point before the
+/// face looks at that point: all four tools stay inside its working volume with a tube of common
+/// size, and so does a stylus that touches the rib cage.
 [[nodiscard]] RigidTransform patientBeforeTracker(const Vec3& p_A_incisors);
 
 } // namespace carina

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/geometry/triangle_mesh.h"
+#include "models/patient_model.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// Where a patient's surfaces are, at rest and with the mouth closed.
+class SurfaceFinder
+{
+public:
+    /// A surface, and how far away it is.
+    struct Found {
+        std::string name;
+        double distance = 0.0; ///< metres
+    };
+
+    /// @pre patient outlives this.
+    explicit SurfaceFinder(const PatientModel& patient);
+
+    /// The surface nearest to a point; nothing for a patient without surfaces.
+    [[nodiscard]] std::optional<Found> nearest(const Vec3& p_AQ) const;
+
+    /// The first surface along a ray, its distance in metres; nothing where the ray meets none.
+    [[nodiscard]] std::optional<Found> along(const Vec3& p_A_eye, const Vec3& dir_A) const;
+
+private:
+    struct Surface {
+        const std::string* name;
+        const TriangleMesh* mesh;
+        Box bounds;
+    };
+
+    std::vector<Surface> m_surfaces;
+};
+
+} // namespace carina

@@ -90,6 +90,13 @@ CameraPose OrbitCamera::pose() const
     return withPlanes(pose);
 }
 
+Vec3 OrbitCamera::directionThrough(double right, double upward) const
+{
+    const double height = 2.0 * std::tan(kVerticalFieldOfView / 2.0);
+    const Vec3 rightward = up().cross(backward());
+    return (height * (right * rightward + upward * up()) - backward()).normalized();
+}
+
 CameraPose OrbitCamera::poseOf(const RigidTransform& X_AD) const
 {
     CameraPose pose;

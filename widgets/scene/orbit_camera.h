@@ -49,6 +49,9 @@ public:
     void zoom(double factor);
 
     [[nodiscard]] CameraPose pose() const;
+    /// The way from the eye through a point of the picture, of length 1: right and up of the centre
+    /// in parts of the picture's height.
+    [[nodiscard]] Vec3 directionThrough(double right, double up) const;
     /// A camera in an eye D instead (+x right, +y up, along -z), with planes for the same bounds.
     [[nodiscard]] CameraPose poseOf(const RigidTransform& X_AD) const;
 

@@ -53,6 +53,7 @@ SceneView::SceneView(QWidget* parent)
     setBackground(kNight);
     connect(m_window, &SceneWindow::tabbed, this,
             [this](bool forward) { focusNextPrevChild(forward); });
+    connect(m_window, &SceneWindow::clicked, this, &SceneView::sendRay);
     connect(&m_tick, &QTimer::timeout, this, &SceneView::drawFrame);
     m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.start(kTick);
@@ -94,6 +95,15 @@ std::map<std::uint16_t, std::size_t> SceneView::visiblePixels()
     if (m_window->isExposed())
         m_renderer->countPixels(pixels);
     return pixels;
+}
+
+void SceneView::sendRay(const QPointF& position)
+{
+    const double height = std::max(1, m_window->height());
+    const OrbitCamera& camera = m_window->camera();
+    Q_EMIT clicked(camera.pose().p_A_eye,
+                   camera.directionThrough((position.x() - 0.5 * m_window->width()) / height,
+                                           0.5 - position.y() / height));
 }
 
 void SceneView::drawFrame()

@@ -69,8 +69,14 @@ public:
     /// are seen through and hide nothing. Zero for all while the view cannot be seen.
     [[nodiscard]] std::map<std::uint16_t, std::size_t> visiblePixels();
 
+Q_SIGNALS:
+    /// A place in the picture was clicked: the ray from the eye of the view's own camera through
+    /// it, in A, the direction of length 1.
+    void clicked(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
+
 private:
     void drawFrame();
+    void sendRay(const QPointF& position);
 
     SceneWindow* m_window; ///< owned by its container, a child of this
     std::unique_ptr<SceneRenderer> m_renderer;

@@ -1,7 +1,9 @@
 #include "widgets/scene/scene_window.h"
 
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QStyleHints>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
@@ -48,13 +50,22 @@ void SceneWindow::resizeEvent(QResizeEvent* event)
 void SceneWindow::mousePressEvent(QMouseEvent* event)
 {
     requestActivate();
-    m_lastDrag = event->position();
+    m_pressed = m_lastDrag = event->position();
+    m_dragged = false;
+}
+
+void SceneWindow::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !m_dragged)
+        Q_EMIT clicked(event->position());
 }
 
 void SceneWindow::mouseMoveEvent(QMouseEvent* event)
 {
     if (!m_interactive || event->buttons() == Qt::NoButton)
         return;
+    const int farthest = QGuiApplication::styleHints()->startDragDistance();
+    m_dragged = m_dragged || (event->position() - m_pressed).manhattanLength() >= farthest;
     const QPointF moved = (event->position() - m_lastDrag) / std::max(1, height());
     m_lastDrag = event->position();
     const bool moves = event->modifiers().testFlag(Qt::ShiftModifier)

@@ -29,11 +29,14 @@ public:
 Q_SIGNALS:
     /// The person wants to leave the view for the next (or previous) control.
     void tabbed(bool forward);
+    /// The left button was pressed and let go at one place.
+    void clicked(const QPointF& position);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -43,7 +46,9 @@ private:
 
     OrbitCamera m_camera;
     ViewPreset m_preset = ViewPreset::Front;
+    QPointF m_pressed;
     QPointF m_lastDrag;
+    bool m_dragged = false; ///< since the button was pressed
     bool m_interactive = true;
 };
 

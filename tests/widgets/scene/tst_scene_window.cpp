@@ -48,6 +48,8 @@ private Q_SLOTS:
     void turnsByDragging();
     void movesByDragging_data();
     void movesByDragging();
+    void tellsAClickFromADrag_data();
+    void tellsAClickFromADrag();
     void comesNearerByTheWheel();
     void obeysKeys_data();
     void obeysKeys();
@@ -103,6 +105,29 @@ void TestSceneWindow::movesByDragging()
     drag(*m_window, button, keys, QPoint(40, 20));
     QVERIFY(target().x() < -0.001 && target().z() > 0.001);
     QVERIFY((eye() - before - target()).norm() < kTolerance);
+}
+
+void TestSceneWindow::tellsAClickFromADrag_data()
+{
+    QTest::addColumn<Qt::MouseButton>("button");
+    QTest::addColumn<QPoint>("by");
+    QTest::addColumn<bool>("isClick");
+    QTest::newRow("left button at one place") << Qt::LeftButton << QPoint(0, 0) << true;
+    QTest::newRow("an unsteady finger") << Qt::LeftButton << QPoint(1, 1) << true;
+    QTest::newRow("a drag") << Qt::LeftButton << QPoint(40, 20) << false;
+    QTest::newRow("right button") << Qt::RightButton << QPoint(0, 0) << false;
+}
+
+void TestSceneWindow::tellsAClickFromADrag()
+{
+    QFETCH(Qt::MouseButton, button);
+    QFETCH(QPoint, by);
+    QFETCH(bool, isClick);
+    QSignalSpy clicks(m_window.get(), &SceneWindow::clicked);
+    drag(*m_window, button, {}, by);
+    QCOMPARE(clicks.count(), isClick ? 1 : 0);
+    if (isClick)
+        QCOMPARE(clicks[0][0].toPointF(), QPointF(QPoint(200, 200) + by));
 }
 
 void TestSceneWindow::comesNearerByTheWheel()

@@ -209,6 +209,7 @@ void RegistrationModel::undo()
     if (m_past.empty() || !save(m_past.back()))
         return;
     m_past.pop_back();
+    m_stylus.cancelSwing();
     m_chosen.reset();
     m_stylus.forgetHold();
     Q_EMIT changed();

@@ -102,6 +102,8 @@ public:
     [[nodiscard]] bool canUndo() const { return !m_past.empty(); }
 
 public Q_SLOTS:
+    /// Takes in what the tracker saw since the last look; happens by itself 30 times a second.
+    void look();
     void enter(carina::SiteStep step);
     void useTracker();
     /// Begins to collect poses of the stylus, its tip in a divot; ends by itself.
@@ -125,7 +127,6 @@ Q_SIGNALS:
     void touched();
 
 private:
-    void look();
     void takeSwing(const std::vector<RigidTransform>& X_TS);
     void takeTouch(const DwellPoint& point);
     [[nodiscard]] std::optional<StylusOnAnatomy> foundStylus() const;

@@ -77,7 +77,7 @@ Result<void> watchHands(TrackedStation& station, const PatientModel& patient)
                                      [node = station.node.get()] { return node->now(); });
     if (!tracking)
         return tl::unexpected(tracking.error());
-    station.tracking = std::move(*tracking);
+    station.tracking = std::move(tracking->tracking);
     if (auto started = station.tracking->start(); !started)
         return started;
     publish(*station.node, *station.tracking);

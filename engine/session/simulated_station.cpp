@@ -5,8 +5,9 @@
 namespace carina
 {
 
-Result<std::unique_ptr<StationTracking>>
-simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock)
+Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube,
+                                          ReadSessionClock clock,
+                                          const std::optional<StationRegistration>& registration)
 {
     const RigidTransform X_TA = patientBeforeTracker(airway.p_A_incisors);
     auto hands = ScriptedHands::make({.X_TA = X_TA,
@@ -17,11 +18,14 @@ simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessi
                                       .restAboveCarina = tube.tipAboveCarina});
     if (!hands)
         return tl::unexpected(hands.error());
-    const RigidTransform X_JA = hands->closedJaw().inverse();
-    auto tracker = std::make_unique<SimulatedTracker>(SimulatedTrackerSettings{}, std::move(*hands),
-                                                      std::move(clock));
-    return std::make_unique<StationTracking>(
-        std::move(tracker), StationRegistration{.X_AT = X_TA.inverse(), .X_JA = X_JA});
+    const StationRegistration exactly{.X_AT = X_TA.inverse(), .X_JA = hands->closedJaw().inverse()};
+    auto tracker =
+        std::make_unique<SimulatedTracker>(SimulatedTrackerSettings{}, *hands, std::move(clock));
+    return SimulatedStation{.tracking = std::make_unique<StationTracking>(
+                                std::move(tracker), registration.value_or(exactly)),
+                            .X_TA = X_TA,
+                            .exactly = exactly,
+                            .truth = std::move(*hands)};
 }
 
 } // namespace carina

@@ -9,10 +9,18 @@ namespace carina
 {
 
 /// A station without hardware: the simulated tracker watches a scripted pair of hands that brings
-/// the tube into this patient again and again. It is registered exactly.
-///
+/// the tube into this patient again and again.
+struct SimulatedStation {
+    std::unique_ptr<StationTracking> tracking;
+    RigidTransform X_TA;         ///< where the manikin truly lies
+    StationRegistration exactly; ///< the registration without any error
+    TrueToolPose truth;          ///< X_T<tool> of the hands, whatever the tracker measures
+};
+
+/// @param registration of the manikin; without one it is registered exactly
 /// @returns what ScriptedHands::make refuses of this airway.
-[[nodiscard]] Result<std::unique_ptr<StationTracking>>
-simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock);
+[[nodiscard]] Result<SimulatedStation>
+simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
+                 const std::optional<StationRegistration>& registration = {});
 
 } // namespace carina

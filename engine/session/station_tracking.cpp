@@ -9,24 +9,57 @@ namespace carina
 
 StationTracking::StationTracking(std::unique_ptr<Tracker> tracker,
                                  const StationRegistration& registration)
-    : m_tracker{std::move(tracker)}, m_tools{m_tracker->tools()}, m_registration{registration}
+    : m_tracker{std::move(tracker)}, m_tools{m_tracker->tools()}, m_assumption{registration}
 {
 }
 
 Result<void> StationTracking::start() { return m_tracker->start(); }
 
+StationTracking::Assumption StationTracking::assumed() const
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_assumption;
+}
+
+bool StationTracking::hasChinProbe() const
+{
+    return historyOf(ToolRole::Jaw) && assumed().registration.X_JA;
+}
+
+ChinMotion StationTracking::chinMotion() const { return assumed().chin; }
+
+bool StationTracking::takeChinMotion(ChinMotion motion)
+{
+    if (!hasChinProbe())
+        return false;
+    const auto X_TJ = historyOf(ToolRole::Jaw)->newest();
+    const std::scoped_lock lock{m_mutex};
+    if (m_assumption.chin == ChinMotion::OfManikin && motion == ChinMotion::OfJaw && X_TJ)
+        m_assumption.registration.X_AT = (X_TJ->X_FO * *m_assumption.registration.X_JA).inverse();
+    m_assumption.chin = motion;
+    return true;
+}
+
 std::optional<PoseSample> StationTracking::at(ToolRole role, SessionTime t) const
 {
     const PoseHistory* history = historyOf(role);
-    return history ? told(role, history->at(t)) : std::nullopt;
-}
-
-std::optional<PoseSample> StationTracking::told(ToolRole role, std::optional<PoseSample> X_TO) const
-{
+    const auto X_TO = history ? history->at(t) : std::nullopt;
     if (!X_TO)
         return std::nullopt;
-    const PoseSample sample_A = reframed(m_registration.X_AT, *X_TO);
-    return role == ToolRole::Jaw ? attached(sample_A, m_registration.X_JA) : sample_A;
+    const auto [registration, chin] = assumed();
+    if (chin == ChinMotion::OfManikin) {
+        const auto X_TJ = historyOf(ToolRole::Jaw)->at(t);
+        if (!X_TJ)
+            return std::nullopt;
+        const PoseSample sample_A =
+            reframed(registration.X_JA->inverse(), seenFrom(*X_TJ, *X_TO));
+        return role == ToolRole::Jaw ? attached(sample_A, *registration.X_JA) : sample_A;
+    }
+    const PoseSample sample_A = reframed(registration.X_AT, *X_TO);
+    if (role != ToolRole::Jaw)
+        return sample_A;
+    return registration.X_JA ? std::optional{attached(sample_A, *registration.X_JA)}
+                             : std::nullopt;
 }
 
 std::optional<PoseSample> StationTracking::newest(ToolRole role) const

@@ -4,6 +4,7 @@
 #include "engine/tracking/tracker.h"
 
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace carina
@@ -11,14 +12,30 @@ namespace carina
 
 /// How a station's tracker stands to its patient.
 struct StationRegistration {
-    RigidTransform X_AT; ///< the tracker in the anatomy
-    RigidTransform X_JA; ///< the anatomy in the chin probe, with the mouth closed
+    RigidTransform X_AT; ///< the tracker in the anatomy, while the manikin lies where it lay
+    /// The anatomy in the chin probe, with the mouth closed; none for a manikin without a probe.
+    std::optional<RigidTransform> X_JA{};
+};
+
+/// What a motion of the chin probe is taken for. One probe cannot tell both.
+enum class ChinMotion : std::uint8_t {
+    OfJaw,     ///< the manikin lies still and the mouth opens
+    OfManikin, ///< the mouth is closed and the manikin is moved
 };
 
 /// The tools of one station's tracker, told in the frame A of its patient.
 ///
-/// The pose told of the jaw is that of the mandible: the frame fixed to it that coincides with A
-/// while the mouth is closed, X_AT * X_TJ * X_JA. All others are those of the tool's own frame.
+/// While the chin's motion is the jaw's, the manikin stays where it was:
+///
+///     X_AO = X_AT * X_TO        the pose told of the jaw is that of the mandible, the frame fixed
+///                               to it that coincides with A while the mouth is closed:
+///                               X_AT * X_TJ * X_JA
+///
+/// While it is the manikin's, the manikin goes with the probe:
+///
+///     X_AO = X_AJ * X_JT * X_TO with the mandible in its place
+///
+/// All calls may come from any thread.
 class StationTracking
 {
 public:
@@ -32,20 +49,33 @@ public:
     /// started.
     void stop() { m_tracker->stop(); }
 
+    /// Takes the chin's motions for this from now on. When they are the jaw's again, the manikin
+    /// stays where the probe was seen last.
+    /// @returns false for a station without a chin probe, which stays as it is.
+    bool takeChinMotion(ChinMotion motion);
+    [[nodiscard]] ChinMotion chinMotion() const;
+    [[nodiscard]] bool hasChinProbe() const;
+
     /// X_A<tool> at a time, as PoseHistory::at answers it; nothing for a tool the tracker lacks.
+    /// A tool is lost while the chin probe is that should tell where the manikin is.
     [[nodiscard]] std::optional<PoseSample> at(ToolRole role, SessionTime t) const;
 
     /// The newest sample X_A<tool>, with the motion that would carry it on.
     [[nodiscard]] std::optional<PoseSample> newest(ToolRole role) const;
 
 private:
-    [[nodiscard]] std::optional<PoseSample> told(ToolRole role,
-                                                 std::optional<PoseSample> X_TO) const;
+    struct Assumption {
+        StationRegistration registration;
+        ChinMotion chin = ChinMotion::OfJaw;
+    };
+
+    [[nodiscard]] Assumption assumed() const;
     [[nodiscard]] const PoseHistory* historyOf(ToolRole role) const;
 
     std::unique_ptr<Tracker> m_tracker;
     std::vector<TrackedTool> m_tools;
-    StationRegistration m_registration;
+    mutable std::mutex m_mutex;
+    Assumption m_assumption;
 };
 
 } // namespace carina

@@ -2,6 +2,9 @@
 
 #include "engine/tracking/pose_sample.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace carina
 {
 
@@ -27,6 +30,29 @@ namespace carina
     }
     sample.X_FO = sample.X_FO * X_OP;
     return sample;
+}
+
+/// An object O seen from another object J, both measured in F at the same time:
+/// X_JO = X_FJ^-1 * X_FO, with the velocity of O as J sees it,
+///
+///     v_JO = R_JF (v_FO - v_FJ - w_FJ x (p_FO - p_FJ))        w_JO = R_JF (w_FO - w_FJ)
+///
+/// where both have a motion. It is as valid as the worse of the two, and as uncertain as both.
+[[nodiscard]] inline PoseSample seenFrom(const PoseSample& X_FJ, PoseSample X_FO)
+{
+    const RigidTransform X_JF = X_FJ.X_FO.inverse();
+    if (X_FO.motion && X_FJ.motion) {
+        const Vec3 arm_F = X_FO.X_FO.translation() - X_FJ.X_FO.translation();
+        const Motion& of_J = *X_FJ.motion;
+        X_FO.motion->v_FO -= of_J.v_FO + of_J.w_FO.cross(arm_F);
+        X_FO.motion->w_FO -= of_J.w_FO;
+    } else {
+        X_FO.motion.reset();
+    }
+    X_FO.validity = std::max(X_FO.validity, X_FJ.validity);
+    X_FO.how = std::max(X_FO.how, X_FJ.how);
+    X_FO.error = std::hypot(X_FO.error, X_FJ.error);
+    return reframed(X_JF, X_FO);
 }
 
 } // namespace carina

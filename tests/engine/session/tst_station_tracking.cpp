@@ -1,6 +1,7 @@
 #include "engine/session/station_tracking.h"
 
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/reframed.h"
 
 #include <QTest>
 
@@ -68,7 +69,7 @@ struct Screw {
 
 const StationRegistration kRegistration{
     .X_AT = {rotationFromVector(Vec3{0.4, -1.1, 0.7}), Vec3{-0.2, 0.5, 1.0}},
-    .X_JA = {rotationFromVector(Vec3{-0.3, 0.2, 0.1}), Vec3{0.02, 0.07, -0.04}}};
+    .X_JA = RigidTransform{rotationFromVector(Vec3{-0.3, 0.2, 0.1}), Vec3{0.02, 0.07, -0.04}}};
 
 bool same(const RigidTransform& a, const RigidTransform& b)
 {
@@ -104,7 +105,7 @@ private Q_SLOTS:
     {
         // The chin probe stands where it stood when the mouth was closed: X_TJ = X_TA X_AJ.
         PoseSample closed = m_screw.sample(0.0);
-        closed.X_FO = kRegistration.X_AT.inverse() * kRegistration.X_JA.inverse();
+        closed.X_FO = kRegistration.X_AT.inverse() * kRegistration.X_JA->inverse();
         m_tracker->jaw.push(closed);
         const auto told = m_station->at(ToolRole::Jaw, at(0.0));
         QVERIFY(told.has_value());
@@ -137,6 +138,99 @@ private Q_SLOTS:
         constexpr double kDifference = 1e-7; // m/s and rad/s
         QVERIFY((now->motion->v_FO - v_A).norm() < kDifference);
         QVERIFY((now->motion->w_FO - w_A).norm() < kDifference);
+    }
+
+    /// The manikin is carried about with its chin probe, the tube in it: nothing moves in A.
+    void followsAManikinThatIsMoved()
+    {
+        QVERIFY(m_station->hasChinProbe());
+        QVERIFY(m_station->chinMotion() == ChinMotion::OfJaw);
+        QVERIFY(m_station->takeChinMotion(ChinMotion::OfManikin));
+        QVERIFY(m_station->chinMotion() == ChinMotion::OfManikin);
+        const RigidTransform X_AE{rotationFromVector({0.2, 0.1, 0.0}), {0.0, -0.1, 0.2}};
+        const RigidTransform X_JE = *kRegistration.X_JA * X_AE;
+        for (const double t : {0.0, 0.05, 0.1}) {
+            const PoseSample X_TJ = m_screw.sample(t);
+            m_tracker->jaw.push(X_TJ);
+            m_tracker->tube.push(attached(X_TJ, X_JE));
+            const auto tube = m_station->at(ToolRole::Tube, at(t));
+            QVERIFY(tube && same(tube->X_FO, X_AE));
+            QVERIFY(tube->motion->v_FO.norm() < kTolerance_m);
+            QVERIFY(tube->motion->w_FO.norm() < kTolerance_rad);
+            const auto jaw = m_station->at(ToolRole::Jaw, at(t));
+            QVERIFY(jaw && same(jaw->X_FO, RigidTransform{})); // the mouth is closed
+        }
+    }
+
+    void seesATubeMoveInAManikinThatIsMoved()
+    {
+        m_station->takeChinMotion(ChinMotion::OfManikin);
+        constexpr double kStep = 1e-4;
+        const Screw tube{.c_T = {-0.3, 0.4, 0.1}};
+        for (const double t : {1.0 - kStep, 1.0, 1.0 + kStep}) {
+            PoseSample turning = m_screw.sample(t);
+            turning.X_FO = m_screw.X_TO(2.0 * t); // twice as fast as the tube
+            turning.motion = Motion{.v_FO = 2.0 * m_screw.motion(2.0 * t).v_FO,
+                                    .w_FO = 2.0 * m_screw.motion(2.0 * t).w_FO};
+            m_tracker->jaw.push(turning);
+            m_tracker->tube.push(tube.sample(t));
+        }
+        const auto told = [&](double t) { return *m_station->at(ToolRole::Tube, at(t)); };
+        const RigidTransform before = told(1.0 - kStep).X_FO;
+        const RigidTransform after = told(1.0 + kStep).X_FO;
+        const Vec3 v_A = (after.translation() - before.translation()) / (2.0 * kStep);
+        const Vec3 w_A =
+            rotationVector(after.rotation() * before.rotation().conjugate()) / (2.0 * kStep);
+        constexpr double kDifference = 1e-7; // m/s and rad/s
+        QVERIFY((told(1.0).motion->v_FO - v_A).norm() < kDifference);
+        QVERIFY((told(1.0).motion->w_FO - w_A).norm() < kDifference);
+        QVERIFY(v_A.norm() > 0.1);
+    }
+
+    void leavesAManikinWhereItWasMovedTo()
+    {
+        m_station->takeChinMotion(ChinMotion::OfManikin);
+        m_tracker->jaw.push(m_screw.sample(1.0));
+        QVERIFY(m_station->takeChinMotion(ChinMotion::OfJaw));
+        const RigidTransform X_TA = m_screw.X_TO(1.0) * *kRegistration.X_JA;
+        m_tracker->tube.push(m_screw.sample(1.1));
+        QVERIFY(
+            same(m_station->at(ToolRole::Tube, at(1.1))->X_FO, X_TA.inverse() * m_screw.X_TO(1.1)));
+        m_tracker->jaw.push(m_screw.sample(1.1)); // the mouth opens
+        QVERIFY(same(m_station->at(ToolRole::Jaw, at(1.1))->X_FO,
+                     X_TA.inverse() * m_screw.X_TO(1.1) * *kRegistration.X_JA));
+        m_station->takeChinMotion(ChinMotion::OfJaw); // already so: nothing moves
+        QVERIFY(
+            same(m_station->at(ToolRole::Tube, at(1.1))->X_FO, X_TA.inverse() * m_screw.X_TO(1.1)));
+    }
+
+    void losesEverythingWithTheProbeThatCarriesTheManikin()
+    {
+        m_station->takeChinMotion(ChinMotion::OfManikin);
+        m_tracker->tube.push(m_screw.sample(1.0));
+        QVERIFY(!m_station->at(ToolRole::Tube, at(1.0)).has_value()); // never seen
+        PoseSample hidden = m_screw.sample(1.0);
+        hidden.validity = Validity::Lost;
+        hidden.error = 3e-4;
+        m_tracker->jaw.push(hidden);
+        QVERIFY(m_station->at(ToolRole::Tube, at(1.0))->validity == Validity::Lost);
+        PoseSample tube = m_screw.sample(1.0);
+        tube.error = 4e-4;
+        m_tracker->tube.push(tube);
+        QVERIFY(std::abs(m_station->at(ToolRole::Tube, at(1.0))->error - 5e-4) < 1e-15);
+    }
+
+    void knowsNoJawWithoutAChinProbe()
+    {
+        auto tracker = std::make_unique<HandFedTracker>(m_runs);
+        tracker->jaw.push(m_screw.sample(1.0));
+        tracker->tube.push(m_screw.sample(1.0));
+        StationTracking station{std::move(tracker), {.X_AT = kRegistration.X_AT}};
+        QVERIFY(!station.hasChinProbe());
+        QVERIFY(!station.takeChinMotion(ChinMotion::OfManikin));
+        QVERIFY(station.chinMotion() == ChinMotion::OfJaw);
+        QVERIFY(!station.at(ToolRole::Jaw, at(1.0)).has_value());
+        QVERIFY(station.at(ToolRole::Tube, at(1.0)).has_value());
     }
 
     void newestIsTheLatestSampleWithItsMotion()

@@ -15,7 +15,8 @@ namespace carina
 
 /// One frame as it was drawn: what went to the screen, and when.
 struct LoggedFrame {
-    LocalTime local{}; ///< CLOCK_MONOTONIC when the frame was begun; one clock for all on a machine
+    /// CLOCK_MONOTONIC when the frame was expected to be lit; one clock for all on a machine.
+    LocalTime local{};
     SessionTime session{};              ///< the session time that was drawn
     int level = 0;                      ///< level of detail of the lungs
     std::array<float, 2> amplitude{};   ///< of the right and the left lung, as given to the shader

@@ -13,6 +13,11 @@ namespace
 
 QString words(const char* text) { return QCoreApplication::translate("StationNotice", text); }
 
+bool isLost(const std::optional<PoseSample>& sample)
+{
+    return !sample || sample->validity == Validity::Lost;
+}
+
 bool hostIsHere(const SessionNode& node)
 {
     const auto links = node.links();
@@ -38,7 +43,7 @@ QString phaseNotice(SessionPhase phase)
 } // namespace
 
 QString stationNotice(const SessionNode& node, StationId stationId, const std::string& anatomyHash,
-                      const StationMoment& moment)
+                      const StationMoment& moment, ViewOutput output)
 {
     if (const auto refusal = node.refusal())
         return errorText(*refusal);
@@ -55,7 +60,9 @@ QString stationNotice(const SessionNode& node, StationId stationId, const std::s
                                        "The session's patient is “%1”, which is not on this "
                                        "computer; another is shown"))
             .arg(QString::fromStdString(station->second.anatomyName));
-    if (!moment.tube || moment.tube->validity == Validity::Lost)
+    if (output != ViewOutput::Screen && isLost(moment.head))
+        return words(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
+    if (isLost(moment.tube))
         return words(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
     return {};
 }

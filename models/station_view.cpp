@@ -72,25 +72,29 @@ StationView::StationView(const SessionNode& node, StationId station, const LungP
 {
 }
 
-StationMoment StationView::now(std::size_t level) const
+StationMoment StationView::at(SessionTime t, std::size_t level) const
 {
-    const std::optional<SessionTime> time = m_node.now();
-    if (!time)
-        return {};
     StationMoment moment;
-    moment.time = *time;
+    moment.time = t;
     const auto state = m_node.state();
     const auto station = state->stations().find(m_station);
     if (station != state->stations().end()) {
-        const Volume inspired = station->second.breathing.inspiredAt(*time);
+        const Volume inspired = station->second.breathing.inspiredAt(t);
         // A volume that these lungs cannot take is drawn as rest rather than as a torn surface.
         moment.amplitudes = m_lungs.amplitudes(inspired, level).value_or(LungAmplitudes{});
     }
-    moment.tube = m_poses.at(ObjectKind::Tube, *time);
-    moment.jaw = m_poses.at(ObjectKind::Jaw, *time);
+    moment.tube = m_poses.at(ObjectKind::Tube, t);
+    moment.jaw = m_poses.at(ObjectKind::Jaw, t);
+    moment.head = m_poses.at(ObjectKind::Head, t);
     if (const auto newest = m_poses.newest(ObjectKind::Tube))
-        moment.sampleAge = *time - *newest;
+        moment.sampleAge = t - *newest;
     return moment;
+}
+
+StationMoment StationView::litAt(LocalTime lit, std::size_t level) const
+{
+    const std::optional<SessionTime> time = m_node.sessionTime(lit);
+    return time ? at(*time, level) : StationMoment{};
 }
 
 } // namespace carina

@@ -30,7 +30,8 @@ struct StationMoment {
     LungAmplitudes amplitudes;
     std::optional<PoseSample> tube;    ///< X_AE; nothing while never seen
     std::optional<PoseSample> jaw;     ///< X_AJ
-    std::optional<Duration> sampleAge; ///< of the newest sample of the tube
+    std::optional<PoseSample> head;    ///< X_AH
+    std::optional<Duration> sampleAge; ///< of the newest sample of the tube, at that time
 };
 
 /// One station as a viewer draws it: a pure function of the facts, the poses and a time.
@@ -41,9 +42,12 @@ public:
     StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                 ObjectPoses poses);
 
-    /// The station now, with amplitudes for one level of detail; before the session clock is set,
-    /// the patient at rest and no objects.
-    [[nodiscard]] StationMoment now(std::size_t level) const;
+    /// The station at a time, with amplitudes for one level of detail.
+    [[nodiscard]] StationMoment at(SessionTime t, std::size_t level) const;
+
+    /// The station when a frame is lit, told on this machine's clock; before the session clock is
+    /// set, the patient at rest and no objects.
+    [[nodiscard]] StationMoment litAt(LocalTime lit, std::size_t level) const;
 
 private:
     const SessionNode& m_node;

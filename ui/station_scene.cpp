@@ -10,10 +10,19 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
     : m_scene{scene}, m_patient{patient}, m_view{view}
 {
     m_scene.setParts(sceneParts(m_patient));
-    m_scene.setFrameSource([this](int level) {
-        m_moment = m_view.now(static_cast<std::size_t>(level));
-        return sceneFrame(m_moment);
+    m_scene.setFrameSource([this](int level, LocalTime lit) {
+        m_moment = m_view.litAt(lit, static_cast<std::size_t>(level));
+        SceneFrame frame = sceneFrame(m_moment);
+        if (m_headset)
+            frame.eyes = m_headset->eyes(m_output, m_moment.head);
+        return frame;
     });
+}
+
+void StationScene::showTo(const HeadsetView& headset, ViewOutput output)
+{
+    m_headset = headset;
+    m_output = output;
 }
 
 void StationScene::onFrameDrawn(Listener listener)

@@ -1,18 +1,20 @@
 #pragma once
 
+#include "models/headset_view.h"
 #include "models/patient_model.h"
 #include "models/station_view.h"
 #include "widgets/scene/scene_frame.h"
 
 #include <functional>
+#include <optional>
 
 namespace carina
 {
 
 class SceneView;
 
-/// Ties a scene to a station: gives it the patient's surfaces once and the station's moment before
-/// each frame.
+/// Ties a scene to a station: gives it the patient's surfaces once and, before each frame, the
+/// station's moment at the time that the frame will be lit.
 class StationScene
 {
 public:
@@ -21,6 +23,10 @@ public:
 
     /// @pre all outlive this.
     StationScene(SceneView& scene, const PatientModel& patient, const StationView& view);
+
+    /// Shows it to the eyes of a headset, or on a screen again.
+    void showTo(const HeadsetView& headset, ViewOutput output);
+    [[nodiscard]] ViewOutput output() const { return m_output; }
 
     [[nodiscard]] SceneView& scene() const { return m_scene; }
     [[nodiscard]] const PatientModel& patient() const { return m_patient; }
@@ -33,6 +39,8 @@ private:
     SceneView& m_scene;
     const PatientModel& m_patient;
     const StationView& m_view;
+    std::optional<HeadsetView> m_headset;
+    ViewOutput m_output = ViewOutput::Screen;
     StationMoment m_moment;
 };
 

@@ -3,7 +3,7 @@
 #include "models/station_notice.h"
 #include "widgets/scene/scene_view.h"
 
-#include <QAction>
+#include <QActionGroup>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -13,15 +13,18 @@ namespace
 {
 
 constexpr int kNoticeInterval_ms = 200;
+constexpr int kNoticeMargin = 4; // pixels
 
 } // namespace
 
 TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
-                             const PatientModel& patient, const StationView& view)
+                             const PatientModel& patient, const StationView& view,
+                             const HeadsetView& headset, ViewOutput output)
     : m_node{node},
       m_station{station},
       m_scene{new SceneView{this}},
-      m_notice{new QLabel{this}},
+      m_notices{new QLabel{this}, new QLabel{this}},
+      m_headset{headset},
       m_stationScene{*m_scene, patient, view}
 {
     setWindowTitle(tr("Carina trainee"));
@@ -29,28 +32,29 @@ TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
     setAutoFillBackground(true);
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_scene, 1);
-    column->addWidget(m_notice);
-    m_notice->setAlignment(Qt::AlignCenter);
-    m_notice->setMargin(4);
+    column->addWidget(m_scene);
+    for (QLabel* notice : m_notices) {
+        notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
+        notice->setAlignment(Qt::AlignCenter);
+        notice->setAutoFillBackground(true);
+        notice->setMargin(kNoticeMargin);
+        notice->setWordWrap(true);
+    }
 
     m_scene->setAccessibleName(tr("Patient, three-dimensional view"));
     m_scene->setBackground(Qt::black);
+    showTo(output);
     makeMenu();
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &TraineeWindow::refreshNotice);
     timer->start(kNoticeInterval_ms);
-    refreshNotice();
 }
 
 void TraineeWindow::makeMenu()
 {
-    m_menu.addAction(tr("From the &front"), this, [this] { m_scene->showFrom(ViewPreset::Front); });
-    m_menu.addAction(tr("From the &right side"), this,
-                     [this] { m_scene->showFrom(ViewPreset::Right); });
-    m_menu.addAction(tr("From the &head end"), this,
-                     [this] { m_scene->showFrom(ViewPreset::Trainee); });
+    addOutputs();
+    m_menu.addSeparator();
+    addPresets();
     m_menu.addSeparator();
     m_menu.addAction(tr("F&ull screen on or off"), this,
                      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
@@ -64,12 +68,71 @@ void TraineeWindow::makeMenu()
     addAction(open);
 }
 
+void TraineeWindow::addOutputs()
+{
+    auto* outputs = new QActionGroup{this};
+    const auto add = [this, outputs](ViewOutput output, const QString& text) {
+        QAction* action = m_menu.addAction(text, this, [this, output] { showTo(output); });
+        action->setCheckable(true);
+        action->setChecked(output == m_stationScene.output());
+        outputs->addAction(action);
+    };
+    add(ViewOutput::Screen, tr("On a &screen"));
+    add(ViewOutput::Mono, tr("In a headset, &one picture"));
+    add(ViewOutput::SideBySide, tr("In a headset, &two pictures side by side"));
+}
+
+void TraineeWindow::addPresets()
+{
+    const auto add = [this](ViewPreset preset, const QString& text) {
+        m_presets.push_back(
+            m_menu.addAction(text, this, [this, preset] { m_scene->showFrom(preset); }));
+        m_presets.back()->setEnabled(m_stationScene.output() == ViewOutput::Screen);
+    };
+    add(ViewPreset::Front, tr("From the &front"));
+    add(ViewPreset::Right, tr("From the &right side"));
+    add(ViewPreset::Trainee, tr("From the &head end"));
+}
+
+void TraineeWindow::showTo(ViewOutput output)
+{
+    m_stationScene.showTo(m_headset, output);
+    for (QAction* preset : m_presets)
+        preset->setEnabled(output == ViewOutput::Screen);
+    refreshNotice();
+}
+
+void TraineeWindow::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    refreshNotice();
+}
+
 void TraineeWindow::refreshNotice()
 {
+    const ViewOutput output = m_stationScene.output();
     const QString notice = stationNotice(m_node, m_station, m_stationScene.patient().contentHash(),
-                                         m_stationScene.moment());
-    m_notice->setText(notice);
-    m_notice->setVisible(!notice.isEmpty());
+                                         m_stationScene.moment(), output);
+    const bool twice = output == ViewOutput::SideBySide;
+    const int width = twice ? this->width() / 2 : this->width();
+    placeNotice(0, notice, {0, 0, width, height()});
+    placeNotice(1, twice ? notice : QString{}, {width, 0, width, height()});
+}
+
+void TraineeWindow::placeNotice(std::size_t place, const QString& notice, const QRect& within)
+{
+    QLabel& label = *m_notices[place];
+    label.setVisible(!notice.isEmpty());
+    if (notice.isEmpty())
+        return;
+    const QMargins margins{kNoticeMargin, kNoticeMargin, kNoticeMargin, kNoticeMargin};
+    QRect needed = label.fontMetrics().boundingRect(within - margins,
+                                                    Qt::AlignCenter | Qt::TextWordWrap, notice)
+                   + margins;
+    needed.moveBottom(within.bottom());
+    label.setText(notice);
+    label.setGeometry(needed);
+    label.raise();
 }
 
 } // namespace carina

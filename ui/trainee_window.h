@@ -6,11 +6,15 @@
 #include <QMenu>
 #include <QWidget>
 
+#include <array>
+#include <vector>
+
 namespace carina
 {
 
-/// What a trainee sees: the anatomy over black and nothing else. What has to be known appears in
-/// one line at the lower edge and leaves by itself; Esc opens a menu.
+/// What a trainee sees: the anatomy over black and nothing else, on a screen or before the eyes.
+/// What has to be known appears over its lower edge, to each eye that has a picture of its own, and
+/// leaves by itself; the picture stays where it is meanwhile. Esc opens a menu.
 class TraineeWindow : public QWidget
 {
     Q_OBJECT
@@ -18,20 +22,29 @@ class TraineeWindow : public QWidget
 public:
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, StationId station, const PatientModel& patient,
-                  const StationView& view);
+                  const StationView& view, const HeadsetView& headset, ViewOutput output);
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void makeMenu();
+    void addOutputs();
+    void addPresets();
+    void showTo(ViewOutput output);
     void refreshNotice();
+    void placeNotice(std::size_t place, const QString& notice, const QRect& within);
 
     const SessionNode& m_node;
     StationId m_station;
     SceneView* m_scene;
-    QLabel* m_notice;
+    std::array<QLabel*, 2> m_notices; ///< all the window, or its left half; and its right half
+    HeadsetView m_headset;
     StationScene m_stationScene;
     QMenu m_menu;
+    std::vector<QAction*> m_presets; ///< of the screen's camera
 };
 
 } // namespace carina

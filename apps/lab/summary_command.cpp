@@ -124,7 +124,7 @@ constexpr std::string_view kSummaryHelp = R"(summary DIR
                              time from which on they held
       instructor, trainee    per program: screenshot, anatomy, triangles and level (of detail) drawn,
                              frames, frames_per_second, tracker_sample_age (median_ms and p95_ms of
-                             the newest tube sample's age when a frame was drawn), visible_pixels
+                             the newest tube sample's age when a frame is lit), visible_pixels
                              (per part, from an id pass), drawn (breathing_rate_per_min,
                              tidal_volume_ml and breaths, estimated from the volumes of the vertices
                              drawn)

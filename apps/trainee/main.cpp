@@ -35,6 +35,10 @@ void addOptions(QCommandLineParser& parser)
                       QApplication::translate("Trainee", "Use a simulated tracker and a scripted "
                                                          "pair of hands; without it this program "
                                                          "only watches.")});
+    parser.addOption({QStringLiteral("output"),
+                      QApplication::translate("Trainee", "What the window is made for: screen; "
+                                                         "mono or side-by-side for a headset."),
+                      QStringLiteral("KIND"), QStringLiteral("screen")});
     parser.addOption(
         {QStringLiteral("full-screen"), QApplication::translate("Trainee", "Fill the screen.")});
     viewer::addPatientOptions(parser);
@@ -114,6 +118,12 @@ Result<int> run(const QCommandLineParser& parser)
     const auto options = viewer::measureOptions(parser);
     if (!options)
         return tl::unexpected(options.error());
+    const auto output = viewOutputNamed(parser.value(QStringLiteral("output")));
+    if (!output)
+        return tl::unexpected(output.error());
+    const auto headset = HeadsetView::of(defaultDisplay());
+    if (!headset)
+        return tl::unexpected(headset.error());
     if (const auto driver = graphicsDriver(); !driver)
         return tl::unexpected(driver.error());
     const auto patient = viewer::choosePatient(parser);
@@ -137,7 +147,7 @@ Result<int> run(const QCommandLineParser& parser)
     const StationView view{*station.node, kStation, patient->model.lungs(),
                            station.tracking ? posesOf(*station.tracking)
                                             : posesOf(*station.node, kStation)};
-    TraineeWindow window{*station.node, kStation, patient->model, view};
+    TraineeWindow window{*station.node, kStation, patient->model, view, *headset, *output};
     const auto journal =
         viewer::journalFromOptions(parser, *station.node, kStation, window.stationScene());
     if (!journal)

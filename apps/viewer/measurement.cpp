@@ -23,7 +23,7 @@ constexpr Duration kRest = std::chrono::seconds{1}; ///< in place before the pic
 LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
 {
     LoggedFrame entry;
-    entry.local = drawn.asked;
+    entry.local = drawn.lit;
     entry.session = drawn.frame.time;
     entry.level = drawn.level;
     entry.amplitude = {moment.amplitudes.right, moment.amplitudes.left};

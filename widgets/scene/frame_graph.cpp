@@ -93,30 +93,29 @@ Qt3DRender::QTexture2D* attach(Qt3DRender::QRenderTarget* target,
     return texture;
 }
 
-} // namespace
-
-FrameGraph::FrameGraph(QWindow* window, Qt3DRender::QCamera* camera)
-    : m_root(new Qt3DRender::QRenderSurfaceSelector)
+/// A branch that clears buffers and draws nothing.
+Qt3DRender::QClearBuffers* clears(QFrameGraphNode* parent,
+                                  Qt3DRender::QClearBuffers::BufferType buffers)
 {
-    m_root->setSurface(window);
-    addPicture(camera);
-    addIds(camera);
+    auto* clear = new Qt3DRender::QClearBuffers(parent);
+    clear->setBuffers(buffers);
+    new Qt3DRender::QNoDraw(clear);
+    return clear;
 }
 
-FrameGraph::~FrameGraph() = default;
+/// A branch that reads back what the branches before it drew. It clears a stencil buffer that there
+/// is none of: a branch that does nothing at all would be skipped together with its capture.
+Qt3DRender::QRenderCapture* captures(QFrameGraphNode* parent)
+{
+    auto* capture = new Qt3DRender::QRenderCapture(parent);
+    clears(capture, Qt3DRender::QClearBuffers::StencilBuffer);
+    return capture;
+}
 
-QFrameGraphNode* FrameGraph::root() const { return m_root; }
-
-void FrameGraph::addPicture(Qt3DRender::QCamera* camera)
+/// The branches of all layers of the picture.
+void addLayers(QFrameGraphNode* view)
 {
     using Cull = Qt3DRender::QCullFace;
-    auto* viewport = new Qt3DRender::QViewport(m_root);
-    m_background = new Qt3DRender::QClearBuffers(viewport);
-    m_background->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
-    new Qt3DRender::QNoDraw(m_background);
-
-    auto* view = new Qt3DRender::QCameraSelector(viewport);
-    view->setCamera(camera);
     states(passes(kSurfacePass, 0, view), Depth::Write, Cull::NoCulling);
     for (int layer = 1; layer < kLayers; ++layer) {
         Qt3DRender::QRenderPassFilter* surfaces = passes(kSurfacePass, layer, view);
@@ -126,16 +125,53 @@ void FrameGraph::addPicture(Qt3DRender::QCamera* camera)
             states(surfaces, Depth::WriteOnly, Cull::Back);
         states(surfaces, Depth::TestOnly, Cull::Back);
     }
-
-    // The last branch clears a depth buffer that nobody needs any more: a branch that does nothing
-    // at all would be skipped together with its capture.
-    m_picture = new Qt3DRender::QRenderCapture(viewport);
-    auto* last = new Qt3DRender::QClearBuffers(m_picture);
-    last->setBuffers(Qt3DRender::QClearBuffers::DepthBuffer);
-    new Qt3DRender::QNoDraw(last);
 }
 
-void FrameGraph::addIds(Qt3DRender::QCamera* camera)
+/// Pixels as shares of the window. Qt 3D rounds the shares down to pixels, and y from below:
+/// parts of a pixel keep that from missing by one.
+QRectF shareOf(const PixelRect& pixels, const QSize& window)
+{
+    return {(pixels.x + 0.25) / window.width(), (pixels.y - 0.5) / window.height(),
+            (pixels.width + 0.25) / window.width(), (pixels.height + 0.25) / window.height()};
+}
+
+} // namespace
+
+FrameGraph::FrameGraph(QWindow* window, const Cameras& cameras)
+    : m_root(new Qt3DRender::QRenderSurfaceSelector)
+{
+    m_root->setSurface(window);
+    addPicture(cameras);
+    addIds(cameras);
+    for (std::size_t view = 1; view < m_views.size(); ++view)
+        hideView(view);
+}
+
+FrameGraph::~FrameGraph() = default;
+
+QFrameGraphNode* FrameGraph::root() const { return m_root; }
+
+QFrameGraphNode* FrameGraph::addView(std::size_t view, const Cameras& cameras,
+                                     QFrameGraphNode* parent)
+{
+    auto* shown = new Qt3DRender::QSubtreeEnabler(parent);
+    auto* part = new Qt3DRender::QViewport(shown);
+    m_views[view].push_back({shown, part});
+    auto* selector = new Qt3DRender::QCameraSelector(part);
+    selector->setCamera(cameras[view]);
+    return selector;
+}
+
+void FrameGraph::addPicture(const Cameras& cameras)
+{
+    auto* viewport = new Qt3DRender::QViewport(m_root);
+    m_background = clears(viewport, Qt3DRender::QClearBuffers::ColorDepthBuffer);
+    for (std::size_t view = 0; view < cameras.size(); ++view)
+        addLayers(addView(view, cameras, viewport));
+    m_picture = captures(viewport);
+}
+
+void FrameGraph::addIds(const Cameras& cameras)
 {
     using Output = Qt3DRender::QRenderTargetOutput;
     auto* target = new Qt3DRender::QRenderTarget;
@@ -145,19 +181,31 @@ void FrameGraph::addIds(Qt3DRender::QCamera* camera)
     m_ids->setEnabled(false);
     auto* selector = new Qt3DRender::QRenderTargetSelector(m_ids);
     selector->setTarget(target);
-    auto* view = new Qt3DRender::QCameraSelector(new Qt3DRender::QViewport(selector));
-    view->setCamera(camera);
+    auto* viewport = new Qt3DRender::QViewport(selector);
 
     for (int layer = 0; layer < kLayers; ++layer) {
-        auto* capture = new Qt3DRender::QRenderCapture(view);
-        auto* clear = new Qt3DRender::QClearBuffers(capture);
-        clear->setBuffers(layer == 0 ? Qt3DRender::QClearBuffers::ColorDepthBuffer
-                                     : Qt3DRender::QClearBuffers::ColorBuffer);
-        clear->setClearColor(QColor(0, 0, 0, 0));
-        states(passes(kIdPass, layer, clear), Depth::Write,
-               layer == 0 ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
-        m_idLayers.push_back(capture);
+        clears(viewport, layer == 0 ? Qt3DRender::QClearBuffers::ColorDepthBuffer
+                                    : Qt3DRender::QClearBuffers::ColorBuffer)
+            ->setClearColor(QColor(0, 0, 0, 0));
+        for (std::size_t view = 0; view < cameras.size(); ++view)
+            states(passes(kIdPass, layer, addView(view, cameras, viewport)), Depth::Write,
+                   layer == 0 ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
+        m_idLayers.push_back(captures(viewport));
     }
+}
+
+void FrameGraph::showView(std::size_t view, const PixelRect& pixels, const QSize& window)
+{
+    for (const Branch& branch : m_views[view]) {
+        branch.part->setNormalizedRect(shareOf(pixels, window));
+        branch.shown->setEnabled(true);
+    }
+}
+
+void FrameGraph::hideView(std::size_t view)
+{
+    for (const Branch& branch : m_views[view])
+        branch.shown->setEnabled(false);
 }
 
 void FrameGraph::setBackground(const QColor& color) { m_background->setClearColor(color); }

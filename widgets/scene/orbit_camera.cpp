@@ -90,6 +90,13 @@ CameraPose OrbitCamera::pose() const
     return withPlanes(pose);
 }
 
+Frustum OrbitCamera::frustum() const
+{
+    const double up = std::tan(0.5 * kVerticalFieldOfView);
+    const double right = m_aspect * up;
+    return {.left = -right, .right = right, .bottom = -up, .top = up};
+}
+
 Vec3 OrbitCamera::directionThrough(double right, double upward) const
 {
     const double height = 2.0 * std::tan(kVerticalFieldOfView / 2.0);

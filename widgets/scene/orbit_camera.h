@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/display/eye_view.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/triangle_mesh.h"
 
@@ -49,6 +50,7 @@ public:
     void zoom(double factor);
 
     [[nodiscard]] CameraPose pose() const;
+    [[nodiscard]] Frustum frustum() const;
     /// The way from the eye through a point of the picture, of length 1: right and up of the centre
     /// in parts of the picture's height.
     [[nodiscard]] Vec3 directionThrough(double right, double up) const;

@@ -1,15 +1,19 @@
 #pragma once
 
 #include "engine/core/session_time.h"
+#include "engine/display/eye_picture.h"
 #include "engine/geometry/rigid_transform.h"
 
 #include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace carina
 {
+
+inline constexpr std::size_t kMostEyes = 2; ///< that see one frame
 
 /// Everything that moves in a scene, at one time.
 struct SceneFrame {
@@ -22,9 +26,10 @@ struct SceneFrame {
     /// is never an identity.
     std::map<std::string, RigidTransform> bodies;
 
-    /// X_AD of the eye, where a view follows one: D is right-handed with +x to the right, +y up and
-    /// the line of sight along -z.
-    std::optional<RigidTransform> X_AD;
+    /// The eyes it is seen by, at most kMostEyes, in parts of the window that do not overlap; none
+    /// at all, as while a headset is lost, leave the background. Without a list the view's own
+    /// camera sees it.
+    std::optional<std::vector<EyePicture>> eyes;
 };
 
 /// One frame that was drawn.
@@ -32,6 +37,7 @@ struct DrawnFrame {
     SceneFrame frame;    ///< what was drawn
     int level = 0;       ///< in which level of detail
     LocalTime asked{};   ///< when the frame source was asked
+    LocalTime lit{};     ///< when it was expected to be lit, as the frame source was told
     LocalTime swapped{}; ///< when the buffers had been swapped
 };
 

@@ -1,5 +1,7 @@
 #include "widgets/scene/scene_renderer.h"
 
+#include "engine/core/expects.h"
+
 #include <QWindow>
 #include <Qt3DCore/QAspectEngine>
 #include <Qt3DCore/QEntity>
@@ -9,7 +11,6 @@
 #include <Qt3DRender/QRenderSettings>
 
 #include <algorithm>
-#include <numbers>
 
 namespace carina
 {
@@ -24,6 +25,30 @@ QVector3D toQt(const Vec3& v)
 {
     const Vec3f single = v.cast<float>();
     return {single.x(), single.y(), single.z()};
+}
+
+Cameras makeCameras(Qt3DCore::QNode* parent)
+{
+    Cameras cameras{};
+    for (Qt3DRender::QCamera*& camera : cameras)
+        camera = new Qt3DRender::QCamera(parent);
+    return cameras;
+}
+
+/// Sees the frustum's edges, given at unit distance, as far out on the near plane as they are
+/// there.
+void aim(Qt3DRender::QCamera& camera, const SceneCamera& seen)
+{
+    const auto onNearPlane = [&seen](double tangent) {
+        return static_cast<float>(tangent * seen.pose.nearPlane);
+    };
+    camera.lens()->setFrustumProjection(
+        onNearPlane(seen.frustum.left), onNearPlane(seen.frustum.right),
+        onNearPlane(seen.frustum.bottom), onNearPlane(seen.frustum.top),
+        static_cast<float>(seen.pose.nearPlane), static_cast<float>(seen.pose.farPlane));
+    camera.setPosition(toQt(seen.pose.p_A_eye));
+    camera.setViewCenter(toQt(seen.pose.p_A_target));
+    camera.setUpVector(toQt(seen.pose.up_A));
 }
 
 void countIn(const QImage& ids, std::map<std::uint16_t, std::size_t>& pixels)
@@ -42,8 +67,8 @@ SceneRenderer::SceneRenderer(QWindow* window)
     : m_window(window),
       m_engine(std::make_unique<Qt3DCore::QAspectEngine>()),
       m_root(new Qt3DCore::QEntity),
-      m_camera(new Qt3DRender::QCamera(m_root)),
-      m_frameGraph(window, m_camera),
+      m_cameras(makeCameras(m_root)),
+      m_frameGraph(window, m_cameras),
       m_effects(makeOrganEffects(m_root))
 {
     m_engine->setRunMode(Qt3DCore::QAspectEngine::Manual);
@@ -68,16 +93,17 @@ void SceneRenderer::setParts(std::span<const ScenePart> parts)
             surface, m_effects[static_cast<std::size_t>(surface.key.group)], m_root));
 }
 
-void SceneRenderer::setCamera(const CameraPose& pose, double widthOverHeight)
+void SceneRenderer::setCameras(std::span<const SceneCamera> cameras)
 {
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
-    m_camera->lens()->setPerspectiveProjection(
-        static_cast<float>(OrbitCamera::kVerticalFieldOfView * kDegrees),
-        static_cast<float>(widthOverHeight), static_cast<float>(pose.nearPlane),
-        static_cast<float>(pose.farPlane));
-    m_camera->setPosition(toQt(pose.p_A_eye));
-    m_camera->setViewCenter(toQt(pose.p_A_target));
-    m_camera->setUpVector(toQt(pose.up_A));
+    CARINA_EXPECTS(cameras.size() <= kMostEyes);
+    for (std::size_t view = 0; view < kMostEyes; ++view) {
+        if (view < cameras.size()) {
+            aim(*m_cameras[view], cameras[view]);
+            m_frameGraph.showView(view, cameras[view].pixels, windowPixels());
+        } else {
+            m_frameGraph.hideView(view);
+        }
+    }
 }
 
 void SceneRenderer::apply(const SceneFrame& frame, int level)
@@ -96,10 +122,15 @@ QImage SceneRenderer::picture()
 
 void SceneRenderer::countPixels(std::map<std::uint16_t, std::size_t>& pixels)
 {
-    m_frameGraph.setIdsDrawn(true, m_window->size() * m_window->devicePixelRatio());
+    m_frameGraph.setIdsDrawn(true, windowPixels());
     for (const QImage& layer : captured(m_frameGraph.idCaptures()))
         countIn(layer, pixels);
     m_frameGraph.setIdsDrawn(false, {1, 1});
+}
+
+QSize SceneRenderer::windowPixels() const
+{
+    return m_window->size() * m_window->devicePixelRatio();
 }
 
 /// The captures of one and the same frame, as RGB32; none if they do not come.

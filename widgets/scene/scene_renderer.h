@@ -20,12 +20,18 @@ class QEntity;
 } // namespace Qt3DCore
 namespace Qt3DRender
 {
-class QCamera;
 class QRenderCapture;
 } // namespace Qt3DRender
 
 namespace carina
 {
+
+/// From where and through what a scene is seen, and in which pixels of its window.
+struct SceneCamera {
+    CameraPose pose;
+    Frustum frustum;
+    PixelRect pixels;
+};
 
 /// Draws scene parts into a window with Qt 3D, one frame per call: what was set before draw() is
 /// what that call draws and swaps, not a frame later.
@@ -41,7 +47,9 @@ public:
     void setParts(std::span<const ScenePart> parts);
     void setBackground(const QColor& color) { m_frameGraph.setBackground(color); }
 
-    void setCamera(const CameraPose& pose, double widthOverHeight);
+    /// Draws as these cameras see it from now on; the background alone without any.
+    /// @pre at most kMostEyes, whose pixels lie in the window and do not overlap.
+    void setCameras(std::span<const SceneCamera> cameras);
     void apply(const SceneFrame& frame, int level);
     void draw();
 
@@ -52,15 +60,16 @@ public:
     void countPixels(std::map<std::uint16_t, std::size_t>& pixels);
 
 private:
+    [[nodiscard]] QSize windowPixels() const;
     [[nodiscard]] std::vector<QImage>
     captured(const std::vector<Qt3DRender::QRenderCapture*>& captures);
 
     QWindow* m_window;
     std::unique_ptr<Qt3DCore::QAspectEngine> m_engine;
-    Qt3DCore::QEntity* m_root;     ///< owned by m_engine
-    Qt3DRender::QCamera* m_camera; ///< owned by m_root
-    FrameGraph m_frameGraph;       ///< whose root m_root owns
-    OrganEffects m_effects;        ///< owned by m_root
+    Qt3DCore::QEntity* m_root; ///< owned by m_engine
+    Cameras m_cameras;         ///< owned by m_root
+    FrameGraph m_frameGraph;   ///< whose root m_root owns
+    OrganEffects m_effects;    ///< owned by m_root
     std::vector<std::unique_ptr<SurfaceEntity>> m_surfaces;
 };
 

@@ -7,6 +7,7 @@
 #include "engine/core/expects.h"
 #include "engine/core/monotonic_clock.h"
 
+#include <QScreen>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ SceneView::SceneView(QWidget* parent)
 
 SceneView::~SceneView() = default;
 
-void SceneView::setParts(std::span<const ScenePart> parts)
+void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed)
 {
     m_ids.clear();
     for (const ScenePart& part : parts)
@@ -70,7 +71,9 @@ void SceneView::setParts(std::span<const ScenePart> parts)
     m_renderer->setParts(parts);
     m_levels = levelCount(parts);
     m_levelChoice = LevelChoice(trianglesPerLevel(parts), kDrawingBudget);
-    m_window->camera().setBounds(boundsToFrame(parts));
+    Box framed = boundsToFrame(parts);
+    framed.include(alsoFramed);
+    m_window->camera().setBounds(framed);
     m_window->camera().setAspect(m_window->widthOverHeight());
 }
 
@@ -97,6 +100,21 @@ std::map<std::uint16_t, std::size_t> SceneView::visiblePixels()
     return pixels;
 }
 
+/// The frame's eyes, or the desktop's camera over the whole window.
+std::vector<SceneCamera> SceneView::camerasOf(const SceneFrame& frame) const
+{
+    const OrbitCamera& camera = m_window->camera();
+    if (!frame.eyes)
+        return {{camera.pose(), camera.frustum(), m_window->pixels()}};
+    std::vector<SceneCamera> cameras;
+    for (const EyePicture& eye : *frame.eyes) {
+        const PixelRect area =
+            pixelsOf(eye.part, m_window->pixels().width, m_window->pixels().height);
+        cameras.push_back({camera.poseOf(eye.X_AD), eye.frustum, letterboxed(eye.frustum, area)});
+    }
+    return cameras;
+}
+
 void SceneView::sendRay(const QPointF& position)
 {
     const double height = std::max(1, m_window->height());
@@ -113,16 +131,15 @@ void SceneView::drawFrame()
     DrawnFrame drawn;
     drawn.level = level();
     drawn.asked = monotonicNow();
+    drawn.lit = m_timeOfLight.of(drawn.asked, m_window->screen()->refreshRate());
     if (m_source)
-        drawn.frame = m_source(drawn.level);
-    const OrbitCamera& camera = m_window->camera();
-    const bool fromEye = m_eyeFollowed && drawn.frame.X_AD;
-    m_renderer->setCamera(fromEye ? camera.poseOf(*drawn.frame.X_AD) : camera.pose(),
-                          m_window->widthOverHeight());
+        drawn.frame = m_source(drawn.level, drawn.lit);
+    m_renderer->setCameras(camerasOf(drawn.frame));
     m_renderer->apply(drawn.frame, drawn.level);
     m_renderer->draw();
     drawn.swapped = monotonicNow();
     m_times.add(drawn.asked, drawn.swapped);
+    m_timeOfLight.frameTook(drawn.swapped - drawn.asked);
     m_levelChoice.frameTook(drawn.swapped - drawn.asked);
     if (m_listener)
         m_listener(drawn);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/display/time_of_light.h"
 #include "widgets/scene/frame_statistics.h"
 #include "widgets/scene/level_choice.h"
 #include "widgets/scene/orbit_camera.h"
@@ -20,6 +21,7 @@
 namespace carina
 {
 
+struct SceneCamera;
 class SceneRenderer;
 class SceneWindow;
 
@@ -32,8 +34,9 @@ class SceneView : public QWidget
     Q_OBJECT
 
 public:
-    /// Asked for the state of the scene now, as drawn in this level of detail.
-    using FrameSource = std::function<SceneFrame(int level)>;
+    /// Asked for the state of the scene when the frame will be lit, as drawn in this level of
+    /// detail.
+    using FrameSource = std::function<SceneFrame(int level, LocalTime lit)>;
     using FrameListener = std::function<void(const DrawnFrame&)>;
 
     /// @pre prepareGraphics() was called, and graphicsDriver() has a value.
@@ -41,15 +44,14 @@ public:
     ~SceneView() override;
 
     /// Shows these parts and no others, framed by the present preset.
+    /// @param alsoFramed what a preset makes sure to show besides them, in A
     /// @pre ids are unique.
-    void setParts(std::span<const ScenePart> parts);
+    void setParts(std::span<const ScenePart> parts, const Box& alsoFramed = {});
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
     /// Called after each frame, when its buffers were swapped.
     void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
 
     void showFrom(ViewPreset preset);
-    /// Looks out of the frame's eye whenever it has one.
-    void setEyeFollowed(bool followed) { m_eyeFollowed = followed; }
     /// Whether mouse and keys move the camera; they do from the start.
     void setInteractive(bool interactive);
     void setBackground(const QColor& color);
@@ -63,10 +65,11 @@ public:
     /// What the window shows at the latest frame. Null while the view cannot be seen.
     [[nodiscard]] QImage picture();
 
-    /// In how many pixels of the latest frame each part, by id, is drawn: an opaque part where no
-    /// opaque part is in front of it; a translucent part where it is the nearest of its material
-    /// group and nothing opaque, and no earlier translucent group, is in front of it. Later groups
-    /// are seen through and hide nothing. Zero for all while the view cannot be seen.
+    /// In how many pixels of the latest frame, those of all eyes together, each part, by id, is
+    /// drawn: an opaque part where no opaque part is in front of it; a translucent part where it is
+    /// the nearest of its material group and nothing opaque, and no earlier translucent group, is
+    /// in front of it. Later groups are seen through and hide nothing. Zero for all while the view
+    /// cannot be seen.
     [[nodiscard]] std::map<std::uint16_t, std::size_t> visiblePixels();
 
 Q_SIGNALS:
@@ -77,6 +80,7 @@ Q_SIGNALS:
 private:
     void drawFrame();
     void sendRay(const QPointF& position);
+    [[nodiscard]] std::vector<SceneCamera> camerasOf(const SceneFrame& frame) const;
 
     SceneWindow* m_window; ///< owned by its container, a child of this
     std::unique_ptr<SceneRenderer> m_renderer;
@@ -87,8 +91,8 @@ private:
     std::optional<int> m_fixedLevel;
     int m_levels = 1;
     FrameTimes m_times;
+    TimeOfLight m_timeOfLight;
     QTimer m_tick;
-    bool m_eyeFollowed = false;
 };
 
 } // namespace carina

@@ -41,6 +41,12 @@ double SceneWindow::widthOverHeight() const
     return std::max(1, width()) / static_cast<double>(std::max(1, height()));
 }
 
+PixelRect SceneWindow::pixels() const
+{
+    const QSize size = this->size() * devicePixelRatio();
+    return {0, 0, std::max(1, size.width()), std::max(1, size.height())};
+}
+
 void SceneWindow::resizeEvent(QResizeEvent* event)
 {
     QWindow::resizeEvent(event);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/display/eye_picture.h"
 #include "widgets/scene/orbit_camera.h"
 
 #include <QPointF>
@@ -25,6 +26,8 @@ public:
     void showFrom(ViewPreset preset);
 
     [[nodiscard]] double widthOverHeight() const;
+    /// All of the window, in pixels of the screen.
+    [[nodiscard]] PixelRect pixels() const;
 
 Q_SIGNALS:
     /// The person wants to leave the view for the next (or previous) control.

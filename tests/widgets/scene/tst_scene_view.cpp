@@ -1,42 +1,11 @@
 #include "tests/widgets/scene/scene_fixture.h"
 #include "widgets/scene/graphics.h"
 
-#include <QScreen>
-
 using namespace carina;
 using namespace carina::test;
 
 namespace
 {
-
-bool isRed(QRgb pixel) { return qRed(pixel) > 60 && qRed(pixel) > 2 * qBlue(pixel); }
-
-/// Mean column and row of the red pixels, as a share of the picture; nothing without any.
-std::optional<QPointF> redCentre(const QImage& picture)
-{
-    double x = 0.0;
-    double y = 0.0;
-    double count = 0.0;
-    for (int row = 0; row < picture.height(); ++row)
-        for (int column = 0; column < picture.width(); ++column)
-            if (isRed(picture.pixel(column, row))) {
-                x += column + 0.5;
-                y += row + 0.5;
-                count += 1.0;
-            }
-    if (count == 0.0)
-        return std::nullopt;
-    return QPointF(x / count / picture.width(), y / count / picture.height());
-}
-
-/// What the X server shows where the view is: what came out of the swap, not what is drawn next.
-QImage onScreen(SceneView& view)
-{
-    const QPoint corner = view.mapToGlobal(QPoint(0, 0));
-    return view.screen()
-        ->grabWindow(0, corner.x(), corner.y(), view.width(), view.height())
-        .toImage();
-}
 
 constexpr double kPlaceTolerance = 0.01; ///< of the picture's width or height
 
@@ -103,7 +72,7 @@ void TestSceneView::showsTheHeadUpFromInFront()
 void TestSceneView::looksOutOfTheEyeOfTheFrame()
 {
     const auto view = shownView({spherePart(1, MaterialGroup::Bone, {0.2, 0.0, 0.1}, 0.02)},
-                                [](int) { return frontFrame(); });
+                                [](int, LocalTime) { return frontFrame(); });
     QVERIFY(draws(*view, 3));
     const auto centre = redCentre(view->picture());
     QVERIFY(centre);
@@ -118,8 +87,8 @@ void TestSceneView::showsThePoseOfTheVerySameFrame()
     int asked = 0;
     int late = 0;
     const auto side = [](int frame) { return frame % 2 == 0 ? -0.2 : 0.2; };
-    const auto view =
-        shownView({spherePart(1, MaterialGroup::Tool, Vec3::Zero(), 0.05, "tube")}, [&](int) {
+    const auto view = shownView(
+        {spherePart(1, MaterialGroup::Tool, Vec3::Zero(), 0.05, "tube")}, [&](int, LocalTime) {
             SceneFrame frame = frontFrame();
             frame.bodies["tube"] = RigidTransform::translation({side(++asked), 0.0, 0.0});
             return frame;
@@ -140,12 +109,13 @@ void TestSceneView::reportsWhatItDrew()
 {
     std::vector<DrawnFrame> log;
     int asked = 0;
-    const auto view = shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)}, [&](int) {
-        SceneFrame frame = frontFrame();
-        frame.time = SessionTime{std::chrono::milliseconds{++asked}};
-        frame.amplitude = {0.25, -0.5};
-        return frame;
-    });
+    const auto view =
+        shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)}, [&](int, LocalTime) {
+            SceneFrame frame = frontFrame();
+            frame.time = SessionTime{std::chrono::milliseconds{++asked}};
+            frame.amplitude = {0.25, -0.5};
+            return frame;
+        });
     view->onFrameDrawn([&](const DrawnFrame& drawn) { log.push_back(drawn); });
     QVERIFY(draws(*view, 4));
     for (std::size_t i = 0; i < log.size(); ++i) {
@@ -162,12 +132,13 @@ void TestSceneView::showsATubeInsideATranslucentTrachea()
 {
     ScenePart trachea = spherePart(1, MaterialGroup::Airway, Vec3::Zero(), 0.3);
     trachea.color = QColor(170, 200, 220);
-    const auto view = shownView(
-        {trachea, spherePart(2, MaterialGroup::Tool, {-0.1, 0.0, 0.0}, 0.05, "tube")}, [](int) {
-            SceneFrame frame = frontFrame();
-            frame.bodies["tube"] = RigidTransform();
-            return frame;
-        });
+    const auto view =
+        shownView({trachea, spherePart(2, MaterialGroup::Tool, {-0.1, 0.0, 0.0}, 0.05, "tube")},
+                  [](int, LocalTime) {
+                      SceneFrame frame = frontFrame();
+                      frame.bodies["tube"] = RigidTransform();
+                      return frame;
+                  });
     QVERIFY(draws(*view, 3));
     const QImage picture = view->picture();
     const int row = kHeight / 2;
@@ -184,7 +155,7 @@ void TestSceneView::movesTheSilhouetteWithTheAmplitude()
     lung.channel = AmplitudeChannel::RightLung;
     lung.levels = {sphere(Vec3::Zero(), 0.1, 0.05)};
     double amplitude = 0.0;
-    const auto view = shownView({lung}, [&](int) {
+    const auto view = shownView({lung}, [&](int, LocalTime) {
         SceneFrame frame = frontFrame();
         frame.amplitude[0] = amplitude;
         return frame;
@@ -203,7 +174,7 @@ void TestSceneView::asksForTheLevelThatItDraws()
     ScenePart part = spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1);
     part.levels.push_back(sphere(Vec3::Zero(), 0.2));
     int asked = -1;
-    const auto view = shownView({part}, [&](int level) {
+    const auto view = shownView({part}, [&](int level, LocalTime) {
         asked = level;
         return frontFrame();
     });
@@ -222,7 +193,7 @@ void TestSceneView::asksForTheLevelThatItDraws()
 void TestSceneView::drawsTwoViewsAtOnce()
 {
     const auto side = [](double x) {
-        return [x](int) {
+        return [x](int, LocalTime) {
             SceneFrame frame = frontFrame();
             frame.bodies["tube"] = RigidTransform::translation({x, 0.0, 0.0});
             return frame;
@@ -241,7 +212,7 @@ void TestSceneView::drawsTwoViewsAtOnce()
 void TestSceneView::replacesItsParts()
 {
     const auto view = shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)},
-                                [](int) { return frontFrame(); });
+                                [](int, LocalTime) { return frontFrame(); });
     QVERIFY(draws(*view, 3));
     view->setParts(std::vector{spherePart(2, MaterialGroup::Bone, Vec3::Zero(), 0.2)});
     QVERIFY(draws(*view, 3));
@@ -254,7 +225,7 @@ void TestSceneView::comesAndGoesTwentyTimes()
 {
     for (int time = 0; time < 20; ++time) {
         const auto view = shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)},
-                                    [](int) { return frontFrame(); });
+                                    [](int, LocalTime) { return frontFrame(); });
         QVERIFY(draws(*view, 2));
     }
 }

@@ -21,7 +21,7 @@ bool close(std::size_t counted, double expected)
 std::map<std::uint16_t, std::size_t> countedIn(const std::vector<ScenePart>& parts,
                                                const SceneFrame& frame = frontFrame())
 {
-    const auto view = shownView(parts, [frame](int) { return frame; });
+    const auto view = shownView(parts, [frame](int, LocalTime) { return frame; });
     return draws(*view, 3) ? view->visiblePixels() : std::map<std::uint16_t, std::size_t>{};
 }
 
@@ -171,7 +171,7 @@ void TestVisiblePixels::growsEachLungByItsOwnAmplitude()
 void TestVisiblePixels::countsInTheSizeOfTheWindow()
 {
     const auto view = shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)},
-                                [](int) { return frontFrame(); });
+                                [](int, LocalTime) { return frontFrame(); });
     QVERIFY(draws(*view, 3));
     const double before = static_cast<double>(view->visiblePixels()[1]);
     view->resize(kWidth, kHeight / 2);

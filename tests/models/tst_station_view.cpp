@@ -1,0 +1,152 @@
+#include "models/station_notice.h"
+#include "models/station_view.h"
+#include "tests/engine/lungs/lung_like_mesh.h"
+#include "tests/models/fake_session_node.h"
+
+#include <QTest>
+
+#include <map>
+
+namespace carina
+{
+namespace
+{
+
+using std::chrono::milliseconds;
+using test::FakeSessionNode;
+
+constexpr SessionTime kNow{std::chrono::seconds{1000}}; ///< where the fake session begins
+constexpr LocalTime kLit{std::chrono::seconds{2000}};   ///< which it takes for its own time
+
+LungPair lungs()
+{
+    Anatomy anatomy;
+    anatomy.parts = {{"Right lung",
+                      PartRole::RightLung,
+                      {},
+                      {test::lungLikeMesh({-0.06, 0.0, -0.02}, {0.045, 0.065, 0.09}, 12, 24)}},
+                     {"Left lung",
+                      PartRole::LeftLung,
+                      {},
+                      {test::lungLikeMesh({0.06, 0.0, -0.02}, {0.045, 0.065, 0.09}, 12, 24)}}};
+    return LungPair::of(anatomy).value();
+}
+
+/// Poses whose place tells for what and when they were asked: x is the kind, y the seconds.
+PoseSample tellingPose(ObjectKind kind, SessionTime t)
+{
+    PoseSample sample;
+    sample.time = t;
+    sample.X_FO = RigidTransform::translation(
+        {static_cast<double>(kind), toSeconds(t.time_since_epoch()), 0.0});
+    return sample;
+}
+
+ObjectPoses tellingPoses(SessionTime newest)
+{
+    return {.at = [](ObjectKind kind, SessionTime t) { return tellingPose(kind, t); },
+            .newest = [newest](ObjectKind) { return newest; }};
+}
+
+bool tells(const std::optional<PoseSample>& sample, ObjectKind kind, SessionTime t)
+{
+    return sample && sample->X_FO.translation() == tellingPose(kind, t).X_FO.translation();
+}
+
+} // namespace
+
+class TestStationView : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void asksEverythingForTheTimeOfLight();
+    void breathesAtTheTimeOfLight();
+    void showsRestBeforeTheClockIsSet();
+    void saysWhenTheHeadsetIsLost_data();
+    void saysWhenTheHeadsetIsLost();
+};
+
+void TestStationView::asksEverythingForTheTimeOfLight()
+{
+    const FakeSessionNode node;
+    const LungPair pair = lungs();
+    const SessionTime lit{kLit.time_since_epoch()};
+    const StationView view{node, FakeSessionNode::kStation, pair,
+                           tellingPoses(lit - milliseconds{30})};
+    const StationMoment moment = view.litAt(kLit, 0);
+    QVERIFY(moment.time == lit);
+    QVERIFY(tells(moment.tube, ObjectKind::Tube, lit));
+    QVERIFY(tells(moment.jaw, ObjectKind::Jaw, lit));
+    QVERIFY(tells(moment.head, ObjectKind::Head, lit));
+    QVERIFY(moment.sampleAge == milliseconds{30});
+}
+
+void TestStationView::breathesAtTheTimeOfLight()
+{
+    FakeSessionNode node;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    // 19 breaths a minute unless somebody says otherwise: a breath takes 60 / 19 s.
+    const Duration breath = fromSeconds(60.0 / 19.0);
+    const float start = view.at(kNow + std::chrono::seconds{1}, 0).amplitudes.right;
+    const float later =
+        view.at(kNow + std::chrono::seconds{1} + milliseconds{40}, 0).amplitudes.right;
+    const float again = view.at(kNow + std::chrono::seconds{1} + breath, 0).amplitudes.right;
+    QVERIFY(std::abs(later - start) > 1e-3F);
+    QVERIFY(std::abs(again - start) < 1e-5F);
+}
+
+void TestStationView::showsRestBeforeTheClockIsSet()
+{
+    FakeSessionNode node;
+    node.loseClock();
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    const StationMoment moment = view.litAt(kLit, 0);
+    QVERIFY(moment.time == SessionTime{});
+    QVERIFY(!moment.tube && !moment.jaw && !moment.head && !moment.sampleAge);
+    QCOMPARE(moment.amplitudes.right, 0.0F);
+    QCOMPARE(moment.amplitudes.left, 0.0F);
+}
+
+void TestStationView::saysWhenTheHeadsetIsLost_data()
+{
+    QTest::addColumn<ViewOutput>("output");
+    QTest::addColumn<std::optional<Validity>>("head");
+    QTest::addColumn<QString>("notice");
+    using Head = std::optional<Validity>;
+    const QString lost = QStringLiteral("Headset out of the tracker's view");
+    QTest::newRow("never seen, one picture") << ViewOutput::Mono << Head{} << lost;
+    QTest::newRow("lost, one picture") << ViewOutput::Mono << Head{Validity::Lost} << lost;
+    QTest::newRow("lost, two pictures") << ViewOutput::SideBySide << Head{Validity::Lost} << lost;
+    QTest::newRow("seen in part") << ViewOutput::Mono << Head{Validity::PartlyOccluded}
+                                  << QString{};
+    QTest::newRow("seen") << ViewOutput::SideBySide << Head{Validity::Tracked} << QString{};
+    QTest::newRow("lost before a screen")
+        << ViewOutput::Screen << Head{Validity::Lost} << QString{};
+}
+
+void TestStationView::saysWhenTheHeadsetIsLost()
+{
+    QFETCH(ViewOutput, output);
+    QFETCH(std::optional<Validity>, head);
+    QFETCH(QString, notice);
+    FakeSessionNode node;
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    moment.tube = tellingPose(ObjectKind::Tube, moment.time);
+    if (head) {
+        moment.head = tellingPose(ObjectKind::Head, moment.time);
+        moment.head->validity = *head;
+    }
+    QCOMPARE(stationNotice(node, FakeSessionNode::kStation, {}, moment, output), notice);
+}
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestStationView)
+#include "tst_station_view.moc"

@@ -48,6 +48,12 @@ struct BundleHeader {
 struct FactAck {
     FactNumber last;
 };
+/// This action, or a later one on its object, has arrived.
+struct EventAck {
+    ObjectId object;
+    std::uint16_t epoch = 0;
+    std::uint32_t action = 0;
+};
 /// The host does not enter this proposal into the log.
 struct ProposalRefused {
     ProposalId proposal;
@@ -79,7 +85,7 @@ struct Goodbye {
 
 using WireRecord =
     std::variant<StreamGroup, EventCpo, FactRecord, ProposalRecord, FactAck, ProposalRefused, Hello,
-                 Welcome, HelloRefused, ConnectionUnknown, Goodbye>;
+                 Welcome, HelloRefused, ConnectionUnknown, Goodbye, EventAck>;
 
 /// One datagram, decoded.
 struct Datagram {

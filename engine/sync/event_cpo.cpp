@@ -2,15 +2,14 @@
 
 #include "engine/geometry/rotation.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace carina
 {
 
-ActedPose evaluate(const EventCpo& event, SessionTime t)
+ActedPose evaluateAfter(const EventCpo& event, Duration sinceStart)
 {
-    const double amount = double{event.rate} * toSeconds(std::max(t, event.start) - event.start);
+    const double amount = double{event.rate} * toSeconds(std::max(sinceStart, Duration{}));
     const Vec3 axis_A = event.axis_A.cast<double>();
     ActedPose acted{RigidTransform{event.q_AO, event.p_AO}, double{event.scale}};
     switch (event.kind) {
@@ -25,6 +24,15 @@ ActedPose evaluate(const EventCpo& event, SessionTime t)
         break;
     }
     return acted;
+}
+
+EventCpo begunFrom(const ActedPose& from, SessionTime start, EventCpo action)
+{
+    action.start = start;
+    action.q_AO = from.X_AO.rotation();
+    action.p_AO = from.X_AO.translation();
+    action.scale = static_cast<float>(from.scale);
+    return action;
 }
 
 } // namespace carina

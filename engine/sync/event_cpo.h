@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/geometry/rigid_transform.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace carina
@@ -36,7 +37,16 @@ struct ActedPose {
     double scale = 1.0;
 };
 
-/// The object at time t. Before the start it is as it was at the start.
-[[nodiscard]] ActedPose evaluate(const EventCpo& event, SessionTime t);
+/// The object so long after the action's start. Before the start it is as it was at the start.
+[[nodiscard]] ActedPose evaluateAfter(const EventCpo& event, Duration sinceStart);
+
+/// The object at time t.
+[[nodiscard]] inline ActedPose evaluate(const EventCpo& event, SessionTime t)
+{
+    return evaluateAfter(event, std::max(t, event.start) - event.start);
+}
+
+/// The same action, begun at `start` with the object as it is in `from`.
+[[nodiscard]] EventCpo begunFrom(const ActedPose& from, SessionTime start, EventCpo action);
 
 } // namespace carina

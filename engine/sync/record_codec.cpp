@@ -24,6 +24,7 @@ enum class RecordKind : std::uint8_t {
     HelloRefused,
     ConnectionUnknown,
     Goodbye,
+    EventAck,
 };
 
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
@@ -120,6 +121,15 @@ Welcome readWelcome(ByteReader& in)
     return welcome;
 }
 
+EventAck readEventAck(ByteReader& in)
+{
+    EventAck ack;
+    ack.object.value = in.number<std::uint16_t>();
+    ack.epoch = in.number<std::uint16_t>();
+    ack.action = in.number<std::uint32_t>();
+    return ack;
+}
+
 ProposalRefused readProposalRefused(ByteReader& in)
 {
     const ProposalId proposal{in.number<std::uint64_t>()};
@@ -191,6 +201,13 @@ public:
     }
     void operator()(const ConnectionUnknown&) { kind(RecordKind::ConnectionUnknown); }
     void operator()(const Goodbye&) { kind(RecordKind::Goodbye); }
+    void operator()(const EventAck& ack)
+    {
+        kind(RecordKind::EventAck);
+        m_out.number(ack.object.value);
+        m_out.number(ack.epoch);
+        m_out.number(ack.action);
+    }
 
 private:
     void kind(RecordKind kind) { m_out.number(static_cast<std::uint8_t>(kind)); }
@@ -230,6 +247,8 @@ WireRecord readRecord(ByteReader& in)
         return ConnectionUnknown{};
     case RecordKind::Goodbye:
         return Goodbye{};
+    case RecordKind::EventAck:
+        return readEventAck(in);
     }
     in.require(false, "record kind");
     return Goodbye{};

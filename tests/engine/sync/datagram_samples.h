@@ -132,6 +132,8 @@ inline std::vector<GoldenRecord> goldenRecords()
         {"hello refused", HelloRefused{Errc::VersionMismatch}, "09  07"},
         {"connection unknown", ConnectionUnknown{}, "0a"},
         {"goodbye", Goodbye{}, "0b"},
+        {"event acknowledgement", EventAck{ObjectId{0x0102}, 0x0304, 0x05060708},
+         "0c  02 01  04 03  08 07 06 05"},
     };
 }
 

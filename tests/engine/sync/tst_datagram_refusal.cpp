@@ -141,7 +141,7 @@ private Q_SLOTS:
         row("sent beyond the range of times", 4, -20, "01 00 00 00 00 00 00 20", "time");
         row("sent before the range of times", 4, -20, "ff ff ff ff ff ff ff df", "time");
         row("record kind zero", 4, 0, "00", "record kind");
-        row("record kind above the last", 4, 0, "0c", "record kind");
+        row("record kind above the last", 4, 0, "0d", "record kind");
         row("record kind above all", 4, 0, "ff", "record kind");
         row("no streams", 0, 11, "00", "stream count");
         row("too many streams", 0, 11, "1f", "stream count");

@@ -3,20 +3,28 @@
 #include "engine/core/expects.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
 
-SessionTime ClockMapping::at(LocalTime t) const
+Duration ClockMapping::offsetAt(LocalTime t) const
 {
-    return SessionTime{t.time_since_epoch() + m_offset + m_correction - toGo(t)};
+    const double drifted = m_skew * static_cast<double>((t - m_start).count());
+    return m_offset + Duration{std::llround(drifted)} + m_correction - toGo(t);
 }
 
-void ClockMapping::slewTo(Duration offset, LocalTime start)
+SessionTime ClockMapping::at(LocalTime t) const
 {
-    const Duration reached = m_offset + m_correction - toGo(start);
+    return SessionTime{t.time_since_epoch() + offsetAt(t)};
+}
+
+void ClockMapping::slewTo(Duration offset, LocalTime start, double skew)
+{
+    const Duration reached = offsetAt(start);
     m_start = start;
     m_offset = reached;
+    m_skew = skew;
     m_correction = offset - reached;
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/core/session_time.h"
+
+#include <cstddef>
+#include <deque>
+
+namespace carina
+{
+
+/// The last delays of a path, H_p of the Adaptive Synchronization Algorithm (Hamza-Lup et al.
+/// 2004).
+///
+///     h_mean = (1/p) sum h_i        sigma = sqrt((1/p) sum (h_i - h_mean)^2)
+///
+/// both over what is there, the newest delay h_0 included; sigma is the population's (eq. 4).
+class DelayHistory
+{
+public:
+    /// p of the paper.
+    static constexpr std::size_t kCapacity = 100;
+
+    void add(Duration delay);
+    void clear() { m_delays.clear(); }
+
+    [[nodiscard]] std::size_t size() const { return m_delays.size(); }
+    [[nodiscard]] bool isFull() const { return m_delays.size() == kCapacity; }
+    /// h_0. @pre size() > 0
+    [[nodiscard]] Duration newest() const;
+    /// h_mean, in whole nanoseconds. @pre size() > 0
+    [[nodiscard]] Duration mean() const;
+    /// To the nearest nanosecond. @pre size() > 0
+    [[nodiscard]] Duration sigma() const;
+
+private:
+    std::deque<Duration> m_delays; // the newest last
+};
+
+} // namespace carina

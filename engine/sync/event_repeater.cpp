@@ -1,0 +1,71 @@
+#include "engine/sync/event_repeater.h"
+
+#include "engine/sync/sequence.h"
+
+#include <algorithm>
+
+namespace carina
+{
+
+bool isLater(const EventCpo& a, const EventCpo& b)
+{
+    return isAfter(a.epoch, b.epoch) || (a.epoch == b.epoch && isAfter(a.action, b.action));
+}
+
+void EventRepeater::begin(const EventCpo& event, LocalTime now)
+{
+    m_entries.insert_or_assign(event.object, Entry{event, now, now});
+}
+
+void EventRepeater::beat(const EventCpo& event, LocalTime now)
+{
+    const auto found = m_entries.find(event.object);
+    if (found != m_entries.end() && now - found->second.lastSent >= kShortestBeat)
+        found->second.due = now;
+}
+
+void EventRepeater::acknowledge(const EventAck& ack)
+{
+    const auto found = m_entries.find(ack.object);
+    if (found == m_entries.end())
+        return;
+    Entry& entry = found->second;
+    if (entry.isAcknowledged || ack.epoch != entry.event.epoch || ack.action != entry.event.action)
+        return;
+    entry.isAcknowledged = true;
+    entry.due = m_hasHeartbeat ? entry.lastSent + kHeartbeat : LocalTime::max();
+}
+
+LocalTime EventRepeater::dueAfter(const Entry& entry, LocalTime now) const
+{
+    if (entry.isAcknowledged)
+        return m_hasHeartbeat ? now + kHeartbeat : LocalTime::max();
+    if (now < entry.begun + kFirstRepeat)
+        return entry.begun + kFirstRepeat;
+    if (now < entry.begun + kSecondRepeat)
+        return entry.begun + kSecondRepeat;
+    return now + kHeartbeat;
+}
+
+std::vector<EventCpo> EventRepeater::takeDue(LocalTime now)
+{
+    std::vector<EventCpo> due;
+    for (auto& [object, entry] : m_entries) {
+        if (now < entry.due)
+            continue;
+        due.push_back(entry.event);
+        entry.lastSent = now;
+        entry.due = dueAfter(entry, now);
+    }
+    return due;
+}
+
+LocalTime EventRepeater::nextDue() const
+{
+    LocalTime next = LocalTime::max();
+    for (const auto& [object, entry] : m_entries)
+        next = std::min(next, entry.due);
+    return next;
+}
+
+} // namespace carina

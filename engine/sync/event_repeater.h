@@ -1,0 +1,56 @@
+#pragma once
+
+#include "engine/core/session_time.h"
+#include "engine/sync/datagram.h"
+
+#include <map>
+#include <vector>
+
+namespace carina
+{
+
+/// One direction of one connection: sends the newest action on each object at once, again after
+/// 10 ms and 30 ms and then every 100 ms until it is acknowledged.
+///
+/// Whoever owns the objects also has a heartbeat: an acknowledged action is sent every 100 ms too,
+/// so that the others can tell an object at rest from an owner that is gone.
+class EventRepeater
+{
+public:
+    static constexpr Duration kFirstRepeat = std::chrono::milliseconds{10};
+    static constexpr Duration kSecondRepeat = std::chrono::milliseconds{30};
+    static constexpr Duration kHeartbeat = std::chrono::milliseconds{100};
+    /// A heartbeat is not passed on sooner than this after the last time the action was sent.
+    static constexpr Duration kShortestBeat = std::chrono::milliseconds{50};
+
+    explicit EventRepeater(bool hasHeartbeat) : m_hasHeartbeat{hasHeartbeat} {}
+
+    /// A new action on an object, in place of the last.
+    void begin(const EventCpo& event, LocalTime now);
+    /// A heartbeat of an action is to be passed on.
+    void beat(const EventCpo& event, LocalTime now);
+    void acknowledge(const EventAck& ack);
+
+    /// Events to send now; they count as sent.
+    [[nodiscard]] std::vector<EventCpo> takeDue(LocalTime now);
+    [[nodiscard]] LocalTime nextDue() const;
+
+private:
+    struct Entry {
+        EventCpo event;
+        LocalTime begun;
+        LocalTime due;
+        LocalTime lastSent = LocalTime::min();
+        bool isAcknowledged = false;
+    };
+
+    [[nodiscard]] LocalTime dueAfter(const Entry& entry, LocalTime now) const;
+
+    bool m_hasHeartbeat;
+    std::map<ObjectId, Entry> m_entries;
+};
+
+/// Whether action a on an object is later than b: by the ownership's epoch, then by the counter.
+[[nodiscard]] bool isLater(const EventCpo& a, const EventCpo& b);
+
+} // namespace carina

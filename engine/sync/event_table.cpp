@@ -1,0 +1,47 @@
+#include "engine/sync/event_table.h"
+
+namespace carina
+{
+
+EventTable::Verdict EventTable::take(const EventCpo& event, std::optional<SessionTime> session,
+                                     LocalTime now)
+{
+    if (session && event.start > *session + kLargestLead)
+        return Verdict::Refused;
+    const auto [place, isNew] =
+        m_entries.try_emplace(event.object, Entry{event, std::nullopt, now});
+    if (isNew)
+        return Verdict::New;
+    Entry& entry = place->second;
+    if (isLater(event, entry.newest)) {
+        entry = Entry{event, entry.newest, now};
+        return Verdict::New;
+    }
+    if (isLater(entry.newest, event))
+        return Verdict::Old;
+    entry.heard = now;
+    return Verdict::Known;
+}
+
+std::optional<ActedPose> EventTable::at(ObjectId object, SessionTime t) const
+{
+    const auto found = m_entries.find(object);
+    if (found == m_entries.end())
+        return std::nullopt;
+    const Entry& entry = found->second;
+    return evaluate(entry.before && t < entry.newest.start ? *entry.before : entry.newest, t);
+}
+
+bool EventTable::isStale(ObjectId object, LocalTime t) const
+{
+    const auto found = m_entries.find(object);
+    return found != m_entries.end() && t - found->second.heard > kStaleAfter;
+}
+
+const EventCpo* EventTable::newest(ObjectId object) const
+{
+    const auto found = m_entries.find(object);
+    return found == m_entries.end() ? nullptr : &found->second.newest;
+}
+
+} // namespace carina

@@ -1,0 +1,114 @@
+#include "engine/sync/probe_trigger.h"
+#include "engine/sync/strategies/relay_host.h"
+#include "engine/sync/strategies/relayed_participant.h"
+#include "engine/sync/strategies/strategies.h"
+
+#include <algorithm>
+#include <map>
+
+namespace carina
+{
+namespace
+{
+
+/// The Adaptive Synchronization Algorithm as published (Hamza-Lup, Rolland, Hughes 2004): every
+/// participant measures the round trip to every other, its neighbours, end to end over the host,
+/// and advances an action that arrives by the one-way delay from its author, taken as half of the
+/// newest round trip.
+///
+/// Not in it, on purpose: repeats of what is lost, order of what overtakes, a common clock.
+class AsaParticipant final : public RelayedParticipant
+{
+public:
+    AsaParticipant(const StarSeat& seat, bool isAdaptive, LocalTime now) : RelayedParticipant{seat}
+    {
+        const ProbeTrigger::Rule rule{.isAdaptive = isAdaptive};
+        for (std::uint16_t id = 1; id <= seat.participants; ++id) {
+            if (ParticipantId{id} == seat.self)
+                continue;
+            // Spread over the first interval, so that probes do not come in volleys.
+            const double share = static_cast<double>(id) / seat.participants;
+            const Duration first = fromSeconds(share / rule.start);
+            m_neighbours.emplace(ParticipantId{id}, Neighbour{ProbeTrigger{rule}, now + first});
+        }
+    }
+
+    void advance(LocalTime now) override
+    {
+        for (auto& [id, neighbour] : m_neighbours) {
+            if (now < neighbour.nextProbe)
+                continue;
+            sendRelayed(id, DelayProbe{now.time_since_epoch()});
+            ++m_probes;
+            neighbour.lastProbe = now;
+            neighbour.nextProbe = now + neighbour.trigger.interval();
+        }
+    }
+
+    [[nodiscard]] LocalTime nextWake() const override
+    {
+        LocalTime next = LocalTime::max();
+        for (const auto& [id, neighbour] : m_neighbours)
+            next = std::min(next, neighbour.nextProbe);
+        return next;
+    }
+
+    [[nodiscard]] std::uint64_t probesSent() const override { return m_probes; }
+
+private:
+    struct Neighbour {
+        ProbeTrigger trigger;
+        LocalTime nextProbe;
+        LocalTime lastProbe = LocalTime::min();
+        Duration oneWayDelay{};
+    };
+
+    void actionReceived(const EventCpo& action, ParticipantId from, LocalTime now) override
+    {
+        const auto author = m_neighbours.find(from);
+        if (author != m_neighbours.end())
+            running().begin(action, now - author->second.oneWayDelay);
+    }
+
+    void probeReceived(const DelayProbe& probe, ParticipantId from, LocalTime) override
+    {
+        sendRelayed(from, DelayAnswer{probe.sentAt});
+    }
+
+    void answerReceived(const DelayAnswer& answer, ParticipantId from, LocalTime now) override
+    {
+        const auto found = m_neighbours.find(from);
+        const Duration roundTrip = now.time_since_epoch() - answer.sentAt;
+        if (found == m_neighbours.end() || roundTrip < Duration{})
+            return;
+        Neighbour& neighbour = found->second;
+        neighbour.oneWayDelay = roundTrip / 2;
+        neighbour.trigger.addDelay(neighbour.oneWayDelay);
+        neighbour.nextProbe =
+            std::min(neighbour.nextProbe, neighbour.lastProbe + neighbour.trigger.interval());
+    }
+
+    std::map<ParticipantId, Neighbour> m_neighbours;
+    std::uint64_t m_probes = 0;
+};
+
+} // namespace
+
+SyncStrategy asaFixedStrategy()
+{
+    return {"asa-fixed", "ASA as published, the delay probed once a second", RelayHost::make,
+            [](const StarSeat& seat, LocalTime now) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<AsaParticipant>(seat, false, now);
+            }};
+}
+
+SyncStrategy asaAdaptiveStrategy()
+{
+    return {"asa-adaptive", "ASA as published, the delay probed more often while it varies",
+            RelayHost::make,
+            [](const StarSeat& seat, LocalTime now) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<AsaParticipant>(seat, true, now);
+            }};
+}
+
+} // namespace carina

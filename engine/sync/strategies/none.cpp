@@ -1,0 +1,37 @@
+#include "engine/sync/strategies/relay_host.h"
+#include "engine/sync/strategies/relayed_participant.h"
+#include "engine/sync/strategies/strategies.h"
+
+namespace carina
+{
+namespace
+{
+
+/// No synchronisation: an action is a motion and says nothing of where the object is. It goes on
+/// from wherever this participant has the object, so that what one action lacks or has too much
+/// stays for good.
+class UnsynchronisedParticipant final : public RelayedParticipant
+{
+public:
+    using RelayedParticipant::RelayedParticipant;
+
+private:
+    void actionReceived(const EventCpo& action, ParticipantId, LocalTime now) override
+    {
+        const auto acted = running().at(action.object, now);
+        running().begin(acted ? begunFrom(*acted, action.start, action) : action, now);
+    }
+};
+
+} // namespace
+
+SyncStrategy noneStrategy()
+{
+    return {"none", "each action moves the object from wherever it is, nothing is corrected",
+            RelayHost::make,
+            [](const StarSeat& seat, LocalTime) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<UnsynchronisedParticipant>(seat);
+            }};
+}
+
+} // namespace carina

@@ -1,0 +1,25 @@
+#include "engine/sync/strategies/relay_host.h"
+
+#include "engine/sync/strategies/relayed_message.h"
+
+namespace carina
+{
+
+std::unique_ptr<StarNode> RelayHost::make(std::uint16_t participants, LocalTime)
+{
+    return std::make_unique<RelayHost>(participants);
+}
+
+void RelayHost::receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime)
+{
+    const auto message = decodeRelayed(bytes);
+    if (!message || message->from != from)
+        return;
+    for (std::uint16_t id = 1; id <= m_participants; ++id) {
+        const ParticipantId to{id};
+        if (to != from && (message->to == to || message->to == kAllOthers))
+            send(to, {bytes.begin(), bytes.end()});
+    }
+}
+
+} // namespace carina

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/sync/strategy.h"
+
+namespace carina
+{
+
+/// A host that passes relayed messages on, at once and as they are, and knows nothing more.
+class RelayHost final : public StarNode
+{
+public:
+    /// As SyncStrategy::makeHost.
+    [[nodiscard]] static std::unique_ptr<StarNode> make(std::uint16_t participants, LocalTime now);
+
+    explicit RelayHost(std::uint16_t participants) : m_participants{participants} {}
+
+    void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) override;
+    void advance(LocalTime) override {}
+
+private:
+    std::uint16_t m_participants;
+};
+
+} // namespace carina

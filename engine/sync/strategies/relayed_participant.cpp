@@ -1,0 +1,53 @@
+#include "engine/sync/strategies/relayed_participant.h"
+
+namespace carina
+{
+
+std::optional<ActedPose> RunningActions::at(ObjectId object, LocalTime t) const
+{
+    const auto found = m_running.find(object);
+    if (found == m_running.end())
+        return std::nullopt;
+    return evaluateAfter(found->second.action, t - found->second.start);
+}
+
+struct RelayedParticipant::Visitor {
+    RelayedParticipant& participant;
+    ParticipantId from;
+    LocalTime now;
+
+    void operator()(const EventCpo& action) { participant.actionReceived(action, from, now); }
+    void operator()(const DelayProbe& probe) { participant.probeReceived(probe, from, now); }
+    void operator()(const DelayAnswer& answer) { participant.answerReceived(answer, from, now); }
+};
+
+void RelayedParticipant::receive(ParticipantId, std::span<const std::byte> bytes, LocalTime now)
+{
+    const auto message = decodeRelayed(bytes);
+    if (!message || (message->to != m_seat.self && message->to != kAllOthers))
+        return;
+    std::visit(Visitor{*this, message->from, now}, message->content);
+}
+
+void RelayedParticipant::act(const EventCpo& action, LocalTime now)
+{
+    m_running.begin(action, now);
+    EventCpo stamped = action;
+    stamped.start = ownStamp(now);
+    sendRelayed(kAllOthers, stamped);
+}
+
+std::optional<ShownObject> RelayedParticipant::shown(ObjectId object, LocalTime t) const
+{
+    if (const auto acted = m_running.at(object, t))
+        return ShownObject{*acted};
+    return std::nullopt;
+}
+
+void RelayedParticipant::sendRelayed(ParticipantId to,
+                                     const std::variant<EventCpo, DelayProbe, DelayAnswer>& content)
+{
+    send(kStarHost, encodeRelayed({m_seat.self, to, content}));
+}
+
+} // namespace carina

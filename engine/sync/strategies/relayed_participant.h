@@ -1,0 +1,66 @@
+#pragma once
+
+#include "engine/sync/strategies/relayed_message.h"
+#include "engine/sync/strategy.h"
+
+#include <unordered_map>
+
+namespace carina
+{
+
+/// Actions as they go on at this participant, each begun at a local time of its own.
+class RunningActions
+{
+public:
+    void begin(const EventCpo& action, LocalTime start)
+    {
+        m_running[action.object] = {action, start};
+    }
+    [[nodiscard]] std::optional<ActedPose> at(ObjectId object, LocalTime t) const;
+
+private:
+    struct Running {
+        EventCpo action;
+        LocalTime start;
+    };
+    std::unordered_map<ObjectId, Running> m_running;
+};
+
+/// What the strategies over a RelayHost share: an action that is taken goes on here at once and is
+/// sent to all others once; one that arrives goes on here from `begin`.
+class RelayedParticipant : public StarParticipant
+{
+public:
+    explicit RelayedParticipant(const StarSeat& seat) : m_seat{seat} {}
+
+    void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) override;
+    void advance(LocalTime) override {}
+    void act(const EventCpo& action, LocalTime now) override;
+    [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, LocalTime t) const override;
+
+protected:
+    /// An action of another participant has arrived.
+    virtual void actionReceived(const EventCpo& action, ParticipantId from, LocalTime now) = 0;
+    virtual void probeReceived(const DelayProbe&, ParticipantId, LocalTime) {}
+    virtual void answerReceived(const DelayAnswer&, ParticipantId, LocalTime) {}
+
+    void sendRelayed(ParticipantId to,
+                     const std::variant<EventCpo, DelayProbe, DelayAnswer>& content);
+    [[nodiscard]] const StarSeat& seat() const { return m_seat; }
+    [[nodiscard]] RunningActions& running() { return m_running; }
+    [[nodiscard]] const RunningActions& running() const { return m_running; }
+
+private:
+    struct Visitor;
+
+    StarSeat m_seat;
+    RunningActions m_running;
+};
+
+/// `now` as the start of an action on this participant's own clock, where there is no session's.
+[[nodiscard]] inline SessionTime ownStamp(LocalTime now)
+{
+    return SessionTime{now.time_since_epoch()};
+}
+
+} // namespace carina

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/sync/event_table.h"
+#include "engine/sync/peer_link.h"
+#include "engine/sync/strategy.h"
+
+#include <map>
+
+namespace carina
+{
+
+/// The host whose clock is the session's: passes each new action on at once, to every participant
+/// until that acknowledges it, and answers probes at once.
+class SessionClockHost final : public StarNode
+{
+public:
+    /// As SyncStrategy::makeHost.
+    [[nodiscard]] static std::unique_ptr<StarNode> make(std::uint16_t participants, LocalTime now);
+
+    SessionClockHost(std::uint16_t participants, LocalTime now);
+
+    void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) override;
+    void advance(LocalTime now) override;
+    [[nodiscard]] LocalTime nextWake() const override;
+
+private:
+    struct Peer {
+        PeerLink link;
+        EventRepeater events{false};
+        std::vector<WireRecord> acks{};
+        bool answer = false; ///< is due, with whatever there is
+    };
+
+    void take(ParticipantId from, const EventCpo& event, LocalTime now);
+
+    std::map<ParticipantId, Peer> m_peers;
+    EventTable m_table;
+};
+
+} // namespace carina

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/sync/strategy.h"
+
+namespace carina
+{
+
+[[nodiscard]] SyncStrategy sessionClockStrategy();
+[[nodiscard]] SyncStrategy asaAdaptiveStrategy();
+[[nodiscard]] SyncStrategy asaFixedStrategy();
+[[nodiscard]] SyncStrategy deadReckoningStrategy();
+[[nodiscard]] SyncStrategy interpolationStrategy();
+[[nodiscard]] SyncStrategy eventStrategy();
+[[nodiscard]] SyncStrategy noneStrategy();
+
+} // namespace carina

@@ -43,6 +43,9 @@ public:
         case Errc::NotEnoughMotion:
             return tr("The stylus was turned too little%1: swing it to all sides with its tip in "
                       "the divot.");
+        case Errc::NotRegistered:
+            return tr("The patient is not laid on the manikin yet%1: finish the steps of "
+                      "carina-registration.");
         case Errc::FileNotFound:
             return tr("There is no such file or folder%1: check its name and place.");
         case Errc::FileUnreadable:

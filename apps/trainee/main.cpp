@@ -2,6 +2,7 @@
 #include "apps/viewer/measurement.h"
 #include "apps/viewer/patient_option.h"
 #include "apps/viewer/program.h"
+#include "apps/viewer/site_option.h"
 #include "engine/session/simulated_station.h"
 #include "ui/trainee_window.h"
 #include "widgets/scene/graphics.h"
@@ -42,6 +43,7 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption(
         {QStringLiteral("full-screen"), QApplication::translate("Trainee", "Fill the screen.")});
     viewer::addPatientOptions(parser);
+    viewer::addSiteOption(parser);
     viewer::addMeasureOptions(parser);
     viewer::addJournalOption(parser);
 }
@@ -61,6 +63,7 @@ void publish(SessionNode& node, const StationTracking& tracking)
 /// The node asks the tracking for poses, the tracking reads the node's clock: neither may end
 /// while the other runs.
 struct TrackedStation {
+    viewer::TrueView truth; ///< what the simulated head truly has before it
     std::unique_ptr<StationTracking> tracking;
     std::unique_ptr<SessionNode> node;
 
@@ -75,13 +78,20 @@ struct TrackedStation {
     }
 };
 
-Result<void> watchHands(TrackedStation& station, const PatientModel& patient)
+Result<void> watchHands(TrackedStation& station, const PatientModel& patient,
+                        const std::optional<SiteSetup>& site)
 {
-    auto tracking = simulatedStation(patient.landmarks(), patient.tube(),
-                                     [node = station.node.get()] { return node->now(); });
-    if (!tracking)
-        return tl::unexpected(tracking.error());
-    station.tracking = std::move(tracking->tracking);
+    auto simulated = simulatedStation(
+        patient.landmarks(), patient.tube(), [node = station.node.get()] { return node->now(); },
+        site ? std::optional{site->registration} : std::nullopt);
+    if (!simulated)
+        return tl::unexpected(simulated.error());
+    station.tracking = std::move(simulated->tracking);
+    station.truth = [truth = simulated->truth,
+                     X_TA = simulated->X_TA](SessionTime t) -> std::optional<RigidTransform> {
+        const auto X_TH = truth(ToolRole::Head, t);
+        return X_TH ? std::optional{X_TH->inverse() * X_TA} : std::nullopt;
+    };
     if (auto started = station.tracking->start(); !started)
         return started;
     publish(*station.node, *station.tracking);
@@ -90,7 +100,7 @@ Result<void> watchHands(TrackedStation& station, const PatientModel& patient)
 
 /// Shows the window until it is closed, or measures it for as long as it was asked to.
 int show(TraineeWindow& window, const QCommandLineParser& parser,
-         const viewer::MeasureOptions& options)
+         const viewer::MeasureOptions& options, const viewer::TrueView& truth)
 {
     if (options.folder.isEmpty()) {
         window.resize(options.size);
@@ -103,6 +113,8 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     window.resize(options.size);
     window.show();
     viewer::Measurement measurement{window, window.stationScene()};
+    if (truth)
+        measurement.compareWith(truth);
     QTimer::singleShot(options.seconds * 1000, [&] {
         const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"), {});
         QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
@@ -121,14 +133,18 @@ Result<int> run(const QCommandLineParser& parser)
     const auto output = viewOutputNamed(parser.value(QStringLiteral("output")));
     if (!output)
         return tl::unexpected(output.error());
-    const auto headset = HeadsetView::of(defaultDisplay());
-    if (!headset)
-        return tl::unexpected(headset.error());
     if (const auto driver = graphicsDriver(); !driver)
         return tl::unexpected(driver.error());
     const auto patient = viewer::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
+    const auto site = viewer::siteOption(parser, patient->model);
+    if (!site)
+        return tl::unexpected(site.error());
+    const auto headset =
+        HeadsetView::of(*site ? (*site)->display.value_or(defaultDisplay()) : defaultDisplay());
+    if (!headset)
+        return tl::unexpected(headset.error());
 
     TrackedStation station;
     auto joined =
@@ -140,7 +156,7 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(joined.error());
     station.node = std::move(*joined);
     if (parser.isSet(QStringLiteral("simulated-tracker"))) {
-        if (auto watched = watchHands(station, patient->model); !watched)
+        if (auto watched = watchHands(station, patient->model, *site); !watched)
             return tl::unexpected(watched.error());
     }
 
@@ -152,7 +168,7 @@ Result<int> run(const QCommandLineParser& parser)
         viewer::journalFromOptions(parser, *station.node, kStation, window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());
-    return show(window, parser, *options);
+    return show(window, parser, *options, station.truth);
 }
 
 } // namespace

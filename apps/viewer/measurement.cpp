@@ -17,6 +17,7 @@ namespace carina::viewer
 namespace
 {
 
+constexpr Duration kHalfRefresh = std::chrono::microseconds{8333}; ///< of a screen with 60 Hz
 constexpr double kInPlace_m = 0.006;
 constexpr Duration kRest = std::chrono::seconds{1}; ///< in place before the picture
 
@@ -59,23 +60,34 @@ qint64 trianglesAt(const PatientModel& patient, int level)
 Measurement::Measurement(QWidget& window, StationScene& scene) : m_window{window}, m_scene{scene}
 {
     m_scene.onFrameDrawn([this](const DrawnFrame& drawn, const StationMoment& moment) {
-        if (moment.time == SessionTime{})
-            return; // not in a session yet
-        m_frames.push_back(logged(drawn, moment));
-        if (!isInPlace(m_frames.back(), m_scene.patient().tube())) {
-            m_inPlaceSince.reset();
-            return;
-        }
-        if (!m_inPlaceSince) {
-            m_inPlaceSince = drawn.asked;
-            m_pictureDue = true;
-        }
-        if (m_pictureDue && drawn.asked - *m_inPlaceSince >= kRest) {
-            m_pictureDue = false;
-            // After this frame: reading the picture back draws again.
-            QTimer::singleShot(0, &m_window, [this] { takePicture(); });
-        }
+        if (moment.time != SessionTime{}) // in a session
+            logFrame(drawn, moment);
     });
+}
+
+void Measurement::compareWith(TrueView truth)
+{
+    m_overlay.emplace(std::move(truth), m_scene.patient().landmarks());
+}
+
+void Measurement::logFrame(const DrawnFrame& drawn, const StationMoment& moment)
+{
+    m_frames.push_back(logged(drawn, moment));
+    if (m_overlay && drawn.frame.eyes && !drawn.frame.eyes->empty() && moment.head)
+        m_overlay->add(moment.head->X_FO, moment.time + (drawn.swapped + kHalfRefresh - drawn.lit));
+    if (!isInPlace(m_frames.back(), m_scene.patient().tube())) {
+        m_inPlaceSince.reset();
+        return;
+    }
+    if (!m_inPlaceSince) {
+        m_inPlaceSince = drawn.asked;
+        m_pictureDue = true;
+    }
+    if (m_pictureDue && drawn.asked - *m_inPlaceSince >= kRest) {
+        m_pictureDue = false;
+        // After this frame: reading the picture back draws again.
+        QTimer::singleShot(0, &m_window, [this] { takePicture(); });
+    }
 }
 
 void Measurement::takePicture()
@@ -146,6 +158,8 @@ Result<void> Measurement::write(const QDir& folder, const QString& name, const Q
     report[QStringLiteral("level")] = level;
     report[QStringLiteral("triangles")] = trianglesAt(m_scene.patient(), level);
     report[QStringLiteral("visible_pixels")] = m_visiblePixels;
+    if (m_overlay)
+        report[QStringLiteral("overlay")] = m_overlay->report();
     QSaveFile file{folder.filePath(name + QStringLiteral(".json"))};
     if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument{report}.toJson()) < 0
         || !file.commit())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/viewer/seen_overlay.h"
 #include "models/frame_log.h"
 #include "ui/station_scene.h"
 
@@ -22,12 +23,17 @@ public:
     /// Logs every frame from now on. @pre window and scene outlive this.
     Measurement(QWidget& window, StationScene& scene);
 
+    /// Measures what a headset shows against the simulator's truth, too; for a headset's output it
+    /// adds "overlay" to what is written.
+    void compareWith(TrueView truth);
+
     /// Writes NAME.png, NAME.json (what was measured, and `extra` with it) and NAME_frames.csv.
     /// @returns NoGraphics where vertices cannot be read back; FileUnwritable with the path.
     [[nodiscard]] Result<void> write(const QDir& folder, const QString& name,
                                      const QJsonObject& extra);
 
 private:
+    void logFrame(const DrawnFrame& drawn, const StationMoment& moment);
     void takePicture();
     [[nodiscard]] Result<void> measureVolumes();
     [[nodiscard]] QJsonObject visiblePixels() const;
@@ -35,6 +41,7 @@ private:
     QWidget& m_window;
     StationScene& m_scene;
     std::vector<LoggedFrame> m_frames;
+    std::optional<SeenOverlay> m_overlay;
     std::optional<LocalTime> m_inPlaceSince; ///< the tube, without a break until the latest frame
     bool m_pictureDue = false;               ///< of this stay in place
     QPixmap m_picture;

@@ -20,6 +20,7 @@ enum class Errc : std::uint8_t {
     DegenerateLandmarks, ///< at one place, on one line, or otherwise without one best fit
     TooFewPoses,         ///< fewer poses of a stylus, or fewer that agree, than a calibration needs
     NotEnoughMotion,     ///< the stylus was turned too little to know its tip
+    NotRegistered,       ///< a site whose anatomy was not yet fitted to its manikin
 
     // Files
     FileNotFound,      ///< no such file or folder

@@ -1,0 +1,39 @@
+#include "apps/viewer/site_option.h"
+
+#include <QCoreApplication>
+
+namespace carina::viewer
+{
+namespace
+{
+
+const QString kSiteFile = QStringLiteral("site");
+
+} // namespace
+
+void addSiteOption(QCommandLineParser& parser)
+{
+    parser.addOption(
+        {kSiteFile,
+         QCoreApplication::translate("Program", "Lay the patient on the manikin as this file of "
+                                                "carina-registration says."),
+         QStringLiteral("FILE")});
+}
+
+Result<std::optional<SiteSetup>> siteOption(const QCommandLineParser& parser,
+                                            const PatientModel& patient)
+{
+    if (!parser.isSet(kSiteFile))
+        return std::nullopt;
+    const std::string file = parser.value(kSiteFile).toStdString();
+    const Result<Site> site = readSiteFile(file);
+    if (!site)
+        return tl::unexpected(site.error());
+    auto setup = siteSetup(*site, patient);
+    if (!setup)
+        return fail(setup.error().code,
+                    file + (setup.error().detail.empty() ? "" : ": " + setup.error().detail));
+    return std::optional{std::move(*setup)};
+}
+
+} // namespace carina::viewer

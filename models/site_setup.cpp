@@ -1,0 +1,21 @@
+#include "models/site_setup.h"
+
+namespace carina
+{
+
+Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
+{
+    if (!site.registration || !site.catalogue)
+        return fail(Errc::NotRegistered, "");
+    const std::string& anatomy = site.catalogue->anatomy;
+    if (!anatomy.empty() && anatomy != patient.contentHash())
+        return fail(Errc::OutOfRange,
+                    "the site is registered for another patient than " + patient.name());
+    const SiteRegistration& fitted = *site.registration;
+    SiteSetup setup{.registration = {.X_AT = fitted.X_AT}, .display = site.display};
+    if (fitted.X_JM)
+        setup.registration.X_JA = *fitted.X_JM * fitted.X_AM.inverse();
+    return setup;
+}
+
+} // namespace carina

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/io/site_file.h"
+#include "engine/session/station_tracking.h"
+#include "models/patient_model.h"
+
+namespace carina
+{
+
+/// What a station takes from its site file.
+struct SiteSetup {
+    StationRegistration registration;
+    std::optional<DisplayGeometry> display{}; ///< of the headset, if it was measured
+};
+
+/// @returns NotRegistered before the site's anatomy was fitted; OutOfRange for a site of another
+///          patient.
+[[nodiscard]] Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient);
+
+} // namespace carina

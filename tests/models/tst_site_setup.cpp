@@ -1,0 +1,75 @@
+#include "models/site_setup.h"
+
+#include "registration_site.h"
+
+#include <QTest>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kExact = 1e-9; // m, and as coefficients of a rotation
+
+} // namespace
+
+class TestSiteSetup : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void laysThePatientWhereItWasFitted()
+    {
+        RegistrationSite site;
+        const auto model = site.model();
+        site.touchAll(*model);
+        model->fit();
+        const auto setup = siteSetup(model->site(), site.patient());
+        QVERIFY(setup.has_value());
+        QVERIFY((setup->registration.X_AT * site.X_TA).matrix().isApprox(Mat4::Identity(), kExact));
+        const RigidTransform X_JA = site.X_TJ.inverse() * site.X_TA;
+        QVERIFY(setup->registration.X_JA->matrix().isApprox(X_JA.matrix(), kExact));
+        QVERIFY(!setup->display);
+    }
+
+    void knowsNoChinProbeThatWasNotSeen()
+    {
+        RegistrationSite site;
+        const auto model = site.model();
+        site.touchAll(*model);
+        model->fit();
+        Site without = model->site();
+        without.registration->X_JM.reset();
+        without.display = DisplayGeometry{.screenWidth = 0.5};
+        const auto setup = siteSetup(without, site.patient());
+        QVERIFY(!setup->registration.X_JA);
+        QCOMPARE(setup->display->screenWidth, 0.5);
+    }
+
+    void refusesASiteThatIsNotFitted()
+    {
+        RegistrationSite site;
+        const auto model = site.model();
+        QCOMPARE(siteSetup(model->site(), site.patient()).error().code, Errc::NotRegistered);
+        site.touchAll(*model);
+        QCOMPARE(siteSetup(model->site(), site.patient()).error().code, Errc::NotRegistered);
+    }
+
+    void refusesTheSiteOfAnotherPatient()
+    {
+        RegistrationSite site;
+        const auto model = site.model();
+        site.touchAll(*model);
+        model->fit();
+        Site foreign = model->site();
+        foreign.catalogue->anatomy = "somebody else";
+        QCOMPARE(siteSetup(foreign, site.patient()).error().code, Errc::OutOfRange);
+        foreign.catalogue->anatomy.clear(); // made for no patient in particular
+        QVERIFY(siteSetup(foreign, site.patient()).has_value());
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestSiteSetup)
+#include "tst_site_setup.moc"

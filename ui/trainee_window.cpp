@@ -19,12 +19,14 @@ constexpr int kNoticeMargin = 4; // pixels
 
 TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
                              const PatientModel& patient, const StationView& view,
-                             const HeadsetView& headset, ViewOutput output)
+                             const HeadsetView& headset, ViewOutput output,
+                             ChinProbeModel chinProbe)
     : m_node{node},
       m_station{station},
       m_scene{new SceneView{this}},
       m_notices{new QLabel{this}, new QLabel{this}},
       m_headset{headset},
+      m_chinProbe{chinProbe},
       m_stationScene{*m_scene, patient, view}
 {
     setWindowTitle(tr("Carina trainee"));
@@ -56,6 +58,8 @@ void TraineeWindow::makeMenu()
     m_menu.addSeparator();
     addPresets();
     m_menu.addSeparator();
+    if (m_chinProbe.isThere())
+        addChinProbe();
     m_menu.addAction(tr("F&ull screen on or off"), this,
                      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     m_menu.addAction(tr("&Leave"), this, &QWidget::close);
@@ -94,6 +98,21 @@ void TraineeWindow::addPresets()
     add(ViewPreset::Trainee, tr("From the &head end"));
 }
 
+void TraineeWindow::addChinProbe()
+{
+    auto* choices = new QActionGroup{this};
+    const auto add = [this, choices](bool movesManikin, const QString& text) {
+        QAction* action = m_menu.addAction(
+            text, this, [this, movesManikin] { m_chinProbe.setMovesManikin(movesManikin); });
+        action->setCheckable(true);
+        action->setChecked(movesManikin == m_chinProbe.movesManikin());
+        choices->addAction(action);
+    };
+    add(false, tr("Manikin lies still, chin probe moves the &jaw"));
+    add(true, tr("&Manikin is moved with its mouth closed"));
+    m_menu.addSeparator();
+}
+
 void TraineeWindow::showTo(ViewOutput output)
 {
     m_stationScene.showTo(m_headset, output);
@@ -108,11 +127,19 @@ void TraineeWindow::resizeEvent(QResizeEvent* event)
     refreshNotice();
 }
 
+QString TraineeWindow::notice() const
+{
+    const QString notice = stationNotice(m_node, m_station, m_stationScene.patient().contentHash(),
+                                         m_stationScene.moment(), m_stationScene.output());
+    return notice.isEmpty() && m_chinProbe.movesManikin()
+               ? tr("The patient follows the chin probe: keep the manikin's mouth closed")
+               : notice;
+}
+
 void TraineeWindow::refreshNotice()
 {
     const ViewOutput output = m_stationScene.output();
-    const QString notice = stationNotice(m_node, m_station, m_stationScene.patient().contentHash(),
-                                         m_stationScene.moment(), output);
+    const QString notice = this->notice();
     const bool twice = output == ViewOutput::SideBySide;
     const int width = twice ? this->width() / 2 : this->width();
     placeNotice(0, notice, {0, 0, width, height()});

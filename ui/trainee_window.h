@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/chin_probe_model.h"
 #include "ui/station_scene.h"
 
 #include <QLabel>
@@ -22,7 +23,8 @@ class TraineeWindow : public QWidget
 public:
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, StationId station, const PatientModel& patient,
-                  const StationView& view, const HeadsetView& headset, ViewOutput output);
+                  const StationView& view, const HeadsetView& headset, ViewOutput output,
+                  ChinProbeModel chinProbe);
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
 
@@ -33,6 +35,8 @@ private:
     void makeMenu();
     void addOutputs();
     void addPresets();
+    void addChinProbe();
+    [[nodiscard]] QString notice() const;
     void showTo(ViewOutput output);
     void refreshNotice();
     void placeNotice(std::size_t place, const QString& notice, const QRect& within);
@@ -42,6 +46,7 @@ private:
     SceneView* m_scene;
     std::array<QLabel*, 2> m_notices; ///< all the window, or its left half; and its right half
     HeadsetView m_headset;
+    ChinProbeModel m_chinProbe;
     StationScene m_stationScene;
     QMenu m_menu;
     std::vector<QAction*> m_presets; ///< of the screen's camera

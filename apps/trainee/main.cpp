@@ -163,7 +163,13 @@ Result<int> run(const QCommandLineParser& parser)
     const StationView view{*station.node, kStation, patient->model.lungs(),
                            station.tracking ? posesOf(*station.tracking)
                                             : posesOf(*station.node, kStation)};
-    TraineeWindow window{*station.node, kStation, patient->model, view, *headset, *output};
+    TraineeWindow window{*station.node,
+                         kStation,
+                         patient->model,
+                         view,
+                         *headset,
+                         *output,
+                         ChinProbeModel{station.tracking.get()}};
     const auto journal =
         viewer::journalFromOptions(parser, *station.node, kStation, window.stationScene());
     if (!journal)

@@ -1,0 +1,75 @@
+#include "widgets/scene/marker_shapes.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace carina;
+
+namespace
+{
+
+// A regular polygon of 24 corners covers this share of its circle; the bands of the ball and the
+// blunt tips take the rest.
+constexpr double kVolumeTolerance = 0.03;
+constexpr double kSize = 1e-6; ///< metres, of a coordinate
+constexpr double kRadius = 0.006;
+
+double volumeOf(const DeformableMesh& mesh) { return signedVolume(mesh.rest); }
+
+bool isNear(double value, double expected)
+{
+    return std::abs(value / expected - 1.0) < kVolumeTolerance;
+}
+
+} // namespace
+
+class TestMarkerShapes : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void makesABall();
+    void makesADiamond();
+    void makesAPointer();
+    void givesEveryVertexANormal();
+};
+
+void TestMarkerShapes::makesABall()
+{
+    const auto ball = ballMarker(metres(kRadius));
+    QVERIFY(isNear(volumeOf(*ball), 4.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3)));
+    const Box bounds = boundsOf(ball->rest);
+    QVERIFY((bounds.max - Vec3::Constant(kRadius)).norm() < kSize);
+    QVERIFY((bounds.min + Vec3::Constant(kRadius)).norm() < kSize);
+}
+
+void TestMarkerShapes::makesADiamond()
+{
+    const auto diamond = diamondMarker(metres(kRadius));
+    QVERIFY(isNear(volumeOf(*diamond), 2.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3)));
+    const Box bounds = boundsOf(diamond->rest);
+    QVERIFY((bounds.max - Vec3::Constant(kRadius)).norm() < kSize);
+    QVERIFY((bounds.min + Vec3::Constant(kRadius)).norm() < kSize);
+}
+
+void TestMarkerShapes::makesAPointer()
+{
+    constexpr double kLength = 0.1;
+    const auto pointer = pointerMarker(metres(kLength), metres(kRadius));
+    QVERIFY(isNear(volumeOf(*pointer), std::numbers::pi / 3.0 * kRadius * kRadius * kLength));
+    const Box bounds = boundsOf(pointer->rest);
+    QVERIFY(std::abs(bounds.min.z()) < kSize); // the tip
+    QVERIFY(std::abs(bounds.max.z() - kLength) < kSize);
+}
+
+void TestMarkerShapes::givesEveryVertexANormal()
+{
+    for (const auto& marker : {ballMarker(metres(kRadius)), diamondMarker(metres(kRadius)),
+                               pointerMarker(metres(0.1), metres(kRadius))})
+        QCOMPARE(marker->rest.normals.size(), marker->rest.positions.size());
+}
+
+QTEST_GUILESS_MAIN(TestMarkerShapes)
+#include "tst_marker_shapes.moc"

@@ -1,0 +1,109 @@
+#include "ui/registration_scene.h"
+
+#include "engine/core/monotonic_clock.h"
+#include "ui/scene_parts.h"
+#include "widgets/scene/marker_shapes.h"
+#include "widgets/scene/scene_view.h"
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kPulsesPerSecond = 1.5;
+const Length kBall = millimetres(5.0);
+const Length kSwollenBall = millimetres(9.0);
+const Length kDiamond = millimetres(7.0);
+const Length kMargin = millimetres(40.0); ///< of the picture around the landmarks
+const Length kPointer = millimetres(100.0);
+const Length kPointerRadius = millimetres(5.0);
+const QColor kOpenColor{235, 235, 225};
+const QColor kNextColor{250, 170, 40};
+const QColor kTouchedColor{70, 190, 235};
+const QColor kStylusColor{210, 90, 200};
+const std::string kStylus = "stylus";
+
+enum class Marker : std::uint8_t { Open, Next, NextSwollen, Touched };
+
+std::string bodyOf(Marker marker, std::size_t landmark)
+{
+    return "landmark " + std::to_string(landmark) + " " + std::to_string(int(marker));
+}
+
+Marker markerOf(const LandmarkRow& landmark, LocalTime time)
+{
+    if (landmark.isNext) {
+        const double pulses = kPulsesPerSecond * toSeconds(time.time_since_epoch());
+        return pulses - std::floor(pulses) < 0.5 ? Marker::Next : Marker::NextSwollen;
+    }
+    return landmark.spread_mm ? Marker::Touched : Marker::Open;
+}
+
+/// X_AF of a pointer whose tip is at the stylus's tip and that runs along its shaft.
+RigidTransform pointerAt(const StylusOnAnatomy& stylus)
+{
+    const Vec3 shaft_A = stylus.X_AS.translation() - stylus.p_AQ;
+    return {Quat::FromTwoVectors(Vec3::UnitZ(), shaft_A), stylus.p_AQ};
+}
+
+} // namespace
+
+RegistrationScene::RegistrationScene(SceneView& scene, const RegistrationModel& registration)
+    : m_scene{scene}, m_registration{registration}
+{
+    m_scene.setFrameSource([this](int, LocalTime lit) { return frameAt(lit); });
+    m_scene.showFrom(ViewPreset::Front);
+    refresh();
+}
+
+void RegistrationScene::refresh()
+{
+    m_landmarks = m_registration.landmarks();
+    if (m_landmarks.size() > m_marked)
+        addMarkers();
+    const std::optional<std::size_t> next = m_registration.nextLandmark();
+    if (next && next != m_next)
+        m_scene.showFrom(ViewPreset::Front);
+    m_next = next;
+}
+
+void RegistrationScene::addMarkers()
+{
+    std::vector<ScenePart> parts = sceneParts(m_registration.patient());
+    const auto add = [&](std::string body, const QColor& color,
+                         std::shared_ptr<const DeformableMesh> mesh) {
+        parts.push_back({.name = body,
+                         .id = static_cast<std::uint16_t>(parts.size() + 1),
+                         .group = MaterialGroup::Tool,
+                         .color = color,
+                         .body = body,
+                         .framed = false,
+                         .levels = {std::move(mesh)}});
+    };
+    m_marked = m_landmarks.size();
+    for (std::size_t i = 0; i < m_marked; ++i) {
+        add(bodyOf(Marker::Open, i), kOpenColor, ballMarker(kBall));
+        add(bodyOf(Marker::Next, i), kNextColor, ballMarker(kBall));
+        add(bodyOf(Marker::NextSwollen, i), kNextColor, ballMarker(kSwollenBall));
+        add(bodyOf(Marker::Touched, i), kTouchedColor, diamondMarker(kDiamond));
+    }
+    add(kStylus, kStylusColor, pointerMarker(kPointer, kPointerRadius));
+    Box around;
+    for (const LandmarkRow& landmark : m_landmarks)
+        for (const double side : {-kMargin.si, kMargin.si})
+            around.include(Vec3{landmark.p_AQ.array() + side});
+    m_scene.setParts(parts, around);
+}
+
+SceneFrame RegistrationScene::frameAt(LocalTime time) const
+{
+    SceneFrame frame = sceneFrame({}); // at rest, mouth closed
+    for (std::size_t i = 0; i < m_landmarks.size(); ++i)
+        frame.bodies[bodyOf(markerOf(m_landmarks[i], time), i)] =
+            RigidTransform::translation(m_landmarks[i].p_AQ);
+    if (const auto stylus = m_registration.stylusOnAnatomy())
+        frame.bodies[kStylus] = pointerAt(*stylus);
+    return frame;
+}
+
+} // namespace carina

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "models/registration_model.h"
+#include "widgets/scene/scene_frame.h"
+
+namespace carina
+{
+
+class SceneView;
+
+/// Shows a registration in three dimensions: the patient at rest, the landmarks on it, and the
+/// stylus once the patient is registered. Open landmarks are balls, touched ones diamonds, and the
+/// one that is next is a ball that swells and shrinks.
+class RegistrationScene
+{
+public:
+    /// @pre all outlive this.
+    RegistrationScene(SceneView& scene, const RegistrationModel& registration);
+
+    /// Takes in that the registration changed, and turns to the landmark that is next.
+    void refresh();
+
+    /// What is drawn at a time.
+    [[nodiscard]] SceneFrame frameAt(LocalTime time) const;
+
+private:
+    void addMarkers();
+
+    SceneView& m_scene;
+    const RegistrationModel& m_registration;
+    std::vector<LandmarkRow> m_landmarks;
+    std::size_t m_marked = 0; ///< landmarks that there are markers for
+    std::optional<std::size_t> m_next;
+};
+
+} // namespace carina

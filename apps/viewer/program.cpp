@@ -53,8 +53,22 @@ void addMeasureOptions(QCommandLineParser& parser)
          QStringLiteral("DIR")});
     parser.addOption({kSeconds, QApplication::translate("Program", "How long to measure."),
                       QStringLiteral("N"), QStringLiteral("20")});
-    parser.addOption({kSize, QApplication::translate("Program", "Size of the window measured."),
+    addSizeOption(parser);
+}
+
+void addSizeOption(QCommandLineParser& parser)
+{
+    parser.addOption({kSize, QApplication::translate("Program", "Size of the window."),
                       QStringLiteral("WxH"), QStringLiteral("1280x800")});
+}
+
+Result<QSize> sizeOption(const QCommandLineParser& parser)
+{
+    const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
+    const QSize size{sides.value(0).toInt(), sides.value(1).toInt()};
+    if (sides.size() != 2 || size.isEmpty())
+        return fail(Errc::OutOfRange, "--size " + parser.value(kSize).toStdString());
+    return size;
 }
 
 Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
@@ -63,10 +77,10 @@ Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
     options.seconds = parser.value(kSeconds).toInt();
     if (options.seconds <= 0)
         return fail(Errc::OutOfRange, "--seconds " + parser.value(kSeconds).toStdString());
-    const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
-    options.size = QSize{sides.value(0).toInt(), sides.value(1).toInt()};
-    if (sides.size() != 2 || options.size.isEmpty())
-        return fail(Errc::OutOfRange, "--size " + parser.value(kSize).toStdString());
+    const auto size = sizeOption(parser);
+    if (!size)
+        return tl::unexpected(size.error());
+    options.size = *size;
     return options;
 }
 

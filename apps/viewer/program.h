@@ -32,6 +32,11 @@ void addMeasureOptions(QCommandLineParser& parser);
 /// @returns OutOfRange for a number or size that is none.
 [[nodiscard]] Result<MeasureOptions> measureOptions(const QCommandLineParser& parser);
 
+/// Adds `--size WxH`, of the window; what addMeasureOptions adds, too.
+void addSizeOption(QCommandLineParser& parser);
+/// @returns OutOfRange for a size that is none.
+[[nodiscard]] Result<QSize> sizeOption(const QCommandLineParser& parser);
+
 /// A UDP port from `--port`. @returns OutOfRange for something else.
 [[nodiscard]] Result<std::uint16_t> portOption(const QCommandLineParser& parser);
 

@@ -1,0 +1,184 @@
+#include "apps/registration/patient_landmarks.h"
+#include "apps/registration/registration_journal.h"
+#include "apps/registration/registration_report.h"
+#include "apps/registration/scripted_hand.h"
+#include "apps/registration/scripted_technician.h"
+#include "apps/viewer/program.h"
+#include "engine/io/whole_file.h"
+#include "ui/registration_window.h"
+#include "widgets/scene/graphics.h"
+
+#include <QApplication>
+#include <QJsonDocument>
+#include <QStandardPaths>
+
+#include <cstdio>
+
+namespace carina
+{
+namespace
+{
+
+const QString kSite = QStringLiteral("site");
+const QString kSimulatedTracker = QStringLiteral("simulated-tracker");
+const QString kHands = QStringLiteral("hands");
+const QString kScripted = QStringLiteral("scripted");
+const QString kMeasure = QStringLiteral("measure");
+const QString kJournal = QStringLiteral("journal");
+
+QString words(const char* text) { return QApplication::translate("Registration", text); }
+
+QString defaultSite()
+{
+    return QDir{QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)}.filePath(
+        QStringLiteral("site.json"));
+}
+
+void addOptions(QCommandLineParser& parser)
+{
+    parser.setApplicationDescription(
+        words("Registers a patient's anatomy to a manikin by touched landmarks."));
+    parser.addHelpOption();
+    parser.addOption({kSite,
+                      words("File that the site is kept in, saved after every step; a stored site "
+                            "goes on where it stood."),
+                      QStringLiteral("FILE"), defaultSite()});
+    parser.addOption({kSimulatedTracker, words("Use a simulated tracker and manikin.")});
+    parser.addOption({kHands,
+                      words("Who holds the stylus of the simulated tracker: scripted, a hand that "
+                            "does what the wizard asks for, or off, nobody."),
+                      QStringLiteral("WHO"), kScripted});
+    parser.addOption({kMeasure,
+                      words("Go through all steps without a person, write pictures of the pages "
+                            "and registration.json into this folder, and leave."),
+                      QStringLiteral("DIR")});
+    parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
+                      QStringLiteral("FILE")});
+    viewer::addSizeOption(parser);
+    viewer::addPatientOptions(parser);
+}
+
+Result<bool> hasScriptedHand(const QCommandLineParser& parser)
+{
+    const QString who = parser.value(kHands);
+    if (who != kScripted && who != QStringLiteral("off"))
+        return fail(Errc::OutOfRange, "--hands " + who.toStdString());
+    return who == kScripted;
+}
+
+Result<void> writeReport(const QDir& folder, const std::string& siteFile,
+                         const AirwayLandmarks& airway, const SimulatedWorkplace& workplace)
+{
+    const auto stored = readSiteFile(siteFile);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    const QByteArray report =
+        QJsonDocument{registrationReport(*stored, airway, workplace)}.toJson();
+    return writeWholeFile(folder.filePath(QStringLiteral("registration.json")).toStdString(),
+                          report.toStdString());
+}
+
+/// Lets the scripted technician work and reports what came of it.
+int measure(RegistrationWindow& window, const RegistrationModel& registration,
+            const SimulatedWorkplace& workplace, const QCommandLineParser& parser)
+{
+    const QDir folder{parser.value(kMeasure)};
+    if (!folder.mkpath(QStringLiteral(".")))
+        return viewer::refuse({Errc::FileUnwritable, folder.path().toStdString()});
+    ScriptedTechnician technician{window, registration, folder};
+    QObject::connect(&technician, &ScriptedTechnician::done, &window, [&] {
+        const auto wrote = writeReport(folder, parser.value(kSite).toStdString(),
+                                       registration.patient().landmarks(), workplace);
+        QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
+    });
+    QObject::connect(&technician, &ScriptedTechnician::stuck, &window, [](const QString& where) {
+        std::fprintf(stderr, "%s\n",
+                     qPrintable(words("The registration did not get done: %1").arg(where)));
+        QApplication::exit(1);
+    });
+    return QApplication::exec();
+}
+
+/// The journal that `--journal` asks for; null without it.
+Result<std::unique_ptr<RegistrationJournal>> journalOf(const RegistrationModel& registration,
+                                                       const QCommandLineParser& parser)
+{
+    if (!parser.isSet(kJournal))
+        return nullptr;
+    return RegistrationJournal::open(parser.value(kJournal), registration);
+}
+
+Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& patient,
+                 const QSize& size, bool scripted)
+{
+    const std::string siteFile = parser.value(kSite).toStdString();
+    auto site = RegistrationModel::siteOf(siteFile, patient.model);
+    if (!site)
+        return tl::unexpected(site.error());
+    const auto workplace = simulatedWorkplace(patient.model.landmarks(), patient.model.tube());
+    if (!workplace)
+        return tl::unexpected(workplace.error());
+    if (auto started = workplace->tracker->start(); !started)
+        return tl::unexpected(started.error());
+
+    RegistrationModel registration{{.file = siteFile,
+                                    .tracker = workplace->tracker.get(),
+                                    .trackerName = words("Simulated tracker"),
+                                    .clock = workplace->clock,
+                                    .landmarks = landmarksOf(patient)},
+                                   std::move(*site),
+                                   patient.model};
+    const auto journal = journalOf(registration, parser);
+    if (!journal)
+        return tl::unexpected(journal.error());
+    std::optional<ScriptedHand> hand;
+    if (scripted)
+        hand.emplace(registration, *workplace);
+    RegistrationWindow window{registration};
+    window.resize(size);
+    window.show();
+    return parser.isSet(kMeasure) ? measure(window, registration, *workplace, parser)
+                                  : QApplication::exec();
+}
+
+Result<int> run(const QCommandLineParser& parser)
+{
+    const auto size = viewer::sizeOption(parser);
+    if (!size)
+        return tl::unexpected(size.error());
+    const auto scripted = hasScriptedHand(parser);
+    if (!scripted)
+        return tl::unexpected(scripted.error());
+    if (!parser.isSet(kSimulatedTracker)) {
+        std::fprintf(stderr, "%s\n",
+                     qPrintable(words("This version knows no other tracker than the simulated one: "
+                                      "start it with --simulated-tracker.")));
+        return 1;
+    }
+    if (const auto driver = graphicsDriver(); !driver)
+        return tl::unexpected(driver.error());
+    const auto patient = viewer::choosePatient(parser);
+    if (!patient)
+        return tl::unexpected(patient.error());
+    return show(parser, *patient, *size, *scripted);
+}
+
+} // namespace
+} // namespace carina
+
+int main(int argc, char** argv)
+{
+    carina::viewer::nameProgram(QStringLiteral("carina-registration"));
+    QCommandLineParser parser;
+    carina::addOptions(parser);
+    if (carina::viewer::asksForHelp(argc, argv)) {
+        const QCoreApplication application{argc, argv};
+        parser.process(application); // which ends here: help needs no display
+    }
+    carina::prepareGraphics();
+    QApplication application{argc, argv};
+    carina::viewer::prepareProgram(application);
+    parser.process(application);
+    const carina::Result<int> status = carina::run(parser);
+    return status ? *status : carina::viewer::refuse(status.error());
+}

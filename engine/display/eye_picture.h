@@ -35,9 +35,17 @@ struct EyePicture {
 /// @pre the window has a size, and the part lies within it.
 [[nodiscard]] PixelRect pixelsOf(const WindowPart& part, int windowWidth, int windowHeight);
 
-/// The largest picture of a frustum's width over height, centred in an area, so that a pixel is as
-/// wide as it is high up to rounding. At least one pixel.
+/// A picture where it is drawn.
+struct PlacedPicture {
+    PixelRect pixels;
+    Frustum frustum; ///< what is seen in these very pixels
+};
+
+/// The largest picture of a frustum's width over height, centred in an area. Its edges seldom lie
+/// between two pixels: it is drawn into all pixels that it touches, at least one, and the frustum
+/// is widened by what they show beyond its edges. So each pixel is as wide as it is high, and no
+/// point of the picture is moved by rounding.
 /// @pre the area has a size and the frustum's right and top are beyond its left and bottom.
-[[nodiscard]] PixelRect letterboxed(const Frustum& frustum, const PixelRect& area);
+[[nodiscard]] PlacedPicture letterboxed(const Frustum& frustum, const PixelRect& area);
 
 } // namespace carina

@@ -110,7 +110,8 @@ std::vector<SceneCamera> SceneView::camerasOf(const SceneFrame& frame) const
     for (const EyePicture& eye : *frame.eyes) {
         const PixelRect area =
             pixelsOf(eye.part, m_window->pixels().width, m_window->pixels().height);
-        cameras.push_back({camera.poseOf(eye.X_AD), eye.frustum, letterboxed(eye.frustum, area)});
+        const PlacedPicture placed = letterboxed(eye.frustum, area);
+        cameras.push_back({camera.poseOf(eye.X_AD), placed.frustum, placed.pixels});
     }
     return cameras;
 }

@@ -5,7 +5,6 @@
 #include "engine/io/anatomy_set.h"
 
 #include <QCommandLineParser>
-#include <QGuiApplication>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -188,14 +187,5 @@ constexpr std::string_view kHelp =
 } // namespace
 
 Command breatheCommand() { return {"breathe", kHelp, run}; }
-
-std::unique_ptr<QCoreApplication> drawingApplication(int& argc, char** argv)
-{
-    // Without a display the platform for X would end the program; offscreen says there is no
-    // OpenGL.
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    return std::make_unique<QGuiApplication>(argc, argv);
-}
 
 } // namespace carina::lab

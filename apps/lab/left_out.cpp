@@ -1,4 +1,6 @@
 #include "apps/lab/breathe_command.h"
+#include "apps/lab/drawing_application.h"
+#include "apps/lab/render_command.h"
 #include "apps/lab/summary_command.h"
 
 namespace carina::lab
@@ -17,6 +19,10 @@ constexpr std::string_view kBreatheHelp = R"(breathe
     Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
 )";
 
+constexpr std::string_view kRenderHelp = R"(render
+    Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
+)";
+
 constexpr std::string_view kSummaryHelp = R"(summary
     Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
 )";
@@ -24,6 +30,8 @@ constexpr std::string_view kSummaryHelp = R"(summary
 } // namespace
 
 Command breatheCommand() { return {"breathe", kBreatheHelp, refuse}; }
+
+Command renderCommand() { return {"render", kRenderHelp, refuse}; }
 
 Command summaryCommand() { return {"summary", kSummaryHelp, refuse}; }
 

@@ -1,8 +1,10 @@
 #include "apps/lab/anatomy_command.h"
 #include "apps/lab/breathe_command.h"
 #include "apps/lab/command.h"
+#include "apps/lab/drawing_application.h"
 #include "apps/lab/fit_command.h"
 #include "apps/lab/pivot_command.h"
+#include "apps/lab/render_command.h"
 #include "apps/lab/summary_command.h"
 #include "apps/lab/track_command.h"
 
@@ -13,8 +15,8 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(), breatheCommand(), fitCommand(),
-                                pivotCommand(),   summaryCommand(), trackCommand()};
+    static const std::array all{anatomyCommand(), breatheCommand(), fitCommand(),  pivotCommand(),
+                                renderCommand(),  summaryCommand(), trackCommand()};
     return all;
 }
 
@@ -22,7 +24,9 @@ std::span<const Command> commands()
 
 int main(int argc, char** argv)
 {
-    const bool draws = argc > 1 && argv[1] == carina::lab::breatheCommand().name;
+    const bool draws = argc > 1
+                       && (argv[1] == carina::lab::breatheCommand().name
+                           || argv[1] == carina::lab::renderCommand().name);
     const auto application = draws ? carina::lab::drawingApplication(argc, argv)
                                    : std::make_unique<QCoreApplication>(argc, argv);
     return carina::lab::runCommandLine(QCoreApplication::arguments());

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "apps/lab/command.h"
+
+namespace carina::lab
+{
+
+/// `render`: how well what a headset shows lies over what is there.
+[[nodiscard]] Command renderCommand();
+
+} // namespace carina::lab

@@ -2,6 +2,7 @@
 #include "apps/lab/breathe_command.h"
 #include "apps/lab/command.h"
 #include "apps/lab/drawing_application.h"
+#include "apps/lab/drift_command.h"
 #include "apps/lab/fit_command.h"
 #include "apps/lab/pivot_command.h"
 #include "apps/lab/render_command.h"
@@ -15,8 +16,9 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(), breatheCommand(), fitCommand(),  pivotCommand(),
-                                renderCommand(),  summaryCommand(), trackCommand()};
+    static const std::array all{anatomyCommand(), breatheCommand(), driftCommand(),
+                                fitCommand(),     pivotCommand(),   renderCommand(),
+                                summaryCommand(), trackCommand()};
     return all;
 }
 

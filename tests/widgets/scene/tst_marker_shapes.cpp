@@ -49,6 +49,8 @@ void TestMarkerShapes::makesADiamond()
 {
     const auto diamond = diamondMarker(metres(kRadius));
     QVERIFY(isNear(volumeOf(*diamond), 2.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3)));
+    for (const Vec3f& p : diamond->rest.positions)
+        QVERIFY(std::hypot(p.x(), p.y()) + std::abs(p.z()) < kRadius * (1.0 + kVolumeTolerance));
     const Box bounds = boundsOf(diamond->rest);
     QVERIFY((bounds.max - Vec3::Constant(kRadius)).norm() < kSize);
     QVERIFY((bounds.min + Vec3::Constant(kRadius)).norm() < kSize);

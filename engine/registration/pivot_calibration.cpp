@@ -24,15 +24,15 @@ struct Turned {
 };
 
 struct Pivot {
-    Vec3 p_SQ = Vec3::Zero();
-    Vec3 p_TQ = Vec3::Zero();
-    double leastTurn = 0.0; ///< RMS, radians while small, of the direction that turned least
-    double mostTurn = 0.0;
+    Vec3 p_SQ;
+    Vec3 p_TQ;
+    double leastTurn; ///< RMS, radians while small, of the direction that turned least
+    double mostTurn;
 };
 
 /// With R and p the means of R_TS and p_TS, the best divot of a tip is R p_SQ + p. That leaves
 ///
-///     sum (R_TS - R)^T (R_TS - R) p_SQ = - sum (R_TS - R)^T (p_TS - p)
+///     sum (R_TS - R)^T (R_TS - R) p_SQ = - sum (R_TS - R)^T p_TS
 ///
 /// where the quadratic form of the left side over their number is how much a direction of the
 /// stylus turned, as the mean square of the way of its unit vector.
@@ -50,7 +50,7 @@ Pivot solve(std::span<const Turned> poses)
     for (const Turned& pose : poses) {
         const Mat3 off = pose.R_TS - R;
         turn += share * off.transpose() * off;
-        shift -= share * off.transpose() * (pose.p_TS - p);
+        shift -= share * off.transpose() * pose.p_TS;
     }
     const Vec3 squares = // ascending
         Eigen::SelfAdjointEigenSolver<Mat3>{turn, Eigen::EigenvaluesOnly}.eigenvalues();

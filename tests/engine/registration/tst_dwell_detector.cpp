@@ -210,7 +210,9 @@ private Q_SLOTS:
         QCOMPARE(stream.detector.progress(), 0.0);
         stream.hold(kHere, 1);
         QCOMPARE(stream.detector.progress(), 0.0);
-        stream.hold(kHere, 24);
+        stream.hold(kHere, 1);
+        QCOMPARE(stream.detector.progress(), 0.04);
+        stream.hold(kHere, 23);
         QCOMPARE(stream.detector.progress(), 0.5);
         stream.hold(kHere, 24);
         QCOMPARE(stream.detector.progress(), 0.98);
@@ -226,6 +228,10 @@ private Q_SLOTS:
         QCOMPARE(stream.detector.progress(), 0.4);
         stream.hold(kHere + 0.01 * Vec3::UnitX(), 20);
         QCOMPARE(stream.detector.progress(), 0.8);
+        Stream odd;
+        odd.hold(kHere, 29);
+        odd.hold(kHere + 0.01 * Vec3::UnitX(), 20);
+        QCOMPARE(odd.detector.progress(), 0.4);
     }
 
     void keepsToOtherSettings()

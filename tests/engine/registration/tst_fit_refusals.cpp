@@ -114,6 +114,27 @@ private Q_SLOTS:
         QVERIFY(!refusal(nearlyOnALine(2.8e-3), nearlyOnALine(2.8e-3)));
     }
 
+    /// A cross of half a metre by five millimetres: squared, its arms are the limit exactly.
+    void takesPointsAtAHundredth()
+    {
+        const std::vector<Vec3> cross{{.5, 0, 0}, {-.5, 0, 0}, {0, .005, 0}, {0, -.005, 0}};
+        QVERIFY(!refusal(cross, cross));
+    }
+
+    /// Crosses of a long arm and two that are alike but for half a millionth, seen in a mirror:
+    /// turned about the long arm they fit nearly as well whichever of the two is turned over.
+    void refusesAMirrorImageWithHardlyABestTurn()
+    {
+        const auto cross = [](double less, double z) {
+            const double b = 0.02;
+            const double c = b * (1.0 - less);
+            return std::vector<Vec3>{{1, 0, 0},  {-1, 0, 0},    {0, b, 0},
+                                     {0, -b, 0}, {0, 0, z * c}, {0, 0, -z * c}};
+        };
+        QCOMPARE(refusal(cross(5e-7, 1.0), cross(5e-7, -1.0)), Errc::DegenerateLandmarks);
+        QVERIFY(!refusal(cross(5e-6, 1.0), cross(5e-6, -1.0)));
+    }
+
     /// Three points at the ends of unit axes times s: the largest RMS extent is s / sqrt(3).
     void takesLandmarksAMillimetreAcross()
     {

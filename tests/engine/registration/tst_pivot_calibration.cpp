@@ -102,6 +102,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("every");
         QTest::addColumn<double>("off_mm");
+        QTest::newRow("three in all") << 100 << 50.0;
         QTest::newRow("one in fifty, near") << 50 << 8.0;
         QTest::newRow("one in ten, far") << 10 << 80.0;
         QTest::newRow("one in four, further than the stylus is long") << 4 << 400.0;

@@ -97,6 +97,9 @@ private Q_SLOTS:
     {
         QVERIFY(siteFrame(std::vector<Vec3>{{0, 0, 1}, {0, 0, 0}, {0.0101, 0, 0.5}}));
         QVERIFY(siteFrame(std::vector<Vec3>{{0, 0, 0.0011}, {0, 0, 0}, {1, 0, 0}}));
+        // At the very limits, which these numbers meet to the last digit.
+        QVERIFY(siteFrame(std::vector<Vec3>{{0, 0, 1}, {0, 0, 0}, {0.01, 0, 0.5}}));
+        QVERIFY(siteFrame(std::vector<Vec3>{{0, 0, 0.001}, {0, 0, 0}, {1, 0, 0}}));
     }
 };
 

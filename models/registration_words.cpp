@@ -54,8 +54,8 @@ public:
     static QString fit(const RegistrationModel& model)
     {
         if (const auto& registration = model.site().registration)
-            return tr("Fitted: the landmarks stay %1 mm (RMS) from their places. A landmark far "
-                      "from the others is worth touching again.")
+            return tr("Fitted: the landmarks stay %1 mm (RMS) from their places. Touch one with a "
+                      "much longer bar again.")
                 .arg(1e3 * registration->rms, 0, 'f', 1);
         return tr("Close the manikin's mouth, then fit the anatomy to the touched landmarks.");
     }

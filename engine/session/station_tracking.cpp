@@ -51,15 +51,13 @@ std::optional<PoseSample> StationTracking::at(ToolRole role, SessionTime t) cons
         const auto X_TJ = historyOf(ToolRole::Jaw)->at(t);
         if (!X_TJ)
             return std::nullopt;
-        const PoseSample sample_A =
-            reframed(registration.X_JA->inverse(), seenFrom(*X_TJ, *X_TO));
+        const PoseSample sample_A = reframed(registration.X_JA->inverse(), seenFrom(*X_TJ, *X_TO));
         return role == ToolRole::Jaw ? attached(sample_A, *registration.X_JA) : sample_A;
     }
     const PoseSample sample_A = reframed(registration.X_AT, *X_TO);
     if (role != ToolRole::Jaw)
         return sample_A;
-    return registration.X_JA ? std::optional{attached(sample_A, *registration.X_JA)}
-                             : std::nullopt;
+    return registration.X_JA ? std::optional{attached(sample_A, *registration.X_JA)} : std::nullopt;
 }
 
 std::optional<PoseSample> StationTracking::newest(ToolRole role) const

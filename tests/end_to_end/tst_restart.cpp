@@ -1,13 +1,6 @@
-#include <QElapsedTimer>
-#include <QFile>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
-#include <QTemporaryDir>
-#include <QTest>
+#include "tests/end_to_end/program.h"
 
-#include <functional>
-#include <memory>
+#include <QTemporaryDir>
 
 namespace
 {
@@ -15,67 +8,6 @@ namespace
 constexpr int kPatience_ms = 20'000; ///< for a program to start on a busy machine
 constexpr int kBackWithin_ms = 2'000;
 constexpr double kSameClock_ms = 5.0;
-
-} // namespace
-
-/// One of the two programs, with the journal of what it shows.
-class Program
-{
-public:
-    Program(QString path, QStringList arguments, QString journal)
-        : m_path{std::move(path)}, m_arguments{std::move(arguments)}, m_journal{std::move(journal)}
-    {
-        m_arguments << QStringLiteral("--journal") << m_journal;
-    }
-    ~Program() { kill(); }
-
-    void start(const QStringList& more = {})
-    {
-        m_process = std::make_unique<QProcess>();
-        m_process->setProcessChannelMode(QProcess::ForwardedChannels);
-        m_process->start(m_path, m_arguments + more);
-        QVERIFY2(m_process->waitForStarted(), qPrintable(m_path));
-    }
-
-    /// kill -9: no chance to say goodbye.
-    void kill()
-    {
-        if (!m_process)
-            return;
-        m_process->kill();
-        m_process->waitForFinished();
-        m_process.reset();
-        m_linesBefore = lines().size();
-    }
-
-    /// What was shown last since the program was started; empty before anything was.
-    [[nodiscard]] QJsonObject shown() const
-    {
-        const QByteArrayList all = lines();
-        return all.size() > m_linesBefore ? QJsonDocument::fromJson(all.last()).object()
-                                          : QJsonObject{};
-    }
-
-private:
-    [[nodiscard]] QByteArrayList lines() const
-    {
-        QFile file{m_journal};
-        if (!file.open(QIODevice::ReadOnly))
-            return {};
-        QByteArrayList all = file.readAll().split('\n');
-        all.removeLast(); // what follows the last line's end, or half a line
-        return all;
-    }
-
-    QString m_path;
-    QStringList m_arguments;
-    QString m_journal;
-    std::unique_ptr<QProcess> m_process;
-    qsizetype m_linesBefore = 0;
-};
-
-namespace
-{
 
 double sessionLessLocal_ms(const QJsonObject& line)
 {

@@ -1,4 +1,4 @@
-#include "registration_site.h"
+#include "tests/models/registration_site.h"
 
 #include <QSignalSpy>
 #include <QTest>

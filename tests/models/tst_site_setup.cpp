@@ -1,6 +1,6 @@
 #include "models/site_setup.h"
 
-#include "registration_site.h"
+#include "tests/models/registration_site.h"
 
 #include <QTest>
 

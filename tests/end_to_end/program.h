@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTest>
+
+#include <memory>
+
+/// One of the programs, with the journal of what it shows.
+class Program
+{
+public:
+    Program(QString path, QStringList arguments, QString journal)
+        : m_path{std::move(path)}, m_arguments{std::move(arguments)}, m_journal{std::move(journal)}
+    {
+        m_arguments << QStringLiteral("--journal") << m_journal;
+    }
+    ~Program() { kill(); }
+
+    void start(const QStringList& more = {})
+    {
+        m_process = std::make_unique<QProcess>();
+        m_process->setProcessChannelMode(QProcess::ForwardedChannels);
+        m_process->start(m_path, m_arguments + more);
+        QVERIFY2(m_process->waitForStarted(), qPrintable(m_path));
+    }
+
+    /// kill -9: no chance to say goodbye.
+    void kill()
+    {
+        if (!m_process)
+            return;
+        m_process->kill();
+        m_process->waitForFinished();
+        m_process.reset();
+        m_linesBefore = lines().size();
+    }
+
+    [[nodiscard]] bool hasEnded() const
+    {
+        return !m_process || m_process->state() == QProcess::NotRunning;
+    }
+    /// @pre it has ended by itself
+    [[nodiscard]] int exitCode() const { return m_process->exitCode(); }
+
+    /// What was shown last since the program was started; empty before anything was.
+    [[nodiscard]] QJsonObject shown() const
+    {
+        const QByteArrayList all = lines();
+        return all.size() > m_linesBefore ? QJsonDocument::fromJson(all.last()).object()
+                                          : QJsonObject{};
+    }
+
+private:
+    [[nodiscard]] QByteArrayList lines() const
+    {
+        QFile file{m_journal};
+        if (!file.open(QIODevice::ReadOnly))
+            return {};
+        QByteArrayList all = file.readAll().split('\n');
+        all.removeLast(); // what follows the last line's end, or half a line
+        return all;
+    }
+
+    QString m_path;
+    QStringList m_arguments;
+    QString m_journal;
+    std::unique_ptr<QProcess> m_process;
+    qsizetype m_linesBefore = 0;
+};

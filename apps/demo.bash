@@ -1,0 +1,141 @@
+# What './carina demo' does. Part of ./carina, which sources it.
+# shellcheck shell=bash disable=SC2154 # root and build are the launcher's
+
+free_port() {
+    python3 -c 'import socket; probe = socket.socket(type=socket.SOCK_DGRAM)
+probe.bind(("127.0.0.1", 0)); print(probe.getsockname()[1])'
+}
+
+children=()
+end_children() {
+    trap - INT TERM
+    [ ${#children[@]} = 0 ] || kill "${children[@]}" 2> /dev/null || true
+    wait || true
+}
+
+# Waits for every child; the first that fails ends the others, and its status is the result.
+wait_for_children() {
+    local ended status
+    while [ ${#children[@]} -gt 0 ]; do
+        status=0
+        wait -n -p ended "${children[@]}" || status=$?
+        mapfile -t children < <(printf '%s\n' "${children[@]}" | grep -vx "$ended")
+        if [ $status != 0 ]; then
+            end_children
+            return $status
+        fi
+    done
+}
+
+demo_folder() { echo "${XDG_DATA_HOME:-$HOME/.local/share}/carina/demo"; }
+
+# begin_site DIR: the file that the wizard is going to make; one from before is kept beside it.
+begin_site() {
+    mkdir -p "$1" 2> /dev/null || die "cannot write into $1"
+    site=$1/site.json
+    [ ! -e "$site" ] || mv "$site" "$1/site-before.json"
+}
+
+# demo_windows PORT: all programs on the display there is.
+demo_windows() {
+    local port=$1 data
+    data=$(demo_folder)
+    mkdir -p "$data"
+    if [ "$register" = yes ]; then
+        say "registering; close the wizard when it has fitted the patient"
+        "$build/apps/registration/carina-registration" --simulated-tracker --site "$site" \
+            "${patient[@]}"
+    fi
+    "$build/apps/instructor/carina-instructor" --port "$port" --data "$data" --new \
+        "${patient[@]}" &
+    children+=($!)
+    "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee --simulated-tracker \
+        "${patient[@]}" "${view[@]}" &
+    children+=($!)
+    wait_for_children
+}
+
+# register_headless DIR SIZE: the wizard, worked by a scripted technician.
+register_headless() {
+    local out=$1 size=$2
+    rm -f "$out"/registration*
+    if ! with_display timeout --kill-after=10 240 "$build/apps/registration/carina-registration" \
+        --simulated-tracker --site "$site" --measure "$out" --size "$size" "${patient[@]}" \
+        > "$out/registration.log" 2>&1; then
+        tail -n 20 "$out/registration.log" >&2
+        die "the registration failed"
+    fi
+}
+
+# demo_headless DIR SECONDS SIZE PORT: each program on an Xvfb of its own, so that no window covers
+# the other.
+demo_headless() {
+    local out=$1 seconds=$2 size=$3 port=$4
+    mkdir -p "$out/session" 2> /dev/null || die "cannot write into $out"
+    [ "$register" = no ] || register_headless "$out" "$size"
+    rm -f "$out"/{instructor,trainee}.{png,json} "$out/summary.json"
+    local measure=(--measure "$out" --seconds "$seconds" --size "$size")
+    local at_most=(timeout --kill-after=10 "$((seconds + 120))")
+    with_display "${at_most[@]}" "$build/apps/instructor/carina-instructor" --port "$port" \
+        --data "$out/session" --new "${measure[@]}" "${patient[@]}" > "$out/instructor.log" 2>&1 &
+    children+=($!)
+    with_display "${at_most[@]}" "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee \
+        --simulated-tracker "${measure[@]}" "${patient[@]}" "${view[@]}" > "$out/trainee.log" 2>&1 &
+    children+=($!)
+    if ! wait_for_children; then
+        tail -n 20 "$out/instructor.log" "$out/trainee.log" >&2
+        die "the headless demo failed"
+    fi
+    with_display "$build/apps/lab/carina-lab" summary "$out" > "$out/summary.part"
+    mv "$out/summary.part" "$out/summary.json"
+    cat "$out/summary.json"
+}
+
+demo() {
+    local out='' seconds=24 size=1280x800 anatomy='' site='' register=no patient=() view=()
+    while [ $# -gt 0 ]; do
+        if [ "$1" = --register ]; then
+            register=yes
+            shift
+            continue
+        fi
+        [ $# -ge 2 ] || refuse "$1 needs a value"
+        case $1 in
+            --site) site=$(realpath -e "$2") || refuse "there is no file $2" ;;
+            --output) view+=(--output "$2") ;;
+            --headless) out=$(realpath -m "$2") ;;
+            --anatomy) anatomy=$(realpath -e "$2") || refuse "there is no folder $2" ;;
+            --patient) patient=(--patient "$2") ;;
+            --seconds) seconds=$2 ;;
+            --size) size=$2 ;;
+            *) refuse "demo does not know $1" ;;
+        esac
+        shift 2
+    done
+    [[ $seconds =~ ^[1-9][0-9]*$ ]] || refuse "--seconds takes a whole number above 0, not $seconds"
+    [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || refuse "--size takes WIDTHxHEIGHT, not $size"
+    [ -z "$anatomy" ] || [ ${#patient[@]} = 0 ] || refuse "--anatomy and --patient exclude each other"
+    [ ${#patient[@]} = 0 ] || [[ ${patient[1]} =~ ^(adult|child)$ ]] || refuse "--patient is adult or child"
+    [ $register = no ] || [ -z "$site" ] || refuse "--register makes a site, and --site takes one"
+    [ ${#view[@]} = 0 ] || [[ ${view[1]} =~ ^(screen|mono|side-by-side)$ ]] ||
+        refuse "--output is screen, mono or side-by-side"
+
+    [ -n "$out" ] || [ -n "${DISPLAY:-}" ] ||
+        die "there is no display here; './carina demo --headless DIR' works without"
+    install_packages
+    build_targets release carina-lab carina-instructor carina-trainee carina-registration
+    if [ -n "$anatomy" ]; then
+        say "importing $anatomy"
+        lab anatomy import "$anatomy" > /dev/null
+        patient=(--anatomy "$anatomy")
+    fi
+    if [ $register = yes ]; then begin_site "${out:-$(demo_folder)}"; fi
+    [ -z "$site" ] || view+=(--site "$site")
+    trap 'end_children; exit 130' INT TERM
+    if [ -n "$out" ]; then
+        demo_headless "$out" "$seconds" "$size" "$(free_port)"
+    else
+        demo_windows "$(free_port)"
+    fi
+}
+

@@ -22,9 +22,8 @@ struct Viewer {
     std::vector<LoggedFrame> frames;
 };
 
-Result<Viewer> readViewer(const QDir& folder, const QString& name)
+Result<QJsonObject> readObject(const QString& path)
 {
-    const QString path = folder.filePath(name + QStringLiteral(".json"));
     QFile file{path};
     if (!file.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound,
@@ -32,10 +31,18 @@ Result<Viewer> readViewer(const QDir& folder, const QString& name)
     const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
     if (!document.isObject())
         return fail(Errc::FileMalformed, path.toStdString() + " is not a JSON object.");
+    return document.object();
+}
+
+Result<Viewer> readViewer(const QDir& folder, const QString& name)
+{
+    auto report = readObject(folder.filePath(name + QStringLiteral(".json")));
+    if (!report)
+        return tl::unexpected(report.error());
     auto frames = readFrames(folder.filePath(name + QStringLiteral("_frames.csv")));
     if (!frames)
         return tl::unexpected(frames.error());
-    return Viewer{document.object(), std::move(*frames)};
+    return Viewer{std::move(*report), std::move(*frames)};
 }
 
 /// Median and 95th percentile of the newest sample's age when each frame was drawn.
@@ -109,12 +116,20 @@ Result<QJsonObject> summarise(const QStringList& arguments)
     const QJsonObject console = instructor->report[QStringLiteral("console")].toObject();
     const SessionTime steadyFrom{
         Duration{console[QStringLiteral("steady_from_ns")].toString().toLongLong()}};
-    return QJsonObject{
+    QJsonObject summary{
         {QStringLiteral("schema"), QStringLiteral("carina.demo/1")},
         {QStringLiteral("console"), console},
         {QStringLiteral("instructor"), describe(*instructor, steadyFrom)},
         {QStringLiteral("trainee"), describe(*trainee, steadyFrom)},
         {QStringLiteral("drift"), describe(driftBetween(trainee->frames, instructor->frames))}};
+    const QString registration = folder.filePath(QStringLiteral("registration.json"));
+    if (QFile::exists(registration)) {
+        const auto report = readObject(registration);
+        if (!report)
+            return tl::unexpected(report.error());
+        summary[QStringLiteral("registration")] = *report;
+    }
+    return summary;
 }
 
 constexpr std::string_view kSummaryHelp = R"(summary DIR
@@ -127,7 +142,13 @@ constexpr std::string_view kSummaryHelp = R"(summary DIR
                              the newest tube sample's age when a frame is lit), visible_pixels
                              (per part, from an id pass), drawn (breathing_rate_per_min,
                              tidal_volume_ml and breaths, estimated from the volumes of the vertices
-                             drawn)
+                             drawn). The trainee of a headset's output has "overlay" besides: how
+                             far carina, vocal_cords and incisors were drawn from where the
+                             simulator's manikin was before the head when the frame was lit (mean_mm,
+                             p95_mm, largest_mm), over a number of frames
+      registration           of a demo with --register: what carina-registration measured, described
+                             in docs/registration.md; overlay_error_mm is how far the stored
+                             registration lies from the simulator's truth
       drift                  the tube in the console against the tube at the trainee for the same
                              session time, over a number of instants: mean_, p95_, largest_ in _deg
                              and _mm; clock_mean_ms and clock_largest_ms are the difference of the two

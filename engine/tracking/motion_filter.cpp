@@ -75,6 +75,14 @@ void MotionFilter::add(const PoseSample& sample)
     m_p_FO += m_positionFilter.correct(sample.X_FO.translation() - m_p_FO);
 }
 
+PoseSample MotionFilter::moving(PoseSample sample)
+{
+    add(sample);
+    if (sample.validity != Validity::Lost)
+        sample.motion = motion();
+    return sample;
+}
+
 void MotionFilter::begin(const PoseSample& sample)
 {
     m_rotationFilter = AccelerationFilter{m_noise.rotation};

@@ -39,8 +39,8 @@ private:
     Mat3 m_covariance;
 };
 
-/// The velocity of a tracked object, from every sample its tracker gives: what an owner sends along
-/// with a pose so that the others can carry it on.
+/// The velocity of a tracked object, from every sample its tracker gives: by it a pose is carried
+/// on, here to the time of light and at the others' by what the owner sends along.
 ///
 /// Position and rotation are filtered alike; the innovation of the rotation is the rotation vector
 /// of q_measured q_predicted^-1, in axes of F.
@@ -63,6 +63,9 @@ public:
 
     /// The next sample. A lost one, or one that is not later than the last, is left out.
     void add(const PoseSample& sample);
+
+    /// Adds a sample. @returns it with the motion found at it; a lost one as it came.
+    [[nodiscard]] PoseSample moving(PoseSample sample);
 
     /// At the newest sample; nothing while too few came in a row.
     [[nodiscard]] std::optional<Motion> motion() const;

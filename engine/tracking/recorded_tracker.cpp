@@ -11,11 +11,10 @@ RecordedTracker::RecordedTracker(const TrackerSequence& sequence, PlaybackPace p
     : m_pace{pace}, m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
 {
     for (const RecordedTool& tool : sequence.tools) {
-        PoseHistory& history =
-            m_histories.emplace_back(PoseHistory::Limits{.capacity = tool.samples.size()});
-        m_tools.push_back({tool.name, tool.role, &history});
+        Tool& played = m_played.emplace_back(tool.samples.size());
+        m_tools.push_back({tool.name, tool.role, &played.history});
         for (const PoseSample& sample : tool.samples)
-            m_entries.push_back({&history, sample});
+            m_entries.push_back({&played, sample});
     }
     std::ranges::stable_sort(m_entries, {}, [](const Entry& entry) { return entry.sample.time; });
 }
@@ -23,8 +22,10 @@ RecordedTracker::RecordedTracker(const TrackerSequence& sequence, PlaybackPace p
 Result<void> RecordedTracker::start()
 {
     stop();
-    for (PoseHistory& history : m_histories)
-        history.clear();
+    for (Tool& tool : m_played) {
+        tool.history.clear();
+        tool.filter = MotionFilter{};
+    }
     m_delivered = 0;
     m_start.reset();
     return m_thread.start();
@@ -39,7 +40,7 @@ std::optional<SessionTime> RecordedTracker::advance(SessionTime now)
         entry.sample.time = *m_start + (entry.sample.time - m_entries.front().sample.time);
         if (m_pace == PlaybackPace::Recorded && entry.sample.time > now)
             return entry.sample.time;
-        entry.history->push(entry.sample);
+        entry.tool->history.push(entry.tool->filter.moving(entry.sample));
     }
     return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/tracking/delivery_thread.h"
+#include "engine/tracking/motion_filter.h"
 #include "engine/tracking/sequence_file.h"
 
 namespace carina
@@ -13,7 +14,7 @@ enum class PlaybackPace : std::uint8_t {
 
 /// A tracker that plays a recording. Samples are stamped with the session time of the start plus
 /// their time since the first frame of the recording, at either pace, and each tool's history holds
-/// the whole recording.
+/// the whole recording. Each sample gets the velocity that a MotionFilter finds.
 class RecordedTracker : public Tracker
 {
 public:
@@ -30,13 +31,19 @@ public:
     std::optional<SessionTime> advance(SessionTime now);
 
 private:
+    struct Tool {
+        explicit Tool(std::size_t samples) : history{{.capacity = samples}} {}
+
+        PoseHistory history;
+        MotionFilter filter;
+    };
     struct Entry {
-        PoseHistory* history = nullptr;
+        Tool* tool = nullptr;
         PoseSample sample;
     };
 
     PlaybackPace m_pace;
-    std::deque<PoseHistory> m_histories; // one for each tool; a history cannot be moved
+    std::deque<Tool> m_played; // one for each of m_tools; a history cannot be moved
     std::vector<TrackedTool> m_tools;
     std::vector<Entry> m_entries; // ascending in time
     std::size_t m_delivered = 0;

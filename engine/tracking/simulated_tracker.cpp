@@ -45,7 +45,8 @@ SessionTime SimulatedTracker::advance(SessionTime now)
             expose(probe, nextTick());
     }
     while (!m_underway.empty() && m_underway.front().sample.time + m_settings.latency <= now) {
-        m_underway.front().probe->history.push(m_underway.front().sample);
+        Probe& probe = *m_underway.front().probe;
+        probe.history.push(probe.filter.moving(m_underway.front().sample));
         m_underway.pop_front();
     }
     if (m_underway.empty())

@@ -2,6 +2,7 @@
 
 #include "engine/core/units.h"
 #include "engine/tracking/delivery_thread.h"
+#include "engine/tracking/motion_filter.h"
 #include "engine/tracking/tracker.h"
 #include "engine/tracking/working_volume.h"
 
@@ -41,7 +42,8 @@ struct SimulatedTrackerSettings {
 /// A tracker for a station without hardware: measures given true poses of a head, a jaw, a tube and
 /// a stylus with noise, occlusion and loss, on a thread of its own.
 ///
-/// Every sample is stamped with the time of its exposure and delivered a latency later. The fit
+/// Every sample is stamped with the time of its exposure and delivered a latency later, with the
+/// velocity that a MotionFilter finds. The fit
 /// error is drawn apart from the pose's error, as the two are independent: its RMS is
 /// sqrt(1 - 2/N) of the position noise (Fitzpatrick 1998) for tools of N = 4 markers. A lost sample
 /// carries the last pose measured; a tool never yet seen has no samples.
@@ -66,6 +68,7 @@ private:
     struct Probe {
         ToolRole role = ToolRole::Other;
         std::optional<RigidTransform> lastX_TO;
+        MotionFilter filter;
         PoseHistory history;
     };
     struct Measurement {

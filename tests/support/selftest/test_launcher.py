@@ -20,13 +20,16 @@ class Launcher(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
         (self.root / "tests/support").mkdir(parents=True)
+        (self.root / "apps").mkdir()
         shutil.copy(ROOT / "carina", self.root)
+        shutil.copy(ROOT / "apps/demo.bash", self.root / "apps")
         shutil.copy(ROOT / "tests/support/with_display", self.root / "tests/support")
         self.calls = self.root / "calls"
         self.program("build/release/build.ninja", "")
         self.program("build/release/apps/lab/carina-lab", LAB)
         self.program("build/release/apps/instructor/carina-instructor", RECORD)
         self.program("build/release/apps/trainee/carina-trainee", RECORD)
+        self.program("build/release/apps/registration/carina-registration", RECORD)
         self.program("bin/dpkg-query", INSTALLED)
         for name in ("ninja", "apt-get", "sudo", "ctest"):
             self.program(f"bin/{name}", RECORD)
@@ -56,7 +59,9 @@ class Launcher(unittest.TestCase):
     def test_refuses_what_it_does_not_know(self):
         for arguments in (["fly"], ["test", "--some"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
                           ["demo", "--seconds", "0"], ["demo", "--patient", "horse"],
-                          ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"]):
+                          ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"],
+                          ["demo", "--site", "no/such/file"], ["demo", "--output", "sphere"],
+                          ["demo", "--register", "--site", "carina"]):
             run = self.carina(*arguments)
             self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
             self.assertIn("./carina help", run.stderr)
@@ -102,6 +107,26 @@ class Launcher(unittest.TestCase):
         self.assertEqual(instructor.split()[2], trainee.split()[2])
         for call in (instructor, trainee):
             self.assertTrue(call.endswith("--patient child"), call)
+
+    def test_demo_registers_first_and_gives_the_site_to_the_trainee(self):
+        run = self.carina("demo", "--register", "--output", "mono", DISPLAY=":none")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        site = f"--site {self.root}/.local/share/carina/demo/site.json"
+        self.assertIn(site, self.called("carina-registration")[0])
+        self.assertIn(f"--output mono {site}", self.called("carina-trainee")[0])
+        self.assertNotIn("--site", self.called("carina-instructor")[0])
+
+    def test_demo_keeps_the_site_from_before(self):
+        folder = self.root / ".local/share/carina/demo"
+        folder.mkdir(parents=True)
+        (folder / "site.json").write_text("old", encoding="utf-8")
+        self.carina("demo", "--register", DISPLAY=":none")
+        self.assertEqual((folder / "site-before.json").read_text(encoding="utf-8"), "old")
+
+    def test_demo_ends_when_the_registration_fails(self):
+        self.program("build/release/apps/registration/carina-registration", "#!/bin/sh\nexit 3\n")
+        run = self.carina("demo", "--register", DISPLAY=":none")
+        self.assertEqual((run.returncode, self.called("carina-trainee")), (3, []))
 
     def test_demo_ends_the_other_when_one_fails(self):
         self.program("build/release/apps/instructor/carina-instructor", "#!/bin/sh\nexec sleep 300\n")

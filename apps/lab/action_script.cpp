@@ -67,11 +67,21 @@ Vec3 ActionScript::p_AO(Duration t) const
     return pose.p_AO + m_settings.speed * seconds * pose.axis_A;
 }
 
-double ActionScript::changeOfAngularVelocity(int action) const
+double ActionScript::changeOfAxis(int action) const
 {
     const auto index = static_cast<std::size_t>(action);
     const Vec3 before = action == 0 ? Vec3::Zero() : m_poses[index - 1].axis_A;
-    return m_settings.angularSpeed * (m_poses[index].axis_A - before).norm();
+    return (m_poses[index].axis_A - before).norm();
+}
+
+double ActionScript::changeOfAngularVelocity(int action) const
+{
+    return m_settings.angularSpeed * changeOfAxis(action);
+}
+
+double ActionScript::changeOfVelocity(int action) const
+{
+    return m_settings.speed * changeOfAxis(action);
 }
 
 EventCpo ActionScript::rotation(int action) const

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] Vec3 p_AO(Duration t) const;
     /// |w_k - w_(k-1)|, rad/s: what nobody elsewhere can know when action k starts.
     [[nodiscard]] double changeOfAngularVelocity(int action) const;
+    /// The same of the object that is moved, m/s.
+    [[nodiscard]] double changeOfVelocity(int action) const;
 
     /// What the actor does at the start of an action, -1 for both objects at rest before the first.
     [[nodiscard]] EventCpo rotation(int action) const;
@@ -56,6 +58,7 @@ private:
     };
 
     [[nodiscard]] int actionAt(Duration t) const;
+    [[nodiscard]] double changeOfAxis(int action) const;
 
     Settings m_settings;
     std::vector<Pose> m_poses; // one for each action

@@ -70,6 +70,17 @@ private:
         return angleBetween(truth, drawn(viewer, ActionScript::kTurned, t).rotation()).si;
     }
 
+    double rawAngleAt(std::uint16_t viewer, const Quat& truth, Duration t) const
+    {
+        const Quat shown = drawn(viewer, ActionScript::kTurned, t).rotation();
+        return 2.0 * std::acos(std::clamp((truth * shown.conjugate()).w(), -1.0, 1.0));
+    }
+
+    double distanceAt(std::uint16_t viewer, const Vec3& truth, Duration t) const
+    {
+        return (drawn(viewer, ActionScript::kMoved, t).translation() - truth).norm();
+    }
+
     void addSample(Duration t)
     {
         m_star.runTo(t);
@@ -77,7 +88,7 @@ private:
         const Vec3 p = m_script.p_AO(t);
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
             m_angles.push_back(angleAt(viewer, q, t));
-            m_position += (drawn(viewer, ActionScript::kMoved, t).translation() - p).norm();
+            m_position += distanceAt(viewer, p, t);
         }
     }
 
@@ -85,8 +96,15 @@ private:
     {
         m_star.runTo(t);
         const Quat q = m_script.q_AO(t);
-        for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer)
-            m_atEvent += angleAt(viewer, q, t);
+        const Vec3 p = m_script.p_AO(t);
+        const double viewers = m_star.participants() - 1;
+        ActionDrift mean;
+        for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
+            mean.angle += angleAt(viewer, q, t) / viewers;
+            mean.rawAngle += rawAngleAt(viewer, q, t) / viewers;
+            mean.distance += distanceAt(viewer, p, t) / viewers;
+        }
+        m_actions.push_back(mean);
         for (std::uint16_t id = 1; id <= m_star.participants(); ++id) {
             if (const auto error = m_star.clockError(id, t)) {
                 m_clockError += std::abs(toSeconds(*error));
@@ -102,6 +120,7 @@ private:
             const Duration least = m_star.leastDelay(viewer, ActionScript::startOf(action));
             const double d = std::min(toSeconds(least), whole);
             m_limit += m_script.changeOfAngularVelocity(action) * d * d / (2.0 * whole);
+            m_positionLimit += m_script.changeOfVelocity(action) * d * d / (2.0 * whole);
         }
     }
 
@@ -112,7 +131,8 @@ private:
         const auto samples = static_cast<double>(m_angles.size());
         const VirtualStar::Traffic after = m_star.traffic();
         DriftFigures figures;
-        figures.atEvent = m_atEvent / events;
+        for (const ActionDrift& action : m_actions)
+            figures.atEvent += action.angle / static_cast<double>(m_actions.size());
         for (const double angle : m_angles)
             figures.timeAverage += angle / samples;
         const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * samples)) - 1;
@@ -120,6 +140,8 @@ private:
         figures.p95 = m_angles[static_cast<std::size_t>(rank)];
         figures.position = m_position / samples;
         figures.limit = m_limit / events;
+        figures.positionLimit = m_positionLimit / events;
+        figures.actions = std::move(m_actions);
         if (m_clockReadings > 0)
             figures.clockError = m_clockError / m_clockReadings;
         // Each datagram is between the host and one participant.
@@ -134,11 +156,19 @@ private:
     VirtualStar m_star;
     std::vector<double> m_angles;
     double m_position = 0.0;
-    double m_atEvent = 0.0;
+    std::vector<ActionDrift> m_actions;
     double m_limit = 0.0;
+    double m_positionLimit = 0.0;
     double m_clockError = 0.0;
     int m_clockReadings = 0;
 };
+
+void addShare(ActionDrift& sum, const ActionDrift& one, double share)
+{
+    sum.angle += share * one.angle;
+    sum.rawAngle += share * one.rawAngle;
+    sum.distance += share * one.distance;
+}
 
 } // namespace
 
@@ -152,6 +182,7 @@ DriftFigures runDrift(DriftSettings settings, int seeds)
 {
     CARINA_EXPECTS(seeds >= 1);
     DriftFigures mean;
+    mean.actions.resize(static_cast<std::size_t>(settings.script.actions));
     for (int i = 0; i < seeds; ++i, ++settings.seed) {
         const DriftFigures one = runDrift(settings);
         mean.atEvent += one.atEvent / seeds;
@@ -159,10 +190,13 @@ DriftFigures runDrift(DriftSettings settings, int seeds)
         mean.p95 += one.p95 / seeds;
         mean.position += one.position / seeds;
         mean.limit += one.limit / seeds;
+        mean.positionLimit += one.positionLimit / seeds;
         if (one.clockError)
             mean.clockError = mean.clockError.value_or(0.0) + *one.clockError / seeds;
         mean.bytesPerSecond += one.bytesPerSecond / seeds;
         mean.probesPerSecond += one.probesPerSecond / seeds;
+        for (std::size_t action = 0; action < one.actions.size(); ++action)
+            addShare(mean.actions[action], one.actions[action], 1.0 / seeds);
     }
     return mean;
 }

@@ -88,6 +88,25 @@ private Q_SLOTS:
         QVERIFY2(figures.timeAverage < 1.01 * figures.limit, shown(figures));
     }
 
+    void keepsTheDriftOfEachAction()
+    {
+        // Late by a constant 30 ms, each action leaves 3 deg and 3 mm.
+        const DriftFigures figures = figuresOf("event", constant(30ms), 2);
+        QCOMPARE(figures.actions.size(), std::size_t{50});
+        double mean = 0.0;
+        for (const ActionDrift& action : figures.actions) {
+            QVERIFY(std::abs(deg(action.angle) - 3.0) < 0.001);
+            QVERIFY(std::abs(action.distance - 3e-3) < 1e-6);
+            // 2 acos(w) of a q or of its -q.
+            QVERIFY(action.rawAngle > 0.99 * action.angle);
+            mean += action.angle / 50.0;
+        }
+        QVERIFY(std::abs(mean - figures.atEvent) < 1e-12);
+        // The same axes and delays: 100 deg/s to 0.1 m/s.
+        const double ratio = 0.1 / degrees(100.0).si;
+        QVERIFY(std::abs(figures.positionLimit / figures.limit / ratio - 1.0) < 1e-9);
+    }
+
     void sessionClockIsAtTheLimitOverTheWan_data()
     {
         QTest::addColumn<double>("speed_deg_s");

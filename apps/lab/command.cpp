@@ -14,12 +14,11 @@ void print(std::FILE* stream, const QByteArray& text)
     std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()), stream);
 }
 
-int printHelp(std::FILE* stream, int status)
+void printHelp()
 {
-    print(stream, "carina-lab COMMAND ARGS... : measures, and prints one JSON object.\n\n");
+    print(stdout, "carina-lab COMMAND ARGS... : measures, and prints one JSON object.\n\n");
     for (const Command& command : commands())
-        print(stream, QByteArray{command.help.data(), qsizetype(command.help.size())} + '\n');
-    return status;
+        print(stdout, QByteArray{command.help.data(), qsizetype(command.help.size())} + '\n');
 }
 
 } // namespace
@@ -27,8 +26,10 @@ int printHelp(std::FILE* stream, int status)
 int runCommandLine(const QStringList& arguments)
 {
     const QString name = arguments.value(1);
-    if (name == QStringLiteral("help") || name == QStringLiteral("--help"))
-        return printHelp(stdout, 0);
+    if (name == QStringLiteral("help") || name == QStringLiteral("--help")) {
+        printHelp();
+        return 0;
+    }
     for (const Command& command : commands()) {
         if (name.toStdString() != command.name)
             continue;
@@ -40,7 +41,10 @@ int runCommandLine(const QStringList& arguments)
         print(stdout, QJsonDocument{*object}.toJson());
         return 0;
     }
-    return printHelp(stderr, 2);
+    print(stderr, name.isEmpty() ? QByteArray{"carina-lab needs a command"}
+                                 : "carina-lab knows no command '" + name.toUtf8() + '\'');
+    print(stderr, "; 'carina-lab help' lists them.\n");
+    return 2;
 }
 
 } // namespace carina::lab

@@ -57,8 +57,8 @@ QString stationNotice(const SessionNode& node, StationId stationId, const std::s
     if (station != state->stations().end() && !station->second.anatomyHash.empty()
         && station->second.anatomyHash != anatomyHash)
         return words(QT_TRANSLATE_NOOP("StationNotice",
-                                       "The session's patient is “%1”, which is not on this "
-                                       "computer; another is shown"))
+                                       "The session's patient is “%1”; another one is shown "
+                                       "here"))
             .arg(QString::fromStdString(station->second.anatomyName));
     if (output != ViewOutput::Screen && isLost(moment.head))
         return words(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));

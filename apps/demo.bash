@@ -101,10 +101,10 @@ demo() {
         fi
         [ $# -ge 2 ] || refuse "$1 needs a value"
         case $1 in
-            --site) site=$(realpath -e "$2") || refuse "there is no file $2" ;;
+            --site) site=$(realpath -e "$2" 2> /dev/null) || refuse "there is no file $2" ;;
             --output) view+=(--output "$2") ;;
             --headless) out=$(realpath -m "$2") ;;
-            --anatomy) anatomy=$(realpath -e "$2") || refuse "there is no folder $2" ;;
+            --anatomy) anatomy=$(realpath -e "$2" 2> /dev/null) || refuse "there is no folder $2" ;;
             --patient) patient=(--patient "$2") ;;
             --seconds) seconds=$2 ;;
             --size) size=$2 ;;

@@ -46,6 +46,12 @@ public:
         case Errc::NotRegistered:
             return tr("The patient is not laid on the manikin yet%1: finish the steps of "
                       "carina-registration.");
+        case Errc::OtherPatient:
+            return tr("This site is of another patient%1: choose the patient that it was "
+                      "registered with, or another site file.");
+        case Errc::SiteInUse:
+            return tr("Another window works on this site%1: close it, or choose another site "
+                      "file.");
         case Errc::FileNotFound:
             return tr("There is no such file or folder%1: check its name and place.");
         case Errc::FileUnreadable:

@@ -26,9 +26,7 @@ Result<Site> RegistrationModel::siteOf(const std::filesystem::path& file,
         return Site{};
     if (site && site->catalogue && !site->catalogue->anatomy.empty()
         && site->catalogue->anatomy != patient.contentHash())
-        return fail(Errc::OutOfRange, file.string()
-                                          + " holds the landmarks of another patient than "
-                                          + patient.name());
+        return fail(Errc::OtherPatient, file.string());
     return site;
 }
 
@@ -132,8 +130,9 @@ void RegistrationModel::enter(SiteStep step)
     m_chosen.reset();
     Site next = m_site;
     next.step = step;
-    if (save(std::move(next)))
-        Q_EMIT changed();
+    if (!save(std::move(next)))
+        m_site.step = step; // a page can be looked at, whatever the disk says
+    Q_EMIT changed();
 }
 
 void RegistrationModel::useTracker()

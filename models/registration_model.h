@@ -48,8 +48,8 @@ class RegistrationModel : public QObject
 
 public:
     /// The site as the file has it, or a new one where there is no file.
-    /// @returns what readSiteFile refuses, other than FileNotFound; OutOfRange where the file holds
-    ///          landmarks of another patient.
+    /// @returns what readSiteFile refuses, other than FileNotFound; OtherPatient where the file
+    ///          holds landmarks of another one.
     [[nodiscard]] static Result<Site> siteOf(const std::filesystem::path& file,
                                              const PatientModel& patient);
 

@@ -9,8 +9,6 @@ namespace carina
 namespace
 {
 
-constexpr std::size_t kFewestTouches = 3;
-
 class RegistrationWords
 {
     Q_DECLARE_TR_FUNCTIONS(RegistrationWords)
@@ -28,8 +26,8 @@ public:
         if (model.isSwinging())
             return tr("Keep the tip in the divot and swing the stylus slowly to all sides.");
         if (const auto& stylus = model.site().stylus)
-            return tr("The tip is %1 mm from the markers, found to %2 mm RMS. Go on, or swing "
-                      "again.")
+            return tr("The tip is %1 mm from the markers; it stayed within %2 mm (RMS) of its "
+                      "divot. Go on, or swing again.")
                 .arg(1e3 * stylus->p_SQ.norm(), 0, 'f', 1)
                 .arg(1e3 * stylus->rms, 0, 'f', 2);
         return tr("Set the stylus's tip into a divot that does not move, then start swinging.");
@@ -69,8 +67,8 @@ public:
             return tr("Find the tip of the stylus first.");
         if (step == SiteStep::Touch && !site.catalogue)
             return tr("Choose the landmarks first.");
-        if (step == SiteStep::Fit && site.touched.size() < kFewestTouches)
-            return tr("Touch at least three landmarks first.");
+        if (step == SiteStep::Fit && !model.isDone(SiteStep::Touch))
+            return tr("Touch all landmarks first.");
         if (step == SiteStep::Verify && !site.registration)
             return tr("Fit the anatomy first.");
         return {};

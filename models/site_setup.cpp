@@ -9,8 +9,7 @@ Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
         return fail(Errc::NotRegistered, "");
     const std::string& anatomy = site.catalogue->anatomy;
     if (!anatomy.empty() && anatomy != patient.contentHash())
-        return fail(Errc::OutOfRange,
-                    "the site is registered for another patient than " + patient.name());
+        return fail(Errc::OtherPatient, "");
     const SiteRegistration& fitted = *site.registration;
     SiteSetup setup{.registration = {.X_AT = fitted.X_AT}, .display = site.display};
     if (fitted.X_JM)

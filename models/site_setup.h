@@ -13,8 +13,8 @@ struct SiteSetup {
     std::optional<DisplayGeometry> display{}; ///< of the headset, if it was measured
 };
 
-/// @returns NotRegistered before the site's anatomy was fitted; OutOfRange for a site of another
-///          patient.
+/// @returns NotRegistered before the site's anatomy was fitted; OtherPatient for a site of another
+///          one.
 [[nodiscard]] Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient);
 
 } // namespace carina

@@ -143,6 +143,8 @@ void RegistrationWindow::refresh()
     const QString problem = m_registration.problem();
     m_ui->problem->setText(problem.isEmpty() ? QString{} : QStringLiteral("■ ") + problem);
     m_ui->place->setVisible(m_registration.step() == SiteStep::Verify);
+    if (!m_registration.nextLandmark()) // what is marked is what a click would move
+        m_ui->landmarks->clearSelection();
     refreshSteps();
     refreshButtons();
     refreshProgress();

@@ -67,8 +67,7 @@ void TraineeWindow::makeMenu()
     auto* open = new QAction{tr("Menu"), this};
     open->setShortcut(Qt::Key_Escape);
     open->setShortcutContext(Qt::ApplicationShortcut); // also while the scene has the keyboard
-    connect(open, &QAction::triggered, this,
-            [this] { m_menu.popup(mapToGlobal(rect().center())); });
+    connect(open, &QAction::triggered, this, [this] { m_menu.popup(mapToGlobal(menuPlace())); });
     addAction(open);
 }
 
@@ -125,6 +124,15 @@ void TraineeWindow::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     refreshNotice();
+}
+
+/// Where one eye sees it whole.
+QPoint TraineeWindow::menuPlace() const
+{
+    const bool twice = m_stationScene.output() == ViewOutput::SideBySide;
+    const QSize size = m_menu.sizeHint();
+    const QRect eye{0, 0, twice ? width() / 2 : width(), height()};
+    return eye.center() - QPoint{size.width() / 2, size.height() / 2};
 }
 
 QString TraineeWindow::notice() const

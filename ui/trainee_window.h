@@ -37,6 +37,7 @@ private:
     void addPresets();
     void addChinProbe();
     [[nodiscard]] QString notice() const;
+    [[nodiscard]] QPoint menuPlace() const;
     void showTo(ViewOutput output);
     void refreshNotice();
     void placeNotice(std::size_t place, const QString& notice, const QRect& within);

@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QJsonDocument>
+#include <QLockFile>
 #include <QStandardPaths>
 
 #include <cstdio>
@@ -112,9 +113,15 @@ Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& 
                  const QSize& size, bool scripted)
 {
     const std::string siteFile = parser.value(kSite).toStdString();
+    QLockFile lock{parser.value(kSite) + QStringLiteral(".lock")};
+    lock.setStaleLockTime(0); // it is stale when its program is gone
+    if (!lock.tryLock() && lock.error() == QLockFile::LockFailedError)
+        return fail(Errc::SiteInUse, siteFile);
     auto site = RegistrationModel::siteOf(siteFile, patient.model);
     if (!site)
         return tl::unexpected(site.error());
+    if (auto writable = writeSiteFile(siteFile, *site); !writable)
+        return tl::unexpected(writable.error());
     const auto workplace = simulatedWorkplace(patient.model.landmarks(), patient.model.tube());
     if (!workplace)
         return tl::unexpected(workplace.error());

@@ -64,6 +64,8 @@ void addSizeOption(QCommandLineParser& parser)
 
 Result<QSize> sizeOption(const QCommandLineParser& parser)
 {
+    if (const QStringList stray = parser.positionalArguments(); !stray.isEmpty())
+        return fail(Errc::OutOfRange, "there is no use for '" + stray.first().toStdString() + "'");
     const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
     const QSize size{sides.value(0).toInt(), sides.value(1).toInt()};
     if (sides.size() != 2 || size.isEmpty())
@@ -86,6 +88,8 @@ Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
 
 Result<std::uint16_t> portOption(const QCommandLineParser& parser)
 {
+    if (parser.value(QStringLiteral("port")).isEmpty())
+        return fail(Errc::OutOfRange, "--port is missing; the instructor's window shows it");
     bool right = false;
     const std::uint16_t port = parser.value(QStringLiteral("port")).toUShort(&right);
     if (!right)

@@ -34,7 +34,7 @@ void addMeasureOptions(QCommandLineParser& parser);
 
 /// Adds `--size WxH`, of the window; what addMeasureOptions adds, too.
 void addSizeOption(QCommandLineParser& parser);
-/// @returns OutOfRange for a size that is none.
+/// @returns OutOfRange for a size that is none, or for words that no option takes.
 [[nodiscard]] Result<QSize> sizeOption(const QCommandLineParser& parser);
 
 /// A UDP port from `--port`. @returns OutOfRange for something else.

@@ -16,7 +16,8 @@ void addSiteOption(QCommandLineParser& parser)
     parser.addOption(
         {kSiteFile,
          QCoreApplication::translate("Program", "Lay the patient on the manikin as this file of "
-                                                "carina-registration says."),
+                                                "carina-registration says; without it the "
+                                                "simulated manikin is registered exactly."),
          QStringLiteral("FILE")});
 }
 

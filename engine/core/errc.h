@@ -21,6 +21,8 @@ enum class Errc : std::uint8_t {
     TooFewPoses,         ///< fewer poses of a stylus, or fewer that agree, than a calibration needs
     NotEnoughMotion,     ///< the stylus was turned too little to know its tip
     NotRegistered,       ///< a site whose anatomy was not yet fitted to its manikin
+    OtherPatient,        ///< a site that was registered for another patient
+    SiteInUse,           ///< another program works on the same site
 
     // Files
     FileNotFound,      ///< no such file or folder

@@ -63,7 +63,7 @@ private Q_SLOTS:
         model->fit();
         Site foreign = model->site();
         foreign.catalogue->anatomy = "somebody else";
-        QCOMPARE(siteSetup(foreign, site.patient()).error().code, Errc::OutOfRange);
+        QCOMPARE(siteSetup(foreign, site.patient()).error().code, Errc::OtherPatient);
         foreign.catalogue->anatomy.clear(); // made for no patient in particular
         QVERIFY(siteSetup(foreign, site.patient()).has_value());
     }

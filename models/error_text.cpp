@@ -90,6 +90,12 @@ public:
         case Errc::NameTaken:
             return tr("Somebody with this name and role is in the session now%1: join under "
                       "another name.");
+        case Errc::WrongCode:
+            return tr("This code does not open the session%1: ask the instructor for the code of "
+                      "your role and start again with it.");
+        case Errc::NotEnoughMemory:
+            return tr("There is too little memory to check the code%1: close other programs and "
+                      "start again.");
         case Errc::TrackerFailed:
             return tr("The tracker does not start%1: check its cable and power, then try again.");
         case Errc::NoGraphics:

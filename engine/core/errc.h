@@ -43,6 +43,8 @@ enum class Errc : std::uint8_t {
     NotPermitted,    ///< the role may not do this
     SessionEnded,    ///< the session takes no more changes
     NameTaken,       ///< somebody with the same name and role is in the session now
+    WrongCode,       ///< no join code of this session and role
+    NotEnoughMemory, ///< too little to derive a key from a join code
 
     // Devices and graphics
     TrackerFailed, ///< the tracker could not be started

@@ -3,6 +3,9 @@
 #include <QFile>
 #include <QSaveFile>
 #include <QString>
+#include <QTemporaryFile>
+
+#include <unistd.h>
 
 namespace carina
 {
@@ -32,6 +35,23 @@ Result<void> writeWholeFile(const std::filesystem::path& file, std::string_view 
     if (error || !target.open(QIODevice::WriteOnly) || target.write(bytes.data(), size) != size
         || !target.commit())
         return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
+    return {};
+}
+
+Result<void> writePrivateFile(const std::filesystem::path& file, std::string_view bytes)
+{
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    // QTemporaryFile opens its file with mode 0600.
+    QTemporaryFile target{QString::fromStdString(file.string()) + QStringLiteral(".XXXXXX")};
+    const auto size = static_cast<qint64>(bytes.size());
+    const bool written = !error && target.open() && target.write(bytes.data(), size) == size
+                         && target.flush() && fsync(target.handle()) == 0;
+    if (written)
+        std::filesystem::rename(target.fileName().toStdString(), file, error);
+    if (!written || error)
+        return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
+    target.setAutoRemove(false);
     return {};
 }
 

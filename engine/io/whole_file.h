@@ -20,4 +20,8 @@ namespace carina
 [[nodiscard]] Result<void> writeWholeFile(const std::filesystem::path& file,
                                           std::string_view bytes);
 
+/// The same for a secret: from its first moment the file is one that only its owner may read.
+[[nodiscard]] Result<void> writePrivateFile(const std::filesystem::path& file,
+                                            std::string_view bytes);
+
 } // namespace carina

@@ -1,5 +1,6 @@
 #include "engine/net/client_driver.h"
 
+#include "engine/net/secure/token_message.h"
 #include "engine/session/fact_codec.h"
 
 #include <QRandomGenerator>
@@ -12,6 +13,7 @@ namespace
 {
 
 constexpr ParticipantId kHostParticipant{0};
+constexpr Duration kTokenRequestInterval = std::chrono::milliseconds{250};
 
 ProposalRecord newProposal(StationId station, FactBody body)
 {
@@ -35,9 +37,10 @@ LinkState linkState(SyncClient::State state)
 
 } // namespace
 
-ClientDriver::ClientDriver(const JoinSettings& settings, PeerAddress host, NodeBoard& board,
-                           LocalTime now)
-    : m_host{host},
+ClientDriver::ClientDriver(const JoinSettings& settings, NodeBoard& board, LocalTime now)
+    : m_credentials{settings.role, settings.code,
+                    TokenFolder{settings.tokens, settings.role, settings.participantName},
+                    settings.derive},
       m_board{board},
       m_core{newProposal(settings.station, fact::ParticipantJoined{ParticipantId{}, settings.role,
                                                                    settings.participantName}),
@@ -46,9 +49,26 @@ ClientDriver::ClientDriver(const JoinSettings& settings, PeerAddress host, NodeB
     show(now);
 }
 
+void ClientDriver::connected(PeerAddress host, const Credential&, LocalTime now)
+{
+    m_host = host;
+    m_core.greetNow(now);
+}
+
+void ClientDriver::disconnected(PeerAddress, LocalTime)
+{
+    // The core hears by itself that nobody answers.
+}
+
+void ClientDriver::refused(const Error& why, LocalTime) { m_noEntry = why; }
+
 void ClientDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
-    if (from == m_host)
+    if (from != m_host)
+        return;
+    if (const auto token = decodeToken(bytes))
+        m_credentials.keepToken(*token);
+    else
         m_core.receive(bytes, now);
 }
 
@@ -78,12 +98,22 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
     for (const RefusedProposal& refused : output.refused)
         m_refusal = Error{refused.reason, {}};
     show(now);
+    if (wantsToken() && now >= m_nextTokenRequest) {
+        m_nextTokenRequest = now + kTokenRequestInterval;
+        output.datagrams.push_back(encodeTokenRequest());
+    }
     return addressed(std::move(output.datagrams));
 }
 
 LocalTime ClientDriver::nextWake() const
 {
-    return std::min(m_core.nextWake(), m_publications.nextTick());
+    return std::min({m_core.nextWake(), m_publications.nextTick(),
+                     wantsToken() ? m_nextTokenRequest : LocalTime::max()});
+}
+
+bool ClientDriver::wantsToken() const
+{
+    return m_core.state() == SyncClient::State::Connected && !m_credentials.hasToken();
 }
 
 NodeDriver::Datagrams ClientDriver::close(LocalTime now)
@@ -165,6 +195,8 @@ void ClientDriver::show(LocalTime now)
     view.refusal = m_refusal;
     if (const auto refused = m_core.helloRefused())
         view.refusal = Error{*refused, {}};
+    if (m_noEntry)
+        view.refusal = m_noEntry;
     if (m_board.show(std::move(view)))
         m_board.announce();
 }

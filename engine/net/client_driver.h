@@ -3,6 +3,7 @@
 #include "engine/net/node_board.h"
 #include "engine/net/node_driver.h"
 #include "engine/net/publications.h"
+#include "engine/net/secure/client_credentials.h"
 #include "engine/sync/sync_client.h"
 
 namespace carina
@@ -13,8 +14,14 @@ class ClientDriver : public NodeDriver
 {
 public:
     /// @param board outlives the driver
-    ClientDriver(const JoinSettings& settings, PeerAddress host, NodeBoard& board, LocalTime now);
+    ClientDriver(const JoinSettings& settings, NodeBoard& board, LocalTime now);
 
+    /// What it proves itself with; its transport offers them.
+    [[nodiscard]] ClientCredentials& credentials() { return m_credentials; }
+
+    void connected(PeerAddress host, const Credential& who, LocalTime now) override;
+    void disconnected(PeerAddress host, LocalTime now) override;
+    void refused(const Error& why, LocalTime now) override;
     void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
     void propose(StationId station, FactBody body, LocalTime now) override;
     void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
@@ -29,10 +36,14 @@ private:
     [[nodiscard]] bool apply(const FactRecord& record, LocalTime now);
     void share(ObjectId object, ParticipantId owner);
     [[nodiscard]] Datagrams addressed(std::vector<std::vector<std::byte>> datagrams) const;
+    [[nodiscard]] bool wantsToken() const;
     [[nodiscard]] NodeBoard::Link link(LocalTime now) const;
     void show(LocalTime now);
 
-    PeerAddress m_host;
+    ClientCredentials m_credentials;
+    PeerAddress m_host = 0; // the path to it
+    LocalTime m_nextTokenRequest{};
+    std::optional<Error> m_noEntry;
     NodeBoard& m_board;
     SyncClient m_core;
     Publications m_publications;

@@ -58,6 +58,11 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
     std::unique_ptr<HostDriver> driver{
         new HostDriver{std::move(store), SessionAuthority{*facts}, board, now}};
     const std::string sessionId = isNew ? newSessionId() : driver->m_authority.state().sessionId();
+    auto access = HostAccess::open(settings.secrets, sessionId, settings.derive);
+    if (!access)
+        return tl::unexpected(access.error());
+    driver->m_access = *std::move(access);
+    board.setJoinCodes(driver->m_access->codes());
     driver->startCore(sessionId, *std::move(records), offset);
     const auto ready =
         (isNew ? driver->begin(settings, sessionId, now) : Result<void>{}).and_then([&] {
@@ -145,62 +150,6 @@ Result<FactRecord> HostDriver::enter(const Fact& fact)
     return record;
 }
 
-Result<ParticipantId> HostDriver::identify(const ProposalRecord& join, LocalTime now) const
-{
-    const auto proposal = fromRecord(join);
-    if (!proposal)
-        return tl::unexpected(proposal.error());
-    const auto* joined = std::get_if<fact::ParticipantJoined>(&proposal->body);
-    if (!joined || joined->participant.value != 0)
-        return fail(Errc::NotPermitted);
-    const Participant& self = m_authority.state().participants().at(kSelf);
-    if (joined->name == self.name && joined->role == self.role)
-        return kSelf;
-    return m_authority.judge(*proposal, m_core->sessionTime(now), Duration{})
-        .map([](const Fact& fact) {
-            return std::get<fact::ParticipantJoined>(fact.body).participant;
-        });
-}
-
-Result<Admission> HostDriver::admit(const ProposalRecord& join, LocalTime now)
-{
-    const auto participant = identify(join, now);
-    auto proposal = fromRecord(join);
-    if (!participant || !proposal)
-        return tl::unexpected(participant ? proposal.error() : participant.error());
-    const auto& participants = m_authority.state().participants();
-    const auto known = participants.find(*participant);
-    // The same run of a program that was given up meanwhile comes in a second time.
-    if (m_authority.settled(proposal->id) && known != participants.end() && !known->second.present)
-        proposal->id = ProposalId{hostRandom()};
-    return decide(*proposal, now).map([&](const FactRecord& fact) {
-        return Admission{*participant, fact};
-    });
-}
-
-void HostDriver::left(ParticipantId participant, LocalTime now)
-{
-    // A store that fails is shown as the node's refusal; the participant is gone all the same.
-    static_cast<void>(decideByHost(kFirstStation, fact::ParticipantLeft{participant}, now));
-}
-
-void HostDriver::dropAbsent(LocalTime now)
-{
-    if (now < m_returnsEnd)
-        return;
-    m_returnsEnd = LocalTime::max();
-    std::vector<ParticipantId> absent;
-    for (const auto& [id, participant] : m_authority.state().participants()) {
-        const bool isHere = id == kSelf || std::ranges::any_of(m_core->peers(), [&](const auto& p) {
-                                return p.second.participant == id;
-                            });
-        if (participant.present && !isHere)
-            absent.push_back(id);
-    }
-    for (const ParticipantId id : absent)
-        left(id, now);
-}
-
 void HostDriver::share(ObjectId object, ParticipantId owner)
 {
     m_core->share(object, owner);
@@ -208,11 +157,6 @@ void HostDriver::share(ObjectId object, ParticipantId owner)
         m_board.objects.remove(object);
     else
         m_board.objects.add(object);
-}
-
-void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
-{
-    m_core->receive(from, bytes, now);
 }
 
 void HostDriver::propose(StationId station, FactBody body, LocalTime now)
@@ -243,11 +187,14 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo);
     show(now);
+    std::ranges::move(std::exchange(m_tokens, {}), std::back_inserter(output.datagrams));
     return std::move(output.datagrams);
 }
 
 LocalTime HostDriver::nextWake() const
 {
+    if (!m_tokens.empty())
+        return LocalTime::min();
     return std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd});
 }
 
@@ -272,7 +219,7 @@ void HostDriver::show(LocalTime now)
             {{peer.participant, LinkState::Connected, roundTrip, roundTrip / 2, Duration{}},
              peer.link.lastHeard()});
     }
-    view.refusal = m_refusal;
+    view.refusal = m_refusal ? m_refusal : m_access->fault();
     if (m_board.show(std::move(view)))
         m_board.announce();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/net/host_access.h"
 #include "engine/net/node_board.h"
 #include "engine/net/node_driver.h"
 #include "engine/net/publications.h"
@@ -17,6 +18,11 @@ public:
                                                                   std::unique_ptr<FactStore> store,
                                                                   NodeBoard& board, LocalTime now);
 
+    [[nodiscard]] const HostAccess& access() const { return *m_access; }
+
+    void connected(PeerAddress peer, const Credential& who, LocalTime now) override;
+    void disconnected(PeerAddress peer, LocalTime now) override;
+    void refused(const Error& why, LocalTime now) override;
     void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
     void propose(StationId station, FactBody body, LocalTime now) override;
     void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
@@ -50,6 +56,9 @@ private:
     SessionAuthority m_authority;
     NodeBoard& m_board;
     std::unique_ptr<SyncHost> m_core;
+    std::unique_ptr<HostAccess> m_access;
+    PeerAddress m_speaker = 0; // whose datagram is being received
+    Datagrams m_tokens;        // to be sent
     Publications m_publications;
     std::uint16_t m_epoch = 0;
     LocalTime m_returnsEnd; // until then those of the last run may come back

@@ -45,6 +45,17 @@ public:
     /// @returns whether what onChange announces is another than before.
     bool show(View view);
 
+    void setJoinCodes(JoinCodes codes)
+    {
+        const std::scoped_lock lock{m_mutex};
+        m_joinCodes = std::move(codes);
+    }
+    [[nodiscard]] JoinCodes joinCodes() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_joinCodes;
+    }
+
     void onChange(std::function<void()> callback);
     void announce() const;
 
@@ -53,6 +64,7 @@ public:
 private:
     mutable std::mutex m_mutex;
     View m_view;
+    JoinCodes m_joinCodes;
     std::function<void()> m_callback;
 };
 

@@ -1,21 +1,18 @@
 #pragma once
 
+#include "engine/net/secure/secure_transport.h"
 #include "engine/net/session_node.h"
-#include "engine/sync/sync_host.h"
 
 namespace carina
 {
 
 /// One role's part of a node: joins a core of engine/sync to the session behind it. Lives on the
 /// node's thread; whoever runs that thread brings datagrams and time.
-class NodeDriver
+class NodeDriver : public TransportListener
 {
 public:
     using Datagrams = std::vector<SyncHost::Output::Addressed>;
 
-    virtual ~NodeDriver() = default;
-
-    virtual void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) = 0;
     virtual void propose(StationId station, FactBody body, LocalTime now) = 0;
     virtual void publish(StationId station, ObjectKind kind, std::string name,
                          PoseSource newest) = 0;

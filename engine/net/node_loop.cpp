@@ -2,46 +2,21 @@
 
 #include "engine/core/monotonic_clock.h"
 
-#include <QNetworkProxy>
-
 #include <algorithm>
-#include <array>
 
 namespace carina
 {
-namespace
-{
 
-// One serving reads no more than this, so that a flood does not keep the timer from its turn.
-constexpr int kDatagramsPerTurn = 256;
-
-PeerAddress peerAddress(const QHostAddress& host, std::uint16_t port)
-{
-    return PeerAddress{host.toIPv4Address()} << 16 | port;
-}
-
-} // namespace
-
-PeerAddress loopbackAddress(std::uint16_t port)
-{
-    return peerAddress(QHostAddress{QHostAddress::LocalHost}, port);
-}
-
-Result<std::uint16_t> NodeLoop::bind(std::uint16_t port)
-{
-    m_socket.setProxy(QNetworkProxy::NoProxy);
-    if (!m_socket.bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress))
-        return fail(Errc::AddressInUse, std::to_string(port));
-    return m_socket.localPort();
-}
-
-void NodeLoop::drive(std::unique_ptr<NodeDriver> driver)
+void NodeLoop::drive(std::unique_ptr<NodeDriver> driver, std::unique_ptr<SecureTransport> transport)
 {
     m_driver = std::move(driver);
+    m_transport = std::move(transport);
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &NodeLoop::serve);
-    connect(&m_socket, &QUdpSocket::readyRead, this, &NodeLoop::serve);
+    // Not at once: serving may end the socket that tells of it.
+    m_transport->onNews(
+        [this] { QMetaObject::invokeMethod(this, &NodeLoop::serve, Qt::QueuedConnection); });
     serve();
 }
 
@@ -49,49 +24,30 @@ void NodeLoop::serve()
 {
     if (!m_driver)
         return;
-    readDatagrams();
+    m_transport->serve(*m_driver, monotonicNow());
     send(m_driver->advance(monotonicNow()));
-    sleepUntil(m_driver->nextWake(), monotonicNow());
+    sleepUntil(std::min(m_driver->nextWake(), m_transport->nextWake()), monotonicNow());
 }
 
 void NodeLoop::close()
 {
     m_timer.stop();
-    if (m_driver)
-        send(m_driver->close(monotonicNow()));
+    if (!m_driver)
+        return;
+    send(m_driver->close(monotonicNow()));
+    m_transport->close();
+    m_transport.reset();
     m_driver.reset();
-    m_socket.close();
-}
-
-void NodeLoop::readDatagrams()
-{
-    // One byte more than fits, to tell a datagram that is too long from one that just fits.
-    std::array<std::byte, kLargestDatagram + 1> buffer;
-    for (int i = 0; i < kDatagramsPerTurn && m_socket.hasPendingDatagrams(); ++i) {
-        QHostAddress host;
-        quint16 port = 0;
-        const qint64 size = m_socket.readDatagram(reinterpret_cast<char*>(buffer.data()),
-                                                  buffer.size(), &host, &port);
-        if (size > 0)
-            m_driver->receive(peerAddress(host, port),
-                              std::span{buffer}.first(static_cast<std::size_t>(size)),
-                              monotonicNow());
-    }
 }
 
 void NodeLoop::send(const NodeDriver::Datagrams& datagrams)
 {
     for (const auto& [to, bytes] : datagrams)
-        m_socket.writeDatagram(
-            reinterpret_cast<const char*>(bytes.data()), static_cast<qint64>(bytes.size()),
-            QHostAddress{static_cast<quint32>(to >> 16)}, static_cast<quint16>(to & 0xFFFF));
+        m_transport->send(to, bytes);
 }
 
 void NodeLoop::sleepUntil(LocalTime wake, LocalTime now)
 {
-    // Datagrams left for the next turn do not signal again.
-    if (m_socket.hasPendingDatagrams())
-        wake = now;
     if (wake == LocalTime::max())
         return m_timer.stop();
     const Duration wait =

@@ -4,19 +4,16 @@
 
 #include <QObject>
 #include <QTimer>
-#include <QUdpSocket>
 
 namespace carina
 {
 
-/// Serves a driver on the thread it lives on: a UDP socket on loopback and one timer.
+/// Serves a driver on the thread it lives on: its transport and one timer.
 class NodeLoop : public QObject
 {
 public:
-    /// @returns AddressInUse with the port.
-    [[nodiscard]] Result<std::uint16_t> bind(std::uint16_t port);
     /// From now on.
-    void drive(std::unique_ptr<NodeDriver> driver);
+    void drive(std::unique_ptr<NodeDriver> driver, std::unique_ptr<SecureTransport> transport);
     [[nodiscard]] NodeDriver& driver() { return *m_driver; }
     /// Reads, lets the driver advance, sends and sleeps until there is more.
     void serve();
@@ -24,16 +21,12 @@ public:
     void close();
 
 private:
-    void readDatagrams();
     void send(const NodeDriver::Datagrams& datagrams);
     void sleepUntil(LocalTime wake, LocalTime now);
 
-    QUdpSocket m_socket{this};
     QTimer m_timer{this};
     std::unique_ptr<NodeDriver> m_driver;
+    std::unique_ptr<SecureTransport> m_transport; // may use what the driver owns
 };
-
-/// A port on loopback as the address that the cores know.
-[[nodiscard]] PeerAddress loopbackAddress(std::uint16_t port);
 
 } // namespace carina

@@ -2,6 +2,8 @@
 
 #include "engine/net/client_driver.h"
 #include "engine/net/host_driver.h"
+#include "engine/net/secure/client_transport.h"
+#include "engine/net/secure/host_transport.h"
 #include "engine/net/session_identity.h"
 #include "engine/net/threaded_node.h"
 #include "engine/session/fact_rules.h"
@@ -20,8 +22,18 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
     if (!valid)
         return tl::unexpected(valid.error());
     return ThreadedNode::start(
-        settings.port, [&](NodeBoard& board, LocalTime now) -> Result<std::unique_ptr<NodeDriver>> {
-            return HostDriver::open(settings, std::move(store), board, now);
+        [&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
+            auto transport = HostTransport::bind(settings.port, settings.open);
+            if (!transport)
+                return tl::unexpected(transport.error());
+            auto driver = HostDriver::open(settings, std::move(store), board, now);
+            if (!driver)
+                return tl::unexpected(driver.error());
+            const HostAccess& access = (*driver)->access();
+            (*transport)->admit(access.sessionId(), [&access](const PskIdentity& identity) {
+                return access.keyOf(identity);
+            });
+            return ThreadedNode::Parts{*std::move(driver), *std::move(transport)};
         });
 }
 
@@ -30,10 +42,15 @@ Result<std::unique_ptr<SessionNode>> SessionNode::join(const JoinSettings& setti
     const fact::ParticipantJoined joined{ParticipantId{}, settings.role, settings.participantName};
     if (const auto valid = checkBody(joined); !valid)
         return tl::unexpected(valid.error());
+    const QHostAddress host{QString::fromStdString(settings.address)};
+    if (host.isNull())
+        return fail(Errc::OutOfRange, "the address '" + settings.address + "'");
     return ThreadedNode::start(
-        0, [&](NodeBoard& board, LocalTime now) -> Result<std::unique_ptr<NodeDriver>> {
-            return std::make_unique<ClientDriver>(settings, loopbackAddress(settings.port), board,
-                                                  now);
+        [&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
+            auto driver = std::make_unique<ClientDriver>(settings, board, now);
+            auto transport = std::make_unique<ClientTransport>(host, settings.port,
+                                                               driver->credentials(), now);
+            return ThreadedNode::Parts{std::move(driver), std::move(transport)};
         });
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/net/secure/access_key.h"
+#include "engine/net/secure/join_code.h"
 #include "engine/session/fact_store.h"
 #include "engine/session/session_state.h"
 #include "engine/tracking/pose_history.h"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -35,22 +38,30 @@ struct ObjectReport {
 struct HostSettings {
     std::string sessionName;
     std::string participantName; ///< of the instructor who hosts
-    std::uint16_t port = 0;      ///< UDP on loopback; 0 takes a free one
+    std::uint16_t port = 0;      ///< UDP; 0 takes a free one
+    bool open = false;           ///< to other computers; else only this one can reach the session
+    /// Codes, keys and tokens are kept in it, beside the store; empty: in memory only.
+    std::filesystem::path secrets{};
+    DeriveKey derive = deriveByArgon2id;
 };
 
 struct JoinSettings {
-    std::uint16_t port = 0; ///< of the host, on loopback
+    std::uint16_t port = 0; ///< of the host
     std::string participantName;
     Role role = Role::Trainee;
     StationId station;
+    std::optional<JoinCode> code{};   ///< needed where there is no token of an earlier admission
+    std::filesystem::path tokens{};   ///< folder that keeps them; empty: in memory only
+    std::string address = "127.0.0.1"; ///< of the host, IPv4 or IPv6
+    DeriveKey derive = deriveByArgon2id;
 };
 
 /// The newest measured pose of a local object in A; nothing while it was never seen. Must return at
 /// once.
 using PoseSource = std::function<std::optional<PoseSample>()>;
 
-/// One program's part in a session: pumps the deterministic core of engine/sync with a UDP socket
-/// and a clock, on a thread of its own. All functions may be called from any thread.
+/// One program's part in a session: pumps the deterministic core of engine/sync with an encrypted
+/// UDP socket and a clock, on a thread of its own. All functions may be called from any thread.
 class SessionNode
 {
 public:
@@ -59,17 +70,20 @@ public:
     ///
     /// @pre a QCoreApplication exists.
     /// @returns AddressInUse with the port; OutOfRange for a name that checkBody refuses; what the
-    ///          store objects to.
+    ///          store or the file of secrets objects to.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>>
     host(const HostSettings& settings, std::unique_ptr<FactStore> store);
     /// Joins; returns at once and connects, and reconnects, by itself.
     ///
     /// @pre a QCoreApplication exists.
-    /// @returns OutOfRange for a name that checkBody refuses; AddressInUse without a free port.
+    /// @returns OutOfRange for a name that checkBody refuses, or an address that is none.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>> join(const JoinSettings& settings);
     virtual ~SessionNode() = default;
 
+    /// That others join at; 0 at a node that joined.
     [[nodiscard]] virtual std::uint16_t port() const = 0;
+    /// By which others may come in; none at a node that joined.
+    [[nodiscard]] virtual JoinCodes joinCodes() const = 0;
     /// kNobody until the host has admitted this node.
     [[nodiscard]] virtual ParticipantId self() const = 0;
     /// The session clock's best estimate; nothing until the clock is first set.

@@ -5,34 +5,29 @@
 namespace carina
 {
 
-Result<std::unique_ptr<SessionNode>> ThreadedNode::start(std::uint16_t port,
-                                                         const MakeDriver& makeDriver)
+Result<std::unique_ptr<SessionNode>> ThreadedNode::start(const MakeParts& makeParts)
 {
     std::unique_ptr<ThreadedNode> node{new ThreadedNode};
     node->m_thread.setObjectName(QStringLiteral("carina-node"));
     node->m_thread.start();
     node->m_loop = std::make_unique<NodeLoop>();
     node->m_loop->moveToThread(&node->m_thread);
-    if (const auto opened = node->open(port, makeDriver); !opened)
+    if (const auto opened = node->open(makeParts); !opened)
         return tl::unexpected(opened.error());
     return node;
 }
 
-Result<void> ThreadedNode::open(std::uint16_t port, const MakeDriver& makeDriver)
+Result<void> ThreadedNode::open(const MakeParts& makeParts)
 {
     Result<void> opened;
     runThere([&] {
-        const auto bound = m_loop->bind(port);
-        if (!bound) {
-            opened = tl::unexpected(bound.error());
+        auto parts = makeParts(m_board, monotonicNow());
+        if (!parts) {
+            opened = tl::unexpected(parts.error());
             return;
         }
-        m_port = *bound;
-        auto driver = makeDriver(m_board, monotonicNow());
-        if (driver)
-            m_loop->drive(*std::move(driver));
-        else
-            opened = tl::unexpected(driver.error());
+        m_port = parts->transport->port();
+        m_loop->drive(std::move(parts->driver), std::move(parts->transport));
     });
     return opened;
 }

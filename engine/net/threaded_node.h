@@ -13,17 +13,20 @@ class ThreadedNode : public SessionNode
 {
 public:
     /// Made on the node's thread, for what it opens may be tied to it.
-    using MakeDriver =
-        std::function<Result<std::unique_ptr<NodeDriver>>(NodeBoard& board, LocalTime now)>;
+    struct Parts {
+        std::unique_ptr<NodeDriver> driver;
+        std::unique_ptr<SecureTransport> transport; ///< ends before the driver
+    };
+    using MakeParts = std::function<Result<Parts>(NodeBoard& board, LocalTime now)>;
 
-    /// @returns AddressInUse with the port, or what the driver's making fails with.
-    [[nodiscard]] static Result<std::unique_ptr<SessionNode>> start(std::uint16_t port,
-                                                                    const MakeDriver& makeDriver);
+    /// @returns what the making fails with.
+    [[nodiscard]] static Result<std::unique_ptr<SessionNode>> start(const MakeParts& makeParts);
     ~ThreadedNode() override;
     ThreadedNode(const ThreadedNode&) = delete;
     ThreadedNode& operator=(const ThreadedNode&) = delete;
 
     [[nodiscard]] std::uint16_t port() const override { return m_port; }
+    [[nodiscard]] JoinCodes joinCodes() const override { return m_board.joinCodes(); }
     [[nodiscard]] ParticipantId self() const override;
     [[nodiscard]] std::optional<SessionTime> now() const override;
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override;
@@ -40,7 +43,7 @@ public:
 private:
     ThreadedNode() = default;
 
-    [[nodiscard]] Result<void> open(std::uint16_t port, const MakeDriver& makeDriver);
+    [[nodiscard]] Result<void> open(const MakeParts& makeParts);
     /// Runs on the node's thread, before this returns.
     void runThere(const std::function<void()>& task);
 

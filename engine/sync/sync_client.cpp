@@ -106,6 +106,12 @@ void SyncClient::publish(StationId station, const StreamCpo& cpo)
         m_outgoing.insert_or_assign(cpo.object, StreamSample{m_self, m_epoch, station, cpo});
 }
 
+void SyncClient::greetNow(LocalTime now)
+{
+    m_nextHello = now;
+    m_helloWait = kFirstHelloWait;
+}
+
 void SyncClient::leave(LocalTime now)
 {
     if (m_state == State::Connected)

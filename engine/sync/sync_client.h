@@ -59,6 +59,8 @@ public:
     void share(ObjectId object, ParticipantId owner) { m_table.share(object, owner); }
     /// Sends a sample of an object of its own with the next tick.
     void publish(StationId station, const StreamCpo& cpo);
+    /// There is a new path to the host: greets it at once where it is not connected.
+    void greetNow(LocalTime now);
     /// Says goodbye; nothing is received or sent any more.
     void leave(LocalTime now);
 

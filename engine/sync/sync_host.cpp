@@ -113,6 +113,12 @@ void SyncHost::publish(const StreamSample& sample, LocalTime now)
         m_outgoing.insert_or_assign(sample.cpo.object, sample);
 }
 
+void SyncHost::drop(PeerAddress address, LocalTime now)
+{
+    if (m_peers.contains(address))
+        remove(address, now);
+}
+
 void SyncHost::close(LocalTime now)
 {
     for (auto& [address, peer] : m_peers) {

@@ -83,6 +83,8 @@ public:
     void share(ObjectId object, ParticipantId owner) { m_table.share(object, owner); }
     /// Sends a sample of an object of the host's own with the next tick.
     void publish(const StreamSample& sample, LocalTime now);
+    /// Nobody will be heard from this address any more.
+    void drop(PeerAddress address, LocalTime now);
     /// Says goodbye to everyone.
     void close(LocalTime now);
 

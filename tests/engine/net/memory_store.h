@@ -2,6 +2,8 @@
 
 #include "engine/session/fact_store.h"
 
+#include <QTemporaryDir>
+
 #include <memory>
 
 namespace carina
@@ -11,7 +13,8 @@ namespace carina
 struct MemoryDisk {
     std::vector<FactRecord> facts;
     std::optional<ClockAnchor> anchor;
-    bool full = false; ///< nothing can be written
+    bool full = false;    ///< nothing can be written
+    QTemporaryDir folder; ///< for what lies beside the store
 };
 
 /// A FactStore on a MemoryDisk.

@@ -13,17 +13,54 @@ inline constexpr int kSoonMs = 2000;
 inline constexpr StationId kStation{0};
 inline constexpr Duration kClockTolerance = 5ms;
 
+/// A key at once; what Argon2id makes of a code is tested with the codes.
+inline Result<AccessKey> cheapKey(const JoinCode& code, const SessionKey& session)
+{
+    AccessKey key{};
+    for (std::size_t i = 0; i < session.size(); ++i)
+        key[i] = session[i];
+    for (std::size_t i = 0; i < JoinCode::kCharacters; ++i)
+        key[session.size() + i] = static_cast<std::byte>(code.characters()[i]);
+    return key;
+}
+
+inline HostSettings hostSettings(const MemoryDisk& disk, std::uint16_t port = 0)
+{
+    return {.sessionName = "Course",
+            .participantName = "Dr Hall",
+            .port = port,
+            .secrets = disk.folder.filePath(QStringLiteral("secrets.json")).toStdString(),
+            .derive = cheapKey};
+}
+
 inline std::unique_ptr<SessionNode> host(MemoryDisk& disk, std::uint16_t port = 0)
 {
-    auto node = SessionNode::host({"Course", "Dr Hall", port}, std::make_unique<MemoryStore>(disk));
+    auto node = SessionNode::host(hostSettings(disk, port), std::make_unique<MemoryStore>(disk));
     return node ? *std::move(node) : nullptr;
 }
 
-inline std::unique_ptr<SessionNode> join(std::uint16_t port, const char* name,
+inline JoinSettings joinSettings(const SessionNode& host, const char* name,
+                                 Role role = Role::Trainee)
+{
+    return {.port = host.port(),
+            .participantName = name,
+            .role = role,
+            .station = kStation,
+            .code = host.joinCodes().at(role),
+            .derive = cheapKey};
+}
+
+inline std::unique_ptr<SessionNode> join(const JoinSettings& settings)
+{
+    auto node = SessionNode::join(settings);
+    return node ? *std::move(node) : nullptr;
+}
+
+/// With the code of the role.
+inline std::unique_ptr<SessionNode> join(const SessionNode& host, const char* name,
                                          Role role = Role::Trainee)
 {
-    auto node = SessionNode::join({port, name, role, kStation});
-    return node ? *std::move(node) : nullptr;
+    return join(joinSettings(host, name, role));
 }
 
 inline LinkState linkOf(const SessionNode& client) { return client.links().at(0).state; }

@@ -38,8 +38,9 @@ struct Pair {
                 },
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
                 [](ParticipantId, LocalTime) {}}},
-          client{{0, "Anna", role, StationId{}}, kHost, board, now}
+          client{{0, "Anna", role, StationId{}}, board, now}
     {
+        client.connected(kHost, {}, now);
     }
     void run(Duration length)
     {

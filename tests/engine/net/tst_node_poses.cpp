@@ -14,8 +14,8 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        const auto anna = join(instructor->port(), "Anna");
-        const auto ben = join(instructor->port(), "Ben");
+        const auto anna = join(*instructor, "Anna");
+        const auto ben = join(*instructor, "Ben");
         anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
         for (const auto* node : {instructor.get(), ben.get()}) {
             QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(), kSoonMs);
@@ -41,7 +41,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         instructor->publish(kStation, ObjectKind::Head, "Head", stillTube(*instructor));
-        const auto anna = join(instructor->port(), "Anna");
+        const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*anna) && onlyObject(*anna)->newest(), kSoonMs);
     }
 
@@ -49,7 +49,7 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        auto anna = join(instructor->port(), "Anna");
+        auto anna = join(*instructor, "Anna");
         anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
                                  kSoonMs);

@@ -15,7 +15,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         auto instructor = host(disk);
         const std::uint16_t port = instructor->port();
-        const auto anna = join(port, "Anna");
+        const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         const LocalTime moment = monotonicNow();
         const SessionTime before = *instructor->sessionTime(moment);
@@ -39,7 +39,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         auto instructor = host(disk);
         const std::uint16_t port = instructor->port();
-        const auto second = join(port, "Dr Rolland", Role::Instructor);
+        const auto second = join(*instructor, "Dr Rolland", Role::Instructor);
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*second), kSoonMs);
         instructor.reset();
         second->propose(kStation, fact::BreathingRateSet{perMinute(30.0)});
@@ -58,14 +58,14 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        auto anna = join(instructor->port(), "Anna");
+        auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         const ParticipantId id = anna->self();
         const auto present = [&] { return instructor->state()->participants().at(id).present; };
         QVERIFY(present());
         anna.reset();
         QTRY_VERIFY_WITH_TIMEOUT(!present(), kSoonMs);
-        anna = join(instructor->port(), "Anna");
+        anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         QCOMPARE(anna->self(), id);
         QTRY_VERIFY_WITH_TIMEOUT(present(), kSoonMs);
@@ -78,8 +78,8 @@ private Q_SLOTS:
         MemoryDisk disk;
         auto instructor = host(disk);
         const std::uint16_t port = instructor->port();
-        auto anna = join(port, "Anna");
-        const auto ben = join(port, "Ben");
+        auto anna = join(*instructor, "Anna");
+        const auto ben = join(*instructor, "Ben");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kSoonMs);
         const ParticipantId annaId = anna->self();
         instructor.reset();
@@ -97,17 +97,17 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        const auto anna = join(instructor->port(), "Anna");
+        const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
-        const auto other = join(instructor->port(), "Anna");
-        const auto usurper = join(instructor->port(), "Dr Hall", Role::Instructor);
+        const auto other = join(*instructor, "Anna");
+        const auto usurper = join(*instructor, "Dr Hall", Role::Instructor);
         QTRY_VERIFY_WITH_TIMEOUT(other->refusal() && usurper->refusal(), kSoonMs);
         QCOMPARE(other->refusal()->code, Errc::NameTaken);
         QCOMPARE(usurper->refusal()->code, Errc::NameTaken);
         QCOMPARE(other->self(), kNobody);
         QCOMPARE(linkOf(*other), LinkState::Connecting);
         // Another role is another person.
-        const auto watcher = join(instructor->port(), "Anna", Role::Observer);
+        const auto watcher = join(*instructor, "Anna", Role::Observer);
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*watcher), kSoonMs);
     }
 
@@ -116,7 +116,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         auto instructor = host(disk);
         const std::uint16_t port = instructor->port();
-        const auto anna = join(port, "Anna");
+        const auto anna = join(*instructor, "Anna");
         anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
                                  kSoonMs);

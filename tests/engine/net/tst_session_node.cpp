@@ -47,8 +47,8 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        const auto anna = join(instructor->port(), "Anna");
-        const auto ben = join(instructor->port(), "Ben", Role::Observer);
+        const auto anna = join(*instructor, "Anna");
+        const auto ben = join(*instructor, "Ben", Role::Observer);
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kSoonMs);
         QVERIFY(anna->self() != ben->self());
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(25.0)});
@@ -69,7 +69,7 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        const auto second = join(instructor->port(), "Dr Rolland", Role::Instructor);
+        const auto second = join(*instructor, "Dr Rolland", Role::Instructor);
         second->propose(kStation, fact::BreathingRateSet{perMinute(12.0)}); // before it is in
         QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*instructor), 12.0, kSoonMs);
         QTRY_VERIFY_WITH_TIMEOUT(second->pending().empty(), kSoonMs);
@@ -80,7 +80,7 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        const auto anna = join(instructor->port(), "Anna");
+        const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         anna->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
         QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kSoonMs);
@@ -100,7 +100,7 @@ private Q_SLOTS:
         instructor->onChange([&] { ++changes; });
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(25.0)});
         QTRY_VERIFY_WITH_TIMEOUT(changes > 0, kSoonMs);
-        const auto anna = join(instructor->port(), "Anna");
+        const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && changes > 1, kSoonMs);
         instructor->onChange({});
     }
@@ -139,7 +139,7 @@ private Q_SLOTS:
         host(disk).reset();
         disk.facts[1].body = {std::byte{0xFF}};
         const auto node =
-            SessionNode::host({"Course", "Dr Hall", 0}, std::make_unique<MemoryStore>(disk));
+            SessionNode::host(hostSettings(disk), std::make_unique<MemoryStore>(disk));
         QVERIFY(!node);
         QCOMPARE(node.error().code, Errc::StoreCorrupt);
         QVERIFY(node.error().detail.starts_with("fact 2"));
@@ -165,7 +165,7 @@ private Q_SLOTS:
         for (const qsizetype size : {0, 1, 34, 1200, 1201, 9000})
             stranger.writeDatagram(QByteArray{size, 'C'}, QHostAddress::LocalHost,
                                    instructor->port());
-        const auto anna = join(instructor->port(), "Anna");
+        const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         QVERIFY(!stranger.hasPendingDatagrams());
     }
@@ -174,7 +174,7 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        const auto anna = join(instructor->port(), "Anna");
+        const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         std::clock_t used = std::clock();
         QTest::qWait(500);

@@ -1,0 +1,114 @@
+#include "engine/net/secure/client_transport.h"
+
+#include "engine/net/secure/endpoint.h"
+
+#include <algorithm>
+
+namespace carina
+{
+
+ClientTransport::ClientTransport(const QHostAddress& host, std::uint16_t port,
+                                 ClientCredentials& credentials, LocalTime now)
+    : m_host{normalised(host)}, m_port{port}, m_credentials{credentials}, m_nextTry{now}
+{
+    m_credentials.onChange([this] {
+        m_nextTry = LocalTime::min();
+        tellNews();
+    });
+}
+
+ClientTransport::~ClientTransport() { m_credentials.onChange({}); }
+
+void ClientTransport::serve(TransportListener& listener, LocalTime now)
+{
+    if (m_path)
+        servePath(listener, now);
+    serveTries(listener, now);
+    if (const auto& refusal = m_credentials.refusal(); refusal && !m_toldRefusal) {
+        m_toldRefusal = true;
+        m_opening.clear();
+        listener.refused(*refusal, now);
+    }
+    if (needsPath(now) && now >= m_nextTry && m_credentials.mayTry())
+        beginTry(now);
+}
+
+void ClientTransport::servePath(TransportListener& listener, LocalTime now)
+{
+    const LocalTime heard = m_path->lastHeard();
+    m_path->serve([&](std::span<const std::byte> bytes, LocalTime arrived) {
+        listener.receive(m_address, bytes, arrived);
+    });
+    if (m_path->state() == ClientPath::State::Failed) {
+        m_path.reset();
+        m_nextTry = now;
+        listener.disconnected(m_address, now);
+    } else if (m_path->lastHeard() > heard) {
+        m_opening.clear(); // it lives after all
+    }
+}
+
+void ClientTransport::serveTries(TransportListener& listener, LocalTime now)
+{
+    for (auto& path : m_opening) {
+        path->serve([](auto, auto) {});
+        m_roundTrip = path->roundTrip().value_or(m_roundTrip);
+        if (path->state() == ClientPath::State::Encrypted)
+            return take(std::move(path), listener, now);
+    }
+    std::erase_if(m_opening, [](const auto& path) {
+        return path->state() == ClientPath::State::Failed;
+    });
+}
+
+void ClientTransport::take(std::unique_ptr<ClientPath> path, TransportListener& listener,
+                           LocalTime now)
+{
+    if (m_path)
+        listener.disconnected(m_address, now);
+    m_path = std::move(path);
+    m_opening.clear();
+    m_nextTry = now;
+    listener.connected(++m_address, m_path->offer()->identity.who, now);
+}
+
+bool ClientTransport::needsPath(LocalTime now) const
+{
+    return !m_path || now >= m_path->lastHeard() + kSilence;
+}
+
+void ClientTransport::beginTry(LocalTime now)
+{
+    if (m_opening.size() >= kMostTries)
+        m_opening.erase(m_opening.begin());
+    m_opening.push_back(std::make_unique<ClientPath>(
+        m_host, m_port, m_credentials, [this] { tellNews(); }, now));
+    ++m_tries;
+    m_nextTry = now + std::max(kShortestTry, kTryRoundTrips * m_roundTrip);
+}
+
+LocalTime ClientTransport::nextWake() const
+{
+    const auto hasMore = [](const auto& path) { return path->hasMore(); };
+    if ((m_path && m_path->hasMore()) || std::ranges::any_of(m_opening, hasMore))
+        return LocalTime::min();
+    if (!m_credentials.mayTry())
+        return LocalTime::max();
+    return m_path ? std::max(m_path->lastHeard() + kSilence, m_nextTry) : m_nextTry;
+}
+
+void ClientTransport::send(PeerAddress to, std::span<const std::byte> bytes)
+{
+    if (m_path && to == m_address)
+        m_path->send(bytes);
+}
+
+void ClientTransport::close()
+{
+    m_opening.clear();
+    if (m_path)
+        m_path->close();
+    m_path.reset();
+}
+
+} // namespace carina

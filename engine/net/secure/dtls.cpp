@@ -1,0 +1,68 @@
+#include "engine/net/secure/dtls.h"
+
+#include "engine/core/monotonic_clock.h"
+#include "engine/net/secure/endpoint.h"
+
+#include <QSslCipher>
+#include <QSslConfiguration>
+#include <QSslPreSharedKeyAuthenticator>
+
+namespace carina
+{
+namespace
+{
+
+constexpr quint16 kMtu = 1200;
+constexpr qint64 kLongestRaw = 1200;
+
+} // namespace
+
+void prepareDtls(QDtls& dtls, const QByteArray& hint)
+{
+    QSslConfiguration configuration = QSslConfiguration::defaultDtlsConfiguration();
+    configuration.setProtocol(QSsl::DtlsV1_2);
+    configuration.setCiphers(QStringLiteral("ECDHE-PSK-CHACHA20-POLY1305"));
+    configuration.setPeerVerifyMode(QSslSocket::VerifyNone); // the key proves it, no certificate
+    configuration.setPreSharedKeyIdentityHint(hint);
+    dtls.setDtlsConfiguration(configuration);
+    dtls.setMtuHint(kMtu);
+}
+
+void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& identity,
+               const AccessKey& key)
+{
+    if (!identity.empty())
+        question.setIdentity(QByteArray::fromStdString(identity));
+    question.setPreSharedKey(QByteArray{viewOf(key).constData(), static_cast<qsizetype>(key.size())});
+}
+
+std::optional<RawDatagram> readRaw(QUdpSocket& socket)
+{
+    while (socket.hasPendingDatagrams()) {
+        RawDatagram datagram;
+        datagram.bytes.resize(kLongestRaw + 1);
+        const qint64 size = socket.readDatagram(datagram.bytes.data(), datagram.bytes.size(),
+                                                &datagram.from, &datagram.port);
+        if (size <= 0 || size > kLongestRaw)
+            continue;
+        datagram.bytes.truncate(size);
+        datagram.from = normalised(datagram.from);
+        datagram.arrived = monotonicNow();
+        return datagram;
+    }
+    return std::nullopt;
+}
+
+std::span<const std::uint8_t> octets(const QByteArray& bytes)
+{
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()),
+            static_cast<std::size_t>(bytes.size())};
+}
+
+QByteArray viewOf(std::span<const std::byte> bytes)
+{
+    return QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()),
+                                   static_cast<qsizetype>(bytes.size()));
+}
+
+} // namespace carina

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/core/session_time.h"
+#include "engine/net/secure/access_key.h"
+#include "engine/net/secure/psk_identity.h"
+
+#include <QByteArray>
+#include <QDtls>
+#include <QHostAddress>
+#include <QUdpSocket>
+
+#include <span>
+
+namespace carina
+{
+
+/// What a client proves itself with.
+struct KeyOffer {
+    PskIdentity identity;
+    AccessKey key{};
+};
+
+/// Makes an association speak nothing but ECDHE-PSK-CHACHA20-POLY1305, which adds 29 bytes to a
+/// datagram, in packets that need no fragments.
+/// @param hint the session id, which a host tells before anything is encrypted; empty at a client
+void prepareDtls(QDtls& dtls, const QByteArray& hint);
+
+/// The key that a QDtls asks for while a handshake goes on. @param identity empty at a host
+void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& identity,
+               const AccessKey& key);
+
+/// The next datagram of a socket and where it came from, its address normalised; nothing when there
+/// is none. One that is empty or longer than any of ours is passed over: QDtls asserts that it is
+/// not given the former.
+struct RawDatagram {
+    QByteArray bytes;
+    QHostAddress from;
+    std::uint16_t port = 0;
+    LocalTime arrived{};
+};
+[[nodiscard]] std::optional<RawDatagram> readRaw(QUdpSocket& socket);
+
+[[nodiscard]] std::span<const std::uint8_t> octets(const QByteArray& bytes);
+[[nodiscard]] QByteArray viewOf(std::span<const std::byte> bytes);
+
+} // namespace carina

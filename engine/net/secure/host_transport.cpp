@@ -1,0 +1,213 @@
+#include "engine/net/secure/host_transport.h"
+
+#include "engine/net/secure/dtls_record.h"
+
+#include <QNetworkProxy>
+#include <QSslPreSharedKeyAuthenticator>
+
+#include <algorithm>
+
+namespace carina
+{
+
+struct HostTransport::Association {
+    PeerAddress address = 0;
+    QByteArray hello; // that it began with
+    LocalTime lastHeard{};
+    std::optional<Credential> who; // once the peer has told
+    KeyAnswer::State key = KeyAnswer::State::Unknown;
+    QDtls dtls{QSslSocket::SslServerMode};
+};
+
+Result<std::unique_ptr<HostTransport>> HostTransport::bind(std::uint16_t port, bool open)
+{
+    std::unique_ptr<HostTransport> transport{new HostTransport};
+    QUdpSocket& socket = transport->m_socket;
+    socket.setProxy(QNetworkProxy::NoProxy);
+    if (!socket.bind(open ? QHostAddress::Any : QHostAddress::LocalHost, port,
+                     QAbstractSocket::DontShareAddress))
+        return fail(Errc::AddressInUse, std::to_string(port));
+    return transport;
+}
+
+HostTransport::~HostTransport() = default;
+
+void HostTransport::admit(const std::string& sessionId, KeyOf keyOf)
+{
+    m_hint = QByteArray::fromStdString(sessionId);
+    m_keyOf = std::move(keyOf);
+    QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { tellNews(); });
+}
+
+void HostTransport::serve(TransportListener& listener, LocalTime now)
+{
+    for (int i = 0; i < kDatagramsPerTurn; ++i) {
+        const auto datagram = readRaw(m_socket);
+        if (!datagram)
+            break;
+        take(*datagram, listener, datagram->arrived);
+    }
+    dropSilent(listener, now);
+}
+
+LocalTime HostTransport::nextWake() const
+{
+    // Datagrams left for the next turn do not signal again.
+    if (m_socket.hasPendingDatagrams())
+        return LocalTime::min();
+    LocalTime wake = LocalTime::max();
+    for (const auto& [from, handshake] : m_handshakes)
+        wake = std::min(wake, handshake->lastHeard + kHandshakeTimeout);
+    for (const auto& [from, path] : m_paths)
+        wake = std::min(wake, path->lastHeard + kPathTimeout);
+    return wake;
+}
+
+void HostTransport::send(PeerAddress to, std::span<const std::byte> bytes)
+{
+    if (const auto path = m_byAddress.find(to); path != m_byAddress.end())
+        path->second->dtls.writeDatagramEncrypted(&m_socket, viewOf(bytes));
+}
+
+void HostTransport::close()
+{
+    for (const auto& [from, path] : m_paths)
+        path->dtls.shutdown(&m_socket);
+    m_byAddress.clear();
+    m_paths.clear();
+    m_handshakes.clear();
+    m_socket.close();
+}
+
+void HostTransport::take(const RawDatagram& datagram, TransportListener& listener, LocalTime now)
+{
+    const auto record = firstRecord(octets(datagram.bytes));
+    if (!record)
+        return;
+    const Endpoint from = endpoint(datagram.from, datagram.port);
+    if (isClientHello(octets(datagram.bytes)))
+        return greet(from, datagram, now);
+    const bool shakesHands = record->epoch == 0 || record->type == DtlsRecord::Type::Handshake;
+    if (const auto handshake = m_handshakes.find(from);
+        shakesHands && handshake != m_handshakes.end())
+        return goOn(handshake, datagram, listener, now);
+    if (const auto path = m_paths.find(from); path != m_paths.end())
+        decrypt(path, datagram, listener, now);
+}
+
+void HostTransport::greet(const Endpoint& from, const RawDatagram& hello, LocalTime now)
+{
+    if (!m_limiter.admits(sourcePrefix(from), now)
+        || !m_verifier.verifyClient(&m_socket, hello.bytes, hello.from, hello.port))
+        return; // else it was sent its cookie, and comes again with it
+    const auto began = [&](const Associations& associations) {
+        const auto known = associations.find(from);
+        return known != associations.end() && known->second->hello == hello.bytes;
+    };
+    if (began(m_handshakes) || began(m_paths))
+        return; // a repeat
+    auto association = newAssociation(hello, now);
+    if (!association->dtls.doHandshake(&m_socket, hello.bytes))
+        return;
+    m_handshakes.insert_or_assign(from, std::move(association));
+    if (m_handshakes.size() > kMostHandshakes)
+        m_handshakes.erase(std::ranges::min_element(
+            m_handshakes, {}, [](const auto& entry) { return entry.second->lastHeard; }));
+}
+
+std::unique_ptr<HostTransport::Association>
+HostTransport::newAssociation(const RawDatagram& hello, LocalTime now)
+{
+    auto association = std::make_unique<Association>();
+    association->hello = hello.bytes;
+    association->lastHeard = now;
+    association->dtls.setPeer(hello.from, hello.port);
+    prepareDtls(association->dtls, m_hint);
+    const auto onQuestion = [this, peer = association.get()](QSslPreSharedKeyAuthenticator* question) {
+        const auto identity = pskIdentity(question->identity().toStdString());
+        KeyAnswer answer = identity ? m_keyOf(*identity) : KeyAnswer{};
+        if (identity)
+            peer->who = identity->who;
+        peer->key = answer.state;
+        // Nobody shall learn which identities there are: an unknown one just has a wrong key.
+        if (answer.state != KeyAnswer::State::Known)
+            answer.key = randomKey();
+        answerPsk(*question, {}, answer.key);
+    };
+    QObject::connect(&association->dtls, &QDtls::pskRequired, &association->dtls, onQuestion);
+    return association;
+}
+
+void HostTransport::goOn(Associations::iterator handshake, const RawDatagram& datagram,
+                         TransportListener& listener, LocalTime now)
+{
+    Association& peer = *handshake->second;
+    if (!peer.dtls.doHandshake(&m_socket, datagram.bytes)) {
+        m_handshakes.erase(handshake);
+        return;
+    }
+    if (peer.dtls.handshakeState() == QDtls::HandshakeComplete)
+        return proved(handshake, listener, now);
+    if (!peer.who || !holdsFinished(octets(datagram.bytes)))
+        return;
+    // A client sends all that its key makes in one datagram: what is not complete now has another
+    // key. Where the right one is not derived yet, the client shall just try again.
+    if (peer.key != KeyAnswer::State::NotYet) {
+        const auto alert = wrongKeyAlert();
+        m_socket.writeDatagram(reinterpret_cast<const char*>(alert.data()),
+                               static_cast<qint64>(alert.size()), datagram.from, datagram.port);
+    }
+    m_handshakes.erase(handshake);
+}
+
+void HostTransport::proved(Associations::iterator handshake, TransportListener& listener,
+                           LocalTime now)
+{
+    const Endpoint from = handshake->first;
+    std::unique_ptr<Association> peer = std::move(handshake->second);
+    m_handshakes.erase(handshake);
+    if (const auto before = m_paths.find(from); before != m_paths.end())
+        drop(before, listener, now);
+    if (m_paths.size() >= kMostPaths)
+        return;
+    peer->address = ++m_lastAddress;
+    peer->lastHeard = now;
+    m_byAddress.emplace(peer->address, peer.get());
+    const Association& path = *m_paths.emplace(from, std::move(peer)).first->second;
+    listener.connected(path.address, *path.who, now);
+}
+
+void HostTransport::decrypt(Associations::iterator path, const RawDatagram& datagram,
+                            TransportListener& listener, LocalTime now)
+{
+    Association& peer = *path->second;
+    const QByteArray plain = peer.dtls.decryptDatagram(&m_socket, datagram.bytes);
+    if (!plain.isEmpty()) {
+        peer.lastHeard = now;
+        listener.receive(peer.address, std::as_bytes(octets(plain)), now);
+    } else if (!peer.dtls.isConnectionEncrypted()) {
+        drop(path, listener, now);
+    }
+}
+
+HostTransport::Associations::iterator
+HostTransport::drop(Associations::iterator path, TransportListener& listener, LocalTime now)
+{
+    const PeerAddress address = path->second->address;
+    m_byAddress.erase(address);
+    const auto next = m_paths.erase(path);
+    listener.disconnected(address, now);
+    return next;
+}
+
+void HostTransport::dropSilent(TransportListener& listener, LocalTime now)
+{
+    std::erase_if(m_handshakes, [now](const auto& entry) {
+        return now >= entry.second->lastHeard + kHandshakeTimeout;
+    });
+    for (auto path = m_paths.begin(); path != m_paths.end();)
+        path = now >= path->second->lastHeard + kPathTimeout ? drop(path, listener, now)
+                                                             : std::next(path);
+}
+
+} // namespace carina

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "engine/net/secure/dtls.h"
+#include "engine/net/secure/endpoint.h"
+#include "engine/net/secure/secure_transport.h"
+
+#include <memory>
+
+namespace carina
+{
+
+/// The host's end: one UDP socket, and a DTLS association for each peer that proved its key.
+///
+/// A stranger's ClientHello costs it a cookie first, and no state is held for it; how often each
+/// source may greet is limited. A path is replaced only by one that is proved: a hello with
+/// somebody's address changes nothing for them. With a wrong key the last word of the handshake
+/// cannot be decrypted; the client is then told so, in the clear, and forgotten.
+class HostTransport : public SecureTransport
+{
+public:
+    struct KeyAnswer {
+        enum class State : std::uint8_t { Known, NotYet, Unknown };
+        State state = State::Unknown;
+        AccessKey key{}; ///< of one who is known
+    };
+    using KeyOf = std::function<KeyAnswer(const PskIdentity&)>;
+
+    static constexpr int kDatagramsPerTurn = 256;
+    static constexpr std::size_t kMostHandshakes = 64; ///< at once; the oldest makes room
+    static constexpr std::size_t kMostPaths = 256;
+    static constexpr Duration kHandshakeTimeout = std::chrono::seconds{5};
+    static constexpr Duration kPathTimeout = std::chrono::seconds{10}; ///< without a datagram
+
+    /// Binds the port, on loopback or on all of the computer's addresses, and listens from admit on.
+    /// @returns AddressInUse with the port.
+    [[nodiscard]] static Result<std::unique_ptr<HostTransport>> bind(std::uint16_t port, bool open);
+    ~HostTransport() override;
+
+    /// Lets those in whose keys are known. @param sessionId told to everyone who asks
+    void admit(const std::string& sessionId, KeyOf keyOf);
+
+    void serve(TransportListener& listener, LocalTime now) override;
+    [[nodiscard]] LocalTime nextWake() const override;
+    void send(PeerAddress to, std::span<const std::byte> bytes) override;
+    void close() override;
+    [[nodiscard]] std::uint16_t port() const override { return m_socket.localPort(); }
+
+    [[nodiscard]] std::size_t handshakes() const { return m_handshakes.size(); }
+    [[nodiscard]] std::size_t paths() const { return m_paths.size(); }
+
+private:
+    struct Association;
+    using Associations = std::map<Endpoint, std::unique_ptr<Association>>;
+
+    HostTransport() = default;
+
+    void take(const RawDatagram& datagram, TransportListener& listener, LocalTime now);
+    void greet(const Endpoint& from, const RawDatagram& hello, LocalTime now);
+    [[nodiscard]] std::unique_ptr<Association> newAssociation(const RawDatagram& hello,
+                                                              LocalTime now);
+    void goOn(Associations::iterator handshake, const RawDatagram& datagram,
+              TransportListener& listener, LocalTime now);
+    void proved(Associations::iterator handshake, TransportListener& listener, LocalTime now);
+    void decrypt(Associations::iterator path, const RawDatagram& datagram,
+                 TransportListener& listener, LocalTime now);
+    Associations::iterator drop(Associations::iterator path, TransportListener& listener,
+                                LocalTime now);
+    void dropSilent(TransportListener& listener, LocalTime now);
+
+    QUdpSocket m_socket;
+    QDtlsClientVerifier m_verifier;
+    QByteArray m_hint;
+    KeyOf m_keyOf;
+    HelloLimiter m_limiter;
+    Associations m_handshakes;
+    Associations m_paths;
+    std::map<PeerAddress, Association*> m_byAddress; // into m_paths
+    PeerAddress m_lastAddress = 0;
+};
+
+} // namespace carina

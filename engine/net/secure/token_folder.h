@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/net/secure/access_key.h"
+#include "engine/net/secure/psk_identity.h"
+
+#include <filesystem>
+
+namespace carina
+{
+
+/// The tokens that a program was issued, by which it comes back into a session without its code: a
+/// file for each session, role and name, which only its owner may read.
+class TokenFolder
+{
+public:
+    struct Token {
+        ParticipantId participant;
+        AccessKey key;
+    };
+
+    /// @param folder empty: tokens are kept in memory only
+    TokenFolder(std::filesystem::path folder, Role role, std::string name);
+
+    /// Nothing where none was kept, or what was kept cannot be read.
+    [[nodiscard]] std::optional<Token> find(const std::string& sessionId) const;
+    /// @returns FileUnwritable; it is known until the program ends all the same.
+    Result<void> keep(const std::string& sessionId, const Token& token);
+
+private:
+    [[nodiscard]] std::filesystem::path fileOf(const std::string& sessionId) const;
+
+    std::filesystem::path m_folder;
+    Role m_role;
+    std::string m_name;
+    std::map<std::string, Token> m_known; // by session
+};
+
+} // namespace carina

@@ -14,9 +14,7 @@ void NodeLoop::drive(std::unique_ptr<NodeDriver> driver, std::unique_ptr<SecureT
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &NodeLoop::serve);
-    // Not at once: serving may end the socket that tells of it.
-    m_transport->onNews(
-        [this] { QMetaObject::invokeMethod(this, &NodeLoop::serve, Qt::QueuedConnection); });
+    m_transport->onNews([this] { serve(); });
     serve();
 }
 

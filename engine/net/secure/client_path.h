@@ -2,6 +2,8 @@
 
 #include "engine/net/secure/client_credentials.h"
 
+#include <memory>
+
 namespace carina
 {
 
@@ -22,7 +24,7 @@ public:
     void close();
 
     [[nodiscard]] State state() const { return m_state; }
-    [[nodiscard]] bool hasMore() const { return m_socket.hasPendingDatagrams(); }
+    [[nodiscard]] bool hasMore() const { return m_socket->hasPendingDatagrams(); }
     [[nodiscard]] LocalTime opened() const { return m_opened; }
     [[nodiscard]] LocalTime lastHeard() const { return m_lastHeard; }
     /// Until the first answer came.
@@ -36,7 +38,11 @@ private:
     QHostAddress m_host;
     std::uint16_t m_port;
     ClientCredentials& m_credentials;
-    QUdpSocket m_socket;
+    /// Serving may end a path that its own socket told of.
+    struct DeleteLater {
+        void operator()(QUdpSocket* socket) const;
+    };
+    std::unique_ptr<QUdpSocket, DeleteLater> m_socket;
     QDtls m_dtls{QSslSocket::SslClientMode};
     State m_state = State::Opening;
     LocalTime m_opened;

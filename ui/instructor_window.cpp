@@ -44,6 +44,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->setupUi(this);
     m_ui->breathing->setModel(breathing);
     m_ui->participants->setModel(participants);
+    m_ui->invitation->show(session.node());
     m_ui->patient->setText(tr("Patient: %1").arg(QString::fromStdString(patient.name())));
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);

@@ -1,4 +1,5 @@
 #include "apps/instructor/scripted_console.h"
+#include "apps/viewer/entry_option.h"
 #include "apps/viewer/journal.h"
 #include "apps/viewer/measurement.h"
 #include "apps/viewer/patient_option.h"
@@ -27,7 +28,7 @@ void addOptions(QCommandLineParser& parser)
     parser.setApplicationDescription(words("The instructor's console, which hosts the session."));
     parser.addHelpOption();
     parser.addOption({QStringLiteral("port"),
-                      words("UDP port of the session on this computer; 0 takes a free one."),
+                      words("UDP port of the session; 0 takes a free one."),
                       QStringLiteral("P"), QStringLiteral("0")});
     parser.addOption({QStringLiteral("data"), words("Folder that the session is stored in."),
                       QStringLiteral("DIR"),
@@ -35,6 +36,12 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption({QStringLiteral("new"),
                       words("Begin a new session; the stored one is kept beside it. Without this "
                             "the stored session goes on, unless it has ended.")});
+    parser.addOption({QStringLiteral("open"),
+                      words("Let programs on other computers join too; without this only those on "
+                            "this computer can.")});
+    parser.addOption({QStringLiteral("codes"),
+                      words("Write the codes to join with into this file, for scripts."),
+                      QStringLiteral("FILE")});
     parser.addOption({QStringLiteral("start"), words("Start a session that is ready to start.")});
     viewer::addPatientOptions(parser);
     viewer::addMeasureOptions(parser);
@@ -47,6 +54,12 @@ QString newSessionFile(const QDir& folder)
     const QString began =
         QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-hhmmss-zzz"));
     return folder.filePath(QStringLiteral("session-%1.sqlite").arg(began));
+}
+
+/// Its codes, keys and tokens lie beside it.
+std::filesystem::path secretsOf(const QString& sessionFile)
+{
+    return std::filesystem::path{sessionFile.toStdString()}.replace_extension(".secrets");
 }
 
 /// The session that began last; a new one where there is none.
@@ -86,14 +99,16 @@ int measure(InstructorWindow& window, SessionNode& node, BreathingModel& breathi
     return QApplication::exec();
 }
 
-Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, std::uint16_t port)
+Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, std::uint16_t port, bool open)
 {
     auto store = openFactStore(file.toStdString());
     if (!store)
         return tl::unexpected(store.error());
     return SessionNode::host({.sessionName = words("Routine intubation").toStdString(),
                               .participantName = words("Instructor").toStdString(),
-                              .port = port},
+                              .port = port,
+                              .open = open,
+                              .secrets = secretsOf(file)},
                              std::move(*store));
 }
 
@@ -113,13 +128,14 @@ Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parse
     const QDir folder{parser.value(QStringLiteral("data"))};
     if (!folder.mkpath(QStringLiteral(".")))
         return fail(Errc::FileUnwritable, folder.path().toStdString());
+    const bool open = parser.isSet(QStringLiteral("open"));
     if (parser.isSet(QStringLiteral("new")))
-        return hostFile(newSessionFile(folder), *port);
-    auto node = hostFile(latestSessionFile(folder), *port);
+        return hostFile(newSessionFile(folder), *port, open);
+    auto node = hostFile(latestSessionFile(folder), *port, open);
     if (!node || !hasEnded(**node))
         return node;
     node->reset(); // gives the port back
-    return hostFile(newSessionFile(folder), *port);
+    return hostFile(newSessionFile(folder), *port, open);
 }
 
 Result<int> run(const QCommandLineParser& parser)
@@ -136,6 +152,9 @@ Result<int> run(const QCommandLineParser& parser)
     if (!node)
         return tl::unexpected(node.error());
     introducePatient(**node, *patient);
+    if (const QString codes = parser.value(QStringLiteral("codes")); !codes.isEmpty())
+        if (const auto written = viewer::writeCodes(codes, (*node)->joinCodes()); !written)
+            return tl::unexpected(written.error());
 
     SessionModel session{**node};
     BreathingModel breathing{session, kStation};

@@ -1,3 +1,4 @@
+#include "apps/viewer/entry_option.h"
 #include "apps/viewer/journal.h"
 #include "apps/viewer/measurement.h"
 #include "apps/viewer/patient_option.h"
@@ -25,9 +26,10 @@ void addOptions(QCommandLineParser& parser)
     parser.addHelpOption();
     parser.addOption(
         {QStringLiteral("port"),
-         QApplication::translate("Trainee", "UDP port of the session on this computer; the "
-                                            "instructor's window shows it."),
+         QApplication::translate("Trainee", "UDP port of the session; the instructor's "
+                                            "window shows it."),
          QStringLiteral("P")});
+    viewer::addEntryOptions(parser);
     // Not "name": Qt keeps that for itself.
     parser.addOption({QStringLiteral("as"),
                       QApplication::translate("Trainee", "The trainee's name in the session."),
@@ -147,11 +149,13 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(headset.error());
 
     TrackedStation station;
-    auto joined =
-        SessionNode::join({.port = *port,
-                           .participantName = parser.value(QStringLiteral("as")).toStdString(),
-                           .role = Role::Trainee,
-                           .station = kStation});
+    JoinSettings settings{.port = *port,
+                          .participantName = parser.value(QStringLiteral("as")).toStdString(),
+                          .role = Role::Trainee,
+                          .station = kStation};
+    if (const auto entry = viewer::readEntryOptions(parser, settings); !entry)
+        return tl::unexpected(entry.error());
+    auto joined = SessionNode::join(settings);
     if (!joined)
         return tl::unexpected(joined.error());
     station.node = std::move(*joined);

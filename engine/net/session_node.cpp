@@ -33,7 +33,8 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
             (*transport)->admit(access.sessionId(), [&access](const PskIdentity& identity) {
                 return access.keyOf(identity);
             });
-            return ThreadedNode::Parts{*std::move(driver), *std::move(transport)};
+            return ThreadedNode::Parts{*std::move(driver), *std::move(transport),
+                                       settings.open};
         });
 }
 

@@ -84,6 +84,8 @@ public:
     [[nodiscard]] virtual std::uint16_t port() const = 0;
     /// By which others may come in; none at a node that joined.
     [[nodiscard]] virtual JoinCodes joinCodes() const = 0;
+    /// Programs on other computers can come in too.
+    [[nodiscard]] virtual bool isOpen() const = 0;
     /// kNobody until the host has admitted this node.
     [[nodiscard]] virtual ParticipantId self() const = 0;
     /// The session clock's best estimate; nothing until the clock is first set.

@@ -27,6 +27,7 @@ Result<void> ThreadedNode::open(const MakeParts& makeParts)
             return;
         }
         m_port = parts->transport->port();
+        m_open = parts->open;
         m_loop->drive(std::move(parts->driver), std::move(parts->transport));
     });
     return opened;

@@ -16,6 +16,7 @@ public:
     struct Parts {
         std::unique_ptr<NodeDriver> driver;
         std::unique_ptr<SecureTransport> transport; ///< ends before the driver
+        bool open = false;
     };
     using MakeParts = std::function<Result<Parts>(NodeBoard& board, LocalTime now)>;
 
@@ -27,6 +28,7 @@ public:
 
     [[nodiscard]] std::uint16_t port() const override { return m_port; }
     [[nodiscard]] JoinCodes joinCodes() const override { return m_board.joinCodes(); }
+    [[nodiscard]] bool isOpen() const override { return m_open; }
     [[nodiscard]] ParticipantId self() const override;
     [[nodiscard]] std::optional<SessionTime> now() const override;
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override;
@@ -51,6 +53,7 @@ private:
     QThread m_thread;
     std::unique_ptr<NodeLoop> m_loop;
     std::uint16_t m_port = 0;
+    bool m_open = false;
 };
 
 } // namespace carina

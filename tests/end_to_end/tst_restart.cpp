@@ -41,13 +41,17 @@ private Q_SLOTS:
                                  QStringLiteral("child")};
         m_instructor = std::make_unique<Program>(
             QStringLiteral(CARINA_INSTRUCTOR),
-            common + QStringList{QStringLiteral("--data"), m_folder->path()},
+            common
+                + QStringList{QStringLiteral("--data"), m_folder->path(), QStringLiteral("--codes"),
+                              m_folder->filePath(QStringLiteral("codes"))},
             m_folder->filePath(QStringLiteral("instructor.jsonl")));
         m_trainee = std::make_unique<Program>(
             QStringLiteral(CARINA_TRAINEE),
             common
                 + QStringList{QStringLiteral("--as"), QStringLiteral("Trainee"),
-                              QStringLiteral("--simulated-tracker")},
+                              QStringLiteral("--simulated-tracker"), QStringLiteral("--data"),
+                              m_folder->path(), QStringLiteral("--code-file"),
+                              m_folder->filePath(QStringLiteral("codes"))},
             m_folder->filePath(QStringLiteral("trainee.jsonl")));
         m_instructor->start({QStringLiteral("--start")});
         m_trainee->start();

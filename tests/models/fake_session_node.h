@@ -63,6 +63,8 @@ public:
     // SessionNode.
 
     [[nodiscard]] std::uint16_t port() const override { return 0; }
+    [[nodiscard]] JoinCodes joinCodes() const override { return {}; }
+    [[nodiscard]] bool isOpen() const override { return false; }
     [[nodiscard]] ParticipantId self() const override { return m_self; }
     [[nodiscard]] std::optional<SessionTime> now() const override
     {

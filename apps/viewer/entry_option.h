@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/net/session_node.h"
+
+#include <QCommandLineParser>
+
+namespace carina::viewer
+{
+
+/// Adds `--code CODE`, `--code-file FILE`, `--host ADDRESS` and `--data DIR`, by which a program
+/// comes into a session.
+void addEntryOptions(QCommandLineParser& parser);
+
+/// Takes over what they say for a role. A file of codes that is not there yet is waited for, so that
+/// host and guest may be started at once.
+/// @returns WrongCode for a code that is none; FileNotFound after 30 seconds; FileMalformed for a
+///          file without a code of the role.
+[[nodiscard]] Result<void> readEntryOptions(const QCommandLineParser& parser,
+                                            JoinSettings& settings);
+
+/// Writes "role code" lines into a file that only its owner may read.
+/// @returns FileUnwritable
+[[nodiscard]] Result<void> writeCodes(const QString& file, const JoinCodes& codes);
+
+} // namespace carina::viewer

@@ -46,11 +46,13 @@ demo_windows() {
         "$build/apps/registration/carina-registration" --simulated-tracker --site "$site" \
             "${patient[@]}"
     fi
+    rm -f "$data/codes"
     "$build/apps/instructor/carina-instructor" --port "$port" --data "$data" --new \
+        --codes "$data/codes" \
         "${patient[@]}" &
     children+=($!)
     "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee --simulated-tracker \
-        "${patient[@]}" "${view[@]}" &
+        --data "$data" --code-file "$data/codes" "${patient[@]}" "${view[@]}" &
     children+=($!)
     wait_for_children
 }
@@ -73,14 +75,15 @@ demo_headless() {
     local out=$1 seconds=$2 size=$3 port=$4
     mkdir -p "$out/session" 2> /dev/null || die "cannot write into $out"
     [ "$register" = no ] || register_headless "$out" "$size"
-    rm -f "$out"/{instructor,trainee}.{png,json} "$out/summary.json"
+    rm -f "$out"/{instructor,trainee}.{png,json} "$out/summary.json" "$out/session/codes"
     local measure=(--measure "$out" --seconds "$seconds" --size "$size")
     local at_most=(timeout --kill-after=10 "$((seconds + 120))")
     with_display "${at_most[@]}" "$build/apps/instructor/carina-instructor" --port "$port" \
-        --data "$out/session" --new "${measure[@]}" "${patient[@]}" > "$out/instructor.log" 2>&1 &
+        --data "$out/session" --codes "$out/session/codes" --new "${measure[@]}" "${patient[@]}" > "$out/instructor.log" 2>&1 &
     children+=($!)
     with_display "${at_most[@]}" "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee \
-        --simulated-tracker "${measure[@]}" "${patient[@]}" "${view[@]}" > "$out/trainee.log" 2>&1 &
+        --data "$out/session" --code-file "$out/session/codes" --simulated-tracker \
+        "${measure[@]}" "${patient[@]}" "${view[@]}" > "$out/trainee.log" 2>&1 &
     children+=($!)
     if ! wait_for_children; then
         tail -n 20 "$out/instructor.log" "$out/trainee.log" >&2

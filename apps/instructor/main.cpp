@@ -27,8 +27,7 @@ void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(words("The instructor's console, which hosts the session."));
     parser.addHelpOption();
-    parser.addOption({QStringLiteral("port"),
-                      words("UDP port of the session; 0 takes a free one."),
+    parser.addOption({QStringLiteral("port"), words("UDP port of the session; 0 takes a free one."),
                       QStringLiteral("P"), QStringLiteral("0")});
     parser.addOption({QStringLiteral("data"), words("Folder that the session is stored in."),
                       QStringLiteral("DIR"),

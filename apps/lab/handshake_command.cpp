@@ -55,10 +55,10 @@ Result<HandshakeSettings> settingsOf(const QStringList& arguments)
     for (const auto* value : {&joins, &roundTrip, &loss, &seed})
         if (!*value)
             return tl::unexpected(value->error());
-    return HandshakeSettings{static_cast<int>(*joins),
-                             std::chrono::round<Duration>(
-                                 std::chrono::duration<double, std::milli>{*roundTrip}),
-                             *loss, static_cast<std::uint32_t>(*seed)};
+    return HandshakeSettings{
+        static_cast<int>(*joins),
+        std::chrono::round<Duration>(std::chrono::duration<double, std::milli>{*roundTrip}), *loss,
+        static_cast<std::uint32_t>(*seed)};
 }
 
 /// The smallest that at least this share is not above.
@@ -76,19 +76,18 @@ Result<QJsonObject> handshake(const QStringList& arguments)
     const auto figures = measureHandshakes(*settings);
     if (!figures)
         return tl::unexpected(figures.error());
-    return QJsonObject{
-        {QStringLiteral("schema"), QStringLiteral("carina.handshake/1")},
-        {QStringLiteral("joins"), settings->joins},
-        {QStringLiteral("rtt_ms"), 1e3 * toSeconds(settings->roundTrip)},
-        {QStringLiteral("loss"), settings->loss},
-        {QStringLiteral("seed"), qint64{settings->seed}},
-        {QStringLiteral("p50_ms"), quantileMs(figures->taken, 0.5)},
-        {QStringLiteral("p90_ms"), quantileMs(figures->taken, 0.9)},
-        {QStringLiteral("max_ms"), 1e3 * toSeconds(figures->taken.back())},
-        {QStringLiteral("tries_per_join"), double(figures->tries) / settings->joins},
-        {QStringLiteral("overhead_bytes"), qint64{figures->overhead}},
-        {QStringLiteral("send_us"), 1e6 * toSeconds(figures->sendCost)},
-        {QStringLiteral("pass_us"), 1e6 * toSeconds(figures->passCost)}};
+    return QJsonObject{{QStringLiteral("schema"), QStringLiteral("carina.handshake/1")},
+                       {QStringLiteral("joins"), settings->joins},
+                       {QStringLiteral("rtt_ms"), 1e3 * toSeconds(settings->roundTrip)},
+                       {QStringLiteral("loss"), settings->loss},
+                       {QStringLiteral("seed"), qint64{settings->seed}},
+                       {QStringLiteral("p50_ms"), quantileMs(figures->taken, 0.5)},
+                       {QStringLiteral("p90_ms"), quantileMs(figures->taken, 0.9)},
+                       {QStringLiteral("max_ms"), 1e3 * toSeconds(figures->taken.back())},
+                       {QStringLiteral("tries_per_join"), double(figures->tries) / settings->joins},
+                       {QStringLiteral("overhead_bytes"), qint64{figures->overhead}},
+                       {QStringLiteral("send_us"), 1e6 * toSeconds(figures->sendCost)},
+                       {QStringLiteral("pass_us"), 1e6 * toSeconds(figures->passCost)}};
 }
 
 } // namespace

@@ -83,8 +83,7 @@ void measureDatagrams(Host& host, HandshakeFigures& figures)
     client.transport.send(*client.counter.peer, bytes);
     while (host.counter.received == 0)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    figures.overhead =
-        relay.toHost().back().bytes.size() - static_cast<qsizetype>(kDatagramBytes);
+    figures.overhead = relay.toHost().back().bytes.size() - static_cast<qsizetype>(kDatagramBytes);
 
     Client direct{host.transport->port(), host.key};
     direct.waitUntilIn();

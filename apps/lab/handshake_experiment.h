@@ -17,11 +17,12 @@ struct HandshakeSettings {
 };
 
 struct HandshakeFigures {
-    std::vector<Duration> taken; ///< from a client's first hello until its path is encrypted, sorted
-    int tries = 0;               ///< handshakes begun, of all clients together
-    Duration sendCost{};         ///< processor time for encrypting and sending one 481-byte datagram
-    Duration passCost{};         ///< for all of its way: sent, received and decrypted
-    qsizetype overhead = 0;      ///< bytes that a datagram is longer by
+    std::vector<Duration>
+        taken;              ///< from a client's first hello until its path is encrypted, sorted
+    int tries = 0;          ///< handshakes begun, of all clients together
+    Duration sendCost{};    ///< processor time for encrypting and sending one 481-byte datagram
+    Duration passCost{};    ///< for all of its way: sent, received and decrypted
+    qsizetype overhead = 0; ///< bytes that a datagram is longer by
 };
 
 /// @returns AddressInUse without a free port.

@@ -4,6 +4,7 @@
 #include "apps/lab/drawing_application.h"
 #include "apps/lab/drift_command.h"
 #include "apps/lab/fit_command.h"
+#include "apps/lab/handshake_command.h"
 #include "apps/lab/pivot_command.h"
 #include "apps/lab/render_command.h"
 #include "apps/lab/summary_command.h"
@@ -16,9 +17,9 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(), breatheCommand(), driftCommand(),
-                                fitCommand(),     pivotCommand(),   renderCommand(),
-                                summaryCommand(), trackCommand()};
+    static const std::array all{anatomyCommand(), breatheCommand(),   driftCommand(),
+                                fitCommand(),     handshakeCommand(), pivotCommand(),
+                                renderCommand(),  summaryCommand(),   trackCommand()};
     return all;
 }
 

@@ -11,8 +11,8 @@ namespace carina::viewer
 /// comes into a session.
 void addEntryOptions(QCommandLineParser& parser);
 
-/// Takes over what they say for a role. A file of codes that is not there yet is waited for, so that
-/// host and guest may be started at once.
+/// Takes over what they say for a role. A file of codes that is not there yet is waited for, so
+/// that host and guest may be started at once.
 /// @returns WrongCode for a code that is none; FileNotFound after 30 seconds; FileMalformed for a
 ///          file without a code of the role.
 [[nodiscard]] Result<void> readEntryOptions(const QCommandLineParser& parser,

@@ -44,8 +44,8 @@ HostTransport::KeyAnswer HostAccess::keyOf(const PskIdentity& identity) const
     if (identity.sessionId != sessionId())
         return {};
     const Credential& who = identity.who;
-    const auto key = who.participant ? m_secrets.token(who.role, *who.participant)
-                                     : m_secrets.codeKey(who.role);
+    const auto key =
+        who.participant ? m_secrets.token(who.role, *who.participant) : m_secrets.codeKey(who.role);
     if (key)
         return {State::Known, *key};
     return {who.participant ? State::Unknown : State::NotYet, {}};

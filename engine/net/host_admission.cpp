@@ -92,9 +92,10 @@ void HostDriver::dropAbsent(LocalTime now)
     m_returnsEnd = LocalTime::max();
     std::vector<ParticipantId> absent;
     for (const auto& [id, participant] : m_authority.state().participants()) {
-        const bool isHere = id == kHostItself || std::ranges::any_of(m_core->peers(), [&](const auto& p) {
-                                return p.second.participant == id;
-                            });
+        const bool isHere =
+            id == kHostItself || std::ranges::any_of(m_core->peers(), [&](const auto& p) {
+                return p.second.participant == id;
+            });
         if (participant.present && !isHere)
             absent.push_back(id);
     }

@@ -21,21 +21,19 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
         });
     if (!valid)
         return tl::unexpected(valid.error());
-    return ThreadedNode::start(
-        [&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
-            auto transport = HostTransport::bind(settings.port, settings.open);
-            if (!transport)
-                return tl::unexpected(transport.error());
-            auto driver = HostDriver::open(settings, std::move(store), board, now);
-            if (!driver)
-                return tl::unexpected(driver.error());
-            const HostAccess& access = (*driver)->access();
-            (*transport)->admit(access.sessionId(), [&access](const PskIdentity& identity) {
-                return access.keyOf(identity);
-            });
-            return ThreadedNode::Parts{*std::move(driver), *std::move(transport),
-                                       settings.open};
+    return ThreadedNode::start([&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
+        auto transport = HostTransport::bind(settings.port, settings.open);
+        if (!transport)
+            return tl::unexpected(transport.error());
+        auto driver = HostDriver::open(settings, std::move(store), board, now);
+        if (!driver)
+            return tl::unexpected(driver.error());
+        const HostAccess& access = (*driver)->access();
+        (*transport)->admit(access.sessionId(), [&access](const PskIdentity& identity) {
+            return access.keyOf(identity);
         });
+        return ThreadedNode::Parts{*std::move(driver), *std::move(transport), settings.open};
+    });
 }
 
 Result<std::unique_ptr<SessionNode>> SessionNode::join(const JoinSettings& settings)
@@ -46,13 +44,12 @@ Result<std::unique_ptr<SessionNode>> SessionNode::join(const JoinSettings& setti
     const QHostAddress host{QString::fromStdString(settings.address)};
     if (host.isNull())
         return fail(Errc::OutOfRange, "the address '" + settings.address + "'");
-    return ThreadedNode::start(
-        [&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
-            auto driver = std::make_unique<ClientDriver>(settings, board, now);
-            auto transport = std::make_unique<ClientTransport>(host, settings.port,
-                                                               driver->credentials(), now);
-            return ThreadedNode::Parts{std::move(driver), std::move(transport)};
-        });
+    return ThreadedNode::start([&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
+        auto driver = std::make_unique<ClientDriver>(settings, board, now);
+        auto transport =
+            std::make_unique<ClientTransport>(host, settings.port, driver->credentials(), now);
+        return ThreadedNode::Parts{std::move(driver), std::move(transport)};
+    });
 }
 
 } // namespace carina

@@ -50,8 +50,8 @@ struct JoinSettings {
     std::string participantName;
     Role role = Role::Trainee;
     StationId station;
-    std::optional<JoinCode> code{};   ///< needed where there is no token of an earlier admission
-    std::filesystem::path tokens{};   ///< folder that keeps them; empty: in memory only
+    std::optional<JoinCode> code{};    ///< needed where there is no token of an earlier admission
+    std::filesystem::path tokens{};    ///< folder that keeps them; empty: in memory only
     std::string address = "127.0.0.1"; ///< of the host, IPv4 or IPv6
     DeriveKey derive = deriveByArgon2id;
 };

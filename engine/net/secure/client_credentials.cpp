@@ -62,9 +62,8 @@ bool ClientCredentials::hasToken() const
 void ClientCredentials::derive(const std::string& sessionId)
 {
     m_deriving = true;
-    m_deriver.derive(*m_code, sessionKey(sessionId), [this, sessionId](const auto& key) {
-        derived(sessionId, key);
-    });
+    m_deriver.derive(*m_code, sessionKey(sessionId),
+                     [this, sessionId](const auto& key) { derived(sessionId, key); });
 }
 
 void ClientCredentials::derived(const std::string& sessionId, const Result<AccessKey>& key)

@@ -28,9 +28,9 @@ ClientPath::ClientPath(const QHostAddress& host, std::uint16_t port, ClientCrede
     m_socket->setProxy(QNetworkProxy::NoProxy);
     const bool isIpv4 = host.protocol() == QAbstractSocket::IPv4Protocol;
     m_socket->bind(host.isLoopback() ? host
-                  : isIpv4          ? QHostAddress{QHostAddress::AnyIPv4}
-                                    : QHostAddress{QHostAddress::AnyIPv6},
-                  0);
+                   : isIpv4          ? QHostAddress{QHostAddress::AnyIPv4}
+                                     : QHostAddress{QHostAddress::AnyIPv6},
+                   0);
     QObject::connect(m_socket.get(), &QUdpSocket::readyRead, m_socket.get(), std::move(onReadable));
     QObject::connect(&m_dtls, &QDtls::pskRequired, &m_dtls,
                      [this](QSslPreSharedKeyAuthenticator* question) {

@@ -56,9 +56,8 @@ void ClientTransport::serveTries(TransportListener& listener, LocalTime now)
         if (path->state() == ClientPath::State::Encrypted)
             return take(std::move(path), listener, now);
     }
-    std::erase_if(m_opening, [](const auto& path) {
-        return path->state() == ClientPath::State::Failed;
-    });
+    std::erase_if(m_opening,
+                  [](const auto& path) { return path->state() == ClientPath::State::Failed; });
 }
 
 void ClientTransport::take(std::unique_ptr<ClientPath> path, TransportListener& listener,

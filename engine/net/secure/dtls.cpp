@@ -33,7 +33,8 @@ void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& ident
 {
     if (!identity.empty())
         question.setIdentity(QByteArray::fromStdString(identity));
-    question.setPreSharedKey(QByteArray{viewOf(key).constData(), static_cast<qsizetype>(key.size())});
+    question.setPreSharedKey(
+        QByteArray{viewOf(key).constData(), static_cast<qsizetype>(key.size())});
 }
 
 std::optional<RawDatagram> readRaw(QUdpSocket& socket)

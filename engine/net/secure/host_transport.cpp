@@ -115,15 +115,16 @@ void HostTransport::greet(const Endpoint& from, const RawDatagram& hello, LocalT
             m_handshakes, {}, [](const auto& entry) { return entry.second->lastHeard; }));
 }
 
-std::unique_ptr<HostTransport::Association>
-HostTransport::newAssociation(const RawDatagram& hello, LocalTime now)
+std::unique_ptr<HostTransport::Association> HostTransport::newAssociation(const RawDatagram& hello,
+                                                                          LocalTime now)
 {
     auto association = std::make_unique<Association>();
     association->hello = hello.bytes;
     association->lastHeard = now;
     association->dtls.setPeer(hello.from, hello.port);
     prepareDtls(association->dtls, m_hint);
-    const auto onQuestion = [this, peer = association.get()](QSslPreSharedKeyAuthenticator* question) {
+    const auto onQuestion = [this,
+                             peer = association.get()](QSslPreSharedKeyAuthenticator* question) {
         const auto identity = pskIdentity(question->identity().toStdString());
         KeyAnswer answer = identity ? m_keyOf(*identity) : KeyAnswer{};
         if (identity)

@@ -31,7 +31,8 @@ public:
     static constexpr Duration kHandshakeTimeout = std::chrono::seconds{5};
     static constexpr Duration kPathTimeout = std::chrono::seconds{10}; ///< without a datagram
 
-    /// Binds the port, on loopback or on all of the computer's addresses, and listens from admit on.
+    /// Binds the port, on loopback or on all of the computer's addresses, and listens from admit
+    /// on.
     /// @returns AddressInUse with the port.
     [[nodiscard]] static Result<std::unique_ptr<HostTransport>> bind(std::uint16_t port, bool open);
     ~HostTransport() override;

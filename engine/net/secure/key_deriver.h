@@ -9,7 +9,8 @@
 namespace carina
 {
 
-/// Derives keys one after another on a thread of its own, for derivation takes a second and 256 MiB.
+/// Derives keys one after another on a thread of its own, for derivation takes a second and 256
+/// MiB.
 class KeyDeriver : public QObject
 {
 public:

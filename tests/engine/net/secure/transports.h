@@ -1,0 +1,122 @@
+#pragma once
+
+#include "apps/lab/transport_pump.h"
+#include "engine/net/secure/client_transport.h"
+#include "engine/net/secure/host_transport.h"
+
+#include <QSslPreSharedKeyAuthenticator>
+
+#include <map>
+#include <vector>
+
+namespace carina
+{
+
+using namespace std::chrono_literals;
+
+inline const std::string kSession = "00112233445566778899aabbccddeeff";
+inline constexpr int kSoonMs = 3000;
+inline const QHostAddress kLoopback{QHostAddress::LocalHost};
+
+inline std::vector<std::byte> textBytes(const char* text)
+{
+    const auto bytes = std::as_bytes(std::span{text, std::char_traits<char>::length(text)});
+    return {bytes.begin(), bytes.end()};
+}
+
+/// Writes down what a transport tells.
+class Recorder : public TransportListener
+{
+public:
+    void connected(PeerAddress peer, const Credential& who, LocalTime) override
+    {
+        paths.emplace(peer, who);
+    }
+    void receive(PeerAddress, std::span<const std::byte> bytes, LocalTime) override
+    {
+        received.emplace_back(bytes.begin(), bytes.end());
+    }
+    void disconnected(PeerAddress peer, LocalTime) override { ended.push_back(peer); }
+    void refused(const Error& why, LocalTime) override { refusal = why; }
+
+    std::map<PeerAddress, Credential> paths; ///< that ever were
+    std::vector<std::vector<std::byte>> received;
+    std::vector<PeerAddress> ended;
+    std::optional<Error> refusal;
+};
+
+/// A host with one key per role, for those who come with a code; a role without a key is one whose
+/// key is not derived yet.
+struct TestHost {
+    explicit TestHost(std::uint16_t port = 0) : transport{*HostTransport::bind(port, false)}
+    {
+        transport->admit(kSession, [this](const PskIdentity& identity) {
+            using State = HostTransport::KeyAnswer::State;
+            const auto known = keys.find(identity.who.role);
+            if (identity.who.participant || identity.sessionId != kSession)
+                return HostTransport::KeyAnswer{};
+            return known == keys.end() ? HostTransport::KeyAnswer{State::NotYet, {}}
+                                       : HostTransport::KeyAnswer{State::Known, known->second};
+        });
+    }
+    [[nodiscard]] std::uint16_t port() const { return transport->port(); }
+
+    std::map<Role, AccessKey> keys{{Role::Trainee, randomKey()}, {Role::Observer, randomKey()}};
+    Recorder heard;
+    std::unique_ptr<HostTransport> transport;
+    lab::TransportPump pump{*transport, heard};
+};
+
+/// A client whose code has the key given.
+struct TestClient {
+    TestClient(std::uint16_t port, const AccessKey& key, Role role = Role::Trainee)
+        : credentials{role, JoinCode::random(), TokenFolder{{}, role, "Anna"},
+                      [key](const JoinCode&, const SessionKey&) { return Result<AccessKey>{key}; }},
+          transport{kLoopback, port, credentials, monotonicNow()}
+    {
+    }
+    void send(const char* text) { transport.send(heard.paths.rbegin()->first, textBytes(text)); }
+
+    Recorder heard;
+    ClientCredentials credentials;
+    ClientTransport transport;
+    lab::TransportPump pump{transport, heard};
+};
+
+/// A client without anybody who watches over it, on a port of its choice.
+class RawClient
+{
+public:
+    RawClient(std::uint16_t hostPort, const std::string& identity, const AccessKey& key,
+              std::uint16_t port = 0)
+    {
+        m_socket.bind(kLoopback, port);
+        QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { read(); });
+        QObject::connect(
+            &m_dtls, &QDtls::pskRequired, &m_dtls,
+            [=](QSslPreSharedKeyAuthenticator* question) { answerPsk(*question, identity, key); });
+        prepareDtls(m_dtls, {});
+        m_dtls.setPeer(kLoopback, hostPort);
+        m_dtls.doHandshake(&m_socket);
+    }
+    [[nodiscard]] std::uint16_t port() const { return m_socket.localPort(); }
+    [[nodiscard]] bool isIn() const { return m_dtls.isConnectionEncrypted(); }
+    void send(const char* text) { m_dtls.writeDatagramEncrypted(&m_socket, text); }
+
+    std::vector<QByteArray> answers; ///< as they came
+
+private:
+    void read()
+    {
+        while (const auto datagram = readRaw(m_socket)) {
+            answers.push_back(datagram->bytes);
+            if (m_dtls.handshakeState() == QDtls::HandshakeInProgress)
+                m_dtls.doHandshake(&m_socket, datagram->bytes);
+        }
+    }
+
+    QUdpSocket m_socket;
+    QDtls m_dtls{QSslSocket::SslClientMode};
+};
+
+} // namespace carina

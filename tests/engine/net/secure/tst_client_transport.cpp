@@ -1,0 +1,135 @@
+#include "apps/lab/lossy_relay.h"
+#include "tests/engine/net/secure/transports.h"
+
+#include <QTest>
+
+namespace carina
+{
+
+class TestClientTransport : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void datagramsPassBothWays()
+    {
+        TestHost host;
+        TestClient client{host.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(), kSoonMs);
+        client.send("question");
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        host.transport->send(1, textBytes("answer"));
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kSoonMs);
+        QVERIFY(client.heard.received[0] == textBytes("answer"));
+    }
+
+    void largestDatagramStaysWithinTwelveHundredBytes()
+    {
+        TestHost host;
+        lab::LossyRelay relay{host.port(), {}, 1};
+        TestClient client{relay.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        const std::vector<std::byte> largest(kLargestDatagram);
+        client.transport.send(1, largest);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QVERIFY(host.heard.received[0] == largest);
+        QCOMPARE(relay.toHost().back().bytes.size(), qsizetype(kLargestDatagram) + 29);
+        for (const auto& passed : relay.toHost())
+            QVERIFY(passed.bytes.size() <= 1200);
+    }
+
+    void wrongCodeIsGivenUpSoon()
+    {
+        TestHost host;
+        TestClient client{host.port(), randomKey()};
+        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kSoonMs);
+        QCOMPARE(client.heard.refusal->code, Errc::WrongCode);
+        QVERIFY(host.heard.paths.empty());
+        QCOMPARE(client.transport.tries(), 4); // the first learnt of the session
+        QCOMPARE(client.transport.nextWake(), LocalTime::max());
+    }
+
+    void codeOfAnotherRoleOpensNothing()
+    {
+        TestHost host;
+        TestClient client{host.port(), host.keys.at(Role::Trainee), Role::Observer};
+        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kSoonMs);
+        QVERIFY(host.heard.paths.empty());
+    }
+
+    void triesGoOnWhileTheHostIsDeriving()
+    {
+        TestHost host;
+        const AccessKey key = host.keys.at(Role::Trainee);
+        host.keys.erase(Role::Trainee);
+        TestClient client{host.port(), key};
+        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > 3, kSoonMs);
+        QVERIFY(!client.heard.refusal);
+        host.keys.emplace(Role::Trainee, key);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+    }
+
+    void silenceIsAnsweredByAPathOfItsOwn()
+    {
+        TestHost host;
+        lab::LossyRelay relay{host.port(), {}, 1};
+        TestClient client{relay.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        const int before = client.transport.tries();
+        relay.setCut(true);
+        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > before, kSoonMs);
+        QVERIFY(client.heard.ended.empty()); // the old one is used meanwhile
+        relay.setCut(false);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kSoonMs);
+        QVERIFY(client.heard.ended == std::vector<PeerAddress>{1});
+        client.send("here again");
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+    }
+
+    void hostThatComesBackIsFound()
+    {
+        auto host = std::make_unique<TestHost>();
+        const std::uint16_t port = host->port();
+        const auto keys = host->keys;
+        TestClient client{port, keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        host.reset(); // without a word
+        host = std::make_unique<TestHost>(port);
+        host->keys = keys;
+        const LocalTime begin = monotonicNow();
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kSoonMs);
+        QVERIFY(monotonicNow() - begin < 2s);
+    }
+
+    void farewellEndsThePathAtOnce()
+    {
+        TestHost host;
+        TestClient client{host.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.paths.empty(), kSoonMs);
+        client.transport.close();
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{0}, kSoonMs);
+        QVERIFY(host.heard.ended == std::vector<PeerAddress>{1});
+    }
+
+    void bytesFromElsewhereAreNotHeard()
+    {
+        TestHost host;
+        lab::LossyRelay relay{host.port(), {}, 1};
+        TestClient client{relay.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QUdpSocket stranger;
+        QVERIFY(stranger.bind(kLoopback, 0));
+        const std::uint16_t port = relay.toHost().back().clientPort;
+        for (const QByteArray& bytes :
+             {QByteArray{}, QByteArray{"CA"}, relay.toHost().back().bytes})
+            stranger.writeDatagram(bytes, kLoopback, port);
+        host.transport->send(1, textBytes("mine"));
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kSoonMs);
+        QVERIFY(client.heard.ended.empty());
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestClientTransport)
+#include "tst_client_transport.moc"

@@ -1,0 +1,105 @@
+#include "engine/net/secure/dtls_record.h"
+
+#include <QTest>
+
+#include <vector>
+
+namespace carina
+{
+namespace
+{
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// RFC 6347, 4.1: type, version, epoch, sequence number, length, fragment.
+Bytes record(std::uint8_t type, std::uint16_t epoch, const Bytes& fragment)
+{
+    Bytes bytes{type, 0xFE, 0xFD, std::uint8_t(epoch >> 8), std::uint8_t(epoch & 0xFF)};
+    bytes.insert(bytes.end(), 6, 0);
+    bytes.push_back(std::uint8_t(fragment.size() >> 8));
+    bytes.push_back(std::uint8_t(fragment.size() & 0xFF));
+    bytes.insert(bytes.end(), fragment.begin(), fragment.end());
+    return bytes;
+}
+
+Bytes operator+(Bytes a, const Bytes& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+const Bytes kHello{1, 0, 0};
+
+} // namespace
+
+class TestDtlsRecord : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void headersAreRead()
+    {
+        const Bytes bytes = record(23, 0x0102, Bytes(300)) + record(21, 1, {1, 0});
+        const auto first = firstRecord(bytes);
+        QVERIFY(first);
+        QCOMPARE(first->type, DtlsRecord::Type::ApplicationData);
+        QCOMPARE(int{first->epoch}, 0x0102);
+        QCOMPARE(first->size, std::size_t{313});
+    }
+
+    void otherBytesAreNoRecord()
+    {
+        const Bytes good = record(22, 0, kHello);
+        QVERIFY(firstRecord(good));
+        QVERIFY(!firstRecord({}));
+        QVERIFY(!firstRecord(record(22, 0, {})));
+        QVERIFY(!firstRecord(Bytes(good.begin(), good.end() - 1)));
+        for (const std::uint8_t type : {19, 24}) {
+            Bytes bad = good;
+            bad[0] = type;
+            QVERIFY(!firstRecord(bad));
+        }
+        for (const std::size_t i : {1U, 2U}) {
+            Bytes bad = good;
+            bad[i] = 3; // TLS over TCP
+            QVERIFY(!firstRecord(bad));
+        }
+        Bytes oldest = good;
+        oldest[2] = 0xFF; // DTLS 1.0, in which a first hello comes
+        QVERIFY(firstRecord(oldest));
+    }
+
+    void helloIsToldFromTheRest()
+    {
+        QVERIFY(isClientHello(record(22, 0, kHello)));
+        QVERIFY(!isClientHello(record(22, 1, kHello))); // encrypted
+        QVERIFY(!isClientHello(record(22, 0, {2, 0}))); // the host's
+        QVERIFY(!isClientHello(record(23, 0, kHello)));
+    }
+
+    void finishedIsFoundBehindOtherRecords()
+    {
+        const Bytes keyExchange = record(22, 0, {16, 0});
+        const Bytes change = record(20, 0, {1});
+        const Bytes finished = record(22, 1, Bytes(40));
+        QVERIFY(holdsFinished(keyExchange + change + finished));
+        QVERIFY(holdsFinished(finished));
+        QVERIFY(!holdsFinished(keyExchange + change));
+        QVERIFY(!holdsFinished(record(23, 1, Bytes(40))));
+    }
+
+    void alertIsARecordInTheClear()
+    {
+        const auto alert = firstRecord(wrongKeyAlert());
+        QVERIFY(alert);
+        QCOMPARE(alert->type, DtlsRecord::Type::Alert);
+        QCOMPARE(int{alert->epoch}, 0);
+        QVERIFY(isWrongKeyAlert(wrongKeyAlert()));
+        QVERIFY(!isWrongKeyAlert(record(21, 0, {2, 51})));
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestDtlsRecord)
+#include "tst_dtls_record.moc"

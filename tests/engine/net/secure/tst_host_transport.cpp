@@ -1,0 +1,222 @@
+#include "apps/lab/lossy_relay.h"
+#include "engine/net/secure/dtls_record.h"
+#include "tests/engine/net/secure/transports.h"
+
+#include <QTest>
+
+namespace carina
+{
+namespace
+{
+
+const std::string kNewTrainee = "trainee:" + kSession + ":new";
+
+QByteArray firstHelloOf(QUdpSocket& catcher)
+{
+    RawClient client{catcher.localPort(), kNewTrainee, {}};
+    if (!catcher.waitForReadyRead(kSoonMs))
+        return {};
+    return readRaw(catcher)->bytes;
+}
+
+} // namespace
+
+class TestHostTransport : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void rightKeyIsLetInAsItsRole()
+    {
+        TestHost host;
+        RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kSoonMs);
+        QVERIFY((host.heard.paths.begin()->second == Credential{Role::Trainee, std::nullopt}));
+        client.send("hello");
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QVERIFY(host.heard.received[0] == textBytes("hello"));
+    }
+
+    void anyOtherKeyIsToldSoAndForgotten_data()
+    {
+        QTest::addColumn<QByteArray>("identity");
+        const QByteArray session = QByteArray::fromStdString(kSession);
+        QTest::newRow("wrong key") << QByteArray{"trainee:" + session + ":new"};
+        QTest::newRow("of another participant") << QByteArray{"trainee:" + session + ":1"};
+        QTest::newRow("of another session")
+            << QByteArray{"trainee:" + QByteArray(32, '0') + ":new"};
+        QTest::newRow("nonsense") << QByteArray{"root"};
+    }
+    void anyOtherKeyIsToldSoAndForgotten()
+    {
+        QFETCH(const QByteArray, identity);
+        TestHost host;
+        RawClient client{host.port(), identity.toStdString(), host.keys.at(Role::Observer)};
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !client.answers.empty() && isWrongKeyAlert(octets(client.answers.back())), kSoonMs);
+        QVERIFY(host.heard.paths.empty());
+        QCOMPARE(host.transport->handshakes(), std::size_t{0});
+    }
+
+    void oneWhoseKeyIsNotDerivedYetIsLeftWaiting()
+    {
+        TestHost host;
+        host.keys.erase(Role::Trainee);
+        RawClient client{host.port(), kNewTrainee, randomKey()};
+        // Cookie request, then the host's part; no word about the key.
+        QTRY_COMPARE_WITH_TIMEOUT(client.answers.size(), std::size_t{2}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kSoonMs);
+        QCOMPARE(client.answers.size(), std::size_t{2});
+    }
+
+    void strangerGetsACookieAndNothingElse()
+    {
+        TestHost host;
+        QUdpSocket stranger;
+        QVERIFY(stranger.bind(kLoopback, 0));
+        const QByteArray hello = firstHelloOf(stranger);
+        stranger.writeDatagram(hello, kLoopback, host.port());
+        QTRY_VERIFY_WITH_TIMEOUT(stranger.hasPendingDatagrams(), kSoonMs);
+        const QByteArray answer = readRaw(stranger)->bytes;
+        QVERIFY(answer.size() < hello.size()); // of no use for flooding others
+        QCOMPARE(int{octets(answer)[13]}, 3);  // HelloVerifyRequest
+        QCOMPARE(host.transport->handshakes(), std::size_t{0});
+    }
+
+    void floodOfHellosFromOneSourceIsLimited()
+    {
+        TestHost host;
+        QUdpSocket flood;
+        QVERIFY(flood.bind(kLoopback, 0));
+        const QByteArray hello = firstHelloOf(flood);
+        const LocalTime begin = monotonicNow();
+        for (int i = 0; i < 500; ++i) {
+            flood.writeDatagram(hello, kLoopback, host.port());
+            host.pump.serve();
+        }
+        int answers = 0;
+        while (readRaw(flood))
+            ++answers;
+        const auto refilled = (monotonicNow() - begin) / HelloLimiter::kInterval;
+        QVERIFY(answers >= 64);
+        QVERIFY(answers <= 64 + refilled);
+    }
+
+    void whatIsNotEncryptedIsNotHeard()
+    {
+        TestHost host;
+        RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.paths.empty(), kSoonMs);
+        QUdpSocket stranger;
+        QVERIFY(stranger.bind(kLoopback, 0));
+        QByteArray plain{23, '\0'}; // an application record in the clear
+        plain.replace(0, 13, QByteArray::fromHex("17fefd0000000000000001000a"));
+        QByteArray encrypted = plain; // and one that only pretends
+        encrypted[4] = 1;
+        for (const QByteArray& bytes : {QByteArray{}, QByteArray{"CA"}, QByteArray(1201, '\x16'),
+                                        QByteArray(9000, 'C'), plain, encrypted})
+            stranger.writeDatagram(bytes, kLoopback, host.port());
+        client.send("hello");
+        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.received.empty(), kSoonMs);
+        QCOMPARE(host.heard.received.size(), std::size_t{1});
+        QCOMPARE(host.heard.paths.size(), std::size_t{1});
+        QVERIFY(!stranger.hasPendingDatagrams());
+    }
+
+    void replayedDatagramsChangeNothing()
+    {
+        TestHost host;
+        lab::LossyRelay relay{host.port(), {}, 1};
+        TestClient client{relay.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        client.send("once");
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        const auto captured = relay.toHost(); // from the first hello on
+        for (int i = 0; i < 2; ++i)
+            for (const auto& passed : captured)
+                relay.replay(passed);
+        client.send("again");
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{2}, kSoonMs);
+        QVERIFY(host.heard.received[1] == textBytes("again"));
+        QVERIFY(host.heard.ended.empty());
+        QCOMPARE(host.heard.paths.size(), std::size_t{1});
+        QVERIFY(client.heard.ended.empty());
+    }
+
+    void clientThatRestartsFromItsPortIsBackAtOnce()
+    {
+        TestHost host;
+        std::optional<RawClient> client;
+        client.emplace(host.port(), kNewTrainee, host.keys.at(Role::Trainee));
+        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kSoonMs);
+        const std::uint16_t port = client->port();
+        client.reset(); // without a word
+        const LocalTime begin = monotonicNow();
+        client.emplace(host.port(), kNewTrainee, host.keys.at(Role::Trainee), port);
+        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kSoonMs);
+        QVERIFY(monotonicNow() - begin < 1s);
+        QCOMPARE(client->port(), port);
+        QCOMPARE(host.transport->paths(), std::size_t{1});
+        QVERIFY(host.heard.ended == std::vector<PeerAddress>{1});
+        QVERIFY(host.heard.paths.contains(2));
+        client->send("back");
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+    }
+
+    void pathIsReplacedOnlyByOneThatIsProved()
+    {
+        TestHost host;
+        lab::LossyRelay relay{host.port(), {}, 1};
+        TestClient client{relay.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        // A stranger at the same address and port, as the host sees it, with another key.
+        const std::uint16_t clientPort = relay.toHost().back().clientPort;
+        QUdpSocket catcher;
+        QVERIFY(catcher.bind(kLoopback, 0));
+        relay.replay({clientPort, firstHelloOf(catcher)});
+        client.send("still here");
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QVERIFY(host.heard.ended.empty());
+    }
+
+    void silentPathsAndHandshakesAreForgotten()
+    {
+        TestHost host;
+        RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{1}, kSoonMs);
+        const LocalTime now = monotonicNow();
+        host.transport->serve(host.heard, now + HostTransport::kPathTimeout - 1s);
+        QCOMPARE(host.transport->paths(), std::size_t{1});
+        host.transport->serve(host.heard, now + HostTransport::kPathTimeout);
+        QCOMPARE(host.transport->paths(), std::size_t{0});
+        QVERIFY(host.heard.ended == std::vector<PeerAddress>{1});
+    }
+
+    void takenPortIsNamed()
+    {
+        TestHost host;
+        const auto other = HostTransport::bind(host.port(), false);
+        QVERIFY(!other);
+        QCOMPARE(other.error(), (Error{Errc::AddressInUse, std::to_string(host.port())}));
+    }
+
+    void hostIsReachedFromElsewhereOnlyWhenOpen()
+    {
+        const auto closed = HostTransport::bind(0, false);
+        const auto open = HostTransport::bind(0, true);
+        QVERIFY(closed && open);
+        const auto answers = [](HostTransport& transport, const QHostAddress& address) {
+            QUdpSocket other; // the port is free at this address if nobody listens there
+            return !other.bind(address, transport.port(), QAbstractSocket::DontShareAddress);
+        };
+        const QHostAddress elsewhere{QStringLiteral("127.0.0.2")};
+        QVERIFY(answers(**closed, kLoopback));
+        QVERIFY(!answers(**closed, elsewhere));
+        QVERIFY(answers(**open, elsewhere));
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestHostTransport)
+#include "tst_host_transport.moc"

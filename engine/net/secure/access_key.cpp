@@ -42,10 +42,11 @@ std::optional<AccessKey> keyFromHex(const std::string& hex)
 {
     const QByteArray bytes = QByteArray::fromHex(QByteArray::fromStdString(hex));
     AccessKey key{};
-    if (hex.size() != 2 * key.size() || bytes.size() != static_cast<qsizetype>(key.size()))
+    if (bytes.size() != static_cast<qsizetype>(key.size()))
         return std::nullopt;
     std::ranges::copy(std::as_bytes(std::span{bytes.data(), key.size()}), key.begin());
-    return key;
+    // fromHex passes over what is no digit.
+    return toHex(key) == hex ? std::optional{key} : std::nullopt;
 }
 
 Result<AccessKey> deriveByArgon2id(const JoinCode& code, const SessionKey& session)

@@ -14,7 +14,8 @@ struct HostTransport::Association {
     PeerAddress address = 0;
     QByteArray hello; // that it began with
     LocalTime lastHeard{};
-    std::optional<Credential> who; // once the peer has told
+    bool asked = false; // for its key
+    Credential who;     // as it says
     KeyAnswer::State key = KeyAnswer::State::Unknown;
     QDtls dtls{QSslSocket::SslServerMode};
 };
@@ -127,8 +128,8 @@ std::unique_ptr<HostTransport::Association> HostTransport::newAssociation(const 
                              peer = association.get()](QSslPreSharedKeyAuthenticator* question) {
         const auto identity = pskIdentity(question->identity().toStdString());
         KeyAnswer answer = identity ? m_keyOf(*identity) : KeyAnswer{};
-        if (identity)
-            peer->who = identity->who;
+        peer->asked = true;
+        peer->who = identity ? identity->who : Credential{};
         peer->key = answer.state;
         // Nobody shall learn which identities there are: an unknown one just has a wrong key.
         if (answer.state != KeyAnswer::State::Known)
@@ -149,7 +150,7 @@ void HostTransport::goOn(Associations::iterator handshake, const RawDatagram& da
     }
     if (peer.dtls.handshakeState() == QDtls::HandshakeComplete)
         return proved(handshake, listener, now);
-    if (!peer.who || !holdsFinished(octets(datagram.bytes)))
+    if (!peer.asked || !holdsFinished(octets(datagram.bytes)))
         return;
     // A client sends all that its key makes in one datagram: what is not complete now has another
     // key. Where the right one is not derived yet, the client shall just try again.
@@ -175,7 +176,7 @@ void HostTransport::proved(Associations::iterator handshake, TransportListener& 
     peer->lastHeard = now;
     m_byAddress.emplace(peer->address, peer.get());
     const Association& path = *m_paths.emplace(from, std::move(peer)).first->second;
-    listener.connected(path.address, *path.who, now);
+    listener.connected(path.address, path.who, now);
 }
 
 void HostTransport::decrypt(Associations::iterator path, const RawDatagram& datagram,

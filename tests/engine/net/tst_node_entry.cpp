@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QNetworkInterface>
 #include <QTest>
 
 #include <atomic>
@@ -164,9 +165,12 @@ private Q_SLOTS:
         settings.open = true;
         const auto instructor = *SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
         QVERIFY(instructor->isOpen());
-        for (const char* address : {"127.0.0.2", "::1"}) {
-            JoinSettings guest = joinSettings(*instructor, address);
-            guest.address = address;
+        for (const QHostAddress& address : QNetworkInterface::allAddresses()) {
+            if (address.isLinkLocal())
+                continue;
+            const std::string text = address.toString().toStdString();
+            JoinSettings guest = joinSettings(*instructor, text.c_str());
+            guest.address = text;
             const auto anna = join(guest);
             QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         }

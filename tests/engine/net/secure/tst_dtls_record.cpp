@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <vector>
 
 namespace carina
@@ -14,11 +15,15 @@ using Bytes = std::vector<std::uint8_t>;
 /// RFC 6347, 4.1: type, version, epoch, sequence number, length, fragment.
 Bytes record(std::uint8_t type, std::uint16_t epoch, const Bytes& fragment)
 {
-    Bytes bytes{type, 0xFE, 0xFD, std::uint8_t(epoch >> 8), std::uint8_t(epoch & 0xFF)};
-    bytes.insert(bytes.end(), 6, 0);
-    bytes.push_back(std::uint8_t(fragment.size() >> 8));
-    bytes.push_back(std::uint8_t(fragment.size() & 0xFF));
-    bytes.insert(bytes.end(), fragment.begin(), fragment.end());
+    Bytes bytes(13 + fragment.size());
+    bytes[0] = type;
+    bytes[1] = 0xFE;
+    bytes[2] = 0xFD;
+    bytes[3] = std::uint8_t(epoch >> 8);
+    bytes[4] = std::uint8_t(epoch & 0xFF);
+    bytes[11] = std::uint8_t(fragment.size() >> 8);
+    bytes[12] = std::uint8_t(fragment.size() & 0xFF);
+    std::ranges::copy(fragment, bytes.begin() + 13);
     return bytes;
 }
 
@@ -54,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(!firstRecord({}));
         QVERIFY(!firstRecord(record(22, 0, {})));
         QVERIFY(!firstRecord(Bytes(good.begin(), good.end() - 1)));
-        for (const std::uint8_t type : {19, 24}) {
+        for (const std::uint8_t type : {std::uint8_t{19}, std::uint8_t{24}}) {
             Bytes bad = good;
             bad[0] = type;
             QVERIFY(!firstRecord(bad));

@@ -1,4 +1,6 @@
+#include "engine/net/client_driver.h"
 #include "engine/net/host_access.h"
+#include "engine/net/host_driver.h"
 #include "tests/engine/net/nodes.h"
 
 #include <QDir>
@@ -25,6 +27,27 @@ struct Derivations {
         };
     }
 };
+
+/// Says Hello in a role over a path that proved something; what comes of it.
+NodeBoard::View greet(HostDriver& host, const Credential& proved, Role role)
+{
+    constexpr PeerAddress kGuest = 7;
+    constexpr PeerAddress kPathToHost = 1;
+    NodeBoard board;
+    LocalTime now = monotonicNow();
+    ClientDriver guest{
+        {.participantName = "Mallory", .role = role, .station = kStation}, board, now};
+    host.connected(kGuest, proved, now);
+    guest.connected(kPathToHost, {}, now);
+    for (int turn = 0; turn < 100; ++turn, now += 1ms) {
+        for (const auto& [to, bytes] : guest.advance(now))
+            host.receive(kGuest, bytes, now);
+        for (const auto& [to, bytes] : host.advance(now))
+            guest.receive(kPathToHost, bytes, now);
+    }
+    host.disconnected(kGuest, now);
+    return board.view();
+}
 
 } // namespace
 
@@ -73,6 +96,25 @@ private Q_SLOTS:
             QCOMPARE(refused.error().code, Errc::NotPermitted);
         (*access)->disconnected(7);
         QVERIFY(!(*access)->check(7, Role::Trainee, kBen));
+    }
+
+    void provedRoleIsTheOnlyOneToComeInAs()
+    {
+        MemoryDisk disk;
+        NodeBoard board;
+        const auto host = HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk),
+                                           board, monotonicNow());
+        QVERIFY(host);
+        const Credential byCode{Role::Trainee, std::nullopt};
+        QCOMPARE(greet(**host, byCode, Role::Instructor).refusal->code, Errc::NotPermitted);
+        QCOMPARE(greet(**host, byCode, Role::Observer).refusal->code, Errc::NotPermitted);
+        const auto admitted = greet(**host, byCode, Role::Trainee);
+        QVERIFY(!admitted.refusal);
+        QVERIFY(admitted.self != kNobody);
+        const Credential byToken{Role::Trainee, admitted.self};
+        QCOMPARE(greet(**host, byToken, Role::Trainee).self, admitted.self);
+        const Credential anothersToken{Role::Trainee, ParticipantId{9}};
+        QCOMPARE(greet(**host, anothersToken, Role::Trainee).refusal->code, Errc::NotPermitted);
     }
 
     void observersChangeNothing()

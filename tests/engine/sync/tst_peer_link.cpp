@@ -132,7 +132,7 @@ private Q_SLOTS:
             records.emplace_back(FactAck{FactNumber{n}});
         PeerLink link{9, 0s, at(0s)};
         const auto datagrams = packDatagrams(records, [&] { return link.nextHeader(at(1s)); });
-        // (1200 - 34) / 9 = 129 records each.
+        // (1160 - 34) / 9 = 125 records each.
         QCOMPARE(datagrams.size(), std::size_t{3});
         std::uint64_t expected = 0;
         std::uint32_t sequence = 0;
@@ -145,24 +145,24 @@ private Q_SLOTS:
                 QCOMPARE(std::get<FactAck>(record).last.value, ++expected);
         }
         QCOMPARE(expected, std::uint64_t{300});
-        QCOMPARE(decodeDatagram(datagrams[0])->records.size(), std::size_t{129});
+        QCOMPARE(decodeDatagram(datagrams[0])->records.size(), std::size_t{125});
     }
 
     void fillsADatagramToTheLastByte()
     {
-        // 34 + 1127 + 39 = 1200 bytes: a fact of 1024 with its 39 around it, and 103 bytes more.
+        // 34 + 1063 + 63 = 1160 bytes: facts of 1024 and of 24, each with its 39 around it.
         FactRecord large;
         large.number = FactNumber{1};
         large.body.assign(1024, std::byte{1});
         FactRecord small = large;
-        small.body.assign(24, std::byte{1});
+        small.body.assign(14, std::byte{1});
         const auto header = [] { return BundleHeader{}; };
         QCOMPARE(packDatagrams(std::vector<WireRecord>{large, small}, header).front().size(),
-                 kLargestDatagram - 40);
-        small.body.assign(64, std::byte{1});
+                 kLargestDatagram - 10);
+        small.body.assign(24, std::byte{1});
         QCOMPARE(packDatagrams(std::vector<WireRecord>{large, small}, header).size(),
                  std::size_t{1});
-        small.body.assign(65, std::byte{1});
+        small.body.assign(25, std::byte{1});
         QCOMPARE(packDatagrams(std::vector<WireRecord>{large, small}, header).size(),
                  std::size_t{2});
     }

@@ -14,12 +14,12 @@ namespace carina
 using SourcePrefix = std::array<std::uint8_t, 16>;
 
 /// Lets each source greet only so often, for each ClientHello costs the host more than its sender:
-/// a burst of 64, then 20 a second.
+/// a burst of 128, then 50 a second, for a whole course may sit behind one address.
 class HelloLimiter
 {
 public:
-    static constexpr int kBurst = 64;
-    static constexpr Duration kInterval = std::chrono::milliseconds{50};
+    static constexpr int kBurst = 128;
+    static constexpr Duration kInterval = std::chrono::milliseconds{20};
     /// Sources known at once; beyond that all others share one allowance.
     static constexpr std::size_t kMostSources = 1024;
 

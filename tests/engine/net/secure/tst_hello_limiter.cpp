@@ -34,21 +34,21 @@ class TestHelloLimiter : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void letsABurstThroughAndThenTwentyASecond()
+    void letsABurstThroughAndThenFiftyASecond()
     {
         HelloLimiter limiter;
-        QCOMPARE(admitted(limiter, source(1), 1000, kStart), 64);
-        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 49ms), 0);
-        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 50ms), 1);
-        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 1050ms), 20);
-        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 1h), 64);
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart), 128);
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 19ms), 0);
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 20ms), 1);
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 1020ms), 50);
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 1h), 128);
     }
 
     void sourcesDoNotDisturbEachOther()
     {
         HelloLimiter limiter;
-        QCOMPARE(admitted(limiter, source(1), 1000, kStart), 64);
-        QCOMPARE(admitted(limiter, source(2), 1000, kStart), 64);
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart), 128);
+        QCOMPARE(admitted(limiter, source(2), 1000, kStart), 128);
     }
 
     void countlessSourcesShareOneAllowance()
@@ -59,10 +59,10 @@ private Q_SLOTS:
         int others = 0;
         for (std::uint16_t i = 0; i < 500; ++i)
             others += limiter.admits(source(std::uint16_t(5000 + i)), kStart) ? 1 : 0;
-        QCOMPARE(others, 64);
+        QCOMPARE(others, 128);
         QVERIFY(limiter.admits(source(0), kStart)); // one that is known
         // Those who fell quiet make room.
-        QCOMPARE(admitted(limiter, source(9000), 1000, kStart + 1s), 64);
+        QCOMPARE(admitted(limiter, source(9000), 1000, kStart + 1s), 128);
     }
 };
 

@@ -98,8 +98,8 @@ private Q_SLOTS:
         while (readRaw(flood))
             ++answers;
         const auto refilled = (monotonicNow() - begin) / HelloLimiter::kInterval;
-        QVERIFY(answers >= 64);
-        QVERIFY(answers <= 64 + refilled);
+        QVERIFY(answers >= 128);
+        QVERIFY(answers <= 128 + refilled);
     }
 
     void whatIsNotEncryptedIsNotHeard()

@@ -106,7 +106,7 @@ private Q_SLOTS:
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kSoonMs);
         QUdpSocket stranger;
         QVERIFY(stranger.bind(kLoopback, 0));
         QByteArray plain{23, '\0'}; // an application record in the clear

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "widgets/report/plot.h"
+
+#include <QByteArray>
+
+namespace carina
+{
+
+/// A pixel of a figure is 1/96 inch.
+inline constexpr int kFigureWidth = 960;
+inline constexpr int kFigureHeight = 600;
+inline constexpr int kFigurePixelsPerInch = 96;
+
+/// A plot as an SVG file: each series' line one polyline, its marks one path. The title and the
+/// stamp are its title and its description as well. The same plot gives the same bytes, whatever
+/// fonts there are.
+[[nodiscard]] QByteArray svgOf(const Plot& plot);
+
+} // namespace carina

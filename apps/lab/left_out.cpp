@@ -1,5 +1,6 @@
 #include "apps/lab/breathe_command.h"
 #include "apps/lab/drawing_application.h"
+#include "apps/lab/figures_command.h"
 #include "apps/lab/render_command.h"
 #include "apps/lab/summary_command.h"
 
@@ -19,6 +20,10 @@ constexpr std::string_view kBreatheHelp = R"(breathe
     Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
 )";
 
+constexpr std::string_view kFiguresHelp = R"(figures
+    Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
+)";
+
 constexpr std::string_view kRenderHelp = R"(render
     Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
 )";
@@ -30,6 +35,8 @@ constexpr std::string_view kSummaryHelp = R"(summary
 } // namespace
 
 Command breatheCommand() { return {"breathe", kBreatheHelp, refuse}; }
+
+Command figuresCommand() { return {"figures", kFiguresHelp, refuse}; }
 
 Command renderCommand() { return {"render", kRenderHelp, refuse}; }
 

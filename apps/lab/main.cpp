@@ -3,6 +3,7 @@
 #include "apps/lab/command.h"
 #include "apps/lab/drawing_application.h"
 #include "apps/lab/drift_command.h"
+#include "apps/lab/figures_command.h"
 #include "apps/lab/fit_command.h"
 #include "apps/lab/handshake_command.h"
 #include "apps/lab/pivot_command.h"
@@ -17,9 +18,9 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(), breatheCommand(),   driftCommand(),
-                                fitCommand(),     handshakeCommand(), pivotCommand(),
-                                renderCommand(),  summaryCommand(),   trackCommand()};
+    static const std::array all{
+        anatomyCommand(),   breatheCommand(), driftCommand(),  figuresCommand(), fitCommand(),
+        handshakeCommand(), pivotCommand(),   renderCommand(), summaryCommand(), trackCommand()};
     return all;
 }
 
@@ -29,6 +30,7 @@ int main(int argc, char** argv)
 {
     const bool draws = argc > 1
                        && (argv[1] == carina::lab::breatheCommand().name
+                           || argv[1] == carina::lab::figuresCommand().name
                            || argv[1] == carina::lab::renderCommand().name);
     const auto application = draws ? carina::lab::drawingApplication(argc, argv)
                                    : std::make_unique<QCoreApplication>(argc, argv);

@@ -61,7 +61,7 @@ void Journal::writeLine()
     // The frame's session time, told on the clock that all processes of this machine share.
     const SessionTime now = m_node.now().value_or(shown);
     const QJsonObject line{
-        {QStringLiteral("local_ns"), nanoseconds(monotonicNow() - (now - shown))},
+        {QStringLiteral("local_ns"), nanoseconds(machineTime(monotonicNow() - (now - shown)))},
         {QStringLiteral("session_ns"), nanoseconds(shown)},
         {QStringLiteral("facts"), qint64(state->lastApplied().value)},
         {QStringLiteral("session_id"), QString::fromStdString(state->sessionId())},

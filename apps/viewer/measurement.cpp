@@ -1,5 +1,6 @@
 #include "apps/viewer/measurement.h"
 
+#include "engine/core/monotonic_clock.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "widgets/scene/drawn_vertices.h"
 #include "widgets/scene/scene_view.h"
@@ -24,7 +25,7 @@ constexpr Duration kRest = std::chrono::seconds{1}; ///< in place before the pic
 LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
 {
     LoggedFrame entry;
-    entry.local = drawn.lit;
+    entry.local = machineTime(drawn.lit);
     entry.session = drawn.frame.time;
     entry.level = drawn.level;
     entry.amplitude = {moment.amplitudes.right, moment.amplitudes.left};

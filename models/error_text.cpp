@@ -96,6 +96,9 @@ public:
         case Errc::NotEnoughMemory:
             return tr("There is too little memory to check the code%1: close other programs and "
                       "start again.");
+        case Errc::OwnerChanged:
+            return tr("Somebody else took this object first%1: see who has it now, then try "
+                      "again.");
         case Errc::TrackerFailed:
             return tr("The tracker does not start%1: check its cable and power, then try again.");
         case Errc::NoGraphics:

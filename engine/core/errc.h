@@ -45,6 +45,7 @@ enum class Errc : std::uint8_t {
     NameTaken,       ///< somebody with the same name and role is in the session now
     WrongCode,       ///< no join code of this session and role
     NotEnoughMemory, ///< too little to derive a key from a join code
+    OwnerChanged,    ///< the object has passed to somebody else meanwhile
 
     // Devices and graphics
     TrackerFailed, ///< the tracker could not be started

@@ -43,6 +43,11 @@ template <> constexpr std::tuple kFields<fact::TidalVolumeSet>{&fact::TidalVolum
 template <>
 constexpr std::tuple kFields<fact::InspiratoryFractionSet>{&fact::InspiratoryFractionSet::fraction};
 
+template <>
+constexpr std::tuple kFields<fact::ObjectHandedOver>{&fact::ObjectHandedOver::object,
+                                                     &fact::ObjectHandedOver::owner,
+                                                     &fact::ObjectHandedOver::epoch};
+
 template <class Enum> constexpr Enum kLastEnumerator{};
 template <> constexpr SessionPhase kLastEnumerator<SessionPhase> = SessionPhase::Ended;
 template <> constexpr Role kLastEnumerator<Role> = Role::Observer;
@@ -72,6 +77,9 @@ template <class Tag, class Number> void getField(ByteReader& in, Id<Tag, Number>
 {
     id.value = in.number<Number>();
 }
+
+void putField(ByteWriter& out, std::uint16_t number) { out.number(number); }
+void getField(ByteReader& in, std::uint16_t& number) { number = in.number<std::uint16_t>(); }
 
 void putField(ByteWriter& out, double number) { out.real(number); }
 void getField(ByteReader& in, double& number)

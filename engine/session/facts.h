@@ -5,6 +5,7 @@
 #include "engine/core/units.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -60,6 +61,14 @@ struct ObjectShared {
 
     friend bool operator==(const ObjectShared&, const ObjectShared&) = default;
 };
+/// A shared object passes from its owner to another.
+struct ObjectHandedOver {
+    ObjectId object;
+    ParticipantId owner;     ///< from now on
+    std::uint16_t epoch = 0; ///< of the ownership that ends: void where another has taken its place
+
+    friend bool operator==(const ObjectHandedOver&, const ObjectHandedOver&) = default;
+};
 /// The station's patient, by content hash and name.
 struct AnatomyChosen {
     std::string contentHash;
@@ -90,7 +99,17 @@ struct InspiratoryFractionSet {
 using FactBody = std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
                               fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
                               fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
-                              fact::InspiratoryFractionSet>;
+                              fact::InspiratoryFractionSet, fact::ObjectHandedOver>;
+
+/// The object whose ownership a fact is about, if it is about one.
+[[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)
+{
+    if (const auto* shared = std::get_if<fact::ObjectShared>(&body))
+        return shared->object;
+    if (const auto* handed = std::get_if<fact::ObjectHandedOver>(&body))
+        return handed->object;
+    return std::nullopt;
+}
 
 /// A fact that somebody would like to enter the log.
 struct Proposal {

@@ -62,6 +62,22 @@ Result<void> settleId(typename Entries::key_type& id, const Entries& entries, co
     return {};
 }
 
+/// Compare and set: of several at once the first holds, and the others see that it did.
+Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOver& handed)
+{
+    const auto object = state.objects().find(handed.object);
+    const auto owner = state.participants().find(handed.owner);
+    if (object == state.objects().end())
+        return fail(Errc::OutOfRange, "object " + std::to_string(handed.object.value));
+    if (owner == state.participants().end())
+        return fail(Errc::OutOfRange, "participant " + std::to_string(handed.owner.value));
+    if (owner->second.role == Role::Observer)
+        return fail(Errc::NotPermitted, owner->second.name);
+    if (object->second.epoch != handed.epoch)
+        return fail(Errc::OwnerChanged, object->second.name);
+    return {};
+}
+
 Result<void> settleIds(const SessionState& state, FactBody& body)
 {
     return std::visit(
@@ -79,14 +95,14 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
                                          "participant " + std::to_string(left.participant.value));
                    },
                    [&](fact::ObjectShared& shared) {
-                       const bool takenOver = shared.object.value != 0;
                        return settleId(shared.object, state.objects(), "object",
                                        [&](const SharedObject& known) {
                                            return known.kind == shared.kind
                                                   && known.name == shared.name
-                                                  && (takenOver || known.owner == shared.owner);
+                                                  && known.owner == shared.owner;
                                        });
                    },
+                   [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, handed); },
                    [](auto&) { return Result<void>{}; }},
         body);
 }
@@ -102,6 +118,10 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, co
                        return author.role == Role::Trainee && f.owner == author.id
                               && (known == state.objects().end()
                                   || known->second.owner == author.id);
+                   },
+                   [&](const fact::ObjectHandedOver& f) {
+                       return author.role == Role::Trainee
+                              && state.objects().at(f.object).owner == author.id;
                    },
                    [](const auto&) { return false; }},
         body);
@@ -135,6 +155,7 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
     return std::visit(Overloaded{[](const fact::ParticipantJoined&) { return Result<void>{}; },
                                  [](const fact::ParticipantLeft&) { return Result<void>{}; },
                                  [](const fact::ObjectShared&) { return Result<void>{}; },
+                                 [](const fact::ObjectHandedOver&) { return Result<void>{}; },
                                  [&](const auto&) -> Result<void> {
                                      return fail(Errc::SessionEnded, state.name());
                                  }},

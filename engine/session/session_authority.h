@@ -31,14 +31,17 @@ public:
     ///
     /// A ParticipantJoined with participant 0 is given the id of the participant with the same name
     /// and role, else the next free one; an ObjectShared with object 0 that of the same owner, kind
-    /// and name. Ids other than 0 must be known.
+    /// and name. Ids other than 0 must be known. An ObjectHandedOver ends the ownership of its
+    /// epoch or none.
     ///
     /// @param proposal its author decides. The host itself (0) may everything, who is not
     ///        admitted yet (kNobody) may join, instructors may all but create the session, trainees
-    ///        may join, leave and share objects as themselves, observers only join and leave.
+    ///        may join, leave, share objects as themselves and hand these over, observers only
+    ///        join and leave, and own nothing.
     /// @returns NotPermitted where the author's role may not do this; SessionEnded after the end;
     ///          OutOfRange for a parameter outside the range a patient can have, an unknown
-    ///          station, participant or object, and a phase that cannot follow the present one.
+    ///          station, participant or object, and a phase that cannot follow the present one;
+    ///          OwnerChanged for an object that has passed to somebody else meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,
                                      Duration slowestPath) const;
 

@@ -2,6 +2,8 @@
 
 #include "engine/core/expects.h"
 
+#include <utility>
+
 namespace carina
 {
 
@@ -48,9 +50,21 @@ struct SessionState::Applier {
     }
     void operator()(const fact::ObjectShared& body) const
     {
-        state.m_objects.insert_or_assign(
+        const auto [place, added] = state.m_objects.try_emplace(
             body.object,
-            SharedObject{body.object, body.owner, around.station, body.kind, body.name});
+            SharedObject{body.object, body.owner, 1, around.station, body.kind, body.name});
+        if (added)
+            return;
+        own(place->second, body.owner);
+        place->second.station = around.station;
+        place->second.kind = body.kind;
+        place->second.name = body.name;
+    }
+    void operator()(const fact::ObjectHandedOver& body) const
+    {
+        const auto object = state.m_objects.find(body.object);
+        if (object != state.m_objects.end())
+            own(object->second, body.owner);
     }
     void operator()(const fact::AnatomyChosen& body) const
     {
@@ -75,6 +89,11 @@ struct SessionState::Applier {
             station->breathing.setInspiratoryFraction(around.effect, body.fraction);
     }
 
+    static void own(SharedObject& object, ParticipantId owner)
+    {
+        if (std::exchange(object.owner, owner) != owner)
+            ++object.epoch;
+    }
     /// The station that the fact is about; nullptr where there is none.
     [[nodiscard]] Station* ofFact() const
     {

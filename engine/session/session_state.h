@@ -21,6 +21,7 @@ struct Participant {
 struct SharedObject {
     ObjectId id;
     ParticipantId owner;
+    std::uint16_t epoch = 1; ///< of the ownership: one more with each change of owner; wraps
     StationId station;
     ObjectKind kind = ObjectKind::Tube;
     std::string name;

@@ -27,7 +27,8 @@ inline QByteArray verdict(const Result<Fact>& fact)
     static const std::map<Errc, QByteArray> kWords{{Errc::NotPermitted, "not permitted"},
                                                    {Errc::SessionEnded, "session ended"},
                                                    {Errc::OutOfRange, "out of range"},
-                                                   {Errc::NotFinite, "not finite"}};
+                                                   {Errc::NotFinite, "not finite"},
+                                                   {Errc::OwnerChanged, "owner changed"}};
     return fact ? QByteArray{"fine"} : kWords.at(fact.error().code);
 }
 

@@ -73,6 +73,9 @@ std::vector<Golden> goldenFacts()
         {"breathing rate set", fact::BreathingRateSet{hertz(0.25)}, "08 000000000000d03f"},
         {"tidal volume set", fact::TidalVolumeSet{cubicMetres(-0.5)}, "09 000000000000e0bf"},
         {"inspiratory fraction set", fact::InspiratoryFractionSet{0.1}, "0a 9a9999999999b93f"},
+        {"object handed over",
+         fact::ObjectHandedOver{ObjectId{0x0102}, ParticipantId{0x0304}, 0x0506},
+         "0b 0201 0403 0605"},
         {"no names", fact::SessionCreated{}, "01 00 00"},
     };
 }
@@ -124,7 +127,7 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 11", "0b", "kind of fact 11");
+    row("kind 12", "0c", "kind of fact 12");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");

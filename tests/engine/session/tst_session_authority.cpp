@@ -19,6 +19,8 @@ private Q_SLOTS:
     void givesParticipantIds();
     void givesObjectIds_data();
     void givesObjectIds();
+    void letsTheFirstOfTwoTakeOver();
+    void handsOverOnlyWhatAndToWhomIsKnown();
     void runsOutOfIdsWithAnError();
     void settlesARepeatedProposal();
     void resumesFromItsLog();
@@ -135,7 +137,7 @@ void TestSessionAuthority::givesObjectIds_data()
     row("other owner", 0, kSampleOtherTrainee, ObjectKind::Tube, "tube", 2);
     row("other kind", 0, kSampleTrainee, ObjectKind::Stylus, "tube", 2);
     row("other name", 0, kSampleTrainee, ObjectKind::Tube, "tube 2", 2);
-    row("handed over", 1, kSampleOtherTrainee, ObjectKind::Tube, "tube", 1);
+    row("somebody else's", 1, kSampleOtherTrainee, ObjectKind::Tube, "tube", 0);
     row("turned into something else", 1, kSampleTrainee, ObjectKind::Head, "tube", 0);
     row("renamed", 1, kSampleTrainee, ObjectKind::Tube, "other", 0);
     row("a number nothing has", 2, kSampleTrainee, ObjectKind::Tube, "tube", 0);
@@ -149,6 +151,35 @@ void TestSessionAuthority::givesObjectIds()
     QCOMPARE(fact ? int(std::get<fact::ObjectShared>(fact->body).object.value) : 0, id);
     if (!fact)
         QCOMPARE(fact.error().code, Errc::OutOfRange);
+}
+
+void TestSessionAuthority::letsTheFirstOfTwoTakeOver()
+{
+    // Both saw the first ownership; the second to be judged takes nothing.
+    SessionAuthority authority = sampleAuthority();
+    const auto take = [&](ParticipantId who, std::uint16_t epoch) {
+        return judgeBy(authority, kSampleInstructor,
+                       fact::ObjectHandedOver{kSampleTube, who, epoch});
+    };
+    QCOMPARE(verdict(take(kSampleInstructor, 2)), QByteArray{"owner changed"});
+    const Result<Fact> first = take(kSampleInstructor, 1);
+    QVERIFY(first);
+    QVERIFY(first->effect == kNow);
+    authority.commit(*first);
+    QCOMPARE(verdict(take(kSampleOtherTrainee, 1)), QByteArray{"owner changed"});
+    QVERIFY(authority.state().objects().at(kSampleTube).owner == kSampleInstructor);
+    QCOMPARE(verdict(take(kSampleOtherTrainee, 2)), QByteArray{"fine"});
+}
+
+void TestSessionAuthority::handsOverOnlyWhatAndToWhomIsKnown()
+{
+    const auto hand = [&](ObjectId object, ParticipantId to) {
+        return verdict(
+            judgeBy(sampleAuthority(), kSampleInstructor, fact::ObjectHandedOver{object, to, 1}));
+    };
+    QCOMPARE(hand(ObjectId{2}, kSampleTrainee), QByteArray{"out of range"});
+    QCOMPARE(hand(kSampleTube, ParticipantId{99}), QByteArray{"out of range"});
+    QCOMPARE(hand(kSampleTube, kSampleObserver), QByteArray{"not permitted"});
 }
 
 void TestSessionAuthority::runsOutOfIdsWithAnError()

@@ -94,14 +94,21 @@ void TestSessionPermissions::permitsByRole_data()
     row("shares for the other trainee", "yynnnn", [](auto) {
         return fact::ObjectShared{{}, kSampleOtherTrainee, ObjectKind::Stylus, "stylus"};
     });
-    row("keeps or takes the tube", "yyynnn", [](auto id) {
+    row("shares its tube again", "nnynnn", [](auto id) {
         return fact::ObjectShared{kSampleTube, id, ObjectKind::Tube, "tube"};
     });
-    row("gives the tube away", "yynnnn", [](auto) {
-        return fact::ObjectShared{kSampleTube, kSampleOtherTrainee, ObjectKind::Tube, "tube"};
+    // The host of this session has not come in, and nobody who has not can own anything.
+    row("takes the tube, or keeps its own", "nyynnn", [](auto id) {
+        return fact::ObjectHandedOver{kSampleTube, id, 1};
+    });
+    row("gives the tube away", "yyynnn", [](auto) {
+        return fact::ObjectHandedOver{kSampleTube, kSampleOtherTrainee, 1};
+    });
+    row("gives the tube to an observer", "nnnnnn", [](auto) {
+        return fact::ObjectHandedOver{kSampleTube, kSampleObserver, 1};
     });
     QTest::newRow("other trainee takes the tube")
-        << FactBody{fact::ObjectShared{kSampleTube, kSampleOtherTrainee, ObjectKind::Tube, "tube"}}
+        << FactBody{fact::ObjectHandedOver{kSampleTube, kSampleOtherTrainee, 1}}
         << int(kSampleOtherTrainee.value) << false;
     for (std::size_t i = 1; i < 4; ++i)
         QTest::addRow("%s leaves", authorNames[i])
@@ -154,6 +161,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("join", fact::ParticipantJoined{{}, Role::Observer, "Late"}, "fine");
     row("leave", fact::ParticipantLeft{kSampleTrainee}, "fine");
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine");
+    row("hand over", fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1}, "fine");
     row("station", fact::StationAdded{"S"}, "session ended");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "session ended");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");

@@ -97,11 +97,23 @@ void TestSessionState::remembersWhoLeftAndTakesThemBack()
 void TestSessionState::givesAnObjectToItsNewOwner()
 {
     LogWriter writer = sampleSession();
-    writer.add(atSeconds(1.0),
-               fact::ObjectShared{kSampleTube, kSampleInstructor, ObjectKind::Tube, "tube"});
-    const SessionState state = stateOf(writer);
-    QCOMPARE(state.objects().size(), std::size_t{1});
-    QVERIFY(state.objects().at(kSampleTube).owner == kSampleInstructor);
+    writer.add(atSeconds(1.0), fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1});
+    SharedObject tube = stateOf(writer).objects().at(kSampleTube);
+    QVERIFY(tube.owner == kSampleInstructor);
+    QCOMPARE(tube.epoch, std::uint16_t{2});
+    QCOMPARE(tube.name, std::string{"tube"});
+    // Not another owner, so the same ownership; and then another.
+    writer.add(atSeconds(2.0), fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 2});
+    writer.add(atSeconds(2.0), fact::ObjectHandedOver{ObjectId{9}, kSampleInstructor, 2});
+    QCOMPARE(stateOf(writer).objects().at(kSampleTube).epoch, std::uint16_t{2});
+    QCOMPARE(stateOf(writer).objects().size(), std::size_t{1});
+    writer.add(atSeconds(3.0),
+               fact::ObjectShared{kSampleTube, kSampleTrainee, ObjectKind::Stylus, "probe"});
+    tube = stateOf(writer).objects().at(kSampleTube);
+    QVERIFY(tube.owner == kSampleTrainee);
+    QCOMPARE(tube.epoch, std::uint16_t{3});
+    QCOMPARE(tube.kind, ObjectKind::Stylus);
+    QCOMPARE(tube.name, std::string{"probe"});
 }
 
 void TestSessionState::movesThroughThePhasesAtTheirTimes()

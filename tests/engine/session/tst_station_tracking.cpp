@@ -15,29 +15,17 @@ constexpr double kTolerance_rad = 1e-12;
 
 SessionTime at(double seconds) { return SessionTime{fromSeconds(seconds)}; }
 
-/// A tracker whose samples a test pushes itself.
-class HandFedTracker final : public Tracker
+const StationRegistration kRegistration{
+    .X_AT = {rotationFromVector(Vec3{0.4, -1.1, 0.7}), Vec3{-0.2, 0.5, 1.0}},
+    .X_JA = RigidTransform{rotationFromVector(Vec3{-0.3, 0.2, 0.1}), Vec3{0.02, 0.07, -0.04}}};
+
+bool same(const RigidTransform& a, const RigidTransform& b)
 {
-public:
-    explicit HandFedTracker(bool& runs) : m_runs{runs} {}
+    return (a.translation() - b.translation()).norm() < kTolerance_m
+           && angleBetween(a.rotation(), b.rotation()).si < kTolerance_rad;
+}
 
-    Result<void> start() override
-    {
-        m_runs = true;
-        return {};
-    }
-    void stop() override { m_runs = false; }
-    std::vector<TrackedTool> tools() const override
-    {
-        return {{"tube", ToolRole::Tube, &tube}, {"jaw", ToolRole::Jaw, &jaw}};
-    }
-
-    mutable PoseHistory tube;
-    mutable PoseHistory jaw;
-
-private:
-    bool& m_runs;
-};
+} // namespace
 
 /// A screw motion with known velocities: turns about z of T through the point c_T while it moves
 /// along z.
@@ -67,17 +55,29 @@ struct Screw {
     }
 };
 
-const StationRegistration kRegistration{
-    .X_AT = {rotationFromVector(Vec3{0.4, -1.1, 0.7}), Vec3{-0.2, 0.5, 1.0}},
-    .X_JA = RigidTransform{rotationFromVector(Vec3{-0.3, 0.2, 0.1}), Vec3{0.02, 0.07, -0.04}}};
-
-bool same(const RigidTransform& a, const RigidTransform& b)
+/// A tracker whose samples a test pushes itself.
+class HandFedTracker final : public Tracker
 {
-    return (a.translation() - b.translation()).norm() < kTolerance_m
-           && angleBetween(a.rotation(), b.rotation()).si < kTolerance_rad;
-}
+public:
+    explicit HandFedTracker(bool& runs) : m_runs{runs} {}
 
-} // namespace
+    Result<void> start() override
+    {
+        m_runs = true;
+        return {};
+    }
+    void stop() override { m_runs = false; }
+    std::vector<TrackedTool> tools() const override
+    {
+        return {{"tube", ToolRole::Tube, &tube}, {"jaw", ToolRole::Jaw, &jaw}};
+    }
+
+    mutable PoseHistory tube;
+    mutable PoseHistory jaw;
+
+private:
+    bool& m_runs;
+};
 
 class TestStationTracking : public QObject
 {

@@ -37,6 +37,12 @@ struct ActedPose {
     double scale = 1.0;
 };
 
+/// A shared object as a participant draws it.
+struct ShownObject {
+    ActedPose acted;
+    bool isStale = false; ///< nothing was heard of it for longer than expected
+};
+
 /// The object so long after the action's start. Before the start it is as it was at the start.
 [[nodiscard]] ActedPose evaluateAfter(const EventCpo& event, Duration sinceStart);
 

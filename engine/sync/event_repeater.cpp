@@ -9,7 +9,9 @@ namespace carina
 
 bool isLater(const EventCpo& a, const EventCpo& b)
 {
-    return isAfter(a.epoch, b.epoch) || (a.epoch == b.epoch && isAfter(a.action, b.action));
+    if (a.epoch != b.epoch)
+        return isAfter(a.epoch, b.epoch);
+    return a.action != b.action ? isAfter(a.action, b.action) : a.start > b.start;
 }
 
 void EventRepeater::begin(const EventCpo& event, LocalTime now)
@@ -20,8 +22,15 @@ void EventRepeater::begin(const EventCpo& event, LocalTime now)
 void EventRepeater::beat(const EventCpo& event, LocalTime now)
 {
     const auto found = m_entries.find(event.object);
-    if (found != m_entries.end() && now - found->second.lastSent >= kShortestBeat)
+    if (found != m_entries.end() && found->second.due > now
+        && now - found->second.lastSent >= kShortestBeat)
         found->second.due = now;
+}
+
+bool EventRepeater::awaits(ObjectId object) const
+{
+    const auto found = m_entries.find(object);
+    return found != m_entries.end() && !found->second.isAcknowledged;
 }
 
 void EventRepeater::acknowledge(const EventAck& ack)

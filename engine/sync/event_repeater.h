@@ -30,6 +30,10 @@ public:
     /// A heartbeat of an action is to be passed on.
     void beat(const EventCpo& event, LocalTime now);
     void acknowledge(const EventAck& ack);
+    /// The object is another's now.
+    void forget(ObjectId object) { m_entries.erase(object); }
+    /// Whether an action on the object is under way that nobody acknowledged.
+    [[nodiscard]] bool awaits(ObjectId object) const;
 
     /// Events to send now; they count as sent.
     [[nodiscard]] std::vector<EventCpo> takeDue(LocalTime now);
@@ -50,7 +54,9 @@ private:
     std::map<ObjectId, Entry> m_entries;
 };
 
-/// Whether action a on an object is later than b: by the ownership's epoch, then by the counter.
+/// Whether action a on an object is later than b: by the ownership's epoch, then by the counter,
+/// and then by the start, for an owner whose program was restarted may not know yet how far it
+/// counted.
 [[nodiscard]] bool isLater(const EventCpo& a, const EventCpo& b);
 
 } // namespace carina

@@ -44,4 +44,12 @@ const EventCpo* EventTable::newest(ObjectId object) const
     return found == m_entries.end() ? nullptr : &found->second.newest;
 }
 
+std::vector<EventCpo> EventTable::newest() const
+{
+    std::vector<EventCpo> events;
+    for (const auto& [object, entry] : m_entries)
+        events.push_back(entry.newest);
+    return events;
+}
+
 } // namespace carina

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] std::optional<ActedPose> at(ObjectId object, SessionTime t) const;
     [[nodiscard]] bool isStale(ObjectId object, LocalTime t) const;
     [[nodiscard]] const EventCpo* newest(ObjectId object) const;
+    /// Of every object, in any order.
+    [[nodiscard]] std::vector<EventCpo> newest() const;
+    void forget(ObjectId object) { m_entries.erase(object); }
 
 private:
     struct Entry {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/sync/clock_estimate.h"
+#include "engine/sync/clock_mapping.h"
 #include "engine/sync/probe_trigger.h"
 
 #include <deque>
@@ -8,10 +8,23 @@
 namespace carina
 {
 
+/// One exchange with the session host, whose clock is the session's.
+struct ClockProbe {
+    LocalTime sent;           ///< by this node
+    SessionTime hostReceived; ///< at the host
+    SessionTime hostSent;     ///< by the host, in answer
+    LocalTime received;       ///< by this node
+};
+
 /// Where the session clock stands and how fast it runs, fitted to many probes.
 ///
-/// Each probe gives an offset and a round trip (see ClockEstimate). Queues only ever lengthen a
-/// path, so the probes with short round trips are believed: the fit is the line
+/// Each probe, sent at t0, at the host from t1 to t2 and back at t3, gives (Cristian 1989, as in
+/// NTP)
+///
+///     offset = ((t1 - t0) + (t2 - t3)) / 2      round trip = (t3 - t0) - (t2 - t1)
+///
+/// and the true offset lies within half the round trip of that, whatever the path does. Queues only
+/// ever lengthen a path, so the probes with short round trips are believed: the fit is the line
 ///
 ///     offset(t) = a + b (t - t_mean)      with weights  exp(-2 (rtt - rtt_min) / s)
 ///

@@ -30,7 +30,7 @@ enum class RecordKind : std::uint8_t {
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
 constexpr std::array kWireReasons{Errc::NotPermitted,    Errc::SessionEnded, Errc::NameTaken,
                                   Errc::OutOfRange,      Errc::StoreFailed,  Errc::PacketMalformed,
-                                  Errc::VersionMismatch, Errc::NotFinite};
+                                  Errc::VersionMismatch, Errc::NotFinite,    Errc::OwnerChanged};
 
 void writeReason(ByteWriter& out, Errc reason)
 {

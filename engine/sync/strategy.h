@@ -50,12 +50,6 @@ private:
 
 inline constexpr ParticipantId kStarHost{0};
 
-/// A shared object as a participant draws it.
-struct ShownObject {
-    ActedPose acted;
-    bool isStale = false; ///< nothing was heard of it for longer than the strategy expects
-};
-
 /// A participant's end of a synchronisation strategy.
 class StarParticipant : public StarNode
 {

@@ -51,6 +51,12 @@ struct SyncClient::Visitor {
         if (client.m_state == State::Connected)
             client.takeStreams(group, now);
     }
+    void operator()(const EventCpo& event) const
+    {
+        if (client.m_state == State::Connected)
+            client.takeEvent(event, now);
+    }
+    void operator()(const EventAck& ack) const { client.m_repeater.acknowledge(ack); }
     template <class Other> void operator()(const Other&) const {}
 };
 
@@ -91,13 +97,41 @@ LocalTime SyncClient::nextWake() const
     if (m_state != State::Connected)
         return m_nextHello;
     return std::min({m_link.lastHeard() + kPeerTimeout, m_link.lastSent() + keepAlive(),
-                     m_acknowledge ? LocalTime::min() : LocalTime::max(), m_proposals.nextDue(),
+                     m_acknowledge || !m_eventAcks.empty() || !m_adopted.empty() ? LocalTime::min()
+                                                                                 : LocalTime::max(),
+                     m_proposals.nextDue(), m_repeater.nextDue(),
                      m_outgoing.empty() ? LocalTime::max() : m_tick.next()});
 }
 
 void SyncClient::propose(ProposalRecord proposal, LocalTime now)
 {
     m_proposals.add(std::move(proposal), now);
+}
+
+void SyncClient::share(ObjectId object, const Ownership& ownership)
+{
+    m_table.share(object, ownership.owner);
+    if (!m_actions.share(object, ownership))
+        return;
+    if (m_actions.isOwn(object)) {
+        m_adopted.push_back(object);
+        return;
+    }
+    // What the host never had is void: it continued what it had, or there is nothing.
+    if (m_repeater.awaits(object))
+        m_actions.forget(object);
+    m_repeater.forget(object);
+}
+
+Result<void> SyncClient::act(ObjectId object, const ObjectAction& action, LocalTime now)
+{
+    const auto session = sessionTime(now);
+    if (!session)
+        return fail(Errc::NotPermitted, "the session's clock is not set yet");
+    return m_actions.begun(object, action, *session).map([&](const EventCpo& event) {
+        m_actions.take(event, session, now);
+        m_repeater.begin(event, now);
+    });
 }
 
 void SyncClient::publish(StationId station, const StreamCpo& cpo)
@@ -135,6 +169,7 @@ void SyncClient::welcomed(const Welcome& welcome, LocalTime now)
     m_helloRefused.reset();
     m_session = welcome.session;
     m_self = welcome.participant;
+    m_actions.setSelf(m_self);
     m_epoch = welcome.epoch;
     m_logAtWelcome = welcome.lastFact;
     m_helloWait = kFirstHelloWait;
@@ -148,6 +183,9 @@ void SyncClient::startAfresh()
     m_proposals.clear();
     m_table.clear();
     m_clock = {};
+    m_actions.clear();
+    m_repeater = EventRepeater{true};
+    m_adopted.clear();
     m_output.facts.clear();
     m_output.streams.clear();
     m_output.startedAfresh = true;
@@ -159,6 +197,7 @@ void SyncClient::reconnect(LocalTime now)
     m_link = PeerLink{m_link.connection() + 1, Duration{}, now};
     m_nextHello = now;
     m_outgoing.clear();
+    m_eventAcks.clear();
     m_acknowledge = false;
 }
 
@@ -173,13 +212,31 @@ void SyncClient::takeFact(const FactRecord& fact)
 
 void SyncClient::takeStreams(const StreamGroup& group, LocalTime now)
 {
-    if (!m_clock.mapping())
+    const auto session = sessionTime(now);
+    if (!session)
         return;
     for (const StreamCpo& cpo : group.streams) {
         const StreamSample sample{group.owner, group.epoch, group.station, cpo};
-        if (group.owner != m_self && m_table.accept(sample, m_clock.mapping()->at(now)))
+        if (group.owner != m_self && m_table.accept(sample, *session))
             m_output.streams.push_back(sample);
     }
+}
+
+void SyncClient::takeEvent(const EventCpo& event, LocalTime now)
+{
+    const auto verdict = m_actions.take(event, sessionTime(now), now);
+    if (verdict == EventTable::Verdict::Refused)
+        return;
+    m_eventAcks.emplace_back(EventAck{event.object, event.epoch, event.action});
+    // An action of its own that it does not know, from before it was started, or from the last
+    // owner: it is this node's to keep alive.
+    if (verdict == EventTable::Verdict::New && m_actions.isOwn(event.object))
+        m_repeater.begin(event, now);
+}
+
+std::optional<SessionTime> SyncClient::sessionTime(LocalTime t) const
+{
+    return m_clock.mapping() ? std::optional{m_clock.mapping()->at(t)} : std::nullopt;
 }
 
 void SyncClient::addProbe(const RoundTrip& trip, LocalTime now)
@@ -202,16 +259,30 @@ void SyncClient::sendDue(LocalTime now)
         records.emplace_back(std::move(proposal));
     if (std::exchange(m_acknowledge, false))
         records.emplace_back(FactAck{m_facts.last()});
-    if (!m_outgoing.empty() && m_tick.isDue(now)) {
-        std::vector<StreamSample> samples;
-        for (const auto& [object, sample] : std::exchange(m_outgoing, {}))
-            samples.push_back(sample);
-        for (StreamGroup& group : groupStreams(samples))
-            records.emplace_back(std::move(group));
-        m_tick.served(now);
-    }
+    std::ranges::move(std::exchange(m_eventAcks, {}), std::back_inserter(records));
+    for (const ObjectId object : std::exchange(m_adopted, {}))
+        if (const EventCpo* event = m_actions.table().newest(object);
+            event && m_actions.isOwners(m_self, *event))
+            m_repeater.begin(*event, now);
+    for (const EventCpo& event : m_repeater.takeDue(now))
+        records.emplace_back(event);
+    std::ranges::move(dueStreams(now), std::back_inserter(records));
     if (!records.empty() || now >= m_link.lastSent() + keepAlive())
         send(records, now);
+}
+
+std::vector<WireRecord> SyncClient::dueStreams(LocalTime now)
+{
+    std::vector<WireRecord> records;
+    if (m_outgoing.empty() || !m_tick.isDue(now))
+        return records;
+    std::vector<StreamSample> samples;
+    for (const auto& [object, sample] : std::exchange(m_outgoing, {}))
+        samples.push_back(sample);
+    for (StreamGroup& group : groupStreams(samples))
+        records.emplace_back(std::move(group));
+    m_tick.served(now);
+    return records;
 }
 
 void SyncClient::send(std::span<const WireRecord> records, LocalTime now)
@@ -219,7 +290,7 @@ void SyncClient::send(std::span<const WireRecord> records, LocalTime now)
     const auto header = [&] {
         BundleHeader next = m_link.nextHeader(now);
         next.sender = m_self;
-        next.answerNow = m_state == State::Connected && m_clock.isAcquiring();
+        next.answerNow = m_state == State::Connected && (m_clock.isAcquiring() || records.empty());
         return next;
     };
     std::ranges::move(packDatagrams(records, header), std::back_inserter(m_output.datagrams));
@@ -227,7 +298,7 @@ void SyncClient::send(std::span<const WireRecord> records, LocalTime now)
 
 Duration SyncClient::keepAlive() const
 {
-    return m_clock.isAcquiring() ? kAcquireInterval : kKeepAlive;
+    return m_clock.isAcquiring() ? kAcquireInterval : std::min(m_clock.idleInterval(), kKeepAlive);
 }
 
 } // namespace carina

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "engine/sync/clock_estimate.h"
 #include "engine/sync/fact_replication.h"
+#include "engine/sync/fitted_clock.h"
 #include "engine/sync/peer_link.h"
+#include "engine/sync/shared_actions.h"
 #include "engine/sync/stream_table.h"
 #include "engine/sync/stream_tick.h"
 
@@ -55,12 +56,15 @@ public:
     [[nodiscard]] Output take() { return std::exchange(m_output, {}); }
 
     void propose(ProposalRecord proposal, LocalTime now);
-    /// Tells of a shared object, as the facts do; samples of others are dropped.
-    void share(ObjectId object, ParticipantId owner) { m_table.share(object, owner); }
+    /// Tells of a shared object, as the facts do; samples of others than its owner are dropped.
+    void share(ObjectId object, const Ownership& ownership);
     /// Sends a sample of an object of its own with the next tick.
     void publish(StationId station, const StreamCpo& cpo);
     /// There is a new path to the host: greets it at once where it is not connected.
     void greetNow(LocalTime now);
+    /// Takes an action on an object of its own, now; also while the host is away.
+    /// @returns what SharedActions::begun does; NotPermitted before the clock is set.
+    [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, LocalTime now);
     /// Says goodbye; nothing is received or sent any more.
     void leave(LocalTime now);
 
@@ -73,7 +77,8 @@ public:
     {
         return m_proposals.waiting();
     }
-    [[nodiscard]] const ClockEstimate& clock() const { return m_clock; }
+    [[nodiscard]] const FittedClock& clock() const { return m_clock; }
+    [[nodiscard]] const SharedActions& actions() const { return m_actions; }
     [[nodiscard]] const PeerLink& link() const { return m_link; }
     /// Why the host does not let this participant in.
     [[nodiscard]] std::optional<Errc> helloRefused() const { return m_helloRefused; }
@@ -86,6 +91,9 @@ private:
     void reconnect(LocalTime now);
     void takeFact(const FactRecord& fact);
     void takeStreams(const StreamGroup& group, LocalTime now);
+    void takeEvent(const EventCpo& event, LocalTime now);
+    [[nodiscard]] std::vector<WireRecord> dueStreams(LocalTime now);
+    [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const;
     void addProbe(const RoundTrip& trip, LocalTime now);
     void sendHello(LocalTime now);
     void sendDue(LocalTime now);
@@ -107,10 +115,14 @@ private:
     FactReceiver m_facts;
     bool m_acknowledge = false;
     ProposalQueue m_proposals;
-    ClockEstimate m_clock;
+    FittedClock m_clock;
     StreamTable m_table;
     StreamTick m_tick;
     std::map<ObjectId, StreamSample> m_outgoing; // the newest of each
+    SharedActions m_actions;
+    EventRepeater m_repeater{true};  // of the objects of its own
+    std::vector<ObjectId> m_adopted; // have become its own; their repeating is to begin
+    std::vector<WireRecord> m_eventAcks;
     Output m_output;
 };
 

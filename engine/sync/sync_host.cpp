@@ -21,6 +21,7 @@ Duration roundTripOf(const PeerLink& link) { return link.longestRoundTrip().valu
 /// What each kind of record means to the host; those that only a client is sent mean nothing.
 struct SyncHost::Visitor {
     SyncHost& host;
+    PeerAddress from;
     Peer& peer;
     LocalTime now;
 
@@ -30,6 +31,12 @@ struct SyncHost::Visitor {
         peer.facts.acknowledge(ack.last, roundTripOf(peer.link), now);
     }
     void operator()(const StreamGroup& group) const { host.takeStreams(peer, group, now); }
+    void operator()(const EventCpo& event) const
+    {
+        if (host.m_rules.mayAct(peer.participant))
+            host.m_actions.take(from, event, host.sessionTime(now), now);
+    }
+    void operator()(const EventAck& ack) const { host.m_actions.acknowledge(from, ack); }
     template <class Other> void operator()(const Other&) const {}
 };
 
@@ -72,12 +79,13 @@ void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, Local
     peer.link.heard(header, now);
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
-        std::visit(Visitor{*this, peer, now}, record);
+        std::visit(Visitor{*this, from, peer, now}, record);
 }
 
 void SyncHost::advance(LocalTime now)
 {
     dropSilentPeers(now);
+    m_actions.advance(sessionTime(now), now);
     const bool tick = !m_outgoing.empty() && m_tick.isDue(now);
     for (auto& [address, peer] : m_peers)
         sendDue(address, peer, tick, now);
@@ -89,7 +97,8 @@ void SyncHost::advance(LocalTime now)
 
 LocalTime SyncHost::nextWake() const
 {
-    LocalTime wake = m_outgoing.empty() ? LocalTime::max() : m_tick.next();
+    LocalTime wake =
+        std::min(m_actions.nextDue(), m_outgoing.empty() ? LocalTime::max() : m_tick.next());
     for (const auto& [address, peer] : m_peers) {
         if (peer.welcome || peer.answer || !peer.outbox.empty())
             return LocalTime::min();
@@ -105,6 +114,12 @@ void SyncHost::append(const FactRecord& fact)
         return;
     CARINA_EXPECTS(fact.number.value == m_log.size() + 1);
     m_log.push_back(fact);
+}
+
+void SyncHost::share(ObjectId object, const Ownership& ownership)
+{
+    m_table.share(object, ownership.owner);
+    m_actions.share(object, ownership);
 }
 
 void SyncHost::publish(const StreamSample& sample, LocalTime now)
@@ -153,9 +168,7 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
     if (!admission)
         return answerStranger(from, header.connection, HelloRefused{admission.error().code}, now);
 
-    std::erase_if(m_peers, [&](const auto& entry) {
-        return entry.second.participant == admission->participant;
-    });
+    forgetParticipant(admission->participant);
     if (m_peers.contains(from))
         remove(from, now);
     append(admission->fact);
@@ -165,6 +178,7 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
               FactSender{continues ? hello.lastFact : FactNumber{}}};
     peer.link.heard(header, now);
     m_peers.emplace(from, std::move(peer));
+    m_actions.join(from, admission->participant, now);
 }
 
 Result<Admission> SyncHost::admit(PeerAddress from, const Hello& hello, LocalTime now)
@@ -188,7 +202,18 @@ void SyncHost::remove(PeerAddress address, LocalTime now)
 {
     const ParticipantId participant = m_peers.at(address).participant;
     m_peers.erase(address);
+    m_actions.leave(address);
     m_rules.left(participant, now);
+}
+
+void SyncHost::forgetParticipant(ParticipantId participant)
+{
+    for (auto entry = m_peers.begin(); entry != m_peers.end();) {
+        const bool isOne = entry->second.participant == participant;
+        if (isOne)
+            m_actions.leave(entry->first);
+        entry = isOne ? m_peers.erase(entry) : std::next(entry);
+    }
 }
 
 void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
@@ -230,6 +255,7 @@ void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)
     if (std::exchange(peer.welcome, false))
         records.emplace_back(Welcome{m_session, peer.participant, peer.epoch, logEnd()});
     std::ranges::move(std::exchange(peer.outbox, {}), std::back_inserter(records));
+    std::ranges::move(m_actions.takeDue(to, now), std::back_inserter(records));
     const FactRange due = peer.facts.takeDue(logEnd(), roundTripOf(peer.link), now);
     for (FactNumber number = due.first; number <= due.last; ++number.value)
         records.emplace_back(m_log[number.value - 1]);

@@ -2,19 +2,16 @@
 
 #include "engine/core/result.h"
 #include "engine/sync/fact_replication.h"
+#include "engine/sync/host_actions.h"
 #include "engine/sync/peer_link.h"
 #include "engine/sync/stream_table.h"
 #include "engine/sync/stream_tick.h"
 
 #include <functional>
-#include <map>
 #include <span>
 
 namespace carina
 {
-
-/// Where a datagram comes from or goes to; only the socket's owner knows what it stands for.
-using PeerAddress = std::uint64_t;
 
 /// What the session decides when somebody comes in.
 struct Admission {
@@ -34,6 +31,8 @@ struct HostRules {
     std::function<Result<FactRecord>(const ProposalRecord& proposal, LocalTime)> decide;
     /// A participant said goodbye or fell silent.
     std::function<void(ParticipantId, LocalTime)> left;
+    /// Whether a participant's role lets it act on objects, its own included.
+    std::function<bool(ParticipantId)> mayAct;
 };
 
 /// The session host's end, without socket, clock or thread: keeps every peer's copy of the log
@@ -80,7 +79,14 @@ public:
     /// A fact that the host itself decided and has on disk. One that is in the log already changes
     /// nothing. @pre it is at most the next.
     void append(const FactRecord& fact);
-    void share(ObjectId object, ParticipantId owner) { m_table.share(object, owner); }
+    /// Tells of a shared object, as the facts do.
+    void share(ObjectId object, const Ownership& ownership);
+    /// Takes an action on an object of the host's own, now.
+    /// @returns what SharedActions::begun does.
+    [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, LocalTime now)
+    {
+        return m_actions.act(object, action, sessionTime(now), now);
+    }
     /// Sends a sample of an object of the host's own with the next tick.
     void publish(const StreamSample& sample, LocalTime now);
     /// Nobody will be heard from this address any more.
@@ -93,6 +99,7 @@ public:
         return SessionTime{t.time_since_epoch() + m_clockOffset};
     }
     [[nodiscard]] const std::map<PeerAddress, Peer>& peers() const { return m_peers; }
+    [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const std::vector<FactRecord>& log() const { return m_log; }
     /// How long a datagram to the slowest peer takes at worst.
     [[nodiscard]] Duration slowestPath() const;
@@ -103,6 +110,7 @@ private:
     void hello(PeerAddress from, const BundleHeader& header, const Hello& hello, LocalTime now);
     [[nodiscard]] Result<Admission> admit(PeerAddress from, const Hello& hello, LocalTime now);
     void remove(PeerAddress address, LocalTime now);
+    void forgetParticipant(ParticipantId participant);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
     void takeStreams(const Peer& peer, const StreamGroup& group, LocalTime now);
     void dropSilentPeers(LocalTime now);
@@ -120,6 +128,7 @@ private:
     StreamTable m_table;
     StreamTick m_tick;
     std::map<ObjectId, StreamSample> m_outgoing; // the newest of each
+    HostActions m_actions;
     Output m_output;
 };
 

@@ -8,6 +8,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,11 +35,13 @@ struct SimulatedClock {
 
 /// The smallest session behind a host: its disk, and rules that number what comes.
 ///
-/// A proposal's body is a letter and text. 'J' joins by name; 'X' is refused; anything else goes
-/// in.
+/// A proposal's body is a letter and text. 'J' joins by name; 'X' is refused; "T<epoch> <owner>"
+/// gives the one object to another owner, if that epoch is its ownership's; anything else goes in.
 struct TestSession {
     std::vector<FactRecord> disk;
     std::vector<std::pair<ParticipantId, LocalTime>> departures;
+    std::set<ParticipantId> observers; ///< who may not act
+    Ownership ownership{kNobody, 1};   ///< of the one object
 
     [[nodiscard]] static std::vector<std::byte> body(const std::string& text)
     {
@@ -51,9 +55,25 @@ struct TestSession {
         const auto old = std::ranges::find(disk, proposal.id, &FactRecord::proposal);
         if (old != disk.end())
             return *old;
+        if (const auto next = handedOver(proposal.body)) {
+            if (next->epoch != ownership.epoch + 1)
+                return fail(Errc::OwnerChanged);
+            ownership = *next;
+        }
         disk.push_back({FactNumber{disk.size() + 1}, proposal.id, proposal.author, proposal.station,
                         SessionTime{}, SessionTime{}, proposal.body});
         return disk.back();
+    }
+    /// The ownership that a fact begins, if it is such a fact.
+    [[nodiscard]] static std::optional<Ownership> handedOver(const std::vector<std::byte>& body)
+    {
+        if (body.front() != std::byte{'T'})
+            return std::nullopt;
+        std::istringstream text{{reinterpret_cast<const char*>(body.data()) + 1, body.size() - 1}};
+        Ownership next;
+        text >> next.epoch >> next.owner.value;
+        ++next.epoch;
+        return next;
     }
     /// The first to come with a name has the number of that fact.
     [[nodiscard]] Result<ParticipantId> identify(const ProposalRecord& join) const
@@ -73,7 +93,8 @@ struct TestSession {
         return {[this](const ProposalRecord& join, LocalTime) { return identify(join); },
                 [this](const ProposalRecord& join, LocalTime) { return admit(join); },
                 [this](const ProposalRecord& proposal, LocalTime) { return decide(proposal); },
-                [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); }};
+                [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },
+                [this](ParticipantId who) { return !observers.contains(who); }};
     }
 };
 

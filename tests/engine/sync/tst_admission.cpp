@@ -130,12 +130,12 @@ private Q_SLOTS:
         QVERIFY(alone.session.disk.empty());
     }
 
-    void clockIsSetInATenthOfASecond()
+    void clockIsSetInAQuarterOfASecond()
     {
         SessionWorld world{31};
         world.addSite({5ms, 0ms, 0.0, 0.0});
         world.startClient(0, "anna");
-        world.run(120ms);
+        world.run(225ms);
         QVERIFY(world.site(0).client->clock().mapping());
     }
 };

@@ -242,9 +242,9 @@ private Q_SLOTS:
     void everyReasonThatTravelsArrives()
     {
         std::uint8_t number = 1;
-        for (const Errc reason :
-             {Errc::NotPermitted, Errc::SessionEnded, Errc::NameTaken, Errc::OutOfRange,
-              Errc::StoreFailed, Errc::PacketMalformed, Errc::VersionMismatch, Errc::NotFinite}) {
+        for (const Errc reason : {Errc::NotPermitted, Errc::SessionEnded, Errc::NameTaken,
+                                  Errc::OutOfRange, Errc::StoreFailed, Errc::PacketMalformed,
+                                  Errc::VersionMismatch, Errc::NotFinite, Errc::OwnerChanged}) {
             auto bytes = encodeHeader({});
             std::ranges::copy(encoded(HelloRefused{reason}), std::back_inserter(bytes));
             QCOMPARE(bytes.back(), std::byte{number++});

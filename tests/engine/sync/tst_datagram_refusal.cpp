@@ -112,8 +112,10 @@ private Q_SLOTS:
     void tellsAnotherVersionFromNonsense()
     {
         auto bytes = fromHex(kPlainHeaderHex);
-        bytes[2] = std::byte{2};
-        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "2"}));
+        bytes[2] = std::byte{1};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "1"}));
+        bytes[2] = std::byte{3};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "3"}));
         bytes[2] = std::byte{0};
         QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "0"}));
         // Magic and version stay where they are in every version; nothing else need.
@@ -186,7 +188,7 @@ private Q_SLOTS:
         row("proposal with the longest length", 3, 11, "ff ff", "body length");
         row("hello without a proposal", 6, 35, "00 00", "body length");
         row("reason zero", 5, 9, "00", "reason");
-        row("reason above the last", 5, 9, "09", "reason");
+        row("reason above the last", 5, 9, "0a", "reason");
         row("reason above all", 8, 1, "ff", "reason");
     }
 

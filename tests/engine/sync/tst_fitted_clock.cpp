@@ -231,6 +231,15 @@ private Q_SLOTS:
         QVERIFY(clock.isAcquiring());
     }
 
+    void extremeTimesDoNotOverflow()
+    {
+        const Duration far{std::int64_t{1} << 61};
+        FittedClock clock;
+        for (int i = 0; i < 10; ++i)
+            clock.addProbe({LocalTime{-far}, SessionTime{far}, SessionTime{far}, LocalTime{-far}});
+        QCOMPARE(clock.mapping()->at(LocalTime{-far}), SessionTime{far});
+    }
+
     void holdsOverWithAGrowingUncertainty()
     {
         const FittedClock clock = afterSteadyProbes(200, 100ms);

@@ -14,34 +14,6 @@ using namespace std::chrono_literals;
 constexpr ObjectId kTube{1};
 const SimulatedLink::Path kCalm{5ms, 0ms, 0.0, 0.0};
 
-/// Two sites, the first of which owns the tube.
-struct TubeWorld : SessionWorld {
-    explicit TubeWorld(const SimulatedLink::Path& path = kCalm, int skewPpm = 0) : SessionWorld{5}
-    {
-        for (const std::size_t i : {0U, 1U}) {
-            addSite(path, {250ms, skewPpm});
-            startClient(i, i == 0 ? "anna" : "ben");
-        }
-        run(2s);
-        shareTube();
-    }
-    void shareTube()
-    {
-        const ParticipantId owner = site(0).client->self();
-        host().share(kTube, owner);
-        for (const std::size_t i : {0U, 1U})
-            site(i).client->share(kTube, owner);
-    }
-    [[nodiscard]] StreamCpo sample(std::uint16_t sequence)
-    {
-        StreamCpo cpo;
-        cpo.object = kTube;
-        cpo.sequence = sequence;
-        cpo.time = site(0).client->clock().mapping()->at(site(0).clock.at(now()));
-        return cpo;
-    }
-};
-
 /// A datagram that a site's client might have sent.
 std::vector<std::byte> datagram(std::uint32_t connection, const WireRecord& record)
 {
@@ -56,6 +28,34 @@ std::vector<std::byte> datagram(std::uint32_t connection, const WireRecord& reco
 }
 
 } // namespace
+
+/// Two sites, the first of which owns the tube.
+struct TubeWorld : SessionWorld {
+    explicit TubeWorld(const SimulatedLink::Path& path = kCalm, int skewPpm = 0) : SessionWorld{5}
+    {
+        for (const std::size_t i : {0U, 1U}) {
+            addSite(path, {250ms, skewPpm});
+            startClient(i, i == 0 ? "anna" : "ben");
+        }
+        run(2s);
+        shareTube();
+    }
+    void shareTube()
+    {
+        const ParticipantId owner = site(0).client->self();
+        host().share(kTube, {owner, 1});
+        for (const std::size_t i : {0U, 1U})
+            site(i).client->share(kTube, {owner, 1});
+    }
+    [[nodiscard]] StreamCpo sample(std::uint16_t sequence)
+    {
+        StreamCpo cpo;
+        cpo.object = kTube;
+        cpo.sequence = sequence;
+        cpo.time = site(0).client->clock().mapping()->at(site(0).clock.at(now()));
+        return cpo;
+    }
+};
 
 class TestStreamSync : public QObject
 {
@@ -118,9 +118,9 @@ private Q_SLOTS:
     {
         TubeWorld world;
         constexpr ObjectId kJaw{2};
-        world.host().share(kJaw, ParticipantId{0});
+        world.host().share(kJaw, {ParticipantId{0}, 1});
         for (const std::size_t i : {0U, 1U})
-            world.site(i).client->share(kJaw, ParticipantId{0});
+            world.site(i).client->share(kJaw, {ParticipantId{0}, 1});
         StreamSample sample{ParticipantId{0}, 1, StationId{}, {}};
         sample.cpo.object = kJaw;
         sample.cpo.time = world.trueSessionTime();
@@ -133,8 +133,8 @@ private Q_SLOTS:
     void hostKeepsItsBeat()
     {
         TubeWorld world;
-        world.host().share(ObjectId{2}, ParticipantId{0});
-        world.site(1).client->share(ObjectId{2}, ParticipantId{0});
+        world.host().share(ObjectId{2}, {ParticipantId{0}, 1});
+        world.site(1).client->share(ObjectId{2}, {ParticipantId{0}, 1});
         const auto publish = [&](std::uint16_t sequence) {
             StreamSample sample{ParticipantId{0}, 1, StationId{}, world.sample(sequence)};
             sample.cpo.object = ObjectId{2};
@@ -198,7 +198,7 @@ private Q_SLOTS:
     {
         TubeWorld world;
         auto bytes = datagram(1, Goodbye{});
-        bytes[2] = std::byte{0};
+        bytes[2] = std::byte{1};
         world.host().receive(77, bytes, world.hostTime());
         auto output = world.host().take();
         QCOMPARE(output.datagrams.size(), std::size_t{1});
@@ -249,7 +249,7 @@ private Q_SLOTS:
         // Ten streams at 60 Hz from the host, with 57 bytes of UDP, IP and DTLS per datagram.
         TubeWorld world;
         for (std::uint16_t i = 10; i < 20; ++i)
-            world.host().share(ObjectId{i}, ParticipantId{0});
+            world.host().share(ObjectId{i}, {ParticipantId{0}, 1});
         world.run(2s);
         const auto& link = world.site(1).fromHost;
         const std::size_t bytes = link.sentBytes();

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/sync/shared_actions.h"
+
+#include <map>
+
+namespace carina
+{
+
+/// Where a datagram comes from or goes to; only the socket's owner knows what it stands for.
+using PeerAddress = std::uint64_t;
+
+/// The session host's part in actions on shared objects: takes those of their owners, its own
+/// included, passes each on to everybody else until it is acknowledged, and brings late joiners the
+/// newest of every object.
+class HostActions
+{
+public:
+    HostActions() { m_actions.setSelf(ParticipantId{0}); }
+
+    void join(PeerAddress address, ParticipantId participant, LocalTime now);
+    void leave(PeerAddress address) { m_peers.erase(address); }
+
+    /// As the facts say. With another owner the action in force goes on in that one's name
+    /// (SharedActions::handedOver).
+    void share(ObjectId object, const Ownership& ownership);
+    /// Takes an action on an object of the host's own. @returns what SharedActions::begun does.
+    [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, SessionTime session,
+                                   LocalTime now);
+    /// An action that came from a peer: acknowledged and passed on where it is the owner's, under
+    /// the present ownership; dropped otherwise.
+    void take(PeerAddress from, const EventCpo& event, SessionTime session, LocalTime now);
+    void acknowledge(PeerAddress from, const EventAck& ack);
+
+    /// Passes on what the host itself has to say; called before takeDue.
+    void advance(SessionTime session, LocalTime now);
+    /// Acknowledgements and actions to send to a peer now; they count as sent.
+    [[nodiscard]] std::vector<WireRecord> takeDue(PeerAddress to, LocalTime now);
+    [[nodiscard]] LocalTime nextDue() const;
+
+    [[nodiscard]] const SharedActions& shared() const { return m_actions; }
+
+private:
+    struct Peer {
+        ParticipantId participant;
+        EventRepeater events{false};
+        std::vector<WireRecord> acks{};
+    };
+
+    EventTable::Verdict spread(ParticipantId from, const EventCpo& event, SessionTime session,
+                               LocalTime now);
+
+    SharedActions m_actions;
+    EventRepeater m_own{true};
+    std::vector<EventCpo> m_handedOver; // to be passed on
+    std::map<PeerAddress, Peer> m_peers;
+};
+
+} // namespace carina

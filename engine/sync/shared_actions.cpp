@@ -1,0 +1,99 @@
+#include "engine/sync/shared_actions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+Result<void> checkAction(const ObjectAction& action)
+{
+    const bool isFinite = std::isfinite(action.rate) && action.axis_A.allFinite()
+                          && action.from.X_AO.translation().allFinite()
+                          && std::isfinite(action.from.scale);
+    if (!isFinite)
+        return fail(Errc::NotFinite, "an action");
+    if (std::abs(action.axis_A.norm() - 1.0) > SharedActions::kAxisTolerance)
+        return fail(Errc::OutOfRange, "the axis of an action");
+    if (std::abs(action.rate) > SharedActions::kFastestAction)
+        return fail(Errc::OutOfRange, "the rate of an action");
+    return {};
+}
+
+} // namespace
+
+void SharedActions::clear()
+{
+    SharedActions empty;
+    empty.m_revision = m_revision + 1;
+    *this = std::move(empty);
+}
+
+void SharedActions::forget(ObjectId object)
+{
+    ++m_revision;
+    m_table.forget(object);
+}
+
+bool SharedActions::share(ObjectId object, const Ownership& ownership)
+{
+    ++m_revision;
+    const auto [place, isNew] = m_owners.try_emplace(object, ownership);
+    return isNew || std::exchange(place->second, ownership) != ownership;
+}
+
+bool SharedActions::isOwners(ParticipantId who, const EventCpo& event) const
+{
+    const auto found = m_owners.find(event.object);
+    return found != m_owners.end() && found->second == Ownership{who, event.epoch};
+}
+
+bool SharedActions::isOwn(ObjectId object) const
+{
+    const auto found = m_owners.find(object);
+    return found != m_owners.end() && found->second.owner == m_self;
+}
+
+Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& action,
+                                      SessionTime t) const
+{
+    if (!isOwn(object))
+        return fail(Errc::NotPermitted, "object " + std::to_string(object.value));
+    if (const auto valid = checkAction(action); !valid)
+        return tl::unexpected(valid.error());
+    const EventCpo* last = m_table.newest(object);
+    ActedPose from = last ? evaluate(*last, t) : action.from;
+    from.scale = std::clamp(from.scale, kSmallestScale, kLargestScale);
+    EventCpo event;
+    event.object = object;
+    event.epoch = m_owners.at(object).epoch;
+    event.action = last && last->epoch == event.epoch ? last->action + 1 : 1;
+    event.kind = action.kind;
+    event.axis_A = action.axis_A.cast<float>();
+    event.rate = static_cast<float>(action.rate);
+    return begunFrom(from, t, event);
+}
+
+std::optional<EventCpo> SharedActions::handedOver(ObjectId object) const
+{
+    const EventCpo* last = m_table.newest(object);
+    if (!last)
+        return std::nullopt;
+    EventCpo event = *last;
+    event.epoch = m_owners.at(object).epoch;
+    event.action = 0;
+    return event;
+}
+
+std::optional<ShownObject> SharedActions::shown(ObjectId object, SessionTime t, LocalTime now) const
+{
+    const auto acted = m_table.at(object, t);
+    if (!acted)
+        return std::nullopt;
+    return ShownObject{*acted, !isOwn(object) && m_table.isStale(object, now)};
+}
+
+} // namespace carina

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/sync/event_table.h"
+
+namespace carina
+{
+
+/// Who may act on a shared object.
+struct Ownership {
+    ParticipantId owner;
+    std::uint16_t epoch = 0; ///< rises, wrapping, with each change of owner
+
+    friend bool operator==(const Ownership&, const Ownership&) = default;
+};
+
+/// What somebody does to a shared object from now on, until the next action; a rate of 0 stops it.
+struct ObjectAction {
+    ActionKind kind = ActionKind::Rotation;
+    Vec3 axis_A = Vec3::UnitX(); ///< of length 1 to kAxisTolerance
+    double rate = 0.0;           ///< rad/s, m/s or 1/s by kind, at most kFastestAction
+    ActedPose from{};            ///< where the object is, if nobody has acted on it yet
+};
+
+/// The shared objects that are acted on, as one node knows them: the owner of each, and the action
+/// in force. A value: copied to whoever draws.
+class SharedActions
+{
+public:
+    static constexpr double kAxisTolerance = 1e-6;
+    static constexpr double kFastestAction = 100.0;
+    /// A scaling that went on for long ends here where the next action begins.
+    static constexpr double kSmallestScale = 1e-3;
+    static constexpr double kLargestScale = 1e3;
+
+    void setSelf(ParticipantId self)
+    {
+        ++m_revision;
+        m_self = self;
+    }
+    void clear();
+
+    /// As the facts say. @returns whether it is another ownership than before.
+    bool share(ObjectId object, const Ownership& ownership);
+    /// Whether an action is one of the object's present owner.
+    [[nodiscard]] bool isOwners(ParticipantId who, const EventCpo& event) const;
+    [[nodiscard]] bool isOwn(ObjectId object) const;
+
+    /// The action as this node would take it at session time t: from where the object is then,
+    /// and counted on.
+    ///
+    /// @returns NotPermitted for an object that is not this node's; NotFinite; OutOfRange for an
+    ///          axis that is no direction and a rate beyond kFastestAction.
+    [[nodiscard]] Result<EventCpo> begun(ObjectId object, const ObjectAction& action,
+                                         SessionTime t) const;
+    /// What the first action under a new ownership continues: the one in force, in the owner's name
+    /// and with the counter 0. So whatever the last owner did that never arrived is void
+    /// everywhere. Nothing for an object that nobody has acted on.
+    [[nodiscard]] std::optional<EventCpo> handedOver(ObjectId object) const;
+
+    /// See EventTable::take.
+    EventTable::Verdict take(const EventCpo& event, std::optional<SessionTime> session,
+                             LocalTime now)
+    {
+        ++m_revision;
+        return m_table.take(event, session, now);
+    }
+    void forget(ObjectId object);
+    /// Another number whenever something may be shown otherwise.
+    [[nodiscard]] std::uint64_t revision() const { return m_revision; }
+    [[nodiscard]] const EventTable& table() const { return m_table; }
+
+    /// The object at session time t, drawn at local time now. Nothing before the first action on
+    /// it.
+    [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t,
+                                                   LocalTime now) const;
+
+private:
+    std::uint64_t m_revision = 0;
+    ParticipantId m_self = kNobody;
+    EventTable m_table;
+    std::unordered_map<ObjectId, Ownership> m_owners;
+};
+
+} // namespace carina

@@ -1,0 +1,82 @@
+#include "tests/engine/sync/session_world.h"
+
+#include <QTest>
+
+namespace carina
+{
+
+using namespace std::chrono_literals;
+
+class TestClientClock : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void lostHostIsFoundAgainWithTheSameClock()
+    {
+        SessionWorld world{23};
+        auto& site = world.site(world.addSite({5ms, 1ms, 0.0, 0.0}, {-250ms, 50}));
+        world.startClient(0, "anna");
+        world.run(30s);
+        world.crashHost();
+        world.run(10s);
+        world.startHost();
+        world.run(2s);
+        QVERIFY(!site.client->clock().isAcquiring());
+        const LocalTime local = site.clock.at(world.now());
+        QVERIFY(
+            std::chrono::abs(site.client->clock().mapping()->at(local) - world.trueSessionTime())
+            < 1ms);
+    }
+
+    void staysWithinHalfTheRoundTripUnderJitter_data()
+    {
+        QTest::addColumn<int>("delayUs");
+        QTest::addColumn<int>("jitterUs");
+        QTest::addColumn<double>("loss");
+        QTest::addColumn<int>("skewPpm");
+        QTest::newRow("lan") << 100 << 20 << 0.0 << 50;
+        QTest::newRow("wi-fi") << 2000 << 3000 << 0.005 << -50;
+        QTest::newRow("metro") << 8000 << 500 << 0.001 << 50;
+        QTest::newRow("wan") << 40000 << 2000 << 0.005 << -50;
+        QTest::newRow("storm") << 20000 << 30000 << 0.2 << 50;
+    }
+
+    void staysWithinHalfTheRoundTripUnderJitter()
+    {
+        QFETCH(int, delayUs);
+        QFETCH(int, jitterUs);
+        QFETCH(double, loss);
+        QFETCH(int, skewPpm);
+        SessionWorld world{21};
+        world.addSite(
+            {std::chrono::microseconds{delayUs}, std::chrono::microseconds{jitterUs}, loss, loss},
+            {-250ms, skewPpm});
+        world.startClient(0, "anna");
+        auto& site = world.site(0);
+        Duration worst{};
+        std::optional<SessionTime> last;
+        bool monotone = true;
+        world.run(300s, 10ms, [&] {
+            const auto& mapping = site.client->clock().mapping();
+            if (!mapping)
+                return;
+            const LocalTime local = site.clock.at(world.now());
+            const SessionTime now = mapping->at(local);
+            monotone = monotone && (!last || now > *last);
+            last = now;
+            const Duration error = std::chrono::abs(now - world.trueSessionTime());
+            if (world.now() > 60s)
+                worst = std::max(worst, error);
+        });
+        QVERIFY(monotone);
+        // Once settled: within half of the shortest round trip there is.
+        QVERIFY2(worst <= std::chrono::microseconds{delayUs},
+                 std::to_string(toSeconds(worst) * 1e3).c_str());
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestClientClock)
+#include "tst_client_clock.moc"

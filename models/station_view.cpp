@@ -20,22 +20,22 @@ ToolRole toolOf(ObjectKind kind)
     return ToolRole::Other;
 }
 
-/// The history of the object of this kind at the station that was seen last, or null: of several
+/// The object of this kind at the station that was seen last, or null: of several
 /// trainees who came and went, the one who is at work.
-std::shared_ptr<const PoseHistory> sharedHistory(const SessionNode& node, StationId station,
-                                                 ObjectKind kind)
+std::shared_ptr<const RemoteObject> sharedPoses(const SessionNode& node, StationId station,
+                                                ObjectKind kind)
 {
-    std::shared_ptr<const PoseHistory> latest;
+    std::shared_ptr<const RemoteObject> latest;
     SessionTime seen = SessionTime::min();
     const auto state = node.state();
     for (const auto& [id, object] : state->objects()) {
         if (object.station != station || object.kind != kind)
             continue;
-        const auto history = node.object(id);
-        const auto newest = history ? history->newest() : std::nullopt;
+        const auto poses = node.object(id);
+        const auto newest = poses ? poses->newest() : std::nullopt;
         if (newest && newest->time > seen) {
             seen = newest->time;
-            latest = history;
+            latest = poses;
         }
     }
     return latest;
@@ -56,12 +56,12 @@ ObjectPoses posesOf(const StationTracking& tracking)
 ObjectPoses posesOf(const SessionNode& node, StationId station)
 {
     return {.at = [&node, station](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {
-                const auto history = sharedHistory(node, station, kind);
-                return history ? history->at(t) : std::nullopt;
+                const auto poses = sharedPoses(node, station, kind);
+                return poses ? poses->at(t) : std::nullopt;
             },
             .newest = [&node, station](ObjectKind kind) -> std::optional<SessionTime> {
-                const auto history = sharedHistory(node, station, kind);
-                const auto sample = history ? history->newest() : std::nullopt;
+                const auto poses = sharedPoses(node, station, kind);
+                const auto sample = poses ? poses->newest() : std::nullopt;
                 return sample ? std::optional{sample->time} : std::nullopt;
             }};
 }

@@ -94,7 +94,7 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
         if (!apply(record, now))
             break;
     for (const StreamSample& sample : output.streams)
-        m_board.objects.take(sample.cpo);
+        m_board.objects.take(sample.cpo, m_core.clock().mapping()->at(now));
     for (const RefusedProposal& refused : output.refused)
         m_refusal = Error{refused.reason, {}};
     show(now);
@@ -120,6 +120,13 @@ NodeDriver::Datagrams ClientDriver::close(LocalTime now)
 {
     m_core.leave(now);
     return addressed(m_core.take().datagrams);
+}
+
+void ClientDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
+{
+    m_refusal.reset();
+    if (const auto done = m_core.act(object, action, now); !done)
+        m_refusal = done.error();
 }
 
 void ClientDriver::sendOwnStreams(LocalTime now)
@@ -149,18 +156,18 @@ bool ClientDriver::apply(const FactRecord& record, LocalTime now)
     }
     m_state.apply(*fact);
     m_shownState.reset();
-    if (const auto* shared = std::get_if<fact::ObjectShared>(&fact->body))
-        share(shared->object, shared->owner);
+    if (const auto object = objectOf(fact->body); object && m_state.objects().contains(*object))
+        share(m_state.objects().at(*object));
     return true;
 }
 
-void ClientDriver::share(ObjectId object, ParticipantId owner)
+void ClientDriver::share(const SharedObject& object)
 {
-    m_core.share(object, owner);
-    if (owner == m_core.self())
-        m_board.objects.remove(object);
+    m_core.share(object.id, {object.owner, object.epoch});
+    if (object.owner == m_core.self())
+        m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object);
+        m_board.objects.add(object.id);
 }
 
 NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>> datagrams) const
@@ -173,10 +180,12 @@ NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>
 
 NodeBoard::Link ClientDriver::link(LocalTime now) const
 {
-    const ClockEstimate& clock = m_core.clock();
+    const FittedClock& clock = m_core.clock();
     return {{kHostParticipant, linkState(m_core.state()),
              m_core.link().shortestRoundTrip().value_or(Duration{}),
-             clock.mapping() ? clock.uncertainty(now) : Duration{}, Duration{}},
+             clock.mapping() ? clock.bound() + std::chrono::abs(clock.mapping()->toGo(now))
+                             : Duration{},
+             Duration{}},
             m_core.link().lastHeard()};
 }
 
@@ -188,6 +197,7 @@ void ClientDriver::show(LocalTime now)
     view.self = m_core.self();
     view.clock = m_core.clock().mapping();
     view.state = m_shownState;
+    m_board.showActions(view, m_core.actions());
     for (const ProposalRecord& record : m_core.waiting())
         if (auto body = decodeBody(record.body))
             view.pending.push_back(*std::move(body));

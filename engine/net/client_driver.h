@@ -25,6 +25,7 @@ public:
     void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
     void propose(StationId station, FactBody body, LocalTime now) override;
     void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
     Datagrams close(LocalTime now) override;
@@ -34,7 +35,7 @@ private:
     void startAfresh();
     /// @returns false for a fact that nobody can follow; this node then leaves.
     [[nodiscard]] bool apply(const FactRecord& record, LocalTime now);
-    void share(ObjectId object, ParticipantId owner);
+    void share(const SharedObject& object);
     [[nodiscard]] Datagrams addressed(std::vector<std::vector<std::byte>> datagrams) const;
     [[nodiscard]] bool wantsToken() const;
     [[nodiscard]] NodeBoard::Link link(LocalTime now) const;

@@ -93,11 +93,14 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
             return fromRecord(record).and_then(
                 [&](const Proposal& proposal) { return decide(proposal, now); });
         },
-        [this](ParticipantId participant, LocalTime now) { left(participant, now); }};
+        [this](ParticipantId participant, LocalTime now) { left(participant, now); },
+        [this](ParticipantId participant) {
+            return m_authority.state().participants().at(participant).role != Role::Observer;
+        }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
     for (const auto& [id, object] : m_authority.state().objects())
-        share(id, object.owner);
+        share(object);
 }
 
 Result<void> HostDriver::begin(const HostSettings& settings, const std::string& sessionId,
@@ -144,19 +147,19 @@ Result<FactRecord> HostDriver::enter(const Fact& fact)
         return fail(Errc::StoreFailed, stored.error().detail);
     m_authority.commit(fact);
     m_core->append(record);
-    if (const auto* shared = std::get_if<fact::ObjectShared>(&fact.body))
-        share(shared->object, shared->owner);
+    if (const auto object = objectOf(fact.body))
+        share(m_authority.state().objects().at(*object));
     m_shownState.reset();
     return record;
 }
 
-void HostDriver::share(ObjectId object, ParticipantId owner)
+void HostDriver::share(const SharedObject& object)
 {
-    m_core->share(object, owner);
-    if (owner == kSelf)
-        m_board.objects.remove(object);
+    m_core->share(object.id, {object.owner, object.epoch});
+    if (object.owner == kSelf)
+        m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object);
+        m_board.objects.add(object.id);
 }
 
 void HostDriver::propose(StationId station, FactBody body, LocalTime now)
@@ -168,6 +171,13 @@ void HostDriver::propose(StationId station, FactBody body, LocalTime now)
 void HostDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
 {
     m_publications.add(station, kind, std::move(name), std::move(newest));
+}
+
+void HostDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
+{
+    m_refusal.reset();
+    if (const auto done = m_core->act(object, action, now); !done)
+        m_refusal = done.error();
 }
 
 void HostDriver::sendOwnStreams(LocalTime now)
@@ -185,7 +195,7 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     dropAbsent(now);
     SyncHost::Output output = m_core->take();
     for (const StreamSample& sample : output.streams)
-        m_board.objects.take(sample.cpo);
+        m_board.objects.take(sample.cpo, m_core->sessionTime(now));
     show(now);
     std::ranges::move(std::exchange(m_tokens, {}), std::back_inserter(output.datagrams));
     return std::move(output.datagrams);
@@ -213,6 +223,7 @@ void HostDriver::show(LocalTime now)
     view.clock =
         ClockMapping{now, m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch()};
     view.state = m_shownState;
+    m_board.showActions(view, m_core->actions());
     for (const auto& [address, peer] : m_core->peers()) {
         const Duration roundTrip = peer.link.shortestRoundTrip().value_or(Duration{});
         view.links.push_back(

@@ -26,6 +26,7 @@ public:
     void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
     void propose(StationId station, FactBody body, LocalTime now) override;
     void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
     Datagrams close(LocalTime now) override;
@@ -48,7 +49,7 @@ private:
     /// Those of the last run who did not come back.
     void dropAbsent(LocalTime now);
 
-    void share(ObjectId object, ParticipantId owner);
+    void share(const SharedObject& object);
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
 

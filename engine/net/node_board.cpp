@@ -16,6 +16,13 @@ bool sameLinks(const std::vector<NodeBoard::Link>& a, const std::vector<NodeBoar
 
 } // namespace
 
+void NodeBoard::showActions(View& view, const SharedActions& actions) const
+{
+    view.actions = this->actions();
+    if (view.actions->revision() != actions.revision())
+        view.actions = std::make_shared<SharedActions>(actions);
+}
+
 bool NodeBoard::show(View view)
 {
     const std::scoped_lock lock{m_mutex};

@@ -2,7 +2,8 @@
 
 #include "engine/net/remote_objects.h"
 #include "engine/net/session_node.h"
-#include "engine/sync/clock_estimate.h"
+#include "engine/sync/clock_mapping.h"
+#include "engine/sync/shared_actions.h"
 
 #include <mutex>
 
@@ -21,6 +22,7 @@ public:
         ParticipantId self = kNobody;
         std::optional<ClockMapping> clock;
         std::shared_ptr<const SessionState> state = std::make_shared<SessionState>();
+        std::shared_ptr<const SharedActions> actions = std::make_shared<SharedActions>();
         std::vector<FactBody> pending;
         std::vector<Link> links;
         std::optional<Error> refusal;
@@ -42,6 +44,13 @@ public:
         const std::scoped_lock lock{m_mutex};
         return m_view.state;
     }
+    [[nodiscard]] std::shared_ptr<const SharedActions> actions() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view.actions;
+    }
+    /// The node's actions in a view: what is shown already, where it is the same.
+    void showActions(View& view, const SharedActions& actions) const;
     /// @returns whether what onChange announces is another than before.
     bool show(View view);
 

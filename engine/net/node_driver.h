@@ -16,6 +16,7 @@ public:
     virtual void propose(StationId station, FactBody body, LocalTime now) = 0;
     virtual void publish(StationId station, ObjectKind kind, std::string name,
                          PoseSource newest) = 0;
+    virtual void act(ObjectId object, const ObjectAction& action, LocalTime now) = 0;
     /// Does what is due, after everything else and at nextWake(). @returns what is to be sent.
     [[nodiscard]] virtual Datagrams advance(LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const = 0;

@@ -1,17 +1,13 @@
 #include "engine/net/remote_objects.h"
 
-#include "engine/net/pose_stream.h"
-
 namespace carina
 {
 
 void RemoteObjects::add(ObjectId object)
 {
     const std::scoped_lock lock{m_mutex};
-    PoseHistory::Limits limits;
-    limits.horizon = kStaleAfter;
     if (!m_objects.contains(object))
-        m_objects.emplace(object, Object{std::make_shared<PoseHistory>(limits)});
+        m_objects.emplace(object, Object{std::make_shared<RemoteObject>()});
 }
 
 void RemoteObjects::remove(ObjectId object)
@@ -26,24 +22,21 @@ void RemoteObjects::clear()
     m_objects.clear();
 }
 
-void RemoteObjects::take(const StreamCpo& cpo)
+void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
 {
     const std::scoped_lock lock{m_mutex};
     const auto found = m_objects.find(cpo.object);
     if (found == m_objects.end())
         return;
-    Object& object = found->second;
-    const auto shown = object.history->at(cpo.time);
-    if (shown && shown->validity != Validity::Lost && cpo.validity != StreamValidity::Lost)
-        object.drift = driftBetween(cpo.X_AO, shown->X_FO);
-    object.history->push(fromStream(cpo));
+    if (const auto drift = found->second.poses->take(cpo, drawn))
+        found->second.drift = *drift;
 }
 
-std::shared_ptr<const PoseHistory> RemoteObjects::history(ObjectId object) const
+std::shared_ptr<const RemoteObject> RemoteObjects::find(ObjectId object) const
 {
     const std::scoped_lock lock{m_mutex};
     const auto found = m_objects.find(object);
-    return found == m_objects.end() ? nullptr : found->second.history;
+    return found == m_objects.end() ? nullptr : found->second.poses;
 }
 
 std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
@@ -51,7 +44,7 @@ std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
     const std::scoped_lock lock{m_mutex};
     std::vector<ObjectReport> reports;
     for (const auto& [id, object] : m_objects)
-        if (const auto newest = object.history->newest())
+        if (const auto newest = object.poses->newest())
             reports.push_back({id, now - newest->time, inDegrees(object.drift.rotation),
                                inMillimetres(object.drift.position)});
     return reports;

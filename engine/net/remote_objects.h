@@ -1,8 +1,6 @@
 #pragma once
 
 #include "engine/net/session_node.h"
-#include "engine/sync/drift.h"
-#include "engine/sync/stream_cpo.h"
 
 #include <map>
 #include <mutex>
@@ -14,24 +12,21 @@ namespace carina
 class RemoteObjects
 {
 public:
-    /// A pose without news for so long is stale.
-    static constexpr Duration kStaleAfter = std::chrono::milliseconds{300};
-
     /// An object of another participant; nothing changes for one that is known.
     void add(ObjectId object);
     /// It is this node's own now, or gone.
     void remove(ObjectId object);
     void clear();
 
-    /// Takes a sample in, and measures how far it lies from what was shown for its time.
-    void take(const StreamCpo& cpo);
+    /// Takes a sample in while session time `drawn` is drawn, and measures how far it moves that.
+    void take(const StreamCpo& cpo, SessionTime drawn);
 
-    [[nodiscard]] std::shared_ptr<const PoseHistory> history(ObjectId object) const;
+    [[nodiscard]] std::shared_ptr<const RemoteObject> find(ObjectId object) const;
     [[nodiscard]] std::vector<ObjectReport> reports(SessionTime now) const;
 
 private:
     struct Object {
-        std::shared_ptr<PoseHistory> history; // also held by the viewers that draw from it
+        std::shared_ptr<RemoteObject> poses; // also held by the viewers that draw from it
         Drift drift{};
     };
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/net/remote_object.h"
 #include "engine/net/secure/access_key.h"
 #include "engine/net/secure/join_code.h"
 #include "engine/session/fact_store.h"
 #include "engine/session/session_state.h"
-#include "engine/tracking/pose_history.h"
+#include "engine/sync/shared_actions.h"
 
 #include <filesystem>
 #include <functional>
@@ -31,7 +32,7 @@ struct LinkReport {
 struct ObjectReport {
     ObjectId object;
     Duration age{};        ///< of the newest sample of it, at the time of the report
-    double driftDeg = 0.0; ///< how far the last update moved what this node drew for its time
+    double driftDeg = 0.0; ///< how far the last update moved what this node drew then
     double driftMm = 0.0;
 };
 
@@ -109,7 +110,17 @@ public:
                          PoseSource newest) = 0;
     /// The poses X_A<object> of an object that another participant shares; nullptr for an unknown
     /// or own one. Shared because a viewer may ask while the node takes the object out.
-    [[nodiscard]] virtual std::shared_ptr<const PoseHistory> object(ObjectId id) const = 0;
+    [[nodiscard]] virtual std::shared_ptr<const RemoteObject> object(ObjectId id) const = 0;
+
+    /// Takes an action on an object that this node owns, from now on and until the next; 0 stops
+    /// it. Shown here and sent at once; goes on while the host is away. An object is shared by
+    /// proposing fact::ObjectShared or publish(), and changes its owner by fact::ObjectHandedOver.
+    /// What is refused (see SharedActions::begun) is in refusal().
+    virtual void act(ObjectId object, const ObjectAction& action) = 0;
+    /// The object at session time t as the action in force has it, this node's own included;
+    /// nothing before the first action on it.
+    [[nodiscard]] virtual std::optional<ShownObject> shown(ObjectId object,
+                                                           SessionTime t) const = 0;
 
     [[nodiscard]] virtual std::vector<LinkReport> links() const = 0;
     /// Why the host does not admit this node, else why it refused the last proposal it refused;

@@ -85,9 +85,25 @@ void ThreadedNode::publish(StationId station, ObjectKind kind, std::string name,
         Qt::QueuedConnection);
 }
 
-std::shared_ptr<const PoseHistory> ThreadedNode::object(ObjectId id) const
+std::shared_ptr<const RemoteObject> ThreadedNode::object(ObjectId id) const
 {
-    return m_board.objects.history(id);
+    return m_board.objects.find(id);
+}
+
+void ThreadedNode::act(ObjectId object, const ObjectAction& action)
+{
+    QMetaObject::invokeMethod(
+        m_loop.get(),
+        [this, object, action] {
+            m_loop->driver().act(object, action, monotonicNow());
+            m_loop->serve();
+        },
+        Qt::QueuedConnection);
+}
+
+std::optional<ShownObject> ThreadedNode::shown(ObjectId object, SessionTime t) const
+{
+    return m_board.actions()->shown(object, t, monotonicNow());
 }
 
 std::vector<LinkReport> ThreadedNode::links() const

@@ -36,7 +36,9 @@ public:
     void propose(StationId station, FactBody body) override;
     [[nodiscard]] std::vector<FactBody> pending() const override;
     void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
-    [[nodiscard]] std::shared_ptr<const PoseHistory> object(ObjectId id) const override;
+    [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId id) const override;
+    void act(ObjectId object, const ObjectAction& action) override;
+    [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t) const override;
     [[nodiscard]] std::vector<LinkReport> links() const override;
     [[nodiscard]] std::optional<Error> refusal() const override;
     [[nodiscard]] std::vector<ObjectReport> objectReports() const override;

@@ -96,9 +96,14 @@ public:
         return bodies;
     }
     void publish(StationId, ObjectKind, std::string, PoseSource) override {}
-    [[nodiscard]] std::shared_ptr<const PoseHistory> object(ObjectId) const override
+    [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId) const override
     {
         return nullptr;
+    }
+    void act(ObjectId, const ObjectAction&) override {}
+    [[nodiscard]] std::optional<ShownObject> shown(ObjectId, SessionTime) const override
+    {
+        return std::nullopt;
     }
     [[nodiscard]] std::vector<LinkReport> links() const override { return linkReports; }
     [[nodiscard]] std::optional<Error> refusal() const override { return m_refusal; }

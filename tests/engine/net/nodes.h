@@ -100,7 +100,7 @@ inline PoseSource stillTube(const SessionNode& node)
     };
 }
 
-inline std::shared_ptr<const PoseHistory> onlyObject(const SessionNode& node)
+inline std::shared_ptr<const RemoteObject> onlyObject(const SessionNode& node)
 {
     const auto state = node.state();
     return state->objects().empty() ? nullptr : node.object(state->objects().begin()->first);

@@ -37,7 +37,7 @@ struct Pair {
                     return Admission{ParticipantId{5}, log.back()};
                 },
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
-                [](ParticipantId, LocalTime) {}}},
+                [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; }}},
           client{{0, "Anna", role, StationId{}}, board, now}
     {
         client.connected(kHost, {}, now);

@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(instructor->links().size(), std::size_t{2});
         const LinkReport link = anna->links().at(0);
         QVERIFY(link.roundTrip > 0ms && link.roundTrip < 100ms);
-        QVERIFY(link.clockUncertainty >= link.roundTrip / 2);
+        QVERIFY(link.clockUncertainty > 0ms && link.clockUncertainty < 50ms);
         QVERIFY(link.sinceLastDatagram < 1s);
     }
 

@@ -84,13 +84,13 @@ private Q_SLOTS:
         QVERIFY(objects.reports(kStart).empty()); // nothing came yet
         StreamCpo cpo = cpoAt(0ms, Vec3::Zero());
         cpo.motion = StreamMotion{Vec3{0.1, 0.0, 0.0}, Vec3::Zero()};
-        objects.take(cpo);
+        objects.take(cpo, cpo.time);
         QCOMPARE(objects.reports(kStart)[0].driftMm, 0.0);
         // 20 ms at 100 mm/s carry it 2 mm; it is found at 5 mm, turned by 0.1 rad.
         cpo = cpoAt(20ms, Vec3{0.005, 0.0, 0.0});
         cpo.X_AO =
             RigidTransform{Quat{std::cos(0.05), 0.0, 0.0, std::sin(0.05)}, cpo.X_AO.translation()};
-        objects.take(cpo);
+        objects.take(cpo, cpo.time);
         const ObjectReport report = objects.reports(kStart + 50ms).at(0);
         QCOMPARE(report.object, ObjectId{1});
         QVERIFY(std::abs(report.driftMm - 3.0) < 1e-9);
@@ -102,10 +102,11 @@ private Q_SLOTS:
     {
         RemoteObjects objects;
         objects.add(ObjectId{1});
-        objects.take(cpoAt(0ms, Vec3::Zero()));
-        objects.take(cpoAt(20ms, Vec3{0.05, 0.0, 0.0}, StreamValidity::Lost));
+        objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
+        objects.take(cpoAt(20ms, Vec3{0.05, 0.0, 0.0}, StreamValidity::Lost), kStart + 20ms);
         QCOMPARE(objects.reports(kStart)[0].driftMm, 0.0);
-        objects.take(cpoAt(40ms, Vec3{0.09, 0.0, 0.0})); // nothing was shown to drift from
+        objects.take(cpoAt(40ms, Vec3{0.09, 0.0, 0.0}),
+                     kStart + 40ms); // nothing was shown to drift from
         QCOMPARE(objects.reports(kStart)[0].driftMm, 0.0);
     }
 
@@ -113,26 +114,27 @@ private Q_SLOTS:
     {
         RemoteObjects objects;
         objects.add(ObjectId{1});
-        objects.take(cpoAt(0ms, Vec3::Zero()));
-        const auto history = objects.history(ObjectId{1});
-        QCOMPARE(history->at(kStart + 300ms)->validity, Validity::Tracked);
-        QCOMPARE(history->at(kStart + 301ms)->validity, Validity::Lost);
+        objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
+        const auto poses = objects.find(ObjectId{1});
+        QCOMPARE(poses->at(kStart + 300ms)->validity, Validity::Tracked);
+        QCOMPARE(poses->at(kStart + 301ms)->validity, Validity::Lost);
     }
 
     void addingAgainKeepsWhatCame()
     {
         RemoteObjects objects;
         objects.add(ObjectId{1});
-        objects.take(cpoAt(0ms, Vec3::Zero()));
+        objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
         objects.add(ObjectId{1});
-        QVERIFY(objects.history(ObjectId{1})->newest());
+        QVERIFY(objects.find(ObjectId{1})->newest());
         objects.remove(ObjectId{1});
-        QVERIFY(!objects.history(ObjectId{1}));
-        objects.take(cpoAt(10ms, Vec3::Zero())); // of an object that is not there: nothing
+        QVERIFY(!objects.find(ObjectId{1}));
+        objects.take(cpoAt(10ms, Vec3::Zero()),
+                     kStart + 10ms); // of an object that is not there: nothing
         objects.add(ObjectId{1});
-        QVERIFY(!objects.history(ObjectId{1})->newest());
+        QVERIFY(!objects.find(ObjectId{1})->newest());
         objects.clear();
-        QVERIFY(!objects.history(ObjectId{1}));
+        QVERIFY(!objects.find(ObjectId{1}));
     }
 
     void unknownObjectsAreToldOfOnce()

@@ -1,14 +1,12 @@
 #include "engine/io/sql_fact_store.h"
 
+#include "engine/io/sql_database.h"
+#include "engine/sync/cpo_codec.h"
+
 #include <QFile>
-#include <QFileInfo>
-#include <QSqlDatabase>
 #include <QSqlError>
-#include <QSqlQuery>
-#include <QVariant>
 
 #include <atomic>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <span>
@@ -19,121 +17,6 @@ namespace carina
 
 namespace
 {
-
-constexpr int kStoreApplicationId = 0x4352'4e41; // "CRNA", read by file(1) and by us
-constexpr int kStoreVersion = 1;
-
-Error storeError(const QString& path, const QSqlError& error)
-{
-    static const QString kCorrupt = QStringLiteral("11");
-    static const QString kNotADatabase = QStringLiteral("26");
-    const QString code = error.nativeErrorCode();
-    const bool corrupt = code == kCorrupt || code == kNotADatabase;
-    return {corrupt ? Errc::StoreCorrupt : Errc::StoreFailed,
-            (path + QStringLiteral(": ") + error.databaseText()).toStdString()};
-}
-
-Result<QSqlQuery> execute(const QSqlDatabase& database, const QString& sql,
-                          std::initializer_list<QVariant> values = {})
-{
-    QSqlQuery query{database};
-    query.setForwardOnly(true);
-    const bool prepared = query.prepare(sql);
-    for (const QVariant& value : values)
-        query.addBindValue(value);
-    if (!prepared || !query.exec())
-        return tl::unexpected(storeError(database.databaseName(), query.lastError()));
-    return query;
-}
-
-Result<void> executeAll(const QSqlDatabase& database, std::initializer_list<QString> statements)
-{
-    for (const QString& sql : statements)
-        if (const auto done = execute(database, sql); !done)
-            return tl::unexpected(done.error());
-    return {};
-}
-
-/// The first value of the first row.
-Result<QVariant> readOne(const QSqlDatabase& database, const QString& sql)
-{
-    Result<QSqlQuery> query = execute(database, sql);
-    if (!query)
-        return tl::unexpected(query.error());
-    if (!query->next())
-        return tl::unexpected(storeError(database.databaseName(), query->lastError()));
-    return query->value(0);
-}
-
-Result<void> createSchema(QSqlDatabase& database)
-{
-    return executeAll(
-        database,
-        {QStringLiteral("BEGIN IMMEDIATE"),
-         QStringLiteral("CREATE TABLE fact (number INTEGER PRIMARY KEY, proposal INTEGER NOT NULL,"
-                        " author INTEGER NOT NULL, station INTEGER NOT NULL,"
-                        " committed_ns INTEGER NOT NULL, effect_ns INTEGER NOT NULL,"
-                        " body BLOB NOT NULL) STRICT"),
-         QStringLiteral("CREATE TABLE clock_anchor (only INTEGER PRIMARY KEY CHECK (only = 0),"
-                        " boot_id TEXT NOT NULL, offset_ns INTEGER NOT NULL) STRICT"),
-         QStringLiteral("PRAGMA application_id = %1").arg(kStoreApplicationId),
-         QStringLiteral("PRAGMA user_version = %1").arg(kStoreVersion), QStringLiteral("COMMIT")});
-}
-
-/// Whether the last page of the file is cut off; SQLite would read the rest of it as zeros.
-Result<bool> isCutOff(const QSqlDatabase& database)
-{
-    const auto pageSize = readOne(database, QStringLiteral("PRAGMA page_size"));
-    if (!pageSize)
-        return tl::unexpected(pageSize.error());
-    return QFileInfo{database.databaseName()}.size() % pageSize->toLongLong() != 0;
-}
-
-/// That the database is ours and whole. A file that a crash left with changes beside it, in its
-/// -wal, may end in half a page, which they mend.
-Result<void> checkSchema(const QSqlDatabase& database, bool hasChangesBeside)
-{
-    const std::string path = database.databaseName().toStdString();
-    const auto application = readOne(database, QStringLiteral("PRAGMA application_id"));
-    const auto version = readOne(database, QStringLiteral("PRAGMA user_version"));
-    const auto check = readOne(database, QStringLiteral("PRAGMA quick_check(1)"));
-    for (const auto* answer : {&application, &version, &check})
-        if (!*answer)
-            return tl::unexpected(answer->error());
-    if (application->toInt() != kStoreApplicationId)
-        return fail(Errc::UnknownFormat, path);
-    if (version->toInt() != kStoreVersion)
-        return fail(Errc::UnknownFormat, path + ": version " + std::to_string(version->toInt()));
-    if (check->toString() != QStringLiteral("ok"))
-        return fail(Errc::StoreCorrupt, path + ": " + check->toString().toStdString());
-    const Result<bool> cutOff = isCutOff(database);
-    if (!cutOff)
-        return tl::unexpected(cutOff.error());
-    if (*cutOff && !hasChangesBeside)
-        return fail(Errc::StoreCorrupt, path + ": cut off");
-    return {};
-}
-
-Result<void> prepare(QSqlDatabase& database)
-{
-    const bool hasChangesBeside = QFile::exists(database.databaseName() + QStringLiteral("-wal"));
-    database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=1000"));
-    if (!database.open())
-        return tl::unexpected(storeError(database.databaseName(), database.lastError()));
-    const auto lock = execute(database, QStringLiteral("PRAGMA locking_mode = EXCLUSIVE"));
-    if (!lock)
-        return tl::unexpected(lock.error());
-    const auto tables = readOne(database, QStringLiteral("SELECT count(*) FROM sqlite_master"));
-    if (!tables)
-        return tl::unexpected(tables.error());
-    const bool isNew = tables->toInt() == 0;
-    if (!isNew)
-        if (const Result<void> checked = checkSchema(database, hasChangesBeside); !checked)
-            return checked;
-    return executeAll(database, {QStringLiteral("PRAGMA journal_mode = WAL"),
-                                 QStringLiteral("PRAGMA synchronous = FULL")})
-        .and_then([&] { return isNew ? createSchema(database) : Result<void>{}; });
-}
 
 template <class Number> bool fits(qint64 value)
 {
@@ -178,7 +61,7 @@ public:
         m_name = QStringLiteral("carina fact store %1").arg(++count);
         QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
         database.setDatabaseName(m_path);
-        if (const Result<void> ready = prepare(database); !ready) {
+        if (const Result<void> ready = prepareStore(database); !ready) {
             database = {};
             close();
             return tl::unexpected(ready.error());
@@ -193,7 +76,7 @@ public:
         if (!database)
             return tl::unexpected(database.error());
         // A body that is too long is cut short before it is read, and then refused.
-        Result<QSqlQuery> rows = execute(
+        Result<QSqlQuery> rows = executeSql(
             *database, QStringLiteral("SELECT number, proposal, author, station, committed_ns,"
                                       " effect_ns, substr(body, 1, %1) FROM fact ORDER BY number")
                            .arg(kLargestFactBody + 1));
@@ -221,12 +104,12 @@ public:
         QByteArray body{""}; // empty is not NULL
         body.append(reinterpret_cast<const char*>(fact.body.data()), qsizetype(fact.body.size()));
         const Result<QSqlQuery> stored =
-            execute(*database,
-                    QStringLiteral("INSERT INTO fact SELECT ?, ?, ?, ?, ?, ?, ?"
-                                   " WHERE ? = (SELECT ifnull(max(number), 0) + 1 FROM fact)"),
-                    {number, qint64(fact.proposal.value), fact.author.value, fact.station.value,
-                     qint64(fact.committed.time_since_epoch().count()),
-                     qint64(fact.effect.time_since_epoch().count()), body, number});
+            executeSql(*database,
+                       QStringLiteral("INSERT INTO fact SELECT ?, ?, ?, ?, ?, ?, ?"
+                                      " WHERE ? = (SELECT ifnull(max(number), 0) + 1 FROM fact)"),
+                       {number, qint64(fact.proposal.value), fact.author.value, fact.station.value,
+                        qint64(fact.committed.time_since_epoch().count()),
+                        qint64(fact.effect.time_since_epoch().count()), body, number});
         if (!stored)
             return tl::unexpected(stored.error());
         if (stored->numRowsAffected() != 1)
@@ -241,7 +124,7 @@ public:
         if (!database)
             return tl::unexpected(database.error());
         Result<QSqlQuery> row =
-            execute(*database, QStringLiteral("SELECT boot_id, offset_ns FROM clock_anchor"));
+            executeSql(*database, QStringLiteral("SELECT boot_id, offset_ns FROM clock_anchor"));
         if (!row)
             return tl::unexpected(row.error());
         if (row->next())
@@ -257,9 +140,49 @@ public:
         const Result<QSqlDatabase> database = connection();
         if (!database)
             return tl::unexpected(database.error());
-        const Result<QSqlQuery> stored = execute(
+        const Result<QSqlQuery> stored = executeSql(
             *database, QStringLiteral("INSERT OR REPLACE INTO clock_anchor VALUES (0, ?, ?)"),
             {QString::fromStdString(anchor.bootId), qint64(anchor.offset.count())});
+        if (!stored)
+            return tl::unexpected(stored.error());
+        return {};
+    }
+
+    Result<std::vector<EventCpo>> actions() override
+    {
+        const Result<QSqlDatabase> database = connection();
+        if (!database)
+            return tl::unexpected(database.error());
+        Result<QSqlQuery> rows = executeSql(
+            *database,
+            QStringLiteral("SELECT substr(cpo, 1, %1) FROM action").arg(kEventCpoBytes + 1));
+        if (!rows)
+            return tl::unexpected(rows.error());
+        std::vector<EventCpo> actions;
+        while (rows->next()) {
+            const QByteArray cpo = rows->value(0).toByteArray();
+            ByteReader in{std::as_bytes(std::span{cpo.constData(), std::size_t(cpo.size())})};
+            actions.push_back(readEventCpo(in));
+            if (!in.ok() || in.remaining() != 0)
+                return fail(Errc::StoreCorrupt, m_path.toStdString() + ": an action");
+        }
+        if (rows->lastError().isValid())
+            return tl::unexpected(storeError(m_path, rows->lastError()));
+        return actions;
+    }
+
+    Result<void> keepAction(const EventCpo& event) override
+    {
+        const Result<QSqlDatabase> database = connection();
+        if (!database)
+            return tl::unexpected(database.error());
+        std::vector<std::byte> bytes;
+        ByteWriter out{bytes};
+        writeEventCpo(out, event);
+        const QByteArray cpo{reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())};
+        const Result<QSqlQuery> stored =
+            executeSql(*database, QStringLiteral("INSERT OR REPLACE INTO action VALUES (?, ?)"),
+                       {event.object.value, cpo});
         if (!stored)
             return tl::unexpected(stored.error());
         return {};

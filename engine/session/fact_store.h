@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/sync/event_cpo.h"
 #include "engine/sync/fact_record.h"
 
 #include <optional>
@@ -29,6 +30,12 @@ public:
 
     [[nodiscard]] virtual Result<std::optional<ClockAnchor>> clockAnchor() = 0;
     [[nodiscard]] virtual Result<void> setClockAnchor(const ClockAnchor& anchor) = 0;
+
+    /// The actions in force that were kept, in any order.
+    /// @returns StoreCorrupt for one that is none.
+    [[nodiscard]] virtual Result<std::vector<EventCpo>> actions() = 0;
+    /// In place of the last on the same object. On return it survives kill -9 and power loss.
+    [[nodiscard]] virtual Result<void> keepAction(const EventCpo& event) = 0;
 };
 
 } // namespace carina

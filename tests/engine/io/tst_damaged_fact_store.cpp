@@ -17,6 +17,8 @@ private Q_SLOTS:
     void refusesANewerVersion();
     void refusesATamperedLog_data();
     void refusesATamperedLog();
+    void opensAStoreFromBeforeThereWereActions();
+    void refusesAnActionThatIsNone();
     void namesAPlaceItCannotWriteTo();
 
 private:
@@ -129,6 +131,24 @@ void TestDamagedFactStore::refusesATamperedLog()
         return;
     QCOMPARE(facts.error().code, Errc::StoreCorrupt);
     QVERIFY(facts.error().detail.ends_with(fact.toStdString()));
+}
+
+void TestDamagedFactStore::opensAStoreFromBeforeThereWereActions()
+{
+    const std::filesystem::path path = m_files.next();
+    fill(path, 2);
+    runSql(path, QStringLiteral("DROP TABLE action"));
+    const auto store = opened(path);
+    QVERIFY(store->actions()->empty());
+    QCOMPARE(store->load()->size(), std::size_t{2});
+}
+
+void TestDamagedFactStore::refusesAnActionThatIsNone()
+{
+    const std::filesystem::path path = m_files.next();
+    fill(path, 1);
+    runSql(path, QStringLiteral("INSERT INTO action VALUES (1, zeroblob(93))"));
+    QCOMPARE(opened(path)->actions().error().code, Errc::StoreCorrupt);
 }
 
 void TestDamagedFactStore::namesAPlaceItCannotWriteTo()

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void takesOnlyTheNextNumber_data();
     void takesOnlyTheNextNumber();
     void keepsTheLastClockAnchor();
+    void keepsTheLastActionOnEachObject();
     void servesAnyThread();
     void letsOneProgramIn();
     void losesNothingItReportedWhenKilled();
@@ -111,6 +112,40 @@ void TestSqlFactStore::keepsTheLastClockAnchor()
     QVERIFY(anchor && *anchor);
     QCOMPARE((*anchor)->bootId, std::string{"second boot"});
     QVERIFY((*anchor)->offset == Duration{-1'234'567'890'123'456'789});
+}
+
+void TestSqlFactStore::keepsTheLastActionOnEachObject()
+{
+    const std::filesystem::path path = m_files.next();
+    EventCpo first;
+    first.object = ObjectId{7};
+    first.epoch = 3;
+    first.action = 41;
+    first.kind = ActionKind::Scaling;
+    first.start = SessionTime{Duration{1'234'567'890'123'456'789}};
+    first.p_AO = Vec3{1.0 / 3.0, -2.0, 0.1};
+    first.rate = -0.1F;
+    EventCpo next = first;
+    next.action = 42;
+    EventCpo other = first;
+    other.object = ObjectId{65535};
+    {
+        const auto store = opened(path);
+        QVERIFY(store->actions()->empty());
+        for (const EventCpo& event : {first, other, next})
+            QVERIFY(store->keepAction(event));
+    }
+    const auto actions = opened(path)->actions();
+    QVERIFY(actions);
+    QCOMPARE(actions->size(), std::size_t{2});
+    const EventCpo& kept = actions->at(0).object == first.object ? actions->at(0) : actions->at(1);
+    QCOMPARE(kept.object, next.object);
+    QCOMPARE(kept.epoch, next.epoch);
+    QCOMPARE(kept.action, next.action);
+    QCOMPARE(kept.kind, next.kind);
+    QCOMPARE(kept.start, next.start);
+    QVERIFY(kept.p_AO == next.p_AO);
+    QCOMPARE(kept.rate, next.rate);
 }
 
 void TestSqlFactStore::servesAnyThread()

@@ -53,9 +53,6 @@ public:
     static constexpr Duration kHoldoverAfter = std::chrono::seconds{3};
     /// How the uncertainty grows then.
     static constexpr double kHoldoverGrowth = 1e-6;
-    /// The rule by which an idle node probes.
-    static constexpr ProbeTrigger::Rule kIdleRule{.sigmaFloor = std::chrono::microseconds{100},
-                                                  .history = 20};
 
     /// A probe that claims a negative round trip is ignored.
     void addProbe(const ClockProbe& probe);
@@ -98,7 +95,7 @@ private:
     void adopt(LocalTime now);
 
     std::deque<Probe> m_window; // the newest last
-    ProbeTrigger m_trigger{kIdleRule};
+    ProbeTrigger m_trigger{kIdleProbes};
     int m_outsideInARow = 0;
     Fit m_fit;
     Duration m_bound{};

@@ -25,8 +25,8 @@ void HostActions::share(ObjectId object, const Ownership& ownership)
     if (!m_actions.share(object, ownership))
         return;
     m_own.forget(object);
-    if (const auto event = m_actions.handedOver(object))
-        m_handedOver.push_back(*event);
+    if (const EventCpo* last = m_actions.table().newest(object))
+        restore(*last);
 }
 
 Result<void> HostActions::act(ObjectId object, const ObjectAction& action, SessionTime session,
@@ -53,10 +53,26 @@ void HostActions::acknowledge(PeerAddress from, const EventAck& ack)
         peer->second.events.acknowledge(ack);
 }
 
+void HostActions::restore(const EventCpo& event)
+{
+    if (const auto continued = m_actions.continued(event))
+        m_handedOver.push_back(*continued);
+}
+
+std::vector<EventCpo> HostActions::takeChanged()
+{
+    std::vector<EventCpo> events;
+    for (const ObjectId object : std::exchange(m_changed, {}))
+        events.push_back(*m_actions.table().newest(object));
+    return events;
+}
+
 EventTable::Verdict HostActions::spread(ParticipantId from, const EventCpo& event,
                                         SessionTime session, LocalTime now)
 {
     const auto verdict = m_actions.take(event, session, now);
+    if (verdict == EventTable::Verdict::New)
+        m_changed.insert(event.object);
     for (auto& [address, peer] : m_peers) {
         if (peer.participant == from)
             continue;

@@ -3,6 +3,7 @@
 #include "engine/sync/shared_actions.h"
 
 #include <map>
+#include <set>
 
 namespace carina
 {
@@ -22,7 +23,7 @@ public:
     void leave(PeerAddress address) { m_peers.erase(address); }
 
     /// As the facts say. With another owner the action in force goes on in that one's name
-    /// (SharedActions::handedOver).
+    /// (SharedActions::continued).
     void share(ObjectId object, const Ownership& ownership);
     /// Takes an action on an object of the host's own. @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, SessionTime session,
@@ -31,6 +32,12 @@ public:
     /// the present ownership; dropped otherwise.
     void take(PeerAddress from, const EventCpo& event, SessionTime session, LocalTime now);
     void acknowledge(PeerAddress from, const EventAck& ack);
+    /// An action that was in force before the host was started: goes on, in the name of whoever
+    /// owns the object by now. Nothing for an object that is not shared.
+    void restore(const EventCpo& event);
+    /// The newest action of every object on which it is another than at the last call: what a host
+    /// that is started again is to be told by restore().
+    [[nodiscard]] std::vector<EventCpo> takeChanged();
 
     /// Passes on what the host itself has to say; called before takeDue.
     void advance(SessionTime session, LocalTime now);
@@ -53,6 +60,7 @@ private:
     SharedActions m_actions;
     EventRepeater m_own{true};
     std::vector<EventCpo> m_handedOver; // to be passed on
+    std::set<ObjectId> m_changed;
     std::map<PeerAddress, Peer> m_peers;
 };
 

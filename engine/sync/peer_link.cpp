@@ -30,6 +30,7 @@ BundleHeader PeerLink::nextHeader(LocalTime now)
 std::optional<RoundTrip> PeerLink::heard(const BundleHeader& header, LocalTime now)
 {
     m_lastHeard = now;
+    m_loss.add(header.sequence);
     if (m_newest && !isAfter(header.sequence, m_newest->sequence))
         return std::nullopt;
     m_newest = Arrival{header.sequence, header.sentAt, now};
@@ -39,6 +40,7 @@ std::optional<RoundTrip> PeerLink::heard(const BundleHeader& header, LocalTime n
     const Duration length = now - sent - header.echo->hold;
     if (length < Duration{} || length > kLongestRoundTrip)
         return std::nullopt;
+    m_delays.addDelay(length / 2);
     m_roundTrips.push_back(length);
     if (m_roundTrips.size() > kRoundTripsKept)
         m_roundTrips.pop_front();

@@ -2,6 +2,8 @@
 
 #include "engine/core/session_time.h"
 #include "engine/sync/datagram.h"
+#include "engine/sync/loss_meter.h"
+#include "engine/sync/probe_trigger.h"
 
 #include <deque>
 #include <optional>
@@ -46,6 +48,10 @@ public:
     /// Of the recent ones; nothing before the first.
     [[nodiscard]] std::optional<Duration> shortestRoundTrip() const;
     [[nodiscard]] std::optional<Duration> longestRoundTrip() const;
+    /// The delays of the path, each half a round trip, and how often they would have it probed.
+    [[nodiscard]] const ProbeTrigger& delays() const { return m_delays; }
+    /// Of what the peer sent.
+    [[nodiscard]] double loss() const { return m_loss.share(); }
 
 private:
     struct Arrival {
@@ -61,6 +67,8 @@ private:
     std::uint32_t m_sequence = 0;
     std::optional<Arrival> m_newest;
     std::deque<Duration> m_roundTrips; // the last kRoundTripsKept
+    ProbeTrigger m_delays{kIdleProbes};
+    LossMeter m_loss;
 };
 
 } // namespace carina

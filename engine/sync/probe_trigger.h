@@ -43,4 +43,8 @@ private:
     DelayHistory m_history;
 };
 
+/// The rule by which an idle node probes its path to the session host.
+inline constexpr ProbeTrigger::Rule kIdleProbes{.sigmaFloor = std::chrono::microseconds{100},
+                                                .history = 20};
+
 } // namespace carina

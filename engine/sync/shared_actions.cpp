@@ -36,6 +36,7 @@ void SharedActions::forget(ObjectId object)
 {
     ++m_revision;
     m_table.forget(object);
+    m_meters.erase(object);
 }
 
 bool SharedActions::share(ObjectId object, const Ownership& ownership)
@@ -77,15 +78,26 @@ Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& actio
     return begunFrom(from, t, event);
 }
 
-std::optional<EventCpo> SharedActions::handedOver(ObjectId object) const
+std::optional<EventCpo> SharedActions::continued(EventCpo event) const
 {
-    const EventCpo* last = m_table.newest(object);
-    if (!last)
+    const auto found = m_owners.find(event.object);
+    if (found == m_owners.end())
         return std::nullopt;
-    EventCpo event = *last;
-    event.epoch = m_owners.at(object).epoch;
-    event.action = 0;
+    if (std::exchange(event.epoch, found->second.epoch) != found->second.epoch)
+        event.action = 0;
     return event;
+}
+
+EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<SessionTime> session,
+                                        LocalTime now)
+{
+    ++m_revision;
+    const EventCpo* last = m_table.newest(event.object);
+    const std::optional<EventCpo> before = last ? std::optional{*last} : std::nullopt;
+    const auto verdict = m_table.take(event, session, now);
+    if (verdict == EventTable::Verdict::New && before && session)
+        m_meters[event.object].arrived(event, *before, *session);
+    return verdict;
 }
 
 std::optional<ShownObject> SharedActions::shown(ObjectId object, SessionTime t, LocalTime now) const

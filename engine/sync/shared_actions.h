@@ -1,7 +1,10 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/sync/action_meter.h"
 #include "engine/sync/event_table.h"
+
+#include <map>
 
 namespace carina
 {
@@ -38,6 +41,7 @@ public:
         ++m_revision;
         m_self = self;
     }
+    [[nodiscard]] ParticipantId self() const { return m_self; }
     void clear();
 
     /// As the facts say. @returns whether it is another ownership than before.
@@ -53,18 +57,14 @@ public:
     ///          axis that is no direction and a rate beyond kFastestAction.
     [[nodiscard]] Result<EventCpo> begun(ObjectId object, const ObjectAction& action,
                                          SessionTime t) const;
-    /// What the first action under a new ownership continues: the one in force, in the owner's name
-    /// and with the counter 0. So whatever the last owner did that never arrived is void
-    /// everywhere. Nothing for an object that nobody has acted on.
-    [[nodiscard]] std::optional<EventCpo> handedOver(ObjectId object) const;
+    /// An action as it goes on under the present ownership: as it is where it was taken under that,
+    /// else in the new owner's name and with the counter 0. So whatever the last owner did that
+    /// never arrived is void everywhere. Nothing for an object that is not shared.
+    [[nodiscard]] std::optional<EventCpo> continued(EventCpo event) const;
 
     /// See EventTable::take.
     EventTable::Verdict take(const EventCpo& event, std::optional<SessionTime> session,
-                             LocalTime now)
-    {
-        ++m_revision;
-        return m_table.take(event, session, now);
-    }
+                             LocalTime now);
     void forget(ObjectId object);
     /// Another number whenever something may be shown otherwise.
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
@@ -74,11 +74,14 @@ public:
     /// it.
     [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t,
                                                    LocalTime now) const;
+    /// Of every object of which more than one action came.
+    [[nodiscard]] const std::map<ObjectId, ActionMeter>& meters() const { return m_meters; }
 
 private:
     std::uint64_t m_revision = 0;
     ParticipantId m_self = kNobody;
     EventTable m_table;
+    std::map<ObjectId, ActionMeter> m_meters;
     std::unordered_map<ObjectId, Ownership> m_owners;
 };
 

@@ -54,9 +54,9 @@ struct SyncClient::Visitor {
     void operator()(const EventCpo& event) const
     {
         if (client.m_state == State::Connected)
-            client.takeEvent(event, now);
+            client.m_actions.take(event, client.sessionTime(now), now);
     }
-    void operator()(const EventAck& ack) const { client.m_repeater.acknowledge(ack); }
+    void operator()(const EventAck& ack) const { client.m_actions.acknowledge(ack); }
     template <class Other> void operator()(const Other&) const {}
 };
 
@@ -97,10 +97,8 @@ LocalTime SyncClient::nextWake() const
     if (m_state != State::Connected)
         return m_nextHello;
     return std::min({m_link.lastHeard() + kPeerTimeout, m_link.lastSent() + keepAlive(),
-                     m_acknowledge || !m_eventAcks.empty() || !m_adopted.empty() ? LocalTime::min()
-                                                                                 : LocalTime::max(),
-                     m_proposals.nextDue(), m_repeater.nextDue(),
-                     m_outgoing.empty() ? LocalTime::max() : m_tick.next()});
+                     m_acknowledge ? LocalTime::min() : LocalTime::max(), m_proposals.nextDue(),
+                     m_actions.nextDue(), m_outgoing.empty() ? LocalTime::max() : m_tick.next()});
 }
 
 void SyncClient::propose(ProposalRecord proposal, LocalTime now)
@@ -111,16 +109,7 @@ void SyncClient::propose(ProposalRecord proposal, LocalTime now)
 void SyncClient::share(ObjectId object, const Ownership& ownership)
 {
     m_table.share(object, ownership.owner);
-    if (!m_actions.share(object, ownership))
-        return;
-    if (m_actions.isOwn(object)) {
-        m_adopted.push_back(object);
-        return;
-    }
-    // What the host never had is void: it continued what it had, or there is nothing.
-    if (m_repeater.awaits(object))
-        m_actions.forget(object);
-    m_repeater.forget(object);
+    m_actions.share(object, ownership);
 }
 
 Result<void> SyncClient::act(ObjectId object, const ObjectAction& action, LocalTime now)
@@ -128,10 +117,7 @@ Result<void> SyncClient::act(ObjectId object, const ObjectAction& action, LocalT
     const auto session = sessionTime(now);
     if (!session)
         return fail(Errc::NotPermitted, "the session's clock is not set yet");
-    return m_actions.begun(object, action, *session).map([&](const EventCpo& event) {
-        m_actions.take(event, session, now);
-        m_repeater.begin(event, now);
-    });
+    return m_actions.act(object, action, *session, now);
 }
 
 void SyncClient::publish(StationId station, const StreamCpo& cpo)
@@ -183,9 +169,7 @@ void SyncClient::startAfresh()
     m_proposals.clear();
     m_table.clear();
     m_clock = {};
-    m_actions.clear();
-    m_repeater = EventRepeater{true};
-    m_adopted.clear();
+    m_actions.startAfresh();
     m_output.facts.clear();
     m_output.streams.clear();
     m_output.startedAfresh = true;
@@ -197,7 +181,7 @@ void SyncClient::reconnect(LocalTime now)
     m_link = PeerLink{m_link.connection() + 1, Duration{}, now};
     m_nextHello = now;
     m_outgoing.clear();
-    m_eventAcks.clear();
+    m_actions.disconnected();
     m_acknowledge = false;
 }
 
@@ -220,18 +204,6 @@ void SyncClient::takeStreams(const StreamGroup& group, LocalTime now)
         if (group.owner != m_self && m_table.accept(sample, *session))
             m_output.streams.push_back(sample);
     }
-}
-
-void SyncClient::takeEvent(const EventCpo& event, LocalTime now)
-{
-    const auto verdict = m_actions.take(event, sessionTime(now), now);
-    if (verdict == EventTable::Verdict::Refused)
-        return;
-    m_eventAcks.emplace_back(EventAck{event.object, event.epoch, event.action});
-    // An action of its own that it does not know, from before it was started, or from the last
-    // owner: it is this node's to keep alive.
-    if (verdict == EventTable::Verdict::New && m_actions.isOwn(event.object))
-        m_repeater.begin(event, now);
 }
 
 std::optional<SessionTime> SyncClient::sessionTime(LocalTime t) const
@@ -259,13 +231,7 @@ void SyncClient::sendDue(LocalTime now)
         records.emplace_back(std::move(proposal));
     if (std::exchange(m_acknowledge, false))
         records.emplace_back(FactAck{m_facts.last()});
-    std::ranges::move(std::exchange(m_eventAcks, {}), std::back_inserter(records));
-    for (const ObjectId object : std::exchange(m_adopted, {}))
-        if (const EventCpo* event = m_actions.table().newest(object);
-            event && m_actions.isOwners(m_self, *event))
-            m_repeater.begin(*event, now);
-    for (const EventCpo& event : m_repeater.takeDue(now))
-        records.emplace_back(event);
+    std::ranges::move(m_actions.takeDue(now), std::back_inserter(records));
     std::ranges::move(dueStreams(now), std::back_inserter(records));
     if (!records.empty() || now >= m_link.lastSent() + keepAlive())
         send(records, now);

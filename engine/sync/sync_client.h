@@ -1,9 +1,9 @@
 #pragma once
 
+#include "engine/sync/client_actions.h"
 #include "engine/sync/fact_replication.h"
 #include "engine/sync/fitted_clock.h"
 #include "engine/sync/peer_link.h"
-#include "engine/sync/shared_actions.h"
 #include "engine/sync/stream_table.h"
 #include "engine/sync/stream_tick.h"
 
@@ -78,7 +78,7 @@ public:
         return m_proposals.waiting();
     }
     [[nodiscard]] const FittedClock& clock() const { return m_clock; }
-    [[nodiscard]] const SharedActions& actions() const { return m_actions; }
+    [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const PeerLink& link() const { return m_link; }
     /// Why the host does not let this participant in.
     [[nodiscard]] std::optional<Errc> helloRefused() const { return m_helloRefused; }
@@ -91,7 +91,6 @@ private:
     void reconnect(LocalTime now);
     void takeFact(const FactRecord& fact);
     void takeStreams(const StreamGroup& group, LocalTime now);
-    void takeEvent(const EventCpo& event, LocalTime now);
     [[nodiscard]] std::vector<WireRecord> dueStreams(LocalTime now);
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const;
     void addProbe(const RoundTrip& trip, LocalTime now);
@@ -119,10 +118,7 @@ private:
     StreamTable m_table;
     StreamTick m_tick;
     std::map<ObjectId, StreamSample> m_outgoing; // the newest of each
-    SharedActions m_actions;
-    EventRepeater m_repeater{true};  // of the objects of its own
-    std::vector<ObjectId> m_adopted; // have become its own; their repeating is to begin
-    std::vector<WireRecord> m_eventAcks;
+    ClientActions m_actions;
     Output m_output;
 };
 

@@ -87,6 +87,9 @@ public:
     {
         return m_actions.act(object, action, sessionTime(now), now);
     }
+    /// See HostActions.
+    void restore(const EventCpo& event) { m_actions.restore(event); }
+    [[nodiscard]] std::vector<EventCpo> takeChanged() { return m_actions.takeChanged(); }
     /// Sends a sample of an object of the host's own with the next tick.
     void publish(const StreamSample& sample, LocalTime now);
     /// Nobody will be heard from this address any more.

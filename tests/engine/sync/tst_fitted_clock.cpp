@@ -253,9 +253,9 @@ private Q_SLOTS:
 
     void idleNodesProbeBetweenOnceAndTwentyTimesASecond()
     {
-        QCOMPARE(FittedClock::kIdleRule.lowest, 1.0);
-        QCOMPARE(FittedClock::kIdleRule.highest, 20.0);
-        QCOMPARE(FittedClock::kIdleRule.sigmaFloor, Duration{100us});
+        QCOMPARE(kIdleProbes.lowest, 1.0);
+        QCOMPARE(kIdleProbes.highest, 20.0);
+        QCOMPARE(kIdleProbes.sigmaFloor, Duration{100us});
         const FittedClock clock = afterSteadyProbes(100, 1s);
         QCOMPARE(clock.idleInterval(), Duration{1s});
     }

@@ -1,0 +1,48 @@
+#include "engine/sync/action_meter.h"
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+Drift driftAfter(const EventCpo& event, const EventCpo& before, Duration delay)
+{
+    const SessionTime t = event.start + delay;
+    return driftBetween(evaluate(event, t).X_AO, evaluate(before, t).X_AO);
+}
+
+} // namespace
+
+void ActionMeter::arrived(const EventCpo& event, const EventCpo& before, SessionTime now)
+{
+    const Duration delay = std::max(now - event.start, Duration{});
+    std::erase_if(m_arrivals, [&](const Arrival& past) { return now - past.at > kWindow; });
+    if (m_arrivals.size() == kMostKept)
+        m_arrivals.erase(m_arrivals.begin());
+    m_arrivals.push_back({now, event.epoch, delay});
+    Duration shortest = delay;
+    for (const Arrival& past : m_arrivals)
+        if (past.epoch == event.epoch)
+            shortest = std::min(shortest, past.delay);
+    m_drift = driftAfter(event, before, delay);
+    m_limit = driftAfter(event, before, shortest);
+}
+
+ActionFigures ActionMeter::figures(SessionTime now) const
+{
+    ActionFigures figures{m_drift, m_limit};
+    if (m_arrivals.empty())
+        return figures;
+    figures.delay = m_arrivals.back().delay;
+    const auto count = std::ranges::count_if(
+        m_arrivals, [&](const Arrival& past) { return now - past.at <= kWindow; });
+    // Where not all are kept, those that are tell how quickly they came.
+    const bool isFull = count == static_cast<std::ptrdiff_t>(kMostKept);
+    const Duration span = isFull ? std::max(now - m_arrivals.front().at, Duration{1}) : kWindow;
+    figures.perSecond = static_cast<double>(count) / toSeconds(span);
+    return figures;
+}
+
+} // namespace carina

@@ -178,15 +178,14 @@ NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>
     return result;
 }
 
-NodeBoard::Link ClientDriver::link(LocalTime now) const
+std::optional<ClockReport> ClientDriver::clockReport(LocalTime now) const
 {
     const FittedClock& clock = m_core.clock();
-    return {{kHostParticipant, linkState(m_core.state()),
-             m_core.link().shortestRoundTrip().value_or(Duration{}),
-             clock.mapping() ? clock.bound() + std::chrono::abs(clock.mapping()->toGo(now))
-                             : Duration{},
-             Duration{}},
-            m_core.link().lastHeard()};
+    if (!clock.mapping())
+        return std::nullopt;
+    return ClockReport{clock.mapping()->at(now).time_since_epoch() - now.time_since_epoch(),
+                       clock.skew(), fromSeconds(clock.uncertainty(now)), clock.bound(),
+                       clock.stateAt(now) == FittedClock::State::Holdover};
 }
 
 void ClientDriver::show(LocalTime now)
@@ -201,7 +200,8 @@ void ClientDriver::show(LocalTime now)
     for (const ProposalRecord& record : m_core.waiting())
         if (auto body = decodeBody(record.body))
             view.pending.push_back(*std::move(body));
-    view.links.push_back(link(now));
+    view.clockReport = clockReport(now);
+    view.links.push_back(linkReport(kHostParticipant, linkState(m_core.state()), m_core.link()));
     view.refusal = m_refusal;
     if (const auto refused = m_core.helloRefused())
         view.refusal = Error{*refused, {}};

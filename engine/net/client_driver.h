@@ -38,7 +38,7 @@ private:
     void share(const SharedObject& object);
     [[nodiscard]] Datagrams addressed(std::vector<std::vector<std::byte>> datagrams) const;
     [[nodiscard]] bool wantsToken() const;
-    [[nodiscard]] NodeBoard::Link link(LocalTime now) const;
+    [[nodiscard]] std::optional<ClockReport> clockReport(LocalTime now) const;
     void show(LocalTime now);
 
     ClientCredentials m_credentials;

@@ -7,6 +7,7 @@
 #include <QRandomGenerator>
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -15,6 +16,8 @@ namespace
 
 constexpr ParticipantId kSelf{0};
 constexpr StationId kFirstStation{0};
+/// Whoever acts quickly does not keep the host at its disk.
+constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
 constexpr const char* kFirstStationName = "Station 1";
 
 std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
@@ -64,6 +67,8 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
     driver->m_access = *std::move(access);
     board.setJoinCodes(driver->m_access->codes());
     driver->startCore(sessionId, *std::move(records), offset);
+    if (const auto resumed = driver->resumeActions(now); !resumed)
+        return tl::unexpected(resumed.error());
     const auto ready =
         (isNew ? driver->begin(settings, sessionId, now) : Result<void>{}).and_then([&] {
             return driver->joinItself(settings.participantName, now);
@@ -101,6 +106,17 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
                                         std::move(rules));
     for (const auto& [id, object] : m_authority.state().objects())
         share(object);
+}
+
+Result<void> HostDriver::resumeActions(LocalTime now)
+{
+    return m_store->actions().map([&](const std::vector<EventCpo>& actions) {
+        for (EventCpo event : actions) {
+            // After a reboot the session goes on from its last fact, which may be before this.
+            event.start = std::min(event.start, m_core->sessionTime(now));
+            m_core->restore(event);
+        }
+    });
 }
 
 Result<void> HostDriver::begin(const HostSettings& settings, const std::string& sessionId,
@@ -188,11 +204,24 @@ void HostDriver::sendOwnStreams(LocalTime now)
         m_core->publish({kSelf, m_epoch, station, cpo}, now);
 }
 
+void HostDriver::keepActions(LocalTime now)
+{
+    if (m_unkept.empty() || now < m_nextKeep)
+        return;
+    for (const auto& [object, event] : std::exchange(m_unkept, {}))
+        if (const auto kept = m_store->keepAction(event); !kept)
+            m_refusal = kept.error();
+    m_nextKeep = now + kKeepInterval;
+}
+
 NodeDriver::Datagrams HostDriver::advance(LocalTime now)
 {
+    keepActions(now); // those of the last turn, which are on their way by now
     sendOwnStreams(now);
     m_core->advance(now);
     dropAbsent(now);
+    for (const EventCpo& event : m_core->takeChanged())
+        m_unkept.insert_or_assign(event.object, event);
     SyncHost::Output output = m_core->take();
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core->sessionTime(now));
@@ -205,11 +234,14 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokens.empty())
         return LocalTime::min();
-    return std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd});
+    return std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
+                     m_unkept.empty() ? LocalTime::max() : m_nextKeep});
 }
 
 NodeDriver::Datagrams HostDriver::close(LocalTime now)
 {
+    m_nextKeep = now;
+    keepActions(now);
     m_core->close(now);
     return std::move(m_core->take().datagrams);
 }
@@ -220,16 +252,13 @@ void HostDriver::show(LocalTime now)
         m_shownState = std::make_shared<SessionState>(m_authority.state());
     NodeBoard::View view;
     view.self = kSelf;
-    view.clock =
-        ClockMapping{now, m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch()};
+    const Duration offset = m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch();
+    view.clock = ClockMapping{now, offset};
+    view.clockReport = ClockReport{offset};
     view.state = m_shownState;
     m_board.showActions(view, m_core->actions());
-    for (const auto& [address, peer] : m_core->peers()) {
-        const Duration roundTrip = peer.link.shortestRoundTrip().value_or(Duration{});
-        view.links.push_back(
-            {{peer.participant, LinkState::Connected, roundTrip, roundTrip / 2, Duration{}},
-             peer.link.lastHeard()});
-    }
+    for (const auto& [address, peer] : m_core->peers())
+        view.links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
     view.refusal = m_refusal ? m_refusal : m_access->fault();
     if (m_board.show(std::move(view)))
         m_board.announce();

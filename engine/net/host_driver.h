@@ -49,6 +49,8 @@ private:
     /// Those of the last run who did not come back.
     void dropAbsent(LocalTime now);
 
+    [[nodiscard]] Result<void> resumeActions(LocalTime now);
+    void keepActions(LocalTime now);
     void share(const SharedObject& object);
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
@@ -62,6 +64,8 @@ private:
     Datagrams m_tokens;        // to be sent
     Publications m_publications;
     std::uint16_t m_epoch = 0;
+    std::map<ObjectId, EventCpo> m_unkept; // not on disk yet
+    LocalTime m_nextKeep{};
     LocalTime m_returnsEnd; // until then those of the last run may come back
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;

@@ -23,6 +23,24 @@ void NodeBoard::showActions(View& view, const SharedActions& actions) const
         view.actions = std::make_shared<SharedActions>(actions);
 }
 
+std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
+{
+    std::vector<ObjectReport> reports = objects.reports(now);
+    for (const auto& [id, meter] : actions()->meters()) {
+        const ActionFigures figures = meter.figures(now);
+        auto report = std::ranges::find(reports, id, &ObjectReport::object);
+        if (report == reports.end())
+            report = reports.insert(reports.end(), ObjectReport{id});
+        report->driftDeg = inDegrees(figures.drift.rotation);
+        report->driftMm = inMillimetres(figures.drift.position);
+        report->limitDeg = inDegrees(figures.limit.rotation);
+        report->limitMm = inMillimetres(figures.limit.position);
+        report->delay = figures.delay;
+        report->actionsPerSecond = figures.perSecond;
+    }
+    return reports;
+}
+
 bool NodeBoard::show(View view)
 {
     const std::scoped_lock lock{m_mutex};
@@ -38,6 +56,24 @@ void NodeBoard::onChange(std::function<void()> callback)
 {
     const std::scoped_lock lock{m_mutex};
     m_callback = std::move(callback);
+}
+
+NodeBoard::Link linkReport(ParticipantId peer, LinkState state, const PeerLink& link)
+{
+    LinkReport report;
+    report.peer = peer;
+    report.state = state;
+    report.roundTrip = link.shortestRoundTrip().value_or(Duration{});
+    report.clockUncertainty = report.roundTrip / 2;
+    const DelayHistory& delays = link.delays().history();
+    if (delays.size() > 0) {
+        report.delay = delays.newest();
+        report.delayMean = delays.mean();
+        report.delaySigma = delays.sigma();
+    }
+    report.probesPerSecond = link.delays().rate();
+    report.loss = link.loss();
+    return {report, link.lastHeard()};
 }
 
 void NodeBoard::announce() const

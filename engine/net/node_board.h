@@ -3,6 +3,7 @@
 #include "engine/net/remote_objects.h"
 #include "engine/net/session_node.h"
 #include "engine/sync/clock_mapping.h"
+#include "engine/sync/peer_link.h"
 #include "engine/sync/shared_actions.h"
 
 #include <mutex>
@@ -21,6 +22,7 @@ public:
     struct View {
         ParticipantId self = kNobody;
         std::optional<ClockMapping> clock;
+        std::optional<ClockReport> clockReport;
         std::shared_ptr<const SessionState> state = std::make_shared<SessionState>();
         std::shared_ptr<const SharedActions> actions = std::make_shared<SharedActions>();
         std::vector<FactBody> pending;
@@ -49,6 +51,8 @@ public:
         const std::scoped_lock lock{m_mutex};
         return m_view.actions;
     }
+    /// Of all objects of which anything came, at session time now.
+    [[nodiscard]] std::vector<ObjectReport> objectReports(SessionTime now) const;
     /// The node's actions in a view: what is shown already, where it is the same.
     void showActions(View& view, const SharedActions& actions) const;
     /// @returns whether what onChange announces is another than before.
@@ -76,5 +80,8 @@ private:
     JoinCodes m_joinCodes;
     std::function<void()> m_callback;
 };
+
+/// The link to a peer as it was measured.
+[[nodiscard]] NodeBoard::Link linkReport(ParticipantId peer, LinkState state, const PeerLink& link);
 
 } // namespace carina

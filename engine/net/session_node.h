@@ -26,6 +26,21 @@ struct LinkReport {
     Duration roundTrip{};        ///< smallest of the recent ones
     Duration clockUncertainty{}; ///< half of it: the bound of the offset's error
     Duration sinceLastDatagram{};
+    /// Of the path, each half a round trip: h_0, and h_mean and sigma of the last 100.
+    Duration delay{};
+    Duration delayMean{};
+    Duration delaySigma{};
+    double probesPerSecond = 0.0; ///< gamma_0 that these delays ask for
+    double loss = 0.0;            ///< share of the peer's last 256 datagrams that never came
+};
+
+/// The session clock as this node knows it.
+struct ClockReport {
+    Duration offset{};        ///< session time less this program's clock
+    double skew = 0.0;        ///< session seconds per second of this program's clock, less 1
+    Duration standardError{}; ///< of the offset
+    Duration bound{};         ///< half the shortest round trip: no path makes the error larger
+    bool isHoldover = false;  ///< heard nothing for so long that it goes on by itself
 };
 
 /// A shared object as this node sees it.
@@ -34,6 +49,11 @@ struct ObjectReport {
     Duration age{};        ///< of the newest sample of it, at the time of the report
     double driftDeg = 0.0; ///< how far the last update moved what this node drew then
     double driftMm = 0.0;
+    // Of an object that is acted on (see ActionMeter):
+    double limitDeg = 0.0; ///< what the last update had to move it, for the delay of the path
+    double limitMm = 0.0;
+    Duration delay{};              ///< of the last action
+    double actionsPerSecond = 0.0; ///< of all participants
 };
 
 struct HostSettings {
@@ -93,6 +113,8 @@ public:
     [[nodiscard]] virtual std::optional<SessionTime> now() const = 0;
     /// Session time of a local time by the same estimate.
     [[nodiscard]] virtual std::optional<SessionTime> sessionTime(LocalTime t) const = 0;
+    /// How well it is known; nothing until the clock is first set.
+    [[nodiscard]] virtual std::optional<ClockReport> clock() const = 0;
     /// Everything that follows from the facts so far; shared because readers on several threads
     /// keep the snapshot while newer ones replace it.
     [[nodiscard]] virtual std::shared_ptr<const SessionState> state() const = 0;

@@ -59,6 +59,8 @@ std::optional<SessionTime> ThreadedNode::sessionTime(LocalTime t) const
     return clock ? std::optional{clock->at(t)} : std::nullopt;
 }
 
+std::optional<ClockReport> ThreadedNode::clock() const { return m_board.view().clockReport; }
+
 std::shared_ptr<const SessionState> ThreadedNode::state() const { return m_board.state(); }
 
 void ThreadedNode::propose(StationId station, FactBody body)
@@ -122,7 +124,7 @@ std::optional<Error> ThreadedNode::refusal() const { return m_board.view().refus
 std::vector<ObjectReport> ThreadedNode::objectReports() const
 {
     const auto time = now();
-    return time ? m_board.objects.reports(*time) : std::vector<ObjectReport>{};
+    return time ? m_board.objectReports(*time) : std::vector<ObjectReport>{};
 }
 
 void ThreadedNode::onChange(std::function<void()> callback)

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] ParticipantId self() const override;
     [[nodiscard]] std::optional<SessionTime> now() const override;
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override;
+    [[nodiscard]] std::optional<ClockReport> clock() const override;
     [[nodiscard]] std::shared_ptr<const SessionState> state() const override;
     void propose(StationId station, FactBody body) override;
     [[nodiscard]] std::vector<FactBody> pending() const override;

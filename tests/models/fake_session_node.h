@@ -74,6 +74,10 @@ public:
     {
         return m_hasClock ? std::optional{SessionTime{t.time_since_epoch()}} : std::nullopt;
     }
+    [[nodiscard]] std::optional<ClockReport> clock() const override
+    {
+        return m_hasClock ? std::optional{ClockReport{}} : std::nullopt;
+    }
     [[nodiscard]] std::shared_ptr<const SessionState> state() const override
     {
         return std::make_shared<SessionState>(m_authority.state());

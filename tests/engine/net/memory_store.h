@@ -13,6 +13,7 @@ namespace carina
 struct MemoryDisk {
     std::vector<FactRecord> facts;
     std::optional<ClockAnchor> anchor;
+    std::vector<EventCpo> actions;
     bool full = false;    ///< nothing can be written
     QTemporaryDir folder; ///< for what lies beside the store
 };
@@ -35,6 +36,17 @@ public:
     Result<void> setClockAnchor(const ClockAnchor& anchor) override
     {
         m_disk.anchor = anchor;
+        return {};
+    }
+
+    Result<std::vector<EventCpo>> actions() override { return m_disk.actions; }
+    Result<void> keepAction(const EventCpo& event) override
+    {
+        if (m_disk.full)
+            return fail(Errc::StoreFailed, "disk full");
+        std::erase_if(m_disk.actions,
+                      [&](const auto& kept) { return kept.object == event.object; });
+        m_disk.actions.push_back(event);
         return {};
     }
 

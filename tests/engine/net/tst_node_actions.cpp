@@ -27,6 +27,12 @@ private Q_SLOTS:
         for (const auto* node : {anna.get(), instructor.get(), ben.get()})
             QTRY_VERIFY_WITH_TIMEOUT(node->shown(jaw, *node->now()), kSoonMs);
         const SessionTime t = *instructor->now() + 1s;
+        QVERIFY(anna->clock() && anna->clock()->bound > 0ns);
+        QVERIFY(std::chrono::abs(
+                    *anna->now()
+                    - (SessionTime{monotonicNow().time_since_epoch()} + anna->clock()->offset))
+                < kClockTolerance);
+        QCOMPARE(instructor->clock()->standardError, Duration{});
         const ShownObject expected = *anna->shown(jaw, t);
         QVERIFY(expected.acted.X_AO.translation() == from.X_AO.translation());
         QCOMPARE(expected.acted.scale, 1.5);

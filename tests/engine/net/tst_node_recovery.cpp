@@ -34,6 +34,36 @@ private Q_SLOTS:
         QVERIFY(apart(*anna, *instructor) < kClockTolerance);
     }
 
+    void restartedHostHasItsActions()
+    {
+        MemoryDisk disk;
+        auto instructor = host(disk);
+        const std::uint16_t port = instructor->port();
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        instructor->propose(kStation,
+                            fact::ObjectShared{{}, instructor->self(), ObjectKind::Jaw, "jaw"});
+        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kSoonMs);
+        const ObjectId jaw = anna->state()->objects().begin()->first;
+        instructor->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, {}});
+        QTRY_VERIFY_WITH_TIMEOUT(anna->shown(jaw, *anna->now()), kSoonMs);
+        instructor.reset();
+        instructor = host(disk, port);
+        QVERIFY(instructor);
+        const SessionTime t = *instructor->now() + 1s;
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->shown(jaw, t), kSoonMs);
+        QVERIFY(instructor->shown(jaw, t)->acted.X_AO.matrix()
+                == anna->shown(jaw, t)->acted.X_AO.matrix());
+        // It goes on from there.
+        instructor->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, {}});
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->shown(jaw, t + 1s)->acted.X_AO.matrix()
+                                     == instructor->shown(jaw, t)->acted.X_AO.matrix(),
+                                 kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->shown(jaw, t)->acted.X_AO.matrix()
+                                     == instructor->shown(jaw, t)->acted.X_AO.matrix(),
+                                 kSoonMs);
+    }
+
     void proposalWhileTheHostIsAwayArrivesOnce()
     {
         MemoryDisk disk;

@@ -20,8 +20,9 @@ constexpr std::uint8_t kKnownStreamFlags = 0x1F;
 constexpr double kUnitTolerance = 1e-9;
 constexpr float kAxisTolerance = 1e-5F;
 
-void writeStream(ByteWriter& out, const StreamCpo& stream)
+void writeStream(ByteWriter& buffer, const StreamCpo& stream)
 {
+    BlockWriter<kStreamCpoBytes> out;
     const PackedRotation rotation = packRotation(stream.X_AO.rotation());
     const bool inReach = isInReach(stream.X_AO.translation());
     const StreamValidity validity = inReach ? stream.validity : StreamValidity::Lost;
@@ -44,6 +45,7 @@ void writeStream(ByteWriter& out, const StreamCpo& stream)
     for (const double radiansPerSecond : motion.w_AO)
         out.number(static_cast<std::int16_t>(
             quantise(radiansPerSecond, kAngularVelocityStep, kLargestInt16)));
+    buffer.bytes(out.bytes());
 }
 
 Vec3 readVelocity(ByteReader& in, double step)
@@ -139,6 +141,7 @@ StreamGroup readStreamGroup(ByteReader& in)
     in.require(in.remaining() >= count * kStreamCpoBytes, "length");
     // The middle of the high part's range, from which every low part is at most half a range away.
     std::int64_t timeBase = (std::int64_t{timeHigh} << 32) + (std::int64_t{1} << 31);
+    group.streams.reserve(in.ok() ? count : 0);
     for (int i = 0; i < count && in.ok(); ++i) {
         group.streams.push_back(readStream(in, timeBase));
         const SessionTime first = group.streams.front().time;
@@ -148,8 +151,9 @@ StreamGroup readStreamGroup(ByteReader& in)
     return group;
 }
 
-void writeEventCpo(ByteWriter& out, const EventCpo& event)
+void writeEventCpo(ByteWriter& buffer, const EventCpo& event)
 {
+    BlockWriter<kEventCpoBytes> out;
     out.number(event.object.value);
     out.number(event.epoch);
     out.number(event.action);
@@ -163,6 +167,7 @@ void writeEventCpo(ByteWriter& out, const EventCpo& event)
         out.real(component);
     out.real(event.rate);
     out.real(event.scale);
+    buffer.bytes(out.bytes());
 }
 
 EventCpo readEventCpo(ByteReader& in)

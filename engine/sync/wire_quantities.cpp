@@ -16,13 +16,6 @@ constexpr double kLargestComponentSlack = 4e-5;
 
 } // namespace
 
-std::int32_t quantise(double value, double step, std::int32_t largest)
-{
-    CARINA_EXPECTS(std::isfinite(value));
-    const double code = std::round(value / step);
-    return static_cast<std::int32_t>(std::clamp<double>(code, -largest, largest));
-}
-
 std::uint8_t packError(double metres)
 {
     return static_cast<std::uint8_t>(std::max(quantise(metres, kErrorStep, 255), 0));
@@ -75,12 +68,6 @@ SessionTime fromWireMicroseconds(std::int64_t microseconds)
 std::int64_t nearestTime(std::int64_t base, std::uint32_t low)
 {
     return base + static_cast<std::int32_t>(low - static_cast<std::uint32_t>(base));
-}
-
-void writeWireTime(ByteWriter& out, Duration sinceEpoch)
-{
-    CARINA_EXPECTS(std::chrono::abs(sinceEpoch) <= kLargestWireTime);
-    out.number(std::int64_t{sinceEpoch.count()});
 }
 
 Duration readWireTime(ByteReader& in)

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "engine/core/expects.h"
 #include "engine/core/session_time.h"
 #include "engine/geometry/vec.h"
 #include "engine/sync/byte_buffer.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <optional>
@@ -24,7 +27,12 @@ inline constexpr double kRotationStep = 1.0 / (std::numbers::sqrt2 * kLargestInt
 
 /// The code nearest to value / step, at most `largest` either way.
 /// @pre value is finite.
-[[nodiscard]] std::int32_t quantise(double value, double step, std::int32_t largest);
+[[nodiscard]] inline std::int32_t quantise(double value, double step, std::int32_t largest)
+{
+    CARINA_EXPECTS(std::isfinite(value));
+    const double code = std::clamp<double>(value / step, -largest, largest);
+    return static_cast<std::int32_t>(code + std::copysign(0.5, code)); // cut off towards 0
+}
 
 /// An RMS error in steps of kErrorStep; 255 stands for all that is larger.
 [[nodiscard]] std::uint8_t packError(double metres);
@@ -57,7 +65,11 @@ inline constexpr std::int32_t kLargestTimeHigh = 500'000;
 [[nodiscard]] std::int64_t nearestTime(std::int64_t base, std::uint32_t low);
 
 /// 64 bits of nanoseconds. @pre within kLargestWireTime.
-void writeWireTime(ByteWriter& out, Duration sinceEpoch);
+template <class Sink> void writeWireTime(NumberWriter<Sink>& out, Duration sinceEpoch)
+{
+    CARINA_EXPECTS(std::chrono::abs(sinceEpoch) <= kLargestWireTime);
+    out.number(std::int64_t{sinceEpoch.count()});
+}
 [[nodiscard]] Duration readWireTime(ByteReader& in);
 
 } // namespace carina

@@ -2,17 +2,13 @@
 // as the deformed mesh holds into fresh memory: the least that any way of handing out a deformed
 // mesh can cost. Prints one JSON object.
 
+#include "bench/interleaved.h"
 #include "engine/geometry/deformable_mesh.h"
 
-#include <benchmark/benchmark.h>
-
-#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <random>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace
@@ -74,62 +70,16 @@ void copy(benchmark::State& state)
     }
 }
 
-/// Keeps the time of every repetition, by benchmark.
-class Collector : public benchmark::BenchmarkReporter
-{
-public:
-    bool ReportContext(const Context& /*context*/) override { return true; }
-    void ReportRuns(const std::vector<Run>& runs) override
-    {
-        for (const Run& run : runs) {
-            if (run.run_type != Run::RT_Iteration || run.error_occurred)
-                continue;
-            const bool ours = run.run_name.function_name == kOurs;
-            (ours ? m_ours : m_peer).push_back(run.GetAdjustedRealTime());
-        }
-    }
-
-    [[nodiscard]] std::span<const double> ours() const { return m_ours; }
-    [[nodiscard]] std::span<const double> peer() const { return m_peer; }
-
-private:
-    std::vector<double> m_ours;
-    std::vector<double> m_peer;
-};
-
-double median(std::span<const double> values)
-{
-    std::vector<double> sorted{values.begin(), values.end()};
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[sorted.size() / 2];
-}
-
 } // namespace
 
 int main()
 {
-    // The repetitions of both alternate at random, so that a busy moment strikes both.
-    std::vector<std::string> words{"bench", "--benchmark_enable_random_interleaving=true",
-                                   "--benchmark_repetitions=15", "--benchmark_min_time=0.2"};
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    int count = static_cast<int>(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    benchmark::RegisterBenchmark(kOurs, deform)->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark(kPeer, copy)->Unit(benchmark::kMillisecond);
-
-    Collector times;
-    benchmark::RunSpecifiedBenchmarks(&times);
-    if (times.ours().empty() || times.peer().empty()) {
-        std::fputs("The deformation or its peer was not measured.\n", stderr);
-        return 1;
-    }
-    const double ours_ms = median(times.ours());
-    const double peer_ms = median(times.peer());
+    const auto times_ns = carina::medianTimes_ns({{kOurs, deform}, {kPeer, copy}});
+    const double ours_ms = 1e-6 * times_ns.at(kOurs);
+    const double peer_ms = 1e-6 * times_ns.at(kPeer);
     std::printf("{\n  \"schema\": \"carina.bench.deformation/1\",\n  \"vertices\": %zu,\n"
-                "  \"repetitions\": %zu,\n  \"deformed_median_ms\": %.3f,\n"
+                "  \"repetitions\": %d,\n  \"deformed_median_ms\": %.3f,\n"
                 "  \"memcpy_median_ms\": %.3f,\n  \"ratio_to_memcpy\": %.2f\n}\n",
-                kVertices, times.ours().size(), ours_ms, peer_ms, ours_ms / peer_ms);
+                kVertices, carina::kRepetitions, ours_ms, peer_ms, ours_ms / peer_ms);
     return 0;
 }

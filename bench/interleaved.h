@@ -1,0 +1,21 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace carina
+{
+
+inline constexpr int kRepetitions = 15;
+
+/// Measures several things in turn, kRepetitions times each and in random order, so that a busy
+/// moment strikes them all.
+/// @returns the median time of one iteration of each, nanoseconds; ends the program where one was
+///          not measured.
+[[nodiscard]] std::map<std::string, double>
+medianTimes_ns(const std::map<std::string, void (*)(benchmark::State&)>& measured);
+
+} // namespace carina

@@ -4,6 +4,7 @@
 #include "engine/net/secure/psk_identity.h"
 
 #include <filesystem>
+#include <map>
 
 namespace carina
 {

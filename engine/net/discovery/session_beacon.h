@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/net/discovery/session_notice.h"
+#include "engine/net/secure/hello_limiter.h"
+
+#include <QUdpSocket>
+
+#include <memory>
+
+namespace carina
+{
+
+/// Answers those who look for sessions on behalf of one that is hosted here. Lives on a thread with
+/// an event loop.
+class SessionBeacon
+{
+public:
+    /// @param open answers other computers too; else it hears this one only.
+    /// @returns AddressInUse where the discovery port belongs to another program: the session can
+    ///          then be joined by its address only.
+    [[nodiscard]] static Result<std::unique_ptr<SessionBeacon>>
+    open(const SessionNotice& notice, bool open, std::uint16_t port = kDiscoveryPort);
+
+private:
+    explicit SessionBeacon(SessionNotice notice) : m_notice{std::move(notice)} {}
+    void answer();
+
+    SessionNotice m_notice;
+    HelloLimiter m_limiter;
+    QUdpSocket m_socket;
+};
+
+} // namespace carina

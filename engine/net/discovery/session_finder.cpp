@@ -1,0 +1,65 @@
+#include "engine/net/discovery/session_finder.h"
+
+#include "engine/core/monotonic_clock.h"
+#include "engine/net/discovery/loopback.h"
+#include "engine/net/secure/dtls.h"
+
+#include <QNetworkInterface>
+#include <QNetworkProxy>
+#include <QRandomGenerator>
+
+namespace carina
+{
+namespace
+{
+
+/// One for each network this computer is in.
+std::vector<QHostAddress> broadcastAddresses()
+{
+    std::vector<QHostAddress> addresses{loopbackBroadcast()};
+    for (const QNetworkInterface& network : QNetworkInterface::allInterfaces()) {
+        if (!network.flags().testFlag(QNetworkInterface::IsRunning))
+            continue;
+        for (const QNetworkAddressEntry& entry : network.addressEntries())
+            if (!entry.broadcast().isNull())
+                addresses.push_back(entry.broadcast());
+    }
+    return addresses;
+}
+
+} // namespace
+
+SessionFinder::SessionFinder(std::function<void()> onChange, std::uint16_t port)
+    : m_onChange{std::move(onChange)}, m_port{port}, m_nonce{QRandomGenerator::system()->generate()}
+{
+    m_socket.setProxy(QNetworkProxy::NoProxy);
+    // A computer without any network has no sessions to find: then nothing is ever heard.
+    if (!m_socket.bind(QHostAddress{QHostAddress::AnyIPv4}, 0))
+        return;
+    QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { hear(); });
+    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { ask(); });
+    m_timer.start(kAskEvery);
+    ask();
+}
+
+void SessionFinder::ask()
+{
+    const auto question = encodeQuestion(m_nonce);
+    for (const QHostAddress& address : broadcastAddresses())
+        m_socket.writeDatagram(viewOf(question), address, m_port);
+    if (m_found.forget(monotonicNow()))
+        m_onChange();
+}
+
+void SessionFinder::hear()
+{
+    bool changed = false;
+    while (const auto datagram = readRaw(m_socket))
+        if (const auto notice = decodeAnswer(std::as_bytes(octets(datagram->bytes)), m_nonce))
+            changed |= m_found.heard({*notice, datagram->from.toString().toStdString()},
+                                     datagram->arrived);
+    if (changed)
+        m_onChange();
+}
+
+} // namespace carina

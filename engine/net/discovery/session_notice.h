@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/sync/datagram.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// The UDP port at which hosts answer who looks for sessions.
+inline constexpr std::uint16_t kDiscoveryPort = 47604;
+
+/// What everybody on the network may know of a session; nobody comes in by it without a code.
+struct SessionNotice {
+    SessionKey session{};   ///< the session id
+    std::string name;       ///< 1 to 64 bytes of UTF-8
+    std::uint16_t port = 0; ///< UDP, not 0
+
+    friend auto operator<=>(const SessionNotice&, const SessionNotice&) = default;
+};
+
+/// What looks for sessions sends, docs/protocol.md "Discovery". Longer than any answer, so that
+/// nobody floods others by asking in their name.
+[[nodiscard]] std::vector<std::byte> encodeQuestion(std::uint32_t nonce);
+/// The nonce; nothing for any other bytes.
+[[nodiscard]] std::optional<std::uint32_t> decodeQuestion(std::span<const std::byte> bytes);
+
+/// @pre the notice is within what SessionNotice says.
+[[nodiscard]] std::vector<std::byte> encodeAnswer(std::uint32_t nonce, const SessionNotice& notice);
+/// Nothing for bytes that are no answer to the question with this nonce.
+[[nodiscard]] std::optional<SessionNotice> decodeAnswer(std::span<const std::byte> bytes,
+                                                        std::uint32_t nonce);
+
+} // namespace carina

@@ -1,0 +1,99 @@
+#include "engine/net/discovery/session_beacon.h"
+
+#include "engine/core/monotonic_clock.h"
+
+#include "engine/net/discovery/session_finder.h"
+#include "engine/net/secure/dtls.h"
+#include "tests/engine/net/discovery/notices.h"
+
+#include <QTest>
+
+#include <set>
+
+namespace carina
+{
+
+class SessionBeaconTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    static constexpr int kSoonMs = 5000;
+
+    /// A port that nobody has.
+    static std::uint16_t freePort()
+    {
+        QUdpSocket socket;
+        socket.bind(QHostAddress{QHostAddress::LocalHost}, 0);
+        return socket.localPort();
+    }
+
+    static std::set<std::string> namesIn(const SessionFinder& finder)
+    {
+        std::set<std::string> names;
+        for (const FoundSession& found : finder.sessions())
+            names.insert(found.notice.name);
+        return names;
+    }
+
+private Q_SLOTS:
+    void sessionsOfThisComputerAreFound()
+    {
+        const std::uint16_t port = freePort();
+        const auto closed = SessionBeacon::open(noticeOf(1, "Closed"), false, port);
+        const auto open = SessionBeacon::open(noticeOf(2, "Open"), true, port);
+        const auto second = SessionBeacon::open(noticeOf(3, "Closed too"), false, port);
+        QVERIFY(closed && open && second);
+        int changes = 0;
+        const SessionFinder finder{[&] { ++changes; }, port};
+        QTRY_COMPARE_WITH_TIMEOUT(namesIn(finder),
+                                  (std::set<std::string>{"Closed", "Closed too", "Open"}), kSoonMs);
+        QVERIFY(changes > 0);
+        const auto found = finder.sessions();
+        QVERIFY(found[0].notice == noticeOf(1, "Closed"));
+        QVERIFY(QHostAddress{QString::fromStdString(found[0].address)}.isLoopback());
+    }
+
+    void hostThatIsNotOpenHearsThisComputerOnly()
+    {
+        const std::uint16_t port = freePort();
+        const auto beacon = SessionBeacon::open(noticeOf(1), false, port);
+        QVERIFY(beacon.has_value());
+        QUdpSocket asker;
+        QVERIFY(asker.bind(QHostAddress{QHostAddress::LocalHost}, 0));
+        asker.writeDatagram(viewOf(encodeQuestion(5)), QHostAddress{QHostAddress::LocalHost}, port);
+        asker.writeDatagram(viewOf(encodeQuestion(6)),
+                            QHostAddress{QStringLiteral("127.255.255.255")}, port);
+        QTRY_VERIFY_WITH_TIMEOUT(asker.hasPendingDatagrams(), kSoonMs);
+        const auto answer = readRaw(asker);
+        QVERIFY(decodeAnswer(std::as_bytes(octets(answer->bytes)), 6) == noticeOf(1));
+        QVERIFY(!asker.hasPendingDatagrams()); // what was sent to an address of a network
+    }
+
+    void floodOfQuestionsGetsFewAnswers()
+    {
+        const std::uint16_t port = freePort();
+        const auto beacon = SessionBeacon::open(noticeOf(1), false, port);
+        QUdpSocket flood;
+        QVERIFY(flood.bind(QHostAddress{QHostAddress::LocalHost}, 0));
+        const QHostAddress all{QStringLiteral("127.255.255.255")};
+        const LocalTime begin = monotonicNow();
+        for (int i = 0; i < 500; ++i) {
+            flood.writeDatagram(viewOf(encodeQuestion(5)), all, port);
+            QCoreApplication::processEvents();
+        }
+        flood.writeDatagram("no question", all, port);
+        QCoreApplication::processEvents();
+        int answers = 0;
+        while (readRaw(flood))
+            ++answers;
+        const auto refilled = (monotonicNow() - begin) / HelloLimiter::kInterval;
+        QVERIFY(answers > 0);
+        QVERIFY(answers <= HelloLimiter::kBurst + refilled);
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::SessionBeaconTest)
+#include "tst_session_beacon.moc"

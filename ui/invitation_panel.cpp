@@ -1,5 +1,7 @@
 #include "ui/invitation_panel.h"
 
+#include "models/join_form.h"
+
 #include <QFontDatabase>
 #include <QFormLayout>
 #include <QLabel>
@@ -43,10 +45,7 @@ void InvitationPanel::show(const SessionNode& host)
     const JoinCodes codes = host.joinCodes();
     m_trainee->setText(QString::fromStdString(codes.at(Role::Trainee).text()));
     m_observer->setText(QString::fromStdString(codes.at(Role::Observer).text()));
-    m_reach->setText(
-        host.isOpen()
-            ? tr("● Open to the network: other computers can join at port %1.").arg(host.port())
-            : tr("○ Only programs on this computer can join, at port %1.").arg(host.port()));
+    m_reach->setText(reachText(host));
 }
 
 } // namespace carina

@@ -5,6 +5,8 @@
 #include "apps/viewer/patient_option.h"
 #include "apps/viewer/program.h"
 #include "engine/io/sql_fact_store.h"
+#include "engine/net/discovery/session_beacon.h"
+#include "engine/net/session_identity.h"
 #include "ui/instructor_window.h"
 #include "widgets/scene/graphics.h"
 
@@ -137,6 +139,14 @@ Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parse
     return hostFile(newSessionFile(folder), *port, open);
 }
 
+/// Lets those who look for sessions find this one.
+Result<std::unique_ptr<SessionBeacon>> beaconOf(const SessionNode& node)
+{
+    const auto state = node.state();
+    return SessionBeacon::open({sessionKey(state->sessionId()), state->name(), node.port()},
+                               node.isOpen());
+}
+
 Result<int> run(const QCommandLineParser& parser)
 {
     const auto options = viewer::measureOptions(parser);
@@ -150,6 +160,9 @@ Result<int> run(const QCommandLineParser& parser)
     const auto node = hostSession(parser);
     if (!node)
         return tl::unexpected(node.error());
+    const auto beacon = beaconOf(**node);
+    if (!beacon)
+        viewer::warn(beacon.error());
     introducePatient(**node, *patient);
     if (const QString codes = parser.value(QStringLiteral("codes")); !codes.isEmpty())
         if (const auto written = viewer::writeCodes(codes, (*node)->joinCodes()); !written)

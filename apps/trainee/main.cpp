@@ -1,4 +1,5 @@
 #include "apps/viewer/entry_option.h"
+#include "apps/viewer/join_question.h"
 #include "apps/viewer/journal.h"
 #include "apps/viewer/measurement.h"
 #include "apps/viewer/patient_option.h"
@@ -27,13 +28,17 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption(
         {QStringLiteral("port"),
          QApplication::translate("Trainee", "UDP port of the session; the instructor's "
-                                            "window shows it."),
+                                            "window shows it. Without it a window asks which "
+                                            "session to join."),
          QStringLiteral("P")});
     viewer::addEntryOptions(parser);
     // Not "name": Qt keeps that for itself.
     parser.addOption({QStringLiteral("as"),
                       QApplication::translate("Trainee", "The trainee's name in the session."),
                       QStringLiteral("NAME"), QApplication::translate("Trainee", "Trainee")});
+    parser.addOption({QStringLiteral("observe"),
+                      QApplication::translate("Trainee", "Join as an observer, who watches and "
+                                                         "changes nothing.")});
     parser.addOption({QStringLiteral("simulated-tracker"),
                       QApplication::translate("Trainee", "Use a simulated tracker and a scripted "
                                                          "pair of hands; without it this program "
@@ -124,11 +129,28 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     return QApplication::exec();
 }
 
-Result<int> run(const QCommandLineParser& parser)
+/// How to come in, as the options say or a person; nothing when that person wants to leave.
+Result<std::optional<JoinSettings>> entry(const QCommandLineParser& parser,
+                                          const viewer::MeasureOptions& options)
 {
+    JoinSettings settings{.participantName = parser.value(QStringLiteral("as")).toStdString(),
+                          .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer
+                                                                          : Role::Trainee,
+                          .station = kStation};
+    if (const auto read = viewer::readEntryOptions(parser, settings); !read)
+        return tl::unexpected(read.error());
+    const bool hasPort = !parser.value(QStringLiteral("port")).isEmpty();
+    if (!hasPort && options.folder.isEmpty())
+        return viewer::askHowToJoin(settings);
     const auto port = viewer::portOption(parser);
     if (!port)
         return tl::unexpected(port.error());
+    settings.port = *port;
+    return settings;
+}
+
+Result<int> run(const QCommandLineParser& parser)
+{
     const auto options = viewer::measureOptions(parser);
     if (!options)
         return tl::unexpected(options.error());
@@ -148,18 +170,17 @@ Result<int> run(const QCommandLineParser& parser)
     if (!headset)
         return tl::unexpected(headset.error());
 
+    const auto settings = entry(parser, *options);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    if (!*settings)
+        return 0;
     TrackedStation station;
-    JoinSettings settings{.port = *port,
-                          .participantName = parser.value(QStringLiteral("as")).toStdString(),
-                          .role = Role::Trainee,
-                          .station = kStation};
-    if (const auto entry = viewer::readEntryOptions(parser, settings); !entry)
-        return tl::unexpected(entry.error());
-    auto joined = SessionNode::join(settings);
+    auto joined = SessionNode::join(**settings);
     if (!joined)
         return tl::unexpected(joined.error());
     station.node = std::move(*joined);
-    if (parser.isSet(QStringLiteral("simulated-tracker"))) {
+    if (parser.isSet(QStringLiteral("simulated-tracker")) && (*settings)->role == Role::Trainee) {
         if (auto watched = watchHands(station, patient->model, *site); !watched)
             return tl::unexpected(watched.error());
     }

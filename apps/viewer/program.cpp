@@ -99,9 +99,11 @@ Result<std::uint16_t> portOption(const QCommandLineParser& parser)
     return port;
 }
 
+void warn(const Error& error) { std::fprintf(stderr, "%s\n", qPrintable(errorText(error))); }
+
 int refuse(const Error& error)
 {
-    std::fprintf(stderr, "%s\n", qPrintable(errorText(error)));
+    warn(error);
     return 1;
 }
 

@@ -40,6 +40,9 @@ void addSizeOption(QCommandLineParser& parser);
 /// A UDP port from `--port`. @returns OutOfRange for something else.
 [[nodiscard]] Result<std::uint16_t> portOption(const QCommandLineParser& parser);
 
+/// Says on stderr what does not work, though the program goes on.
+void warn(const Error& error);
+
 /// Says on stderr why the program cannot go on, and returns its exit status.
 int refuse(const Error& error);
 

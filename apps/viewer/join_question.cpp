@@ -1,0 +1,22 @@
+#include "apps/viewer/join_question.h"
+
+#include "ui/join_dialog.h"
+
+namespace carina::viewer
+{
+
+std::optional<JoinSettings> askHowToJoin(JoinSettings settings)
+{
+    FoundSessionsModel sessions;
+    JoinDialog dialog{
+        sessions,
+        {.code = settings.code ? QString::fromStdString(settings.code->text()) : QString{},
+         .name = QString::fromStdString(settings.participantName),
+         .role = settings.role}};
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    fillIn(settings, dialog.form());
+    return settings;
+}
+
+} // namespace carina::viewer

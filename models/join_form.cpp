@@ -1,0 +1,70 @@
+#include "models/join_form.h"
+
+#include "engine/core/expects.h"
+#include "engine/net/discovery/addresses.h"
+#include "engine/session/fact_rules.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace carina
+{
+namespace
+{
+
+class JoinWords
+{
+    Q_DECLARE_TR_FUNCTIONS(carina::JoinForm)
+};
+
+} // namespace
+
+QString whatIsMissing(const JoinForm& form)
+{
+    const QByteArray name = form.name.trimmed().toUtf8();
+    if (name.isEmpty())
+        return JoinWords::tr("Type your name, so that the instructor knows you.");
+    if (static_cast<std::size_t>(name.size()) > kLongestText)
+        return JoinWords::tr("Type a shorter name.");
+    if (!isAddress(form.address.trimmed().toStdString()))
+        return JoinWords::tr("Choose a session, or type the address that the instructor's window "
+                             "shows, such as 192.168.1.20.");
+    bool isNumber = false;
+    if (form.port.trimmed().toUShort(&isNumber) == 0 || !isNumber)
+        return JoinWords::tr("Type the port that the instructor's window shows: a number from 1 "
+                             "to 65535.");
+    if (!form.code.trimmed().isEmpty() && !JoinCode::parse(form.code.toStdString()))
+        return JoinWords::tr("A code has ten letters and digits, such as 7K3QM-XW2PD: compare it "
+                             "with the instructor's window.");
+    return {};
+}
+
+void fillIn(JoinSettings& settings, const JoinForm& form)
+{
+    CARINA_EXPECTS(whatIsMissing(form).isEmpty());
+    settings.participantName = form.name.trimmed().toStdString();
+    settings.address = form.address.trimmed().toStdString();
+    settings.port = form.port.trimmed().toUShort();
+    settings.role = form.role;
+    settings.code.reset();
+    if (const auto code = JoinCode::parse(form.code.toStdString()))
+        settings.code = *code;
+}
+
+QString reachText(const SessionNode& host)
+{
+    if (!host.isOpen())
+        return JoinWords::tr("○ Only programs on this computer can join. They find the session by "
+                             "themselves, or at 127.0.0.1 port %1.")
+            .arg(host.port());
+    QStringList addresses;
+    for (const std::string& address : ownAddresses())
+        addresses.push_back(QString::fromStdString(address));
+    return JoinWords::tr("● Open to the network. Others find the session by themselves, or at %1 "
+                         "port %2.")
+        .arg(addresses.isEmpty() ? JoinWords::tr("an address of this computer")
+                                 : addresses.join(JoinWords::tr(" or ")))
+        .arg(host.port());
+}
+
+} // namespace carina

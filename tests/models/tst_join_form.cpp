@@ -1,0 +1,105 @@
+#include "models/join_form.h"
+
+#include <QTest>
+
+namespace carina
+{
+
+class JoinFormTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    static JoinForm complete()
+    {
+        return {QStringLiteral("192.0.2.7"), QStringLiteral("45000"), QStringLiteral("7k3qm xw2pd"),
+                QStringLiteral("Anna"), Role::Trainee};
+    }
+
+private Q_SLOTS:
+    void completeFormIsTakenOver()
+    {
+        JoinForm form = complete();
+        form.name = QStringLiteral("  Anna ");
+        form.role = Role::Observer;
+        QCOMPARE(whatIsMissing(form), QString{});
+        JoinSettings settings;
+        fillIn(settings, form);
+        QCOMPARE(settings.participantName, std::string{"Anna"});
+        QCOMPARE(settings.address, std::string{"192.0.2.7"});
+        QCOMPARE(settings.port, std::uint16_t{45000});
+        QVERIFY(settings.role == Role::Observer);
+        QCOMPARE(settings.code->text(), std::string{"7K3QM-XW2PD"});
+    }
+
+    void codeMayBeEmptyForOneWhoComesBack()
+    {
+        JoinForm form = complete();
+        form.code = QStringLiteral(" ");
+        QCOMPARE(whatIsMissing(form), QString{});
+        JoinSettings settings;
+        settings.code = JoinCode::random();
+        fillIn(settings, form);
+        QVERIFY(!settings.code);
+    }
+
+    void saysWhatToMend_data()
+    {
+        QTest::addColumn<QByteArray>("address");
+        QTest::addColumn<QByteArray>("port");
+        QTest::addColumn<QByteArray>("code");
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<QByteArray>("word");
+        const char* const good = "192.0.2.7";
+        QTest::newRow("no name") << QByteArray{good} << QByteArray{"1"} << QByteArray{""}
+                                 << QByteArray{"  "} << QByteArray{"name"};
+        QTest::newRow("a name of 65 letters")
+            << QByteArray{good} << QByteArray{"1"} << QByteArray{""} << QByteArray(65, 'a')
+            << QByteArray{"shorter"};
+        QTest::newRow("no address") << QByteArray{""} << QByteArray{"1"} << QByteArray{""}
+                                    << QByteArray{"A"} << QByteArray{"address"};
+        QTest::newRow("a name as address")
+            << QByteArray{"ward three"} << QByteArray{"1"} << QByteArray{""} << QByteArray{"A"}
+            << QByteArray{"address"};
+        QTest::newRow("no port") << QByteArray{good} << QByteArray{""} << QByteArray{""}
+                                 << QByteArray{"A"} << QByteArray{"port"};
+        QTest::newRow("port 0") << QByteArray{good} << QByteArray{"0"} << QByteArray{""}
+                                << QByteArray{"A"} << QByteArray{"port"};
+        QTest::newRow("port 65536") << QByteArray{good} << QByteArray{"65536"} << QByteArray{""}
+                                    << QByteArray{"A"} << QByteArray{"port"};
+        QTest::newRow("a word as port") << QByteArray{good} << QByteArray{"four"} << QByteArray{""}
+                                        << QByteArray{"A"} << QByteArray{"port"};
+        QTest::newRow("half a code") << QByteArray{good} << QByteArray{"1"} << QByteArray{"7K3QM"}
+                                     << QByteArray{"A"} << QByteArray{"code"};
+    }
+
+    void saysWhatToMend()
+    {
+        QFETCH(const QByteArray, address);
+        QFETCH(const QByteArray, port);
+        QFETCH(const QByteArray, code);
+        QFETCH(const QByteArray, name);
+        QFETCH(const QByteArray, word);
+        const QString missing =
+            whatIsMissing({QString::fromUtf8(address), QString::fromUtf8(port),
+                           QString::fromUtf8(code), QString::fromUtf8(name), Role::Trainee});
+        QVERIFY2(missing.contains(QString::fromUtf8(word)), qPrintable(missing));
+    }
+
+    void everyPortAndAddressThatThereIsWillDo()
+    {
+        JoinForm form = complete();
+        form.address = QStringLiteral("2001:db8::1");
+        for (const char* port : {"1", "65535"}) {
+            form.port = QLatin1String{port};
+            QCOMPARE(whatIsMissing(form), QString{});
+        }
+        form.name = QString(64, QLatin1Char{'a'});
+        QCOMPARE(whatIsMissing(form), QString{});
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::JoinFormTest)
+#include "tst_join_form.moc"

@@ -1,0 +1,107 @@
+#include "engine/net/discovery/session_beacon.h"
+#include "ui/join_dialog.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QTest>
+
+namespace carina
+{
+
+class TestJoinDialog : public QObject
+{
+    Q_OBJECT
+
+private:
+    static constexpr int kSoonMs = 5000;
+
+    /// A port that nobody has.
+    static std::uint16_t freePort()
+    {
+        QUdpSocket socket;
+        socket.bind(QHostAddress{QHostAddress::LocalHost}, 0);
+        return socket.localPort();
+    }
+    template <class Widget> static Widget& find(const QWidget& window, const char* name)
+    {
+        return *window.findChild<Widget*>(QLatin1String{name});
+    }
+    static SessionNotice ward()
+    {
+        SessionNotice notice{{}, "Ward 3", 45000};
+        notice.session.fill(std::byte{1});
+        return notice;
+    }
+
+private Q_SLOTS:
+    void joinsASessionThatIsFoundByKeyboardAlone()
+    {
+        const std::uint16_t port = freePort();
+        const auto beacon = SessionBeacon::open(ward(), false, port);
+        FoundSessionsModel sessions{port};
+        JoinDialog dialog{sessions, {}};
+        dialog.show();
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QVERIFY(sessions.index(0).data().toString().contains(QStringLiteral("Ward 3")));
+        auto& list = find<QListView>(dialog, "sessions");
+        list.setFocus();
+        QTest::keyClick(&list, Qt::Key_Down);
+        QTest::keyClick(&list, Qt::Key_Home);
+        QCOMPARE(find<QLineEdit>(dialog, "port").text(), QStringLiteral("45000"));
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
+        QTest::keyClicks(&find<QLineEdit>(dialog, "name"), QStringLiteral("Anna"));
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), QString{});
+        QTest::keyClick(&find<QLineEdit>(dialog, "name"), Qt::Key_Return);
+        QCOMPARE(dialog.result(), static_cast<int>(QDialog::Accepted));
+        QCOMPARE(dialog.form().name, QStringLiteral("Anna"));
+        QCOMPARE(dialog.form().address, QStringLiteral("127.0.0.1"));
+        QVERIFY(dialog.form().role == Role::Trainee);
+    }
+
+    void saysWhatIsMissingUntilNothingIs()
+    {
+        FoundSessionsModel sessions{freePort()};
+        JoinDialog dialog{sessions, {.name = QStringLiteral("Anna"), .role = Role::Observer}};
+        const auto& missing = find<QLabel>(dialog, "missing");
+        QVERIFY(missing.text().contains(QStringLiteral("address")));
+        find<QLineEdit>(dialog, "address").setText(QStringLiteral("192.0.2.7"));
+        QVERIFY(missing.text().contains(QStringLiteral("port")));
+        find<QLineEdit>(dialog, "port").setText(QStringLiteral("45000"));
+        QCOMPARE(missing.text(), QString{});
+        QVERIFY(find<QPushButton>(dialog, "join").isEnabled());
+        find<QLineEdit>(dialog, "code").setText(QStringLiteral("7K3"));
+        QVERIFY(missing.text().contains(QStringLiteral("code")));
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
+        QVERIFY(dialog.form().role == Role::Observer);
+    }
+
+    void sessionThatIsGoneLeavesTheList()
+    {
+        const std::uint16_t port = freePort();
+        auto beacon = SessionBeacon::open(ward(), false, port);
+        FoundSessionsModel sessions{port};
+        JoinDialog dialog{sessions, {}};
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        beacon->reset();
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 0, 2 * kSoonMs);
+        QVERIFY(find<QLabel>(dialog, "searching").text().contains(QStringLiteral("Looking")));
+    }
+
+    void everyControlHasANameForAScreenReader()
+    {
+        FoundSessionsModel sessions{freePort()};
+        const JoinDialog dialog{sessions, {}};
+        for (const QLineEdit* edit : dialog.findChildren<QLineEdit*>())
+            QVERIFY(!edit->accessibleName().isEmpty());
+        QVERIFY(!find<QListView>(dialog, "sessions").accessibleName().isEmpty());
+        QVERIFY(!find<QComboBox>(dialog, "role").accessibleName().isEmpty());
+    }
+};
+
+} // namespace carina
+
+QTEST_MAIN(carina::TestJoinDialog)
+#include "tst_join_dialog.moc"

@@ -1,0 +1,124 @@
+#include "ui/join_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kListHeight = 110;
+constexpr int kDialogWidth = 520;
+
+QLabel* wrapping(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1String{name});
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWidget* parent)
+    : QDialog{parent},
+      m_sessions{sessions},
+      m_list{new QListView},
+      m_searching{wrapping("searching")},
+      m_address{field("address", tr("Address"), begin.address)},
+      m_port{field("port", tr("Port"), begin.port)},
+      m_code{field("code", tr("Code"), begin.code)},
+      m_name{field("name", tr("Your name"), begin.name)},
+      m_role{new QComboBox},
+      m_missing{wrapping("missing")},
+      m_join{new QPushButton{tr("&Join")}}
+{
+    setWindowTitle(tr("Join a session"));
+    setMinimumWidth(kDialogWidth);
+    m_list->setObjectName(QStringLiteral("sessions"));
+    m_list->setAccessibleName(tr("Sessions found"));
+    m_list->setModel(&sessions);
+    m_list->setFixedHeight(kListHeight);
+    m_role->setObjectName(QStringLiteral("role"));
+    m_role->setAccessibleName(tr("Role"));
+    m_role->addItem(tr("Trainee"), QVariant::fromValue(static_cast<int>(Role::Trainee)));
+    m_role->addItem(tr("Observer, who watches and changes nothing"),
+                    QVariant::fromValue(static_cast<int>(Role::Observer)));
+    m_role->setCurrentIndex(m_role->findData(static_cast<int>(begin.role)));
+    m_code->setPlaceholderText(tr("empty if you were in this session before"));
+    layOut();
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &JoinDialog::choose);
+    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::refresh);
+    connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::refresh);
+    refresh();
+}
+
+JoinForm JoinDialog::form() const
+{
+    return {m_address->text(), m_port->text(), m_code->text(), m_name->text(),
+            static_cast<Role>(m_role->currentData().toInt())};
+}
+
+QLineEdit* JoinDialog::field(const char* name, const QString& label, const QString& text)
+{
+    auto* edit = new QLineEdit{text};
+    edit->setObjectName(QLatin1String{name});
+    edit->setAccessibleName(label);
+    connect(edit, &QLineEdit::textChanged, this, &JoinDialog::refresh);
+    return edit;
+}
+
+void JoinDialog::layOut()
+{
+    auto* found = new QLabel{tr("&Sessions found"), this};
+    found->setBuddy(m_list);
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Address"), m_address);
+    form->addRow(tr("&Port"), m_port);
+    form->addRow(tr("&Code of your role"), m_code);
+    form->addRow(tr("Your &name"), m_name);
+    form->addRow(tr("&Role"), m_role);
+    auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
+    buttons->addButton(m_join, QDialogButtonBox::AcceptRole);
+    m_join->setObjectName(QStringLiteral("join"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout{this};
+    column->addWidget(found);
+    column->addWidget(m_list);
+    column->addWidget(m_searching);
+    column->addLayout(form);
+    column->addWidget(m_missing);
+    column->addWidget(buttons);
+    m_join->setDefault(true); // of this dialog, now that it is in it
+}
+
+void JoinDialog::choose(const QModelIndex& session)
+{
+    if (!session.isValid())
+        return;
+    const FoundSession& found = m_sessions.at(session.row());
+    m_address->setText(QString::fromStdString(found.address));
+    m_port->setText(QString::number(found.notice.port));
+}
+
+void JoinDialog::refresh()
+{
+    m_searching->setText(m_sessions.rowCount() == 0
+                             ? tr("Looking for sessions … If none appears, type the address and "
+                                  "port that the instructor's window shows.")
+                             : tr("Choose one, or type an address and port."));
+    const QString missing = whatIsMissing(form());
+    m_missing->setText(missing);
+    m_join->setEnabled(missing.isEmpty());
+}
+
+} // namespace carina

@@ -4,6 +4,7 @@
 #include "engine/sync/probe_trigger.h"
 
 #include <deque>
+#include <optional>
 
 namespace carina
 {

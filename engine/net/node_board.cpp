@@ -72,7 +72,6 @@ NodeBoard::Link linkReport(ParticipantId peer, LinkState state, const PeerLink& 
         report.delaySigma = delays.sigma();
     }
     report.probesPerSecond = link.delays().rate();
-    report.loss = link.loss();
     return {report, link.lastHeard()};
 }
 

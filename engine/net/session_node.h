@@ -31,7 +31,6 @@ struct LinkReport {
     Duration delayMean{};
     Duration delaySigma{};
     double probesPerSecond = 0.0; ///< gamma_0 that these delays ask for
-    double loss = 0.0;            ///< share of the peer's last 256 datagrams that never came
 };
 
 /// The session clock as this node knows it.

@@ -23,6 +23,8 @@ public:
     void add(Duration delay);
     void clear() { m_delays.clear(); }
 
+    /// The newest last.
+    [[nodiscard]] const std::deque<Duration>& delays() const { return m_delays; }
     [[nodiscard]] std::size_t size() const { return m_delays.size(); }
     [[nodiscard]] bool isFull() const { return m_delays.size() == kCapacity; }
     /// h_0. @pre size() > 0

@@ -30,7 +30,7 @@ BundleHeader PeerLink::nextHeader(LocalTime now)
 std::optional<RoundTrip> PeerLink::heard(const BundleHeader& header, LocalTime now)
 {
     m_lastHeard = now;
-    m_loss.add(header.sequence);
+    m_loss.arrived(header.sequence);
     if (m_newest && !isAfter(header.sequence, m_newest->sequence))
         return std::nullopt;
     m_newest = Arrival{header.sequence, header.sentAt, now};
@@ -59,6 +59,11 @@ std::optional<Duration> PeerLink::longestRoundTrip() const
     if (m_roundTrips.empty())
         return std::nullopt;
     return *std::ranges::max_element(m_roundTrips);
+}
+
+std::optional<Duration> PeerLink::newestRoundTrip() const
+{
+    return m_roundTrips.empty() ? std::nullopt : std::optional{m_roundTrips.back()};
 }
 
 } // namespace carina

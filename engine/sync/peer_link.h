@@ -2,7 +2,7 @@
 
 #include "engine/core/session_time.h"
 #include "engine/sync/datagram.h"
-#include "engine/sync/loss_meter.h"
+#include "engine/sync/loss_window.h"
 #include "engine/sync/probe_trigger.h"
 
 #include <deque>
@@ -48,10 +48,11 @@ public:
     /// Of the recent ones; nothing before the first.
     [[nodiscard]] std::optional<Duration> shortestRoundTrip() const;
     [[nodiscard]] std::optional<Duration> longestRoundTrip() const;
+    [[nodiscard]] std::optional<Duration> newestRoundTrip() const;
     /// The delays of the path, each half a round trip, and how often they would have it probed.
     [[nodiscard]] const ProbeTrigger& delays() const { return m_delays; }
-    /// Of what the peer sent.
-    [[nodiscard]] double loss() const { return m_loss.share(); }
+    /// Of what the peer sent; see LossWindow.
+    [[nodiscard]] std::optional<double> loss() const { return m_loss.loss(); }
 
 private:
     struct Arrival {
@@ -68,7 +69,7 @@ private:
     std::optional<Arrival> m_newest;
     std::deque<Duration> m_roundTrips; // the last kRoundTripsKept
     ProbeTrigger m_delays{kIdleProbes};
-    LossMeter m_loss;
+    LossWindow m_loss;
 };
 
 } // namespace carina

@@ -76,7 +76,7 @@ void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, Local
     if (leaves)
         return remove(from, now);
     Peer& peer = found->second;
-    peer.link.heard(header, now);
+    peer.heard(header, sessionTime(now), now);
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
         std::visit(Visitor{*this, from, peer, now}, record);

@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/sync/fact_replication.h"
 #include "engine/sync/host_actions.h"
+#include "engine/sync/peer_clock.h"
 #include "engine/sync/peer_link.h"
 #include "engine/sync/stream_table.h"
 #include "engine/sync/stream_tick.h"
@@ -63,6 +64,13 @@ public:
         bool welcome = true; ///< is due
         bool answer = false; ///< is due, with whatever there is
         std::vector<WireRecord> outbox{};
+        PeerClock clock{};
+
+        void heard(const BundleHeader& header, SessionTime session, LocalTime now)
+        {
+            if (const auto trip = link.heard(header, now))
+                clock.add(*trip, session);
+        }
     };
 
     /// @param log of the session so far

@@ -104,6 +104,32 @@ private Q_SLOTS:
         QCOMPARE(*client.longestRoundTrip(), Duration{10s});
     }
 
+    void tellsTheNewestRoundTrip()
+    {
+        PeerLink client{9, 0s, at(0s)};
+        QVERIFY(!client.newestRoundTrip());
+        BundleHeader header;
+        for (const Duration length : {4ms, 9ms, 6ms}) {
+            ++header.sequence;
+            header.echo = ClockEcho{20s - length, 0s};
+            client.heard(header, at(20s));
+            QCOMPARE(client.newestRoundTrip(), std::optional{length});
+        }
+    }
+
+    void countsWhatDidNotArriveEvenIfItMeasuresNothing()
+    {
+        PeerLink client{9, 0s, at(0s)};
+        PeerLink host{9, 0s, at(0s)};
+        for (int i = 0; i < 128; ++i) {
+            const BundleHeader header = host.nextHeader(at(1s));
+            if (i % 4 != 1)
+                client.heard(header, at(1s));
+        }
+        QCOMPARE(client.loss(), std::optional{0.25});
+        QVERIFY(!host.loss());
+    }
+
     void remembersTheLastSixtyFourRoundTrips()
     {
         PeerLink client{9, 0s, at(0s)};

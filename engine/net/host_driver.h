@@ -54,6 +54,7 @@ private:
     void share(const SharedObject& object);
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
+    void measurePaths(LocalTime now);
 
     std::unique_ptr<FactStore> m_store;
     SessionAuthority m_authority;
@@ -69,6 +70,8 @@ private:
     LocalTime m_returnsEnd; // until then those of the last run may come back
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;
+    std::shared_ptr<const std::vector<PathReport>> m_paths;
+    LocalTime m_nextPaths;
 };
 
 } // namespace carina

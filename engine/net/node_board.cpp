@@ -26,8 +26,9 @@ void NodeBoard::showActions(View& view, const SharedActions& actions) const
 std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
 {
     std::vector<ObjectReport> reports = objects.reports(now);
-    for (const auto& [id, meter] : actions()->meters()) {
-        const ActionFigures figures = meter.figures(now);
+    const auto shared = actions();
+    for (const auto& [id, meter] : shared->meters()) {
+        const ActionFigures& figures = meter.figures();
         auto report = std::ranges::find(reports, id, &ObjectReport::object);
         if (report == reports.end())
             report = reports.insert(reports.end(), ObjectReport{id});
@@ -36,7 +37,7 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
         report->limitDeg = inDegrees(figures.limit.rotation);
         report->limitMm = inMillimetres(figures.limit.position);
         report->delay = figures.delay;
-        report->actionsPerSecond = figures.perSecond;
+        report->actionsPerS = shared->analysis().actionFrequency(id, now);
     }
     return reports;
 }
@@ -65,13 +66,6 @@ NodeBoard::Link linkReport(ParticipantId peer, LinkState state, const PeerLink& 
     report.state = state;
     report.roundTrip = link.shortestRoundTrip().value_or(Duration{});
     report.clockUncertainty = report.roundTrip / 2;
-    const DelayHistory& delays = link.delays().history();
-    if (delays.size() > 0) {
-        report.delay = delays.newest();
-        report.delayMean = delays.mean();
-        report.delaySigma = delays.sigma();
-    }
-    report.probesPerSecond = link.delays().rate();
     return {report, link.lastHeard()};
 }
 

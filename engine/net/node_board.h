@@ -27,6 +27,8 @@ public:
         std::shared_ptr<const SharedActions> actions = std::make_shared<SharedActions>();
         std::vector<FactBody> pending;
         std::vector<Link> links;
+        std::shared_ptr<const std::vector<PathReport>> paths =
+            std::make_shared<std::vector<PathReport>>();
         std::optional<Error> refusal;
     };
 

@@ -14,12 +14,14 @@ void RemoteObjects::remove(ObjectId object)
 {
     const std::scoped_lock lock{m_mutex};
     m_objects.erase(object);
+    m_analysis.forget(object);
 }
 
 void RemoteObjects::clear()
 {
     const std::scoped_lock lock{m_mutex};
     m_objects.clear();
+    m_analysis.clear();
 }
 
 void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
@@ -30,6 +32,7 @@ void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
         return;
     if (const auto drift = found->second.poses->take(cpo, drawn))
         found->second.drift = *drift;
+    m_analysis.acted(cpo.object, cpo.time);
 }
 
 std::shared_ptr<const RemoteObject> RemoteObjects::find(ObjectId object) const
@@ -44,9 +47,15 @@ std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
     const std::scoped_lock lock{m_mutex};
     std::vector<ObjectReport> reports;
     for (const auto& [id, object] : m_objects)
-        if (const auto newest = object.poses->newest())
+        if (const auto newest = object.poses->newest()) {
             reports.push_back({id, now - newest->time, inDegrees(object.drift.rotation),
                                inMillimetres(object.drift.position)});
+            reports.back().actionsPerS = m_analysis.actionFrequency(id, now);
+            if (newest->motion && newest->validity != Validity::Lost) {
+                reports.back().turnDegPerS = inDegrees(radians(newest->motion->w_FO.norm()));
+                reports.back().moveMmPerS = inMillimetres(metres(newest->motion->v_FO.norm()));
+            }
+        }
     return reports;
 }
 

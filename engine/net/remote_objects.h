@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/net/session_node.h"
+#include "engine/sync/application_analysis.h"
 
 #include <map>
 #include <mutex>
@@ -32,6 +33,7 @@ private:
 
     mutable std::mutex m_mutex;
     std::map<ObjectId, Object> m_objects;
+    ApplicationAnalysis m_analysis;
 };
 
 } // namespace carina

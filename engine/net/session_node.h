@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/net/path_report.h"
 #include "engine/net/remote_object.h"
 #include "engine/net/secure/access_key.h"
 #include "engine/net/secure/join_code.h"
@@ -26,11 +27,6 @@ struct LinkReport {
     Duration roundTrip{};        ///< smallest of the recent ones
     Duration clockUncertainty{}; ///< half of it: the bound of the offset's error
     Duration sinceLastDatagram{};
-    /// Of the path, each half a round trip: h_0, and h_mean and sigma of the last 100.
-    Duration delay{};
-    Duration delayMean{};
-    Duration delaySigma{};
-    double probesPerSecond = 0.0; ///< gamma_0 that these delays ask for
 };
 
 /// The session clock as this node knows it.
@@ -48,11 +44,13 @@ struct ObjectReport {
     Duration age{};        ///< of the newest sample of it, at the time of the report
     double driftDeg = 0.0; ///< how far the last update moved what this node drew then
     double driftMm = 0.0;
-    // Of an object that is acted on (see ActionMeter):
-    double limitDeg = 0.0; ///< what the last update had to move it, for the delay of the path
-    double limitMm = 0.0;
-    Duration delay{};              ///< of the last action
-    double actionsPerSecond = 0.0; ///< of all participants
+    std::optional<double> turnDegPerS{}; ///< how fast it turns, where its owner knows
+    std::optional<double> moveMmPerS{};  ///< how fast its origin moves, likewise
+    std::optional<double> actionsPerS{}; ///< v_k, as they arrive here (ApplicationAnalysis)
+    // Of the last action on an object that is acted on (see ActionMeter):
+    std::optional<double> limitDeg{}; ///< what it had to move the object, for the delay of the path
+    std::optional<double> limitMm{};
+    std::optional<Duration> delay{};
 };
 
 struct HostSettings {
@@ -144,6 +142,9 @@ public:
                                                            SessionTime t) const = 0;
 
     [[nodiscard]] virtual std::vector<LinkReport> links() const = 0;
+    /// Of the paths that this node measures, ten times a second; shared because readers on several
+    /// threads keep the snapshot while newer ones replace it.
+    [[nodiscard]] virtual std::shared_ptr<const std::vector<PathReport>> paths() const = 0;
     /// Why the host does not admit this node, else why it refused the last proposal it refused;
     /// nothing while all is well.
     [[nodiscard]] virtual std::optional<Error> refusal() const = 0;

@@ -119,6 +119,11 @@ std::vector<LinkReport> ThreadedNode::links() const
     return reports;
 }
 
+std::shared_ptr<const std::vector<PathReport>> ThreadedNode::paths() const
+{
+    return m_board.view().paths;
+}
+
 std::optional<Error> ThreadedNode::refusal() const { return m_board.view().refusal; }
 
 std::vector<ObjectReport> ThreadedNode::objectReports() const

@@ -41,6 +41,7 @@ public:
     void act(ObjectId object, const ObjectAction& action) override;
     [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t) const override;
     [[nodiscard]] std::vector<LinkReport> links() const override;
+    [[nodiscard]] std::shared_ptr<const std::vector<PathReport>> paths() const override;
     [[nodiscard]] std::optional<Error> refusal() const override;
     [[nodiscard]] std::vector<ObjectReport> objectReports() const override;
     void onChange(std::function<void()> callback) override;

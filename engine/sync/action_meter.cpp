@@ -26,23 +26,7 @@ void ActionMeter::arrived(const EventCpo& event, const EventCpo& before, Session
     for (const Arrival& past : m_arrivals)
         if (past.epoch == event.epoch)
             shortest = std::min(shortest, past.delay);
-    m_drift = driftAfter(event, before, delay);
-    m_limit = driftAfter(event, before, shortest);
-}
-
-ActionFigures ActionMeter::figures(SessionTime now) const
-{
-    ActionFigures figures{m_drift, m_limit};
-    if (m_arrivals.empty())
-        return figures;
-    figures.delay = m_arrivals.back().delay;
-    const auto count = std::ranges::count_if(
-        m_arrivals, [&](const Arrival& past) { return now - past.at <= kWindow; });
-    // Where not all are kept, those that are tell how quickly they came.
-    const bool isFull = count == static_cast<std::ptrdiff_t>(kMostKept);
-    const Duration span = isFull ? std::max(now - m_arrivals.front().at, Duration{1}) : kWindow;
-    figures.perSecond = static_cast<double>(count) / toSeconds(span);
-    return figures;
+    m_figures = {driftAfter(event, before, delay), driftAfter(event, before, shortest), delay};
 }
 
 } // namespace carina

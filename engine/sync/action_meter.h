@@ -10,17 +10,16 @@ namespace carina
 
 /// What the actions on a shared object do to what one node draws.
 struct ActionFigures {
-    Drift drift;            ///< how far the last moved what was drawn when it arrived
-    Drift limit;            ///< nothing moves less: by then nobody could know of it
-    Duration delay{};       ///< of the last, from when it was taken to when it arrived
-    double perSecond = 0.0; ///< actions of all participants, of the last kWindow
+    Drift drift;      ///< how far the last moved what was drawn when it arrived
+    Drift limit;      ///< nothing moves less: by then nobody could know of it
+    Duration delay{}; ///< of the last, from when it was taken to when it arrived
 };
 
 /// Measures the actions on one shared object as they arrive at a node.
 ///
 /// The drift is between what the action before it and it have for the time it arrives. The limit is
-/// the same for the shortest delay that any action under this ownership had lately: a repeat or a
-/// queue is in the one but not in the other.
+/// the same for the shortest delay that any action under this ownership had in the last kWindow: a
+/// repeat or a queue is in the one but not in the other.
 class ActionMeter
 {
 public:
@@ -31,7 +30,7 @@ public:
     /// @param now the session's time
     void arrived(const EventCpo& event, const EventCpo& before, SessionTime now);
 
-    [[nodiscard]] ActionFigures figures(SessionTime now) const;
+    [[nodiscard]] const ActionFigures& figures() const { return m_figures; }
 
 private:
     struct Arrival {
@@ -41,8 +40,7 @@ private:
     };
 
     std::vector<Arrival> m_arrivals; // the newest last; at most kMostKept
-    Drift m_drift;
-    Drift m_limit;
+    ActionFigures m_figures;
 };
 
 } // namespace carina

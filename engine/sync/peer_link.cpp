@@ -40,7 +40,6 @@ std::optional<RoundTrip> PeerLink::heard(const BundleHeader& header, LocalTime n
     const Duration length = now - sent - header.echo->hold;
     if (length < Duration{} || length > kLongestRoundTrip)
         return std::nullopt;
-    m_delays.addDelay(length / 2);
     m_roundTrips.push_back(length);
     if (m_roundTrips.size() > kRoundTripsKept)
         m_roundTrips.pop_front();

@@ -3,7 +3,6 @@
 #include "engine/core/session_time.h"
 #include "engine/sync/datagram.h"
 #include "engine/sync/loss_window.h"
-#include "engine/sync/probe_trigger.h"
 
 #include <deque>
 #include <optional>
@@ -49,8 +48,6 @@ public:
     [[nodiscard]] std::optional<Duration> shortestRoundTrip() const;
     [[nodiscard]] std::optional<Duration> longestRoundTrip() const;
     [[nodiscard]] std::optional<Duration> newestRoundTrip() const;
-    /// The delays of the path, each half a round trip, and how often they would have it probed.
-    [[nodiscard]] const ProbeTrigger& delays() const { return m_delays; }
     /// Of what the peer sent; see LossWindow.
     [[nodiscard]] std::optional<double> loss() const { return m_loss.loss(); }
 
@@ -68,7 +65,6 @@ private:
     std::uint32_t m_sequence = 0;
     std::optional<Arrival> m_newest;
     std::deque<Duration> m_roundTrips; // the last kRoundTripsKept
-    ProbeTrigger m_delays{kIdleProbes};
     LossWindow m_loss;
 };
 

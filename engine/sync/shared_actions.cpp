@@ -9,6 +9,8 @@ namespace carina
 namespace
 {
 
+constexpr std::uint32_t kContinued = 0; // the number of an action that goes on for a new owner
+
 Result<void> checkAction(const ObjectAction& action)
 {
     const bool isFinite = std::isfinite(action.rate) && action.axis_A.allFinite()
@@ -84,7 +86,7 @@ std::optional<EventCpo> SharedActions::continued(EventCpo event) const
     if (found == m_owners.end())
         return std::nullopt;
     if (std::exchange(event.epoch, found->second.epoch) != found->second.epoch)
-        event.action = 0;
+        event.action = kContinued;
     return event;
 }
 
@@ -95,7 +97,10 @@ EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<Ses
     const EventCpo* last = m_table.newest(event.object);
     const std::optional<EventCpo> before = last ? std::optional{*last} : std::nullopt;
     const auto verdict = m_table.take(event, session, now);
-    if (verdict == EventTable::Verdict::New && before && session)
+    const bool isNew = verdict == EventTable::Verdict::New;
+    if (isNew && event.action != kContinued)
+        m_analysis.acted(event.object, event.start);
+    if (isNew && before && session)
         m_meters[event.object].arrived(event, *before, *session);
     return verdict;
 }

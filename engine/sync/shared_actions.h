@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/sync/action_meter.h"
+#include "engine/sync/application_analysis.h"
 #include "engine/sync/event_table.h"
 
 #include <map>
@@ -76,12 +77,15 @@ public:
                                                    LocalTime now) const;
     /// Of every object of which more than one action came.
     [[nodiscard]] const std::map<ObjectId, ActionMeter>& meters() const { return m_meters; }
+    /// How often each object is acted on, by all participants.
+    [[nodiscard]] const ApplicationAnalysis& analysis() const { return m_analysis; }
 
 private:
     std::uint64_t m_revision = 0;
     ParticipantId m_self = kNobody;
     EventTable m_table;
     std::map<ObjectId, ActionMeter> m_meters;
+    ApplicationAnalysis m_analysis;
     std::unordered_map<ObjectId, Ownership> m_owners;
 };
 

@@ -57,6 +57,7 @@ public:
             m_callback();
     }
     std::vector<LinkReport> linkReports;
+    std::vector<PathReport> pathReports;
     std::vector<ObjectReport> reports;
     int proposed = 0; ///< how many proposals came
 
@@ -110,6 +111,10 @@ public:
         return std::nullopt;
     }
     [[nodiscard]] std::vector<LinkReport> links() const override { return linkReports; }
+    [[nodiscard]] std::shared_ptr<const std::vector<PathReport>> paths() const override
+    {
+        return std::make_shared<std::vector<PathReport>>(pathReports);
+    }
     [[nodiscard]] std::optional<Error> refusal() const override { return m_refusal; }
     [[nodiscard]] std::vector<ObjectReport> objectReports() const override { return reports; }
     void onChange(std::function<void()> callback) override { m_callback = std::move(callback); }

@@ -98,6 +98,34 @@ private Q_SLOTS:
         QCOMPARE(report.age, Duration{30ms});
     }
 
+    void tellsHowFastAnObjectMovesAndHowOftenWordOfItComes()
+    {
+        RemoteObjects objects;
+        objects.add(ObjectId{1});
+        StreamCpo cpo = cpoAt(0ms, Vec3::Zero());
+        objects.take(cpo, cpo.time);
+        QVERIFY(!objects.reports(kStart)[0].turnDegPerS); // its owner does not say
+        QVERIFY(!objects.reports(kStart)[0].moveMmPerS);
+        QVERIFY(!objects.reports(kStart)[0].actionsPerS); // the first second is not over
+        for (int i = 1; i < 60; ++i) {
+            cpo = cpoAt(Duration{1s} * i / 60, Vec3::Zero());
+            cpo.motion = StreamMotion{Vec3{0.03, 0.04, 0.0}, Vec3{0.0, 0.0, -2.0}};
+            objects.take(cpo, cpo.time);
+        }
+        const ObjectReport report = objects.reports(kStart + 1s).at(0);
+        QVERIFY(std::abs(report.moveMmPerS.value() - 50.0) < 1e-9);
+        QVERIFY(std::abs(report.turnDegPerS.value() - inDegrees(radians(2.0))) < 1e-9);
+        QCOMPARE(report.actionsPerS, std::optional{60.0});
+        cpo.time = kStart + 1s;
+        cpo.validity = StreamValidity::Lost;
+        objects.take(cpo, cpo.time);
+        QVERIFY(!objects.reports(kStart + 1s)[0].turnDegPerS);
+        objects.remove(ObjectId{1});
+        objects.add(ObjectId{1});
+        objects.take(cpoAt(5s, Vec3::Zero()), kStart + 5s);
+        QVERIFY(!objects.reports(kStart + 5s)[0].actionsPerS); // counted anew
+    }
+
     void lostSamplesHaveNoDrift()
     {
         RemoteObjects objects;

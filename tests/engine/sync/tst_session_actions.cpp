@@ -88,6 +88,28 @@ private Q_SLOTS:
         QVERIFY(!world.host().actions().table().newest(kModel));
     }
 
+    void everybodyCountsTheSameActionsAndNoChangeOfOwner()
+    {
+        ActedWorld world{18, 2, kCalm};
+        QVERIFY(world.turn(0));
+        const SessionTime first = world.newest(0)->start;
+        for (int i = 0; i < 3; ++i) {
+            world.run(250ms);
+            QVERIFY(world.turn(0));
+        }
+        world.takeOver(1, 1);
+        world.run(5s);
+        QCOMPARE(world.newest(1)->epoch, std::uint16_t{2});
+        const SessionTime now = world.trueSessionTime();
+        const auto seconds = std::chrono::floor<std::chrono::seconds>(now)
+                             - std::chrono::floor<std::chrono::seconds>(first);
+        const std::optional expected{4.0 / toSeconds(seconds)};
+        QCOMPARE(world.host().actions().analysis().actionFrequency(kModel, now), expected);
+        for (std::size_t i = 0; i < 2; ++i)
+            QCOMPARE(world.site(i).client->actions().analysis().actionFrequency(kModel, now),
+                     expected);
+    }
+
     void othersObjectsCannotBeActedOn()
     {
         ActedWorld world{15, 2, kCalm};

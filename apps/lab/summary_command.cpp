@@ -2,6 +2,7 @@
 
 #include "apps/lab/breath_estimate.h"
 #include "apps/lab/drift_between.h"
+#include "apps/lab/volume_between.h"
 #include "models/frame_log.h"
 
 #include <QDir>
@@ -101,6 +102,24 @@ QJsonObject describe(const DriftSummary& drift)
             {QStringLiteral("clock_largest_ms"), drift.clockLargest_ms}};
 }
 
+QJsonObject describe(const VolumeDifference& difference)
+{
+    return {{QStringLiteral("instants"), difference.instants},
+            {QStringLiteral("mean_ml"), difference.mean_ml},
+            {QStringLiteral("p95_ml"), difference.p95_ml},
+            {QStringLiteral("largest_ml"), difference.largest_ml}};
+}
+
+/// What the console and the viewer drew of the lungs, against each other.
+QJsonObject lungVolumes(const Viewer& console, const Viewer& viewer)
+{
+    const auto apart = [&](Sameness same) {
+        return describe(volumesBetween(console.frames, viewer.frames, same));
+    };
+    return {{QStringLiteral("same_session_time"), apart(Sameness::SessionTime)},
+            {QStringLiteral("same_instant"), apart(Sameness::Instant)}};
+}
+
 Result<QJsonObject> summarise(const QStringList& arguments)
 {
     if (arguments.size() != 1)
@@ -121,7 +140,8 @@ Result<QJsonObject> summarise(const QStringList& arguments)
         {QStringLiteral("console"), console},
         {QStringLiteral("instructor"), describe(*instructor, steadyFrom)},
         {QStringLiteral("trainee"), describe(*trainee, steadyFrom)},
-        {QStringLiteral("drift"), describe(driftBetween(trainee->frames, instructor->frames))}};
+        {QStringLiteral("drift"), describe(driftBetween(trainee->frames, instructor->frames))},
+        {QStringLiteral("lung_volume_difference"), lungVolumes(*instructor, *trainee)}};
     const QString registration = folder.filePath(QStringLiteral("registration.json"));
     if (QFile::exists(registration)) {
         const auto report = readObject(registration);
@@ -153,6 +173,10 @@ constexpr std::string_view kSummaryHelp = R"(summary DIR
                              session time, over a number of instants: mean_, p95_, largest_ in _deg
                              and _mm; clock_mean_ms and clock_largest_ms are the difference of the two
                              session clocks against CLOCK_MONOTONIC
+      lung_volume_difference the gas in both lungs as drawn by the console against that drawn by the
+                             trainee, over a number of instants: mean_, p95_, largest_ml, once for
+                             the same_session_time by each one's own clock, and once for the
+                             same_instant of CLOCK_MONOTONIC, where the clocks' difference counts too
 )";
 
 } // namespace

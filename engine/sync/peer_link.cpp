@@ -38,8 +38,10 @@ std::optional<RoundTrip> PeerLink::heard(const BundleHeader& header, LocalTime n
         return std::nullopt;
     const LocalTime sent{header.echo->sentAt - m_clockOffset};
     const Duration length = now - sent - header.echo->hold;
-    if (length < Duration{} || length > kLongestRoundTrip)
+    const bool isFirstAnswer = !m_answered || sent > *m_answered;
+    if (length < Duration{} || length > kLongestRoundTrip || !isFirstAnswer)
         return std::nullopt;
+    m_answered = sent;
     m_roundTrips.push_back(length);
     if (m_roundTrips.size() > kRoundTripsKept)
         m_roundTrips.pop_front();

@@ -39,7 +39,9 @@ public:
     /// The header of the next datagram to the peer, but for its flags and sender.
     [[nodiscard]] BundleHeader nextHeader(LocalTime now);
 
-    /// Takes note of a datagram from the peer. @returns the round trip it closes, if it does.
+    /// Takes note of a datagram from the peer. @returns the round trip it closes, if it does. A
+    /// peer that sends often answers one datagram many times; only the first answer counts, for
+    /// they share the way out, and one slow datagram would otherwise look like another route.
     std::optional<RoundTrip> heard(const BundleHeader& header, LocalTime now);
 
     [[nodiscard]] LocalTime lastHeard() const { return m_lastHeard; }
@@ -64,7 +66,8 @@ private:
     LocalTime m_lastSent;
     std::uint32_t m_sequence = 0;
     std::optional<Arrival> m_newest;
-    std::deque<Duration> m_roundTrips; // the last kRoundTripsKept
+    std::optional<LocalTime> m_answered; // when the newest that was answered was sent
+    std::deque<Duration> m_roundTrips;   // the last kRoundTripsKept
     LossWindow m_loss;
 };
 

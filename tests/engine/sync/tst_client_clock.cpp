@@ -29,6 +29,36 @@ private Q_SLOTS:
             < 1ms);
     }
 
+    void oneSlowDatagramIsNoOtherRouteHoweverOftenItIsAnswered()
+    {
+        constexpr ObjectId kJaw{2};
+        constexpr Duration kSlow = 25ms;
+        SessionWorld world{31};
+        auto& site = world.site(world.addSite({5ms, 0ms, 0.0, 0.0}));
+        world.startClient(0, "anna");
+        world.host().share(kJaw, {ParticipantId{0}, 1});
+        StreamSample sample{ParticipantId{0}, 1, StationId{}, {}};
+        sample.cpo.object = kJaw;
+        const auto stream = [&] { // 60 answers a second, a dozen to each datagram of the client's
+            ++sample.cpo.sequence;
+            sample.cpo.time = world.trueSessionTime();
+            world.host().publish(sample, world.hostTime());
+        };
+        world.run(10s, StreamTick::kPeriod, stream);
+        const auto path = site.toHost.path();
+        site.toHost.setPath({kSlow, 0ms, 0.0, 0.0});
+        const std::size_t sent = site.toHost.sent();
+        world.run(2s, StreamTick::kPeriod, [&] {
+            stream();
+            if (site.toHost.sent() > sent)
+                site.toHost.setPath(path);
+        });
+        const auto& delays = site.client->clock().trigger().history().delays();
+        const auto isSlow = [](Duration delay) { return delay > 10ms; };
+        QCOMPARE(std::ranges::count_if(delays, isSlow), std::ptrdiff_t{1});
+        QVERIFY(std::cmp_less_equal(delays.size(), site.toHost.sent()));
+    }
+
     void staysWithinHalfTheRoundTripUnderJitter_data()
     {
         QTest::addColumn<int>("delayUs");

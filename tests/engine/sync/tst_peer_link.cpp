@@ -74,6 +74,23 @@ private Q_SLOTS:
         QVERIFY(!client.heard(second, at(2s)));
     }
 
+    void onlyTheFirstAnswerToADatagramCounts()
+    {
+        PeerLink client{9, 0s, at(0s)};
+        BundleHeader header;
+        const auto answered = [&](Duration sent, Duration now) {
+            ++header.sequence;
+            header.echo = ClockEcho{sent, 0s};
+            return client.heard(header, at(now)).has_value();
+        };
+        QVERIFY(answered(10s, 10s + 20ms));
+        QVERIFY(!answered(10s, 10s + 60ms));
+        QVERIFY(!answered(10s - 1ns, 10s + 80ms)); // sent before it
+        QCOMPARE(client.longestRoundTrip(), std::optional{Duration{20ms}});
+        QVERIFY(!answered(10s + 1ns, 10s)); // impossible, so no answer
+        QVERIFY(answered(10s + 1ns, 10s + 100ms));
+    }
+
     void anOldEchoIsLeftOut()
     {
         PeerLink host{9, 0s, at(0s)};
@@ -88,10 +105,12 @@ private Q_SLOTS:
     {
         PeerLink client{9, 0s, at(0s)};
         BundleHeader header;
+        Duration past{};
         const auto echoed = [&](Duration sent, Duration hold) {
             ++header.sequence;
-            header.echo = ClockEcho{sent, hold};
-            return client.heard(header, at(20s)).has_value();
+            past += 1min; // each is of another datagram
+            header.echo = ClockEcho{past + sent, hold};
+            return client.heard(header, at(past + 20s)).has_value();
         };
         QVERIFY(!echoed(20s + 1ns, 0s)); // from the future
         QVERIFY(!echoed(19s, 1s + 1ns)); // held longer than it was away
@@ -110,9 +129,9 @@ private Q_SLOTS:
         QVERIFY(!client.newestRoundTrip());
         BundleHeader header;
         for (const Duration length : {4ms, 9ms, 6ms}) {
-            ++header.sequence;
-            header.echo = ClockEcho{20s - length, 0s};
-            client.heard(header, at(20s));
+            const Duration sent = ++header.sequence * 1s;
+            header.echo = ClockEcho{sent, 0s};
+            client.heard(header, at(sent + length));
             QCOMPARE(client.newestRoundTrip(), std::optional{length});
         }
     }
@@ -135,9 +154,9 @@ private Q_SLOTS:
         PeerLink client{9, 0s, at(0s)};
         BundleHeader header;
         const auto echoed = [&](Duration length) {
-            ++header.sequence;
-            header.echo = ClockEcho{20s - length, 0s};
-            client.heard(header, at(20s));
+            const Duration sent = ++header.sequence * 1s;
+            header.echo = ClockEcho{sent, 0s};
+            client.heard(header, at(sent + length));
         };
         echoed(1ms);
         echoed(9ms);

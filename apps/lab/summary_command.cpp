@@ -176,7 +176,9 @@ constexpr std::string_view kSummaryHelp = R"(summary DIR
       lung_volume_difference the gas in both lungs as drawn by the console against that drawn by the
                              trainee, over a number of instants: mean_, p95_, largest_ml, once for
                              the same_session_time by each one's own clock, and once for the
-                             same_instant of CLOCK_MONOTONIC, where the clocks' difference counts too
+                             same_instant of CLOCK_MONOTONIC, where the clocks' difference counts too.
+                             largest_ml is an upper bound: between frames the volume is interpolated,
+                             also across the corner where an inspiration ends
 )";
 
 } // namespace

@@ -21,7 +21,9 @@ enum class Sameness {
 
 /// Compares the volumes of both lungs together, as measured from the vertices drawn. Each frame of
 /// `viewer` is held against `owner` at the same time, on the cubic through the two frames before
-/// and the two after; frames further apart than 200 ms are left out.
+/// and the two after; frames further apart than 200 ms are left out. Where an inspiration ends the
+/// volume has a corner, and a cubic across it is off by some ml: the largest difference is
+/// therefore an upper bound.
 [[nodiscard]] VolumeDifference volumesBetween(std::span<const LoggedFrame> owner,
                                               std::span<const LoggedFrame> viewer, Sameness same);
 

@@ -11,9 +11,11 @@ Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
     if (!anatomy.empty() && anatomy != patient.contentHash())
         return fail(Errc::OtherPatient, "");
     const SiteRegistration& fitted = *site.registration;
-    SiteSetup setup{.registration = {.X_AT = fitted.X_AT}, .display = site.display};
+    Result<SiteSetup> setup = SiteSetup{};
+    setup->registration.X_AT = fitted.X_AT;
+    setup->display = site.display;
     if (fitted.X_JM)
-        setup.registration.X_JA = *fitted.X_JM * fitted.X_AM.inverse();
+        setup->registration.X_JA = *fitted.X_JM * fitted.X_AM.inverse();
     return setup;
 }
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "models/network_figures.h"
+#include "models/session_model.h"
+
+#include <QAbstractListModel>
+
+namespace carina
+{
+
+/// Everybody whom this program measures a path to, by name, each with the figures of the network
+/// between.
+class NetworkModel : public QAbstractListModel
+{
+    Q_OBJECT
+
+public:
+    static constexpr int kIdRole = Qt::UserRole;
+
+    /// @pre session outlives this.
+    explicit NetworkModel(SessionModel& session, QObject* parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+    /// Nothing for a row that is none.
+    [[nodiscard]] std::optional<NetworkFigures> figures(int row) const;
+
+Q_SIGNALS:
+    /// There are newer figures, of the same or of other participants.
+    void measured();
+
+private:
+    void refresh();
+
+    SessionModel& m_session;
+    std::vector<NetworkFigures> m_figures;
+};
+
+} // namespace carina

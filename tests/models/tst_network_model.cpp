@@ -1,0 +1,203 @@
+#include "models/network_figures_model.h"
+#include "models/network_model.h"
+#include "tests/models/fake_session_node.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace carina
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+using test::FakeSessionNode;
+using Column = NetworkFiguresModel::Column;
+
+constexpr auto kInstructor = FakeSessionNode::kInstructor;
+constexpr auto kTrainee = FakeSessionNode::kTrainee;
+constexpr auto kObserver = FakeSessionNode::kObserver;
+const QString kUnknown = QStringLiteral("not known yet");
+
+/// A path of which everything is known: delays of 8 and 12 ms.
+PathReport knownPath(ParticipantId peer)
+{
+    PathReport path{peer};
+    path.roundTrip = 24ms;
+    path.delays = {8ms, 12ms};
+    path.meanDelay = 10ms;
+    path.sigma = 2ms;
+    path.probesPerSecond = 3.0;
+    path.clockOffset = 12'345'678'901us;
+    path.clockError = 54us;
+    path.clockErrorBound = 8ms;
+    path.loss = 0.0123;
+    return path;
+}
+
+ObjectReport movingTube()
+{
+    ObjectReport report{FakeSessionNode::kTube, 21ms, 0.14, 0.8};
+    report.turnDegPerS = 100.0;
+    report.moveMmPerS = 50.0;
+    report.actionsPerS = 60.0;
+    return report;
+}
+
+/// What the table says of a participant, line by line.
+QStringList linesOf(const NetworkFigures& figures)
+{
+    NetworkFiguresModel table;
+    const QAbstractItemModelTester tester{&table,
+                                          QAbstractItemModelTester::FailureReportingMode::QtTest};
+    table.show(figures);
+    QStringList lines;
+    for (int row = 0; row < table.rowCount(); ++row)
+        lines << table.index(row, Column::HowMuch).data(Qt::AccessibleTextRole).toString();
+    return lines;
+}
+
+} // namespace
+
+class TestNetworkModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void listsWhomThereIsAPathTo()
+    {
+        FakeSessionNode node;
+        node.pathReports = {PathReport{kObserver}, PathReport{kTrainee},
+                            PathReport{ParticipantId{77}}}; // nobody the session knows
+        SessionModel session{node};
+        const NetworkModel model{session};
+        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.index(0).data().toString(), QStringLiteral("Tom"));
+        QCOMPARE(model.index(1).data().toString(), QStringLiteral("Olga"));
+        QCOMPARE(model.index(1).data(NetworkModel::kIdRole).toInt(), int{kObserver.value});
+        QVERIFY(!model.figures(-1));
+        QVERIFY(!model.figures(2));
+    }
+
+    void givesEveryFigureInItsUnit()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        const NetworkFigures figures = networkFigures(node).at(0);
+        QCOMPARE(figures.roundTrip_ms, std::optional{24.0});
+        QCOMPARE(figures.delays_ms, (std::vector<double>{8.0, 12.0}));
+        QCOMPARE(figures.meanDelay_ms, std::optional{10.0});
+        QCOMPARE(figures.sigma_ms, std::optional{2.0});
+        QCOMPARE(figures.probes_per_s, std::optional{3.0});
+        QCOMPARE(figures.clockOffset_s, std::optional{12'345.678901});
+        QCOMPARE(figures.clockErrorBound_ms, std::optional{8.0});
+        QVERIFY(std::abs(figures.loss_percent.value() - 1.23) < 1e-9);
+        QVERIFY(figures.objects.empty());
+    }
+
+    void theLimitIsSpeedTimesDelay()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee), knownPath(kObserver)};
+        node.pathReports[1].meanDelay = 15ms;
+        node.reports = {movingTube()};
+        const auto all = networkFigures(node);
+        QVERIFY(all.at(1).objects.empty()); // the tube is Tom's
+        const ObjectFigures tube = all.at(0).objects.at(0);
+        QCOMPARE(tube.name, QStringLiteral("tube"));
+        QCOMPARE(tube.drift_deg, std::optional{0.14});
+        QVERIFY(std::abs(tube.limit_deg.value() - 1.0) < 1e-9); // 100 deg/s x 10 ms
+        QVERIFY(std::abs(tube.limit_mm.value() - 0.5) < 1e-9);  // 50 mm/s x 10 ms
+        QCOMPARE(tube.actions_per_s, std::optional{60.0});
+        // From Tom to Olga it is 25 ms.
+        QVERIFY(std::abs(tube.upshot_per_s.value() - 40.0) < 1e-9);
+    }
+
+    void withOneParticipantTheUpshotIsThatOfThePathHere()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.reports = {movingTube()};
+        const auto all = networkFigures(node);
+        QVERIFY(std::abs(all.at(0).objects.at(0).upshot_per_s.value() - 100.0) < 1e-9);
+    }
+
+    void saysWhatIsNotKnownYet()
+    {
+        FakeSessionNode node;
+        node.pathReports = {PathReport{kTrainee}};
+        node.reports = {{FakeSessionNode::kTube, 21ms, 0.14, 0.8}};
+        const QStringList expected{
+            QStringLiteral("Round trip: ") + kUnknown,
+            QStringLiteral("One-way delay, mean: ") + kUnknown,
+            QStringLiteral("Delay, σ: ") + kUnknown,
+            QStringLiteral("Probing, γ₀: ") + kUnknown,
+            QStringLiteral("Lost on the way here: ") + kUnknown,
+            QStringLiteral("Clock offset: ") + kUnknown,
+            QStringLiteral("Clock offset, error: ") + kUnknown,
+            QStringLiteral("Clock offset, at most off by: ") + kUnknown,
+            QStringLiteral("tube: drift (limit): 0.140° (not known yet)"),
+            QStringLiteral("tube: drift (limit): 0.800 mm (not known yet)"),
+            QStringLiteral("tube: actions vₖ (upshot v₀): not known yet (not known yet)"),
+            QStringLiteral("tube: category: ") + kUnknown};
+        QCOMPARE(linesOf(networkFigures(node).at(0)), expected);
+    }
+
+    void saysEveryFigureWithItsUnit()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.reports = {movingTube()};
+        const QStringList expected{
+            QStringLiteral("Round trip: 24.00 ms"),
+            QStringLiteral("One-way delay, mean: 10.00 ms"),
+            QStringLiteral("Delay, σ: 2.00 ms"),
+            QStringLiteral("Probing, γ₀: 3 per s"),
+            QStringLiteral("Lost on the way here: 1.2 %"),
+            QStringLiteral("Clock offset: 12345.678901 s"),
+            QStringLiteral("Clock offset, error: ± 0.054 ms"),
+            QStringLiteral("Clock offset, at most off by: ± 8.000 ms"),
+            QStringLiteral("tube: drift (limit): 0.140° (1.000°)"),
+            QStringLiteral("tube: drift (limit): 0.800 mm (0.500 mm)"),
+            QStringLiteral("tube: actions vₖ (upshot v₀): 60 per s (100 per s)"),
+            QStringLiteral("tube: category: ▲ below upshot")};
+        QCOMPARE(linesOf(networkFigures(node).at(0)), expected);
+        node.reports[0].actionsPerS = 100.0;
+        QCOMPARE(linesOf(networkFigures(node).at(0)).last(),
+                 QStringLiteral("tube: category: ■ above upshot"));
+    }
+
+    void changesNumbersWithoutLosingTheSelection()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        SessionModel session{node};
+        NetworkModel model{session};
+        NetworkFiguresModel table;
+        table.show(model.figures(0));
+        const QPersistentModelIndex selected = table.index(0, Column::HowMuch);
+        QSignalSpy resets{&model, &QAbstractItemModel::modelReset};
+        QSignalSpy measured{&model, &NetworkModel::measured};
+        node.pathReports[0].roundTrip = 30ms;
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(resets.count(), 0);
+        QCOMPARE(measured.count(), 1);
+        table.show(model.figures(0));
+        QVERIFY(selected.isValid());
+        QCOMPARE(selected.data().toString(), QStringLiteral("30.00 ms"));
+        node.pathReports.push_back(PathReport{kInstructor});
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(resets.count(), 1);
+        QCOMPARE(model.figures(0)->id, kInstructor);
+        table.show({});
+        QCOMPARE(table.rowCount(), 0);
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestNetworkModel)
+#include "tst_network_model.moc"

@@ -14,6 +14,7 @@ namespace
 
 constexpr int kRefreshInterval_ms = 250;
 constexpr int kEndAsked_ms = 4000;
+constexpr int kNetworkShare = 3; ///< of the height, against that of the participants
 
 /// Told by shape besides the word.
 QString phaseShape(SessionPhase phase)
@@ -34,8 +35,8 @@ QString phaseShape(SessionPhase phase)
 } // namespace
 
 InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
-                                   ParticipantsModel& participants, const PatientModel& patient,
-                                   const StationView& view)
+                                   ParticipantsModel& participants, NetworkModel& network,
+                                   const PatientModel& patient, const StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_phase{new QLabel{this}},
@@ -44,11 +45,13 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->setupUi(this);
     m_ui->breathing->setModel(breathing);
     m_ui->participants->setModel(participants);
+    m_ui->network->setModel(network);
     m_ui->invitation->show(session.node());
     m_ui->patient->setText(tr("Patient: %1").arg(QString::fromStdString(patient.name())));
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
     m_ui->statusBar->addWidget(m_status, 1);
+    resizeDocks({m_ui->participantsDock, m_ui->networkDock}, {1, kNetworkShare}, Qt::Vertical);
     fillSessionBar();
     connectViews();
 

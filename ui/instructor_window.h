@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/breathing_model.h"
+#include "models/network_model.h"
 #include "models/participants_model.h"
 #include "models/session_model.h"
 #include "ui/station_scene.h"
@@ -27,8 +28,8 @@ class InstructorWindow : public QMainWindow
 public:
     /// @pre all outlive the window.
     InstructorWindow(SessionModel& session, BreathingModel& breathing,
-                     ParticipantsModel& participants, const PatientModel& patient,
-                     const StationView& view);
+                     ParticipantsModel& participants, NetworkModel& network,
+                     const PatientModel& patient, const StationView& view);
     ~InstructorWindow() override;
 
     [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }

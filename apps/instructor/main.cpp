@@ -171,8 +171,9 @@ Result<int> run(const QCommandLineParser& parser)
     SessionModel session{**node};
     BreathingModel breathing{session, kStation};
     ParticipantsModel participants{session};
+    NetworkModel network{session};
     const StationView view{**node, kStation, patient->model.lungs(), posesOf(**node, kStation)};
-    InstructorWindow window{session, breathing, participants, patient->model, view};
+    InstructorWindow window{session, breathing, participants, network, patient->model, view};
     window.resize(options->size);
     window.show();
     const auto journal =

@@ -202,6 +202,9 @@ void ClientDriver::show(LocalTime now)
             view.pending.push_back(*std::move(body));
     view.clockReport = clockReport(now);
     view.links.push_back(linkReport(kHostParticipant, linkState(m_core.state()), m_core.link()));
+    m_board.showPaths(view, now, [&] {
+        return std::vector{reportPath(kHostParticipant, m_core.link(), m_core.clock().trigger())};
+    });
     view.refusal = m_refusal;
     if (const auto refused = m_core.helloRefused())
         view.refusal = Error{*refused, {}};

@@ -19,7 +19,6 @@ constexpr StationId kFirstStation{0};
 /// Whoever acts quickly does not keep the host at its disk.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
 constexpr const char* kFirstStationName = "Station 1";
-constexpr Duration kPathInterval = std::chrono::milliseconds{100};
 
 std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
 
@@ -85,8 +84,7 @@ HostDriver::HostDriver(std::unique_ptr<FactStore> store, SessionAuthority author
     : m_store{std::move(store)},
       m_authority{std::move(authority)},
       m_board{board},
-      m_returnsEnd{now + kPeerTimeout},
-      m_nextPaths{now}
+      m_returnsEnd{now + kPeerTimeout}
 {
 }
 
@@ -248,20 +246,19 @@ NodeDriver::Datagrams HostDriver::close(LocalTime now)
     return std::move(m_core->take().datagrams);
 }
 
-void HostDriver::measurePaths(LocalTime now)
+std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
 {
-    m_nextPaths = now + kPathInterval;
     const SessionTime session = m_core->sessionTime(now);
-    auto paths = std::make_shared<std::vector<PathReport>>();
+    std::vector<PathReport> paths;
     for (const auto& [address, peer] : m_core->peers()) {
         PathReport path = reportPath(peer.participant, peer.link, peer.clock.trigger());
         if ((path.clockOffset = peer.clock.offset(session))) {
             path.clockError = fromSeconds(peer.clock.uncertainty(session));
             path.clockErrorBound = peer.clock.bound();
         }
-        paths->push_back(std::move(path));
+        paths.push_back(std::move(path));
     }
-    m_paths = std::move(paths);
+    return paths;
 }
 
 void HostDriver::show(LocalTime now)
@@ -277,9 +274,7 @@ void HostDriver::show(LocalTime now)
     m_board.showActions(view, m_core->actions());
     for (const auto& [address, peer] : m_core->peers())
         view.links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
-    if (now >= m_nextPaths)
-        measurePaths(now);
-    view.paths = m_paths;
+    m_board.showPaths(view, now, [&] { return measurePaths(now); });
     view.refusal = m_refusal ? m_refusal : m_access->fault();
     if (m_board.show(std::move(view)))
         m_board.announce();

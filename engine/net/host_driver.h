@@ -54,7 +54,7 @@ private:
     void share(const SharedObject& object);
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
-    void measurePaths(LocalTime now);
+    [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;
 
     std::unique_ptr<FactStore> m_store;
     SessionAuthority m_authority;
@@ -70,8 +70,6 @@ private:
     LocalTime m_returnsEnd; // until then those of the last run may come back
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;
-    std::shared_ptr<const std::vector<PathReport>> m_paths;
-    LocalTime m_nextPaths;
 };
 
 } // namespace carina

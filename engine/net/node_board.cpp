@@ -7,6 +7,8 @@ namespace carina
 namespace
 {
 
+constexpr Duration kPathInterval = std::chrono::milliseconds{100};
+
 bool sameLinks(const std::vector<NodeBoard::Link>& a, const std::vector<NodeBoard::Link>& b)
 {
     return std::ranges::equal(a, b, [](const NodeBoard::Link& x, const NodeBoard::Link& y) {
@@ -21,6 +23,20 @@ void NodeBoard::showActions(View& view, const SharedActions& actions) const
     view.actions = this->actions();
     if (view.actions->revision() != actions.revision())
         view.actions = std::make_shared<SharedActions>(actions);
+}
+
+void NodeBoard::showPaths(View& view, LocalTime now,
+                          const std::function<std::vector<PathReport>()>& measure) const
+{
+    {
+        const std::scoped_lock lock{m_mutex};
+        view.paths = m_view.paths;
+        view.nextPaths = m_view.nextPaths;
+    }
+    if (now < view.nextPaths)
+        return;
+    view.paths = std::make_shared<std::vector<PathReport>>(measure());
+    view.nextPaths = now + kPathInterval;
 }
 
 std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const

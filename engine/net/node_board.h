@@ -29,6 +29,7 @@ public:
         std::vector<Link> links;
         std::shared_ptr<const std::vector<PathReport>> paths =
             std::make_shared<std::vector<PathReport>>();
+        LocalTime nextPaths = LocalTime::min(); ///< when they are to be measured again
         std::optional<Error> refusal;
     };
 
@@ -57,6 +58,9 @@ public:
     [[nodiscard]] std::vector<ObjectReport> objectReports(SessionTime now) const;
     /// The node's actions in a view: what is shown already, where it is the same.
     void showActions(View& view, const SharedActions& actions) const;
+    /// The node's paths in a view, measured where what is shown is too old.
+    void showPaths(View& view, LocalTime now,
+                   const std::function<std::vector<PathReport>()>& measure) const;
     /// @returns whether what onChange announces is another than before.
     bool show(View view);
 

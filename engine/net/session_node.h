@@ -142,8 +142,9 @@ public:
                                                            SessionTime t) const = 0;
 
     [[nodiscard]] virtual std::vector<LinkReport> links() const = 0;
-    /// Of the paths that this node measures, ten times a second; shared because readers on several
-    /// threads keep the snapshot while newer ones replace it.
+    /// Of the paths that this node measures, ten times a second: the host's to everybody, all
+    /// others' to the host, whose clock is the session's and stays out of it. Shared because
+    /// readers on several threads keep the snapshot while newer ones replace it.
     [[nodiscard]] virtual std::shared_ptr<const std::vector<PathReport>> paths() const = 0;
     /// Why the host does not admit this node, else why it refused the last proposal it refused;
     /// nothing while all is well.

@@ -54,6 +54,20 @@ private Q_SLOTS:
         QVERIFY(*lossOfAnna() < 0.5);
     }
 
+    void everybodyElseMeasuresThePathToTheHost()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto anna = join(*instructor, "Anna");
+        QCOMPARE(anna->paths()->size(), std::size_t{1});
+        QCOMPARE(anna->paths()->front().peer, ParticipantId{0});
+        QTRY_VERIFY_WITH_TIMEOUT(anna->paths()->front().delays.size() >= 10, kSoonMs);
+        const PathReport path = anna->paths()->front();
+        QVERIFY(path.roundTrip.value() > 0ns && path.roundTrip.value() < kLongestLoopback);
+        QVERIFY(path.meanDelay.value() < kLongestLoopback);
+        QVERIFY(!path.clockOffset);
+    }
+
     void whoLeavesHasNoPath()
     {
         MemoryDisk disk;

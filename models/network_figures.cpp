@@ -52,8 +52,8 @@ ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
     figures.name = QString::fromStdString(object.name);
     figures.drift_deg = report.driftDeg;
     figures.drift_mm = report.driftMm;
-    figures.limit_deg = product(report.turnDegPerS, delay);
-    figures.limit_mm = product(report.moveMmPerS, delay);
+    figures.limit_deg = report.limitDeg ? report.limitDeg : product(report.turnDegPerS, delay);
+    figures.limit_mm = report.limitMm ? report.limitMm : product(report.moveMmPerS, delay);
     figures.actions_per_s = report.actionsPerS;
     if (const auto longest = longestWayFrom(object.owner, delays))
         figures.upshot_per_s = upshotFrequency(*longest);

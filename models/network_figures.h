@@ -14,7 +14,8 @@ namespace carina
 /// What the network does to one shared object; what is not known yet is nothing.
 ///
 /// The limit is speed x delay: when an object begins or ceases to move so fast, nobody elsewhere
-/// can know before one one-way delay is over, and is off by so much until then.
+/// can know before one one-way delay is over, and is off by so much until then. Of an object that
+/// is acted on it is that of the last action (ActionMeter).
 struct ObjectFigures {
     QString name;
     std::optional<double> drift_deg{};

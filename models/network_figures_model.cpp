@@ -90,8 +90,8 @@ void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Ro
 
 void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row>& rows)
 {
-    const QString drift = tr("How far the newest sample moved what was drawn; in brackets the "
-                             "limit, speed × delay: nobody elsewhere can know sooner");
+    const QString drift = tr("How far the newest sample or action moved what was drawn; in "
+                             "brackets the limit, speed × delay: nobody elsewhere can know sooner");
     rows.push_back({tr("%1: drift (limit)").arg(object.name),
                     withBound(object.drift_deg, object.limit_deg, 3, tr("°")), drift});
     rows.push_back({tr("%1: drift (limit)").arg(object.name),

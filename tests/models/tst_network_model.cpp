@@ -114,6 +114,18 @@ private Q_SLOTS:
         QVERIFY(std::abs(tube.upshot_per_s.value() - 40.0) < 1e-9);
     }
 
+    void theLimitOfAnObjectThatIsActedOnIsThatOfTheAction()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.reports = {movingTube()};
+        node.reports[0].limitDeg = 3.0;
+        node.reports[0].limitMm = 0.25;
+        const auto all = networkFigures(node);
+        QCOMPARE(all.at(0).objects.at(0).limit_deg, std::optional{3.0});
+        QCOMPARE(all.at(0).objects.at(0).limit_mm, std::optional{0.25});
+    }
+
     void withOneParticipantTheUpshotIsThatOfThePathHere()
     {
         FakeSessionNode node;

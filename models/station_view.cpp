@@ -16,6 +16,8 @@ ToolRole toolOf(ObjectKind kind)
         return ToolRole::Tube;
     case ObjectKind::Stylus:
         return ToolRole::Stylus;
+    case ObjectKind::Patient:
+        break;
     }
     return ToolRole::Other;
 }

@@ -48,10 +48,14 @@ constexpr std::tuple kFields<fact::ObjectHandedOver>{&fact::ObjectHandedOver::ob
                                                      &fact::ObjectHandedOver::owner,
                                                      &fact::ObjectHandedOver::epoch};
 
+template <>
+constexpr std::tuple kFields<fact::ObjectWanted>{&fact::ObjectWanted::object,
+                                                 &fact::ObjectWanted::wanted};
+
 template <class Enum> constexpr Enum kLastEnumerator{};
 template <> constexpr SessionPhase kLastEnumerator<SessionPhase> = SessionPhase::Ended;
 template <> constexpr Role kLastEnumerator<Role> = Role::Observer;
-template <> constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Stylus;
+template <> constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Patient;
 
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
@@ -80,6 +84,14 @@ template <class Tag, class Number> void getField(ByteReader& in, Id<Tag, Number>
 
 void putField(ByteWriter& out, std::uint16_t number) { out.number(number); }
 void getField(ByteReader& in, std::uint16_t& number) { number = in.number<std::uint16_t>(); }
+
+void putField(ByteWriter& out, bool flag) { out.number(std::uint8_t{flag}); }
+void getField(ByteReader& in, bool& flag)
+{
+    const auto number = in.number<std::uint8_t>();
+    in.require(number <= 1, "flag");
+    flag = number == 1;
+}
 
 void putField(ByteWriter& out, double number) { out.real(number); }
 void getField(ByteReader& in, double& number)

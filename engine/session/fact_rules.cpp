@@ -59,6 +59,7 @@ struct BodyCheck {
     Result<void> operator()(const fact::ParticipantLeft&) const { return {}; }
     Result<void> operator()(const fact::ObjectShared& f) const { return checkTexts({&f.name}); }
     Result<void> operator()(const fact::ObjectHandedOver&) const { return {}; }
+    Result<void> operator()(const fact::ObjectWanted&) const { return {}; }
     Result<void> operator()(const fact::AnatomyChosen& f) const
     {
         return checkTexts({&f.contentHash, &f.name});

@@ -14,7 +14,13 @@ namespace carina
 
 enum class Role : std::uint8_t { Instructor, Trainee, Observer };
 enum class SessionPhase : std::uint8_t { Prepared, Running, Paused, Ended };
-enum class ObjectKind : std::uint8_t { Head, Jaw, Tube, Stylus };
+enum class ObjectKind : std::uint8_t {
+    Head,
+    Jaw,
+    Tube,
+    Stylus,
+    Patient, ///< the virtual patient as drawn; not tracked, moved by actions
+};
 
 /// What may be decided or happen in a session. Each alternative is one kind of fact; its station,
 /// author and effect time are in the Fact around it.
@@ -69,6 +75,14 @@ struct ObjectHandedOver {
 
     friend bool operator==(const ObjectHandedOver&, const ObjectHandedOver&) = default;
 };
+/// The author would like to own a shared object, or not any more. A wish stands until the author
+/// owns the object or leaves.
+struct ObjectWanted {
+    ObjectId object;
+    bool wanted = true;
+
+    friend bool operator==(const ObjectWanted&, const ObjectWanted&) = default;
+};
 /// The station's patient, by content hash and name.
 struct AnatomyChosen {
     std::string contentHash;
@@ -96,10 +110,11 @@ struct InspiratoryFractionSet {
 } // namespace fact
 
 /// The order of the alternatives is the kind byte on the wire and on disk: new ones go to the end.
-using FactBody = std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
-                              fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
-                              fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
-                              fact::InspiratoryFractionSet, fact::ObjectHandedOver>;
+using FactBody =
+    std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
+                 fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
+                 fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
+                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted>;
 
 /// The object whose ownership a fact is about, if it is about one.
 [[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)

@@ -62,19 +62,26 @@ Result<void> settleId(typename Entries::key_type& id, const Entries& entries, co
     return {};
 }
 
+Result<void> checkObject(const SessionState& state, ObjectId id)
+{
+    if (!state.objects().contains(id))
+        return fail(Errc::OutOfRange, "object " + std::to_string(id.value));
+    return {};
+}
+
 /// Compare and set: of several at once the first holds, and the others see that it did.
 Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOver& handed)
 {
-    const auto object = state.objects().find(handed.object);
+    if (const auto known = checkObject(state, handed.object); !known)
+        return known;
+    const SharedObject& object = state.objects().at(handed.object);
     const auto owner = state.participants().find(handed.owner);
-    if (object == state.objects().end())
-        return fail(Errc::OutOfRange, "object " + std::to_string(handed.object.value));
     if (owner == state.participants().end())
         return fail(Errc::OutOfRange, "participant " + std::to_string(handed.owner.value));
     if (owner->second.role == Role::Observer)
         return fail(Errc::NotPermitted, owner->second.name);
-    if (object->second.epoch != handed.epoch)
-        return fail(Errc::OwnerChanged, object->second.name);
+    if (object.epoch != handed.epoch)
+        return fail(Errc::OwnerChanged, object.name);
     return {};
 }
 
@@ -103,11 +110,13 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
                                        });
                    },
                    [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, handed); },
+                   [&](fact::ObjectWanted& wanted) { return checkObject(state, wanted.object); },
                    [](auto&) { return Result<void>{}; }},
         body);
 }
 
-/// What a trainee or an observer may do: come, go, and (a trainee) share what is their own.
+/// What a trainee or an observer may do: come, go, and (a trainee) share what is their own and ask
+/// for what is not.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, const FactBody& body)
 {
     return std::visit(
@@ -123,6 +132,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, co
                        return author.role == Role::Trainee
                               && state.objects().at(f.object).owner == author.id;
                    },
+                   [&](const fact::ObjectWanted&) { return author.role == Role::Trainee; },
                    [](const auto&) { return false; }},
         body);
 }
@@ -156,6 +166,7 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
                                  [](const fact::ParticipantLeft&) { return Result<void>{}; },
                                  [](const fact::ObjectShared&) { return Result<void>{}; },
                                  [](const fact::ObjectHandedOver&) { return Result<void>{}; },
+                                 [](const fact::ObjectWanted&) { return Result<void>{}; },
                                  [&](const auto&) -> Result<void> {
                                      return fail(Errc::SessionEnded, state.name());
                                  }},

@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -47,6 +48,8 @@ struct SessionState::Applier {
         const auto participant = state.m_participants.find(body.participant);
         if (participant != state.m_participants.end())
             participant->second.present = false;
+        for (auto& [id, object] : state.m_objects)
+            std::erase(object.wantedBy, body.participant);
     }
     void operator()(const fact::ObjectShared& body) const
     {
@@ -65,6 +68,17 @@ struct SessionState::Applier {
         const auto object = state.m_objects.find(body.object);
         if (object != state.m_objects.end())
             own(object->second, body.owner);
+    }
+    void operator()(const fact::ObjectWanted& body) const
+    {
+        const auto object = state.m_objects.find(body.object);
+        if (object == state.m_objects.end() || object->second.owner == around.author)
+            return;
+        std::vector<ParticipantId>& asking = object->second.wantedBy;
+        if (!body.wanted)
+            std::erase(asking, around.author);
+        else if (std::ranges::find(asking, around.author) == asking.end())
+            asking.push_back(around.author);
     }
     void operator()(const fact::AnatomyChosen& body) const
     {
@@ -93,6 +107,7 @@ struct SessionState::Applier {
     {
         if (std::exchange(object.owner, owner) != owner)
             ++object.epoch;
+        std::erase(object.wantedBy, owner);
     }
     /// The station that the fact is about; nullptr where there is none.
     [[nodiscard]] Station* ofFact() const

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace carina
 {
@@ -25,6 +26,7 @@ struct SharedObject {
     StationId station;
     ObjectKind kind = ObjectKind::Tube;
     std::string name;
+    std::vector<ParticipantId> wantedBy{}; ///< those who asked for it, who asked first to the front
 };
 
 struct Station {

@@ -41,6 +41,10 @@ struct ActedPose {
 struct ShownObject {
     ActedPose acted;
     bool isStale = false; ///< nothing was heard of it for longer than expected
+    // What goes on with it, as in EventCpo:
+    ActionKind kind = ActionKind::Rotation;
+    Vec3 axis_A = Vec3::UnitX();
+    double rate = 0.0;
 };
 
 /// The object so long after the action's start. Before the start it is as it was at the start.

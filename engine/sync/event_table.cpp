@@ -25,11 +25,17 @@ EventTable::Verdict EventTable::take(const EventCpo& event, std::optional<Sessio
 
 std::optional<ActedPose> EventTable::at(ObjectId object, SessionTime t) const
 {
+    const EventCpo* event = inForce(object, t);
+    return event ? std::optional{evaluate(*event, t)} : std::nullopt;
+}
+
+const EventCpo* EventTable::inForce(ObjectId object, SessionTime t) const
+{
     const auto found = m_entries.find(object);
     if (found == m_entries.end())
-        return std::nullopt;
+        return nullptr;
     const Entry& entry = found->second;
-    return evaluate(entry.before && t < entry.newest.start ? *entry.before : entry.newest, t);
+    return entry.before && t < entry.newest.start ? &*entry.before : &entry.newest;
 }
 
 bool EventTable::isStale(ObjectId object, LocalTime t) const

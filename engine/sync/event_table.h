@@ -26,6 +26,8 @@ public:
     /// The object at session time t: of the action before the newest where that has not begun, so
     /// that an action may be announced. Nothing for an object never heard of.
     [[nodiscard]] std::optional<ActedPose> at(ObjectId object, SessionTime t) const;
+    /// The action that at() evaluates; nullptr for an object never heard of.
+    [[nodiscard]] const EventCpo* inForce(ObjectId object, SessionTime t) const;
     [[nodiscard]] bool isStale(ObjectId object, LocalTime t) const;
     [[nodiscard]] const EventCpo* newest(ObjectId object) const;
     /// Of every object, in any order.

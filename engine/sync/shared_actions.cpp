@@ -25,6 +25,13 @@ Result<void> checkAction(const ObjectAction& action)
     return {};
 }
 
+ActedPose withinSizes(ActedPose acted)
+{
+    acted.scale =
+        std::clamp(acted.scale, SharedActions::kSmallestScale, SharedActions::kLargestScale);
+    return acted;
+}
+
 } // namespace
 
 void SharedActions::clear()
@@ -68,8 +75,7 @@ Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& actio
     if (const auto valid = checkAction(action); !valid)
         return tl::unexpected(valid.error());
     const EventCpo* last = m_table.newest(object);
-    ActedPose from = last ? evaluate(*last, t) : action.from;
-    from.scale = std::clamp(from.scale, kSmallestScale, kLargestScale);
+    const ActedPose from = last && !action.anew ? evaluate(*last, t) : action.from;
     EventCpo event;
     event.object = object;
     event.epoch = m_owners.at(object).epoch;
@@ -77,7 +83,7 @@ Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& actio
     event.kind = action.kind;
     event.axis_A = action.axis_A.cast<float>();
     event.rate = static_cast<float>(action.rate);
-    return begunFrom(from, t, event);
+    return begunFrom(withinSizes(from), t, event);
 }
 
 std::optional<EventCpo> SharedActions::continued(EventCpo event) const
@@ -107,10 +113,12 @@ EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<Ses
 
 std::optional<ShownObject> SharedActions::shown(ObjectId object, SessionTime t, LocalTime now) const
 {
-    const auto acted = m_table.at(object, t);
-    if (!acted)
+    const EventCpo* event = m_table.inForce(object, t);
+    if (!event)
         return std::nullopt;
-    return ShownObject{*acted, !isOwn(object) && m_table.isStale(object, now)};
+    return ShownObject{withinSizes(evaluate(*event, t)),
+                       !isOwn(object) && m_table.isStale(object, now), event->kind,
+                       event->axis_A.cast<double>(), double{event->rate}};
 }
 
 } // namespace carina

@@ -24,6 +24,7 @@ struct ObjectAction {
     Vec3 axis_A = Vec3::UnitX(); ///< of length 1 to kAxisTolerance
     double rate = 0.0;           ///< rad/s, m/s or 1/s by kind, at most kFastestAction
     ActedPose from{};            ///< where the object is, if nobody has acted on it yet
+    bool anew = false;           ///< begins there wherever the object is: puts it there
 };
 
 /// The shared objects that are acted on, as one node knows them: the owner of each, and the action
@@ -33,7 +34,7 @@ class SharedActions
 public:
     static constexpr double kAxisTolerance = 1e-6;
     static constexpr double kFastestAction = 100.0;
-    /// A scaling that went on for long ends here where the next action begins.
+    /// A scaling that goes on for long ends here.
     static constexpr double kSmallestScale = 1e-3;
     static constexpr double kLargestScale = 1e3;
 

@@ -22,11 +22,12 @@ inline constexpr ObjectId kSampleTube{1}; ///< of kSampleTrainee
 class LogWriter
 {
 public:
-    const Fact& add(SessionTime effect, FactBody body, StationId station = kSampleStation)
+    const Fact& add(SessionTime effect, FactBody body, StationId station = kSampleStation,
+                    ParticipantId author = kSampleHost)
     {
         const std::uint64_t number = m_log.size() + 1;
-        m_log.push_back(Fact{FactNumber{number}, ProposalId{1000 + number}, kSampleHost, station,
-                             effect, effect, std::move(body)});
+        m_log.push_back(Fact{FactNumber{number}, ProposalId{1000 + number}, author, station, effect,
+                             effect, std::move(body)});
         return m_log.back();
     }
     [[nodiscard]] const std::vector<Fact>& log() const { return m_log; }

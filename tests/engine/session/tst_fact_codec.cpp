@@ -76,6 +76,11 @@ std::vector<Golden> goldenFacts()
         {"object handed over",
          fact::ObjectHandedOver{ObjectId{0x0102}, ParticipantId{0x0304}, 0x0506},
          "0b 0201 0403 0605"},
+        {"object wanted", fact::ObjectWanted{ObjectId{0x0102}, true}, "0c 0201 01"},
+        {"object not wanted any more", fact::ObjectWanted{ObjectId{0x0102}, false}, "0c 0201 00"},
+        {"patient shared",
+         fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Patient, ""},
+         "06 0100 0200 04 00"},
         {"no names", fact::SessionCreated{}, "01 00 00"},
     };
 }
@@ -127,11 +132,12 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 12", "0c", "kind of fact 12");
+    row("kind 13", "0d", "kind of fact 13");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
-    row("object kind 4", "06 0100 0100 04 00", "fact of kind 6: enumerator");
+    row("object kind 5", "06 0100 0100 05 00", "fact of kind 6: enumerator");
+    row("wanted twice", "0c 0100 02", "fact of kind 12: flag");
     row("infinite rate", "08 000000000000f07f", "fact of kind 8: finite number");
     row("negative infinite volume", "09 000000000000f0ff", "fact of kind 9: finite number");
     row("fraction not a number", "0a 000000000000f87f", "fact of kind 10: finite number");

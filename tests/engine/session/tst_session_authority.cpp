@@ -180,6 +180,8 @@ void TestSessionAuthority::handsOverOnlyWhatAndToWhomIsKnown()
     QCOMPARE(hand(ObjectId{2}, kSampleTrainee), QByteArray{"out of range"});
     QCOMPARE(hand(kSampleTube, ParticipantId{99}), QByteArray{"out of range"});
     QCOMPARE(hand(kSampleTube, kSampleObserver), QByteArray{"not permitted"});
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleTrainee, fact::ObjectWanted{ObjectId{2}})),
+             QByteArray{"out of range"});
 }
 
 void TestSessionAuthority::runsOutOfIdsWithAnError()

@@ -107,6 +107,10 @@ void TestSessionPermissions::permitsByRole_data()
     row("gives the tube to an observer", "nnnnnn", [](auto) {
         return fact::ObjectHandedOver{kSampleTube, kSampleObserver, 1};
     });
+    row("asks for the tube", "yyynnn", [](auto) { return fact::ObjectWanted{kSampleTube}; });
+    row("asks for it no more", "yyynnn", [](auto) {
+        return fact::ObjectWanted{kSampleTube, false};
+    });
     QTest::newRow("other trainee takes the tube")
         << FactBody{fact::ObjectHandedOver{kSampleTube, kSampleOtherTrainee, 1}}
         << int(kSampleOtherTrainee.value) << false;
@@ -162,6 +166,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("leave", fact::ParticipantLeft{kSampleTrainee}, "fine");
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine");
     row("hand over", fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1}, "fine");
+    row("ask", fact::ObjectWanted{kSampleTube}, "fine");
     row("station", fact::StationAdded{"S"}, "session ended");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "session ended");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");

@@ -68,6 +68,46 @@ private Q_SLOTS:
         QVERIFY(isSame(*world.newest(0), *world.newest(1)));
     }
 
+    void saysWhatGoesOn()
+    {
+        ActedWorld world{13, 2, kCalm};
+        QVERIFY(world.act(0, {ActionKind::Translation, -Vec3::UnitY(), 0.25, {}}));
+        world.run(1s);
+        for (const std::size_t site : {0U, 1U}) {
+            QCOMPARE(world.shown(site)->kind, ActionKind::Translation);
+            QCOMPARE(world.shown(site)->axis_A, Vec3(-Vec3::UnitY()));
+            QCOMPARE(world.shown(site)->rate, 0.25);
+        }
+    }
+
+    void putsAnObjectWhereItIsToldWhereverItIs()
+    {
+        ActedWorld world{14, 2, kCalm};
+        const ActedPose place{RigidTransform::translation({0.1, 0.2, 0.3}), 2.0};
+        const ActedPose elsewhere{RigidTransform::translation({1.0, 0.0, 0.0}), 0.5};
+        QVERIFY(world.act(0, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, place}));
+        QVERIFY(world.act(0, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, elsewhere}));
+        world.run(1s);
+        QCOMPARE(world.shown(1)->acted.X_AO.translation(), Vec3(0.1, 0.2, 0.3)); // goes on
+        QVERIFY(world.act(0, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, elsewhere, true}));
+        world.run(1s);
+        for (const std::size_t site : {0U, 1U}) {
+            QCOMPARE(world.shown(site)->acted.X_AO.translation(), Vec3(1.0, 0.0, 0.0));
+            QCOMPARE(world.shown(site)->acted.scale, 0.5);
+        }
+    }
+
+    void showsNoSizeBeyondItsBounds()
+    {
+        ActedWorld world{15, 2, kCalm};
+        QVERIFY(world.act(0, {ActionKind::Scaling, Vec3::UnitX(), 20.0, {}}));
+        world.run(1s); // exp(20) times as large
+        QCOMPARE(world.shown(1)->acted.scale, SharedActions::kLargestScale);
+        QVERIFY(world.act(0, {ActionKind::Scaling, Vec3::UnitX(), -20.0, {}}));
+        world.run(1s);
+        QCOMPARE(world.shown(1)->acted.scale, SharedActions::kSmallestScale);
+    }
+
     void lateJoinerGetsWhatIsInForce()
     {
         ActedWorld world{9, 2, kCalm};

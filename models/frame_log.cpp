@@ -9,15 +9,29 @@ namespace carina
 namespace
 {
 
-constexpr int kColumns = 15;
+constexpr int kColumns = 22;
 
 QByteArray header()
 {
     return "local_ns,session_ns,level,amplitude_right,amplitude_left,tube_x_m,tube_y_m,tube_z_m,"
-           "tube_qx,tube_qy,tube_qz,tube_qw,sample_age_ns,volume_right_ml,volume_left_ml\n";
+           "tube_qx,tube_qy,tube_qz,tube_qw,sample_age_ns,volume_right_ml,volume_left_ml,"
+           "patient_x_m,patient_y_m,patient_z_m,patient_qx,patient_qy,patient_qz,patient_qw\n";
 }
 
 QByteArray exact(double value) { return QByteArray::number(value, 'g', 17); }
+
+/// Place and rotation, or as many empty cells.
+QByteArrayList poseCells(const std::optional<RigidTransform>& X_AF)
+{
+    if (!X_AF)
+        return QByteArrayList(7);
+    const Vec3& p = X_AF->translation();
+    const Quat& q = X_AF->rotation();
+    QByteArrayList cells;
+    for (const double value : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()})
+        cells << exact(value);
+    return cells;
+}
 
 QByteArray line(const LoggedFrame& f)
 {
@@ -26,16 +40,9 @@ QByteArray line(const LoggedFrame& f)
                          QByteArray::number(f.level),
                          QByteArray::number(double{f.amplitude[0]}, 'g', 9),
                          QByteArray::number(double{f.amplitude[1]}, 'g', 9)};
-    if (f.X_AE) {
-        const Vec3& p = f.X_AE->translation();
-        const Quat& q = f.X_AE->rotation();
-        for (const double value : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()})
-            cells << exact(value);
-    } else {
-        cells << QByteArrayList(7);
-    }
+    cells << poseCells(f.X_AE);
     cells << (f.sampleAge ? QByteArray::number(qlonglong(f.sampleAge->count())) : QByteArray{});
-    cells << exact(f.volume_ml[0]) << exact(f.volume_ml[1]);
+    cells << exact(f.volume_ml[0]) << exact(f.volume_ml[1]) << poseCells(f.X_AV);
     return cells.join(',') + '\n';
 }
 
@@ -62,12 +69,16 @@ std::optional<LoggedFrame> parse(const QByteArrayList& cells)
     f.session = SessionTime{Duration{whole(1)}};
     f.level = static_cast<int>(whole(2));
     f.amplitude = {static_cast<float>(real(3)), static_cast<float>(real(4))};
-    if (!cells[5].isEmpty()) {
-        const Quat q{real(11), real(8), real(9), real(10)};
-        if (!allRight || !q.coeffs().allFinite() || q.norm() < 0.5)
-            return std::nullopt;
-        f.X_AE = RigidTransform{q, Vec3{real(5), real(6), real(7)}};
-    }
+    const auto pose = [&](int i, std::optional<RigidTransform>& X_AF) {
+        if (cells[i].isEmpty())
+            return;
+        const Quat q{real(i + 6), real(i + 3), real(i + 4), real(i + 5)};
+        allRight = allRight && q.coeffs().allFinite() && q.norm() >= 0.5;
+        if (allRight)
+            X_AF = RigidTransform{q, Vec3{real(i), real(i + 1), real(i + 2)}};
+    };
+    pose(5, f.X_AE);
+    pose(15, f.X_AV);
     if (!cells[12].isEmpty())
         f.sampleAge = Duration{whole(12)};
     f.volume_ml = {real(13), real(14)};

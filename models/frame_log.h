@@ -23,6 +23,7 @@ struct LoggedFrame {
     std::optional<RigidTransform> X_AE; ///< the tube as drawn
     std::optional<Duration> sampleAge;  ///< of the newest sample of the tube behind it
     std::array<double, 2> volume_ml{};  ///< right and left lung, from the vertices drawn
+    std::optional<RigidTransform> X_AV; ///< the virtual patient as drawn, once it was acted on
 };
 
 /// Writes frames as CSV with a header line, one line each; the columns are those of LoggedFrame

@@ -60,6 +60,9 @@ QString stationNotice(const SessionNode& node, StationId stationId, const std::s
                                        "The session's patient is “%1”; another one is shown "
                                        "here"))
             .arg(QString::fromStdString(station->second.anatomyName));
+    if (isAway(moment))
+        return words(QT_TRANSLATE_NOOP("StationNotice",
+                                       "The virtual patient was moved away from its place"));
     if (output != ViewOutput::Screen && isLost(moment.head))
         return words(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
     if (isLost(moment.tube))

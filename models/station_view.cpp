@@ -1,5 +1,7 @@
 #include "models/station_view.h"
 
+#include "models/shared_patient.h"
+
 namespace carina
 {
 namespace
@@ -68,6 +70,11 @@ ObjectPoses posesOf(const SessionNode& node, StationId station)
             }};
 }
 
+bool isAway(const StationMoment& moment)
+{
+    return moment.patient && !isInItsPlace(moment.patient->acted);
+}
+
 StationView::StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                          ObjectPoses poses)
     : m_node{node}, m_station{station}, m_lungs{lungs}, m_poses{std::move(poses)}
@@ -88,6 +95,8 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     moment.tube = m_poses.at(ObjectKind::Tube, t);
     moment.jaw = m_poses.at(ObjectKind::Jaw, t);
     moment.head = m_poses.at(ObjectKind::Head, t);
+    if (const SharedObject* patient = sharedPatient(*state, m_station))
+        moment.patient = m_node.shown(patient->id, t);
     if (const auto newest = m_poses.newest(ObjectKind::Tube))
         moment.sampleAge = t - *newest;
     return moment;

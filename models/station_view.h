@@ -28,13 +28,18 @@ struct ObjectPoses {
 struct StationMoment {
     SessionTime time{};
     LungAmplitudes amplitudes;
-    std::optional<PoseSample> tube;    ///< X_AE; nothing while never seen
-    std::optional<PoseSample> jaw;     ///< X_AJ
-    std::optional<PoseSample> head;    ///< X_AH
-    std::optional<Duration> sampleAge; ///< of the newest sample of the tube, at that time
+    std::optional<PoseSample> tube;     ///< X_AE; nothing while never seen
+    std::optional<PoseSample> jaw;      ///< X_AJ
+    std::optional<PoseSample> head;     ///< X_AH
+    std::optional<ShownObject> patient; ///< X_AV; nothing while nobody acted on the patient
+    std::optional<Duration> sampleAge;  ///< of the newest sample of the tube, at that time
 };
 
-/// One station as a viewer draws it: a pure function of the facts, the poses and a time.
+/// Whether the virtual patient is drawn away from where it belongs.
+[[nodiscard]] bool isAway(const StationMoment& moment);
+
+/// One station as a viewer draws it: a pure function of the facts, the poses, the actions and a
+/// time.
 class StationView
 {
 public:

@@ -19,11 +19,13 @@ public:
     static constexpr ParticipantId kInstructor{1};
     static constexpr ParticipantId kTrainee{2};
     static constexpr ParticipantId kObserver{3};
-    static constexpr ObjectId kTube{1}; ///< of kTrainee
+    static constexpr ObjectId kTube{1};    ///< of kTrainee
+    static constexpr ObjectId kPatient{2}; ///< once sharePatient() was called
 
     /// A prepared session with one station and one of everybody, seen by one of them.
     explicit FakeSessionNode(ParticipantId self = kInstructor) : m_self{self}
     {
+        m_actions.setSelf(self);
         decide(fact::SessionCreated{"Routine intubation", "00ff"});
         decide(fact::StationAdded{"Station 1"});
         decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
@@ -42,6 +44,21 @@ public:
         judge({nextId(), author, kStation, std::move(body)});
         announce();
     }
+    /// The virtual patient becomes something to act on.
+    void sharePatient(ParticipantId owner)
+    {
+        decide(fact::ObjectShared{{}, owner, ObjectKind::Patient, "Adult"});
+    }
+    /// Its owner, wherever they are, acts on an object.
+    void ownerActs(ObjectId object, const ObjectAction& action)
+    {
+        SharedActions theirs = m_actions;
+        theirs.setSelf(m_authority.state().objects().at(object).owner);
+        if (const auto event = theirs.begun(object, action, m_now))
+            m_actions.take(*event, m_now, local());
+    }
+    /// Nothing is heard of anybody's objects for so long.
+    void silence(Duration time) { m_silence += time; }
     /// From now on proposals wait.
     void hostGoesAway() { m_hostIsHere = false; }
     void hostComesBack()
@@ -105,10 +122,16 @@ public:
     {
         return nullptr;
     }
-    void act(ObjectId, const ObjectAction&) override {}
-    [[nodiscard]] std::optional<ShownObject> shown(ObjectId, SessionTime) const override
+    void act(ObjectId object, const ObjectAction& action) override
     {
-        return std::nullopt;
+        const auto event = m_actions.begun(object, action, m_now);
+        if (event)
+            m_actions.take(*event, m_now, local());
+        m_refusal = event ? std::nullopt : std::optional{event.error()};
+    }
+    [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t) const override
+    {
+        return m_actions.shown(object, t, local());
     }
     [[nodiscard]] std::vector<LinkReport> links() const override { return linkReports; }
     [[nodiscard]] std::shared_ptr<const std::vector<PathReport>> paths() const override
@@ -126,8 +149,21 @@ private:
         const Result<Fact> fact = m_authority.judge(proposal, m_now, Duration{});
         if (fact)
             m_authority.commit(*fact);
+        for (const auto& [id, object] : m_authority.state().objects())
+            share(object);
         m_refusal = fact ? std::nullopt : std::optional{fact.error()};
     }
+
+    /// As the host does it: what goes on goes on in the name of a new owner.
+    void share(const SharedObject& object)
+    {
+        if (!m_actions.share(object.id, {object.owner, object.epoch}))
+            return;
+        if (const EventCpo* last = m_actions.table().newest(object.id))
+            m_actions.take(*m_actions.continued(*last), m_now, local());
+    }
+    /// Objects were heard of when they were last acted on, but for silence().
+    [[nodiscard]] LocalTime local() const { return LocalTime{m_silence}; }
 
     ParticipantId m_self;
     SessionTime m_now{std::chrono::seconds{1000}};
@@ -135,6 +171,8 @@ private:
     bool m_hostIsHere = true;
     std::uint64_t m_proposals = 0;
     SessionAuthority m_authority{{}};
+    SharedActions m_actions;
+    Duration m_silence{};
     std::vector<Proposal> m_waiting;
     std::optional<Error> m_refusal;
     std::function<void()> m_callback;

@@ -25,6 +25,7 @@ private Q_SLOTS:
         full.amplitude = {0.1F, -1.0F / 3.0F};
         full.X_AE = RigidTransform{rotationFromVector(Vec3{0.1, 0.2, -0.3}), Vec3{1e-9, -0.2, 3.0}};
         full.sampleAge = Duration{16'000'001};
+        full.X_AV = RigidTransform{rotationFromVector(Vec3{0.3, 0.0, 0.1}), Vec3{0.1, 0.2, 0.3}};
         full.volume_ml = {1234.5678901234567, 0.1};
         const LoggedFrame bare; // no tube, no age
         QVERIFY(writeFrames(path, {full, bare}).has_value());
@@ -41,18 +42,21 @@ private Q_SLOTS:
         QVERIFY(first.X_AE->translation() == full.X_AE->translation());
         constexpr double kRounding_rad = 1e-15; // a unit quaternion brought to unit length again
         QVERIFY(angleBetween(first.X_AE->rotation(), full.X_AE->rotation()).si < kRounding_rad);
-        QVERIFY(!read->back().X_AE.has_value());
+        QVERIFY(first.X_AV->translation() == full.X_AV->translation());
+        QVERIFY(angleBetween(first.X_AV->rotation(), full.X_AV->rotation()).si < kRounding_rad);
+        QVERIFY(!read->back().X_AE.has_value() && !read->back().X_AV.has_value());
         QVERIFY(!read->back().sampleAge.has_value());
     }
 
     void refusesWhatIsNoFrameLog_data()
     {
         QTest::addColumn<QByteArray>("tail");
-        QTest::newRow("a cell too few") << QByteArray{"1,2,0,0,0,,,,,,,,,0\n"};
-        QTest::newRow("a word for a number") << QByteArray{"1,2,0,zero,0,,,,,,,,,0,0\n"};
-        QTest::newRow("a rotation of no length") << QByteArray{"1,2,0,0,0,0,0,0,0,0,0,0,,0,0\n"};
+        QTest::newRow("a cell too few") << QByteArray{"1,2,0,0,0,,,,,,,,,0,,,,,,,\n"};
+        QTest::newRow("a word for a number") << QByteArray{"1,2,0,zero,0,,,,,,,,,0,0,,,,,,,\n"};
+        QTest::newRow("a rotation of no length")
+            << QByteArray{"1,2,0,0,0,0,0,0,0,0,0,0,,0,0,,,,,,,\n"};
         QTest::newRow("a rotation that is not finite")
-            << QByteArray{"1,2,0,0,0,0,0,0,nan,0,0,1,,0,0\n"};
+            << QByteArray{"1,2,0,0,0,0,0,0,nan,0,0,1,,0,0,,,,,,,\n"};
     }
 
     void refusesWhatIsNoFrameLog()

@@ -63,6 +63,8 @@ private Q_SLOTS:
     void asksEverythingForTheTimeOfLight();
     void breathesAtTheTimeOfLight();
     void showsRestBeforeTheClockIsSet();
+    void showsThePatientAsActionsHaveItAtTheTimeOfLight();
+    void saysThatThePatientIsAway();
     void saysWhenTheHeadsetIsLost_data();
     void saysWhenTheHeadsetIsLost();
 };
@@ -109,6 +111,37 @@ void TestStationView::showsRestBeforeTheClockIsSet()
     QVERIFY(!moment.tube && !moment.jaw && !moment.head && !moment.sampleAge);
     QCOMPARE(moment.amplitudes.right, 0.0F);
     QCOMPARE(moment.amplitudes.left, 0.0F);
+}
+
+void TestStationView::showsThePatientAsActionsHaveItAtTheTimeOfLight()
+{
+    FakeSessionNode node;
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    node.sharePatient(FakeSessionNode::kTrainee);
+    QVERIFY(!view.at(kNow, 0).patient);
+    node.ownerActs(FakeSessionNode::kPatient, {ActionKind::Translation, Vec3::UnitX(), 0.5});
+    QCOMPARE(view.at(kNow + std::chrono::seconds{2}, 0).patient->acted.X_AO.translation(),
+             Vec3(1.0, 0.0, 0.0));
+    const StationView elsewhere{node, StationId{1}, pair, tellingPoses(kNow)};
+    QVERIFY(!elsewhere.at(kNow, 0).patient);
+}
+
+void TestStationView::saysThatThePatientIsAway()
+{
+    FakeSessionNode node;
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    moment.tube = tellingPose(ObjectKind::Tube, moment.time);
+    const auto notice = [&] {
+        return stationNotice(node, FakeSessionNode::kStation, {}, moment, ViewOutput::Screen);
+    };
+    moment.patient.emplace();
+    QCOMPARE(notice(), QString{});
+    moment.patient->acted.scale = 1.01;
+    QCOMPARE(notice(), QStringLiteral("The virtual patient was moved away from its place"));
 }
 
 void TestStationView::saysWhenTheHeadsetIsLost_data()

@@ -36,7 +36,8 @@ QString phaseShape(SessionPhase phase)
 
 InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
                                    ParticipantsModel& participants, NetworkModel& network,
-                                   const PatientModel& patient, const StationView& view)
+                                   ObjectActionModel& actions, const PatientModel& patient,
+                                   const StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_phase{new QLabel{this}},
@@ -47,7 +48,9 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->participants->setModel(participants);
     m_ui->network->setModel(network);
     m_ui->invitation->show(session.node());
-    m_ui->patient->setText(tr("Patient: %1").arg(QString::fromStdString(patient.name())));
+    m_ui->actions->setModel(actions);
+    tabifyDockWidget(m_ui->breathingDock, m_ui->actionsDock);
+    m_ui->breathingDock->raise();
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
     m_ui->statusBar->addWidget(m_status, 1);
@@ -71,12 +74,19 @@ void InstructorWindow::fillSessionBar()
     bold.setBold(true);
     m_phase->setFont(bold);
     m_ui->sessionBar->addWidget(m_phase);
-    m_ui->sessionBar->addActions({m_ui->start, m_ui->pause, m_ui->end});
-    for (QAction* action : {m_ui->start, m_ui->pause, m_ui->end})
+    m_ui->sessionBar->addActions({m_ui->start, m_ui->pause, m_ui->end, m_ui->showActions});
+    for (QAction* action : {m_ui->start, m_ui->pause, m_ui->end, m_ui->showActions})
         m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
     connect(m_ui->start, &QAction::triggered, &m_session, &SessionModel::start);
     connect(m_ui->pause, &QAction::triggered, &m_session, &SessionModel::pause);
     connect(m_ui->end, &QAction::triggered, this, &InstructorWindow::endOnSecondPress);
+    connect(m_ui->showActions, &QAction::triggered, this, &InstructorWindow::showActions);
+}
+
+void InstructorWindow::showActions()
+{
+    m_ui->actionsDock->raise();
+    m_ui->actions->setFocus();
 }
 
 void InstructorWindow::connectViews()
@@ -121,6 +131,10 @@ void InstructorWindow::refresh()
 void InstructorWindow::refreshStatus()
 {
     const StationMoment& moment = m_stationScene->moment();
+    const QString patient =
+        tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
+    m_ui->patient->setText(isAway(moment) ? tr("%1   ▲ away from its place").arg(patient)
+                                          : patient);
     const QString age =
         moment.sampleAge
             ? tr("Newest tube sample %1 ms old").arg(qRound(1e3 * toSeconds(*moment.sampleAge)))

@@ -2,6 +2,7 @@
 
 #include "models/breathing_model.h"
 #include "models/network_model.h"
+#include "models/object_action_model.h"
 #include "models/participants_model.h"
 #include "models/session_model.h"
 #include "ui/station_scene.h"
@@ -20,7 +21,7 @@ namespace carina
 {
 
 /// The instructor's console: the session and how it runs, how the patient breathes, who takes part,
-/// and the patient in three dimensions.
+/// what is done to shared objects, and the patient in three dimensions.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT
@@ -29,7 +30,8 @@ public:
     /// @pre all outlive the window.
     InstructorWindow(SessionModel& session, BreathingModel& breathing,
                      ParticipantsModel& participants, NetworkModel& network,
-                     const PatientModel& patient, const StationView& view);
+                     ObjectActionModel& actions, const PatientModel& patient,
+                     const StationView& view);
     ~InstructorWindow() override;
 
     [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
@@ -37,6 +39,7 @@ public:
 private:
     void fillSessionBar();
     void connectViews();
+    void showActions();
     void endOnSecondPress();
     void refresh();
     void refreshStatus();

@@ -7,6 +7,7 @@ namespace carina
 namespace
 {
 
+constexpr const char* kPatient = "patient";
 constexpr const char* kMandible = "mandible";
 constexpr const char* kTube = "tube";
 
@@ -14,7 +15,7 @@ std::string bodyName(SurfaceBody body)
 {
     switch (body) {
     case SurfaceBody::Anatomy:
-        return {};
+        return kPatient;
     case SurfaceBody::Mandible:
         return kMandible;
     case SurfaceBody::Tube:
@@ -56,6 +57,13 @@ Appearance tubeAppearance(const std::string& piece)
     return {MaterialGroup::Tool, {214, 226, 150}, AmplitudeChannel::None};
 }
 
+/// Where something with the pose X_VF in the patient is drawn while the patient is at X_AV.
+PlacedBody inPatient(const ActedPose& patient, const RigidTransform& X_VF)
+{
+    const RigidTransform X_VF_scaled{X_VF.rotation(), patient.scale * X_VF.translation()};
+    return {patient.X_AO * X_VF_scaled, patient.scale};
+}
+
 } // namespace
 
 std::vector<ScenePart> sceneParts(const PatientModel& patient)
@@ -82,9 +90,11 @@ SceneFrame sceneFrame(const StationMoment& moment)
     SceneFrame frame;
     frame.time = moment.time;
     frame.amplitude = {double{moment.amplitudes.right}, double{moment.amplitudes.left}};
+    const ActedPose patient = moment.patient ? moment.patient->acted : ActedPose{};
+    frame.bodies[kPatient] = inPatient(patient, {});
     // Without a chin probe in view the mouth is drawn closed.
-    frame.bodies[kMandible] =
-        moment.jaw && moment.jaw->validity != Validity::Lost ? moment.jaw->X_FO : RigidTransform{};
+    const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
+    frame.bodies[kMandible] = inPatient(patient, hasJaw ? moment.jaw->X_FO : RigidTransform{});
     if (moment.tube && moment.tube->validity != Validity::Lost)
         frame.bodies[kTube] = moment.tube->X_FO;
     return frame;

@@ -1,11 +1,12 @@
 #include "ui/trainee_window.h"
 
 #include "models/station_notice.h"
+#include "ui/actions_panel.h"
 #include "widgets/scene/scene_view.h"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QTimer>
-#include <QVBoxLayout>
 
 namespace carina
 {
@@ -20,10 +21,11 @@ constexpr int kNoticeMargin = 4; // pixels
 TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
                              const PatientModel& patient, const StationView& view,
                              const HeadsetView& headset, ViewOutput output,
-                             ChinProbeModel chinProbe)
+                             ChinProbeModel chinProbe, ObjectActionModel& actions)
     : m_node{node},
       m_station{station},
       m_scene{new SceneView{this}},
+      m_actions{new QDockWidget{tr("Actions"), this}},
       m_notices{new QLabel{this}, new QLabel{this}},
       m_headset{headset},
       m_chinProbe{chinProbe},
@@ -32,9 +34,8 @@ TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
     setWindowTitle(tr("Carina trainee"));
     setPalette(QPalette{Qt::white, Qt::black});
     setAutoFillBackground(true);
-    auto* column = new QVBoxLayout{this};
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_scene);
+    setCentralWidget(m_scene);
+    makeActions(actions);
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setAlignment(Qt::AlignCenter);
@@ -52,11 +53,30 @@ TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
     timer->start(kNoticeInterval_ms);
 }
 
+void TraineeWindow::makeActions(ObjectActionModel& actions)
+{
+    auto* panel = new ActionsPanel;
+    panel->setModel(actions);
+    m_actions->setWidget(panel);
+    m_actions->setPalette(QApplication::palette());
+    m_actions->setAutoFillBackground(true);
+    addDockWidget(Qt::RightDockWidgetArea, m_actions);
+    m_actions->hide();
+    QAction* toggle = m_actions->toggleViewAction();
+    toggle->setText(tr("&Actions on the patient"));
+    connect(toggle, &QAction::triggered, panel, [panel](bool isShown) {
+        if (isShown)
+            panel->setFocus();
+    });
+}
+
 void TraineeWindow::makeMenu()
 {
     addOutputs();
     m_menu.addSeparator();
     addPresets();
+    m_menu.addSeparator();
+    m_menu.addAction(m_actions->toggleViewAction());
     m_menu.addSeparator();
     if (m_chinProbe.isThere())
         addChinProbe();
@@ -117,12 +137,16 @@ void TraineeWindow::showTo(ViewOutput output)
     m_stationScene.showTo(m_headset, output);
     for (QAction* preset : m_presets)
         preset->setEnabled(output == ViewOutput::Screen);
+    // A headset's picture keeps all of the window.
+    m_actions->setFloating(output != ViewOutput::Screen);
+    m_actions->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
+                                                            : Qt::NoDockWidgetArea);
     refreshNotice();
 }
 
 void TraineeWindow::resizeEvent(QResizeEvent* event)
 {
-    QWidget::resizeEvent(event);
+    QMainWindow::resizeEvent(event);
     refreshNotice();
 }
 
@@ -131,7 +155,8 @@ QPoint TraineeWindow::menuPlace() const
 {
     const bool twice = m_stationScene.output() == ViewOutput::SideBySide;
     const QSize size = m_menu.sizeHint();
-    const QRect eye{0, 0, twice ? width() / 2 : width(), height()};
+    QRect eye = m_scene->geometry();
+    eye.setWidth(twice ? eye.width() / 2 : eye.width());
     return eye.center() - QPoint{size.width() / 2, size.height() / 2};
 }
 
@@ -149,9 +174,10 @@ void TraineeWindow::refreshNotice()
     const ViewOutput output = m_stationScene.output();
     const QString notice = this->notice();
     const bool twice = output == ViewOutput::SideBySide;
-    const int width = twice ? this->width() / 2 : this->width();
-    placeNotice(0, notice, {0, 0, width, height()});
-    placeNotice(1, twice ? notice : QString{}, {width, 0, width, height()});
+    QRect eye = m_scene->geometry();
+    eye.setWidth(twice ? eye.width() / 2 : eye.width());
+    placeNotice(0, notice, eye);
+    placeNotice(1, twice ? notice : QString{}, eye.translated(eye.width(), 0));
 }
 
 void TraineeWindow::placeNotice(std::size_t place, const QString& notice, const QRect& within)

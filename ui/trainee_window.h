@@ -1,11 +1,13 @@
 #pragma once
 
 #include "models/chin_probe_model.h"
+#include "models/object_action_model.h"
 #include "ui/station_scene.h"
 
+#include <QDockWidget>
 #include <QLabel>
+#include <QMainWindow>
 #include <QMenu>
-#include <QWidget>
 
 #include <array>
 #include <vector>
@@ -15,8 +17,9 @@ namespace carina
 
 /// What a trainee sees: the anatomy over black and nothing else, on a screen or before the eyes.
 /// What has to be known appears over its lower edge, to each eye that has a picture of its own, and
-/// leaves by itself; the picture stays where it is meanwhile. Esc opens a menu.
-class TraineeWindow : public QWidget
+/// leaves by itself; the picture stays where it is meanwhile. Esc opens a menu; from there the
+/// actions on shared objects come beside the picture, before a headset in a window of their own.
+class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
 
@@ -24,7 +27,7 @@ public:
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, StationId station, const PatientModel& patient,
                   const StationView& view, const HeadsetView& headset, ViewOutput output,
-                  ChinProbeModel chinProbe);
+                  ChinProbeModel chinProbe, ObjectActionModel& actions);
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
 
@@ -32,6 +35,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void makeActions(ObjectActionModel& actions);
     void makeMenu();
     void addOutputs();
     void addPresets();
@@ -45,6 +49,7 @@ private:
     const SessionNode& m_node;
     StationId m_station;
     SceneView* m_scene;
+    QDockWidget* m_actions;
     std::array<QLabel*, 2> m_notices; ///< all the window, or its left half; and its right half
     HeadsetView m_headset;
     ChinProbeModel m_chinProbe;

@@ -7,6 +7,7 @@
 #include "engine/io/sql_fact_store.h"
 #include "engine/net/discovery/session_beacon.h"
 #include "engine/net/session_identity.h"
+#include "models/shared_patient.h"
 #include "ui/instructor_window.h"
 #include "widgets/scene/graphics.h"
 
@@ -164,6 +165,7 @@ Result<int> run(const QCommandLineParser& parser)
     if (!beacon)
         viewer::warn(beacon.error());
     introducePatient(**node, *patient);
+    sharePatient(**node, kStation, words("Virtual patient").toStdString());
     if (const QString codes = parser.value(QStringLiteral("codes")); !codes.isEmpty())
         if (const auto written = viewer::writeCodes(codes, (*node)->joinCodes()); !written)
             return tl::unexpected(written.error());
@@ -172,8 +174,11 @@ Result<int> run(const QCommandLineParser& parser)
     BreathingModel breathing{session, kStation};
     ParticipantsModel participants{session};
     NetworkModel network{session};
+    SharedObjectModel object{session, kStation};
+    ObjectActionModel actions{object};
     const StationView view{**node, kStation, patient->model.lungs(), posesOf(**node, kStation)};
-    InstructorWindow window{session, breathing, participants, network, patient->model, view};
+    InstructorWindow window{session, breathing,      participants, network,
+                            actions, patient->model, view};
     window.resize(options->size);
     window.show();
     const auto journal =

@@ -48,19 +48,21 @@ std::pair<const LoggedFrame*, const LoggedFrame*> around(std::span<const LoggedF
 
 } // namespace
 
-DriftSummary driftBetween(std::span<const LoggedFrame> owner, std::span<const LoggedFrame> viewer)
+DriftSummary driftBetween(std::span<const LoggedFrame> owner, std::span<const LoggedFrame> viewer,
+                          LoggedPose pose)
 {
     std::vector<double> angles_deg;
     std::vector<double> distances_mm;
     std::vector<double> clocks_ms;
     for (const LoggedFrame& seen : viewer) {
         const auto [s0, s1] = around(owner, seen.session, [](const auto& f) { return f.session; });
-        if (s0 && seen.X_AE && s0->X_AE && s1->X_AE) {
-            const RigidTransform X_AE = interpolate(
-                *s0->X_AE, *s1->X_AE, shareBetween(s0->session, s1->session, seen.session));
-            angles_deg.push_back(inDegrees(angleBetween(X_AE.rotation(), seen.X_AE->rotation())));
+        const std::optional<RigidTransform>& X_AF = seen.*pose;
+        if (s0 && X_AF && s0->*pose && s1->*pose) {
+            const RigidTransform X_AO = interpolate(
+                *(s0->*pose), *(s1->*pose), shareBetween(s0->session, s1->session, seen.session));
+            angles_deg.push_back(inDegrees(angleBetween(X_AO.rotation(), X_AF->rotation())));
             distances_mm.push_back(
-                inMillimetres(metres((X_AE.translation() - seen.X_AE->translation()).norm())));
+                inMillimetres(metres((X_AO.translation() - X_AF->translation()).norm())));
         }
         const auto [l0, l1] = around(owner, seen.local, [](const auto& f) { return f.local; });
         if (l0) {

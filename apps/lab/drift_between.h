@@ -7,7 +7,10 @@
 namespace carina::lab
 {
 
-/// How far two processes of one machine showed the tube apart at the same instant.
+/// Which of a frame's poses: the tube's, or the virtual patient's.
+using LoggedPose = std::optional<RigidTransform> LoggedFrame::*;
+
+/// How far two processes of one machine showed an object apart at the same instant.
 struct DriftSummary {
     int instants = 0; ///< at which both were drawing; 0 leaves the rest at 0
     double mean_deg = 0.0, p95_deg = 0.0, largest_deg = 0.0;
@@ -22,6 +25,7 @@ struct DriftSummary {
 /// interpolated between the owner's frames (state drift). The clocks are held against each other at
 /// the local time of each viewer's frame.
 [[nodiscard]] DriftSummary driftBetween(std::span<const LoggedFrame> owner,
-                                        std::span<const LoggedFrame> viewer);
+                                        std::span<const LoggedFrame> viewer,
+                                        LoggedPose pose = &LoggedFrame::X_AE);
 
 } // namespace carina::lab

@@ -120,6 +120,50 @@ QJsonObject lungVolumes(const Viewer& console, const Viewer& viewer)
             {QStringLiteral("same_instant"), apart(Sameness::Instant)}};
 }
 
+/// Frames drawn within a span of session time, told on CLOCK_MONOTONIC alone: what the session
+/// clocks are off then is drift like any other.
+std::vector<LoggedFrame> onSharedClock(const Viewer& viewer, SessionTime from, SessionTime until)
+{
+    std::vector<LoggedFrame> frames;
+    for (LoggedFrame frame : viewer.frames) {
+        if (frame.session < from || frame.session >= until)
+            continue;
+        frame.session = SessionTime{frame.local.time_since_epoch()};
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+/// The virtual patient while the script in the console turned it, and what nothing can be below:
+/// of each of both changes of its angular velocity by w nobody else can know before the delay d, so
+/// that over the time T the average is at least w d^2 / T.
+QJsonObject actionDrift(const Viewer& instructor, const Viewer& trainee)
+{
+    const QJsonObject action = instructor.report[QStringLiteral("console")]
+                                   .toObject()[QStringLiteral("action")]
+                                   .toObject();
+    const auto timeOf = [&action](const char* key) {
+        return SessionTime{Duration{action[QLatin1String{key}].toString().toLongLong()}};
+    };
+    const SessionTime from = timeOf("from_ns");
+    const SessionTime until = timeOf("until_ns");
+    if (from == SessionTime{} || until <= from)
+        return {};
+    QJsonObject drift =
+        describe(driftBetween(onSharedClock(instructor, from, until),
+                              onSharedClock(trainee, from, until), &LoggedFrame::X_AV));
+    drift.remove(QStringLiteral("clock_mean_ms"));
+    drift.remove(QStringLiteral("clock_largest_ms"));
+    const QJsonValue delay_ms = trainee.report[QStringLiteral("action_delay_ms")];
+    if (delay_ms.isUndefined())
+        return drift;
+    const double delay_s = 1e-3 * delay_ms.toDouble();
+    drift[QStringLiteral("delay_ms")] = delay_ms;
+    drift[QStringLiteral("limit_mean_deg")] = action[QStringLiteral("speed_deg_per_s")].toDouble()
+                                              * delay_s * delay_s / toSeconds(until - from);
+    return drift;
+}
+
 Result<QJsonObject> summarise(const QStringList& arguments)
 {
     if (arguments.size() != 1)
@@ -141,7 +185,8 @@ Result<QJsonObject> summarise(const QStringList& arguments)
         {QStringLiteral("instructor"), describe(*instructor, steadyFrom)},
         {QStringLiteral("trainee"), describe(*trainee, steadyFrom)},
         {QStringLiteral("drift"), describe(driftBetween(trainee->frames, instructor->frames))},
-        {QStringLiteral("lung_volume_difference"), lungVolumes(*instructor, *trainee)}};
+        {QStringLiteral("lung_volume_difference"), lungVolumes(*instructor, *trainee)},
+        {QStringLiteral("action_drift"), actionDrift(*instructor, *trainee)}};
     const QString registration = folder.filePath(QStringLiteral("registration.json"));
     if (QFile::exists(registration)) {
         const auto report = readObject(registration);
@@ -156,7 +201,8 @@ constexpr std::string_view kSummaryHelp = R"(summary DIR
     What a headless demo measured, from the logs of its two processes in DIR. schema carina.demo/1
       console                the values in force in the console while it was measured:
                              breathing_rate_per_min, tidal_volume_ml, and steady_from_ns, the session
-                             time from which on they held
+                             time from which on they held; action: the virtual patient was turned at
+                             speed_deg_per_s from from_ns to to_ns, and lay still until until_ns
       instructor, trainee    per program: screenshot, anatomy, triangles and level (of detail) drawn,
                              frames, frames_per_second, tracker_sample_age (median_ms and p95_ms of
                              the newest tube sample's age when a frame is lit), visible_pixels
@@ -179,6 +225,11 @@ constexpr std::string_view kSummaryHelp = R"(summary DIR
                              same_instant of CLOCK_MONOTONIC, where the clocks' difference counts too.
                              largest_ml is an upper bound: between frames the volume is interpolated,
                              also across the corner where an inspiration ends
+      action_drift           the virtual patient at the trainee against the one in the console, for
+                             the instants at which both were lit, while the script turned it by the
+                             controls of "Actions": instants, mean_, p95_, largest_ as for drift;
+                             delay_ms is how long an action took to arrive, and limit_mean_deg what
+                             mean_deg cannot be below with that delay
 )";
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "apps/viewer/program.h"
 #include "apps/viewer/site_option.h"
 #include "engine/session/simulated_station.h"
+#include "models/shared_patient.h"
 #include "ui/trainee_window.h"
 #include "widgets/scene/graphics.h"
 #include "widgets/scene/scene_view.h"
@@ -105,9 +106,21 @@ Result<void> watchHands(TrackedStation& station, const PatientModel& patient,
     return {};
 }
 
+/// How long the newest action on the virtual patient took to arrive here; empty before there was
+/// one.
+QJsonObject actionReport(const SessionNode& node)
+{
+    const auto state = node.state();
+    const SharedObject* patient = sharedPatient(*state, kStation);
+    for (const ObjectReport& report : node.objectReports())
+        if (patient && report.object == patient->id && report.delay)
+            return {{QStringLiteral("action_delay_ms"), 1e3 * toSeconds(*report.delay)}};
+    return {};
+}
+
 /// Shows the window until it is closed, or measures it for as long as it was asked to.
 int show(TraineeWindow& window, const QCommandLineParser& parser,
-         const viewer::MeasureOptions& options, const viewer::TrueView& truth)
+         const viewer::MeasureOptions& options, const TrackedStation& station)
 {
     if (options.folder.isEmpty()) {
         window.resize(options.size);
@@ -120,10 +133,11 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     window.resize(options.size);
     window.show();
     viewer::Measurement measurement{window, window.stationScene()};
-    if (truth)
-        measurement.compareWith(truth);
+    if (station.truth)
+        measurement.compareWith(station.truth);
     QTimer::singleShot(options.seconds * 1000, [&] {
-        const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"), {});
+        const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"),
+                                             actionReport(*station.node));
         QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
     });
     return QApplication::exec();
@@ -188,18 +202,22 @@ Result<int> run(const QCommandLineParser& parser)
     const StationView view{*station.node, kStation, patient->model.lungs(),
                            station.tracking ? posesOf(*station.tracking)
                                             : posesOf(*station.node, kStation)};
+    SessionModel session{*station.node};
+    SharedObjectModel object{session, kStation};
+    ObjectActionModel actions{object};
     TraineeWindow window{*station.node,
                          kStation,
                          patient->model,
                          view,
                          *headset,
                          *output,
-                         ChinProbeModel{station.tracking.get()}};
+                         ChinProbeModel{station.tracking.get()},
+                         actions};
     const auto journal =
         viewer::journalFromOptions(parser, *station.node, kStation, window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());
-    return show(window, parser, *options, station.truth);
+    return show(window, parser, *options, station);
 }
 
 } // namespace

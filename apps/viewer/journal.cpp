@@ -1,8 +1,10 @@
 #include "apps/viewer/journal.h"
 
 #include "engine/core/monotonic_clock.h"
+#include "models/shared_patient.h"
 
 #include <QCoreApplication>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -27,6 +29,21 @@ QString phaseName(SessionPhase phase)
         return QStringLiteral("ended");
     }
     return {};
+}
+
+void addPatient(QJsonObject& line, const StationMoment& moment, const SharedObject* patient)
+{
+    if (patient)
+        line[QStringLiteral("patient_owner")] = patient->owner.value;
+    if (!moment.patient)
+        return;
+    const ActedPose& acted = moment.patient->acted;
+    const Vec3 p_mm = 1e3 * acted.X_AO.translation();
+    const Quat& q = acted.X_AO.rotation();
+    line[QStringLiteral("patient_rate")] = moment.patient->rate;
+    line[QStringLiteral("patient_xyz_mm")] = QJsonArray{p_mm.x(), p_mm.y(), p_mm.z()};
+    line[QStringLiteral("patient_q_xyzw")] = QJsonArray{q.x(), q.y(), q.z(), q.w()};
+    line[QStringLiteral("patient_size")] = acted.scale;
 }
 
 } // namespace
@@ -60,7 +77,7 @@ void Journal::writeLine()
     const auto nanoseconds = [](auto time) { return qint64(time.time_since_epoch().count()); };
     // The frame's session time, told on the clock that all processes of this machine share.
     const SessionTime now = m_node.now().value_or(shown);
-    const QJsonObject line{
+    QJsonObject line{
         {QStringLiteral("local_ns"), nanoseconds(machineTime(monotonicNow() - (now - shown)))},
         {QStringLiteral("session_ns"), nanoseconds(shown)},
         {QStringLiteral("facts"), qint64(state->lastApplied().value)},
@@ -69,6 +86,7 @@ void Journal::writeLine()
         {QStringLiteral("breathing_rate_per_min"), inPerMinute(pattern.rate)},
         {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
         {QStringLiteral("inspired_ml"), inMillilitres(breathing.inspiredAt(shown))}};
+    addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
     m_file.flush();
 }

@@ -32,6 +32,8 @@ LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
     if (moment.tube && moment.tube->validity != Validity::Lost)
         entry.X_AE = moment.tube->X_FO;
     entry.sampleAge = moment.sampleAge;
+    if (moment.patient)
+        entry.X_AV = moment.patient->acted.X_AO;
     return entry;
 }
 

@@ -15,6 +15,18 @@ namespace carina
 
 inline constexpr std::size_t kMostEyes = 2; ///< that see one frame
 
+/// Where a body F is drawn, and how large: a point p_F of it at X_AF * (scale p_F).
+struct PlacedBody {
+    RigidTransform X_AF;
+    double scale = 1.0;
+
+    PlacedBody() = default;
+    PlacedBody(const RigidTransform& place, double size = 1.0) // NOLINT: most have their own size
+        : X_AF{place}, scale{size}
+    {
+    }
+};
+
 /// Everything that moves in a scene, at one time.
 struct SceneFrame {
     SessionTime time{}; ///< for which this holds
@@ -22,9 +34,9 @@ struct SceneFrame {
     /// Of the right and the left lung, dimensionless, for the level of detail that was asked for.
     std::array<double, 2> amplitude{};
 
-    /// X_AF of each moving body's frame F, by name. A body that is not in here is not drawn: lost
+    /// Each moving body's place, by name. A body that is not in here is not drawn: lost
     /// is never an identity.
-    std::map<std::string, RigidTransform> bodies;
+    std::map<std::string, PlacedBody> bodies;
 
     /// The eyes it is seen by, at most kMostEyes, in parts of the window that do not overlap; none
     /// at all, as while a headset is lost, leave the background. Without a list the view's own

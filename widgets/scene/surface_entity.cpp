@@ -124,11 +124,12 @@ void SurfaceEntity::apply(const SceneFrame& frame, int level)
         if (body == frame.bodies.end()) {
             shown = false;
         } else {
-            const Quat& q = body->second.rotation();
-            const Vec3f p = body->second.translation().cast<float>();
+            const Quat& q = body->second.X_AF.rotation();
+            const Vec3f p = body->second.X_AF.translation().cast<float>();
             m_X_AF->setRotation({static_cast<float>(q.w()), static_cast<float>(q.x()),
                                  static_cast<float>(q.y()), static_cast<float>(q.z())});
             m_X_AF->setTranslation({p.x(), p.y(), p.z()});
+            m_X_AF->setScale(static_cast<float>(body->second.scale));
         }
     }
     if (m_key.channel != AmplitudeChannel::None) {

@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <utility>
 #include <vector>
 
 using namespace carina;
@@ -63,6 +64,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(drift.mean_deg - 2.8) < kTolerance_deg);
         QVERIFY(std::abs(drift.mean_mm - 5.6) < kTolerance_mm);
         QVERIFY(std::abs(drift.p95_deg - 2.8) < kTolerance_deg);
+    }
+
+    void comparesWhicheverPoseItIsTold()
+    {
+        using std::chrono::milliseconds;
+        auto owner = steady({}, {});
+        auto viewer = steady(milliseconds{7}, milliseconds{28});
+        for (auto* frames : {&owner, &viewer})
+            for (LoggedFrame& frame : *frames)
+                frame.X_AV = std::exchange(frame.X_AE, std::nullopt);
+        QCOMPARE(driftBetween(owner, viewer).instants, 0);
+        const DriftSummary drift = driftBetween(owner, viewer, &LoggedFrame::X_AV);
+        QVERIFY(std::abs(drift.mean_deg - 2.8) < kTolerance_deg);
     }
 
     void clocksAreHeldAgainstTheSharedLocalClock()

@@ -97,7 +97,8 @@ void TestSceneView::showsThePoseOfTheVerySameFrame()
         if (asked <= kWarmUp)
             return;
         const auto centre = redCentre(onScreen(*view));
-        const double expected = 0.5 + offCentre(drawn.frame.bodies.at("tube").translation().x());
+        const double expected =
+            0.5 + offCentre(drawn.frame.bodies.at("tube").X_AF.translation().x());
         if (!centre || std::abs(centre->x() - expected) > kPlaceTolerance)
             ++late;
     });

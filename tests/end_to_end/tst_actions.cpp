@@ -1,0 +1,115 @@
+#include "tests/end_to_end/program.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <numbers>
+
+namespace
+{
+
+constexpr int kPatience_ms = 30'000; ///< for two programs to start on a busy machine
+constexpr int kBackWithin_ms = 2'000;
+constexpr double kSpeed_deg_per_s = 100.0; ///< that the script turns the patient at, about z
+constexpr double kTolerance_deg = 0.01;    ///< clocks of 0.1 ms
+
+double degreesFrom(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+bool turns(const QJsonObject& line)
+{
+    const double rate = degreesFrom(line[QStringLiteral("patient_rate")].toDouble());
+    return std::abs(rate - kSpeed_deg_per_s) < 1e-3;
+}
+
+/// How far the patient is turned about z.
+double turned_deg(const QJsonObject& line)
+{
+    const QJsonArray q = line[QStringLiteral("patient_q_xyzw")].toArray();
+    return degreesFrom(2.0 * std::atan2(q[2].toDouble(), q[3].toDouble()));
+}
+
+/// How far two lines are apart in what they say of one steady turn.
+double apart_deg(const QJsonObject& a, const QJsonObject& b)
+{
+    const auto ns = [](const QJsonObject& line) {
+        return line[QStringLiteral("session_ns")].toInteger();
+    };
+    const double expected = kSpeed_deg_per_s * 1e-9 * double(ns(b) - ns(a));
+    return std::abs(std::remainder(turned_deg(b) - turned_deg(a) - expected, 360.0));
+}
+
+bool isInPlace(const QJsonObject& line)
+{
+    return line[QStringLiteral("patient_rate")].toDouble(1.0) == 0.0
+           && line[QStringLiteral("patient_xyz_mm")].toArray() == QJsonArray{0.0, 0.0, 0.0}
+           && line[QStringLiteral("patient_q_xyzw")].toArray() == QJsonArray{0.0, 0.0, 0.0, 1.0};
+}
+
+} // namespace
+
+/// The console's script turns the virtual patient by the controls that a person would use.
+class TestActions : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+        const QString port = QString::number(20'000 + QCoreApplication::applicationPid() % 30'000);
+        const QString codes = m_folder->filePath(QStringLiteral("codes"));
+        const QStringList common{QStringLiteral("--port"),    port,
+                                 QStringLiteral("--patient"), QStringLiteral("child"),
+                                 QStringLiteral("--data"),    m_folder->path()};
+        m_instructor =
+            std::make_unique<Program>(QStringLiteral(CARINA_INSTRUCTOR),
+                                      common + QStringList{QStringLiteral("--codes"), codes},
+                                      m_folder->filePath(QStringLiteral("instructor.jsonl")));
+        m_trainee = std::make_unique<Program>(
+            QStringLiteral(CARINA_TRAINEE),
+            common
+                + QStringList{QStringLiteral("--as"), QStringLiteral("Trainee"),
+                              QStringLiteral("--code-file"), codes},
+            m_folder->filePath(QStringLiteral("trainee.jsonl")));
+        m_instructor->start({QStringLiteral("--measure"), m_folder->path(),
+                             QStringLiteral("--seconds"), QStringLiteral("600")});
+        m_trainee->start();
+        QTRY_VERIFY_WITH_TIMEOUT(turns(m_trainee->shown()) && turns(m_instructor->shown()),
+                                 kPatience_ms);
+    }
+
+    void cleanup()
+    {
+        m_trainee.reset();
+        m_instructor.reset();
+    }
+
+    void bothShowTheSameTurnAndBothPutItBack()
+    {
+        QVERIFY(apart_deg(m_instructor->shown(), m_trainee->shown()) < kTolerance_deg);
+        QTRY_VERIFY_WITH_TIMEOUT(isInPlace(m_instructor->shown()), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isInPlace(m_trainee->shown()), kBackWithin_ms);
+    }
+
+    void turnGoesOnWhenBothWereKilledInIt()
+    {
+        const QJsonObject before = m_trainee->shown();
+        m_instructor->kill();
+        m_trainee->kill();
+        m_instructor->start(); // and nobody stops it
+        m_trainee->start();
+        QTRY_VERIFY_WITH_TIMEOUT(turns(m_trainee->shown()) && turns(m_instructor->shown()),
+                                 kPatience_ms);
+        QVERIFY(apart_deg(before, m_instructor->shown()) < kTolerance_deg);
+        QVERIFY(apart_deg(before, m_trainee->shown()) < kTolerance_deg);
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Program> m_instructor;
+    std::unique_ptr<Program> m_trainee;
+};
+
+QTEST_GUILESS_MAIN(TestActions)
+#include "tst_actions.moc"

@@ -1,0 +1,59 @@
+#include "ui/scene_parts.h"
+
+#include <QTest>
+
+#include <numbers>
+
+namespace carina
+{
+
+class TestSceneParts : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsThePatientInItsPlaceUntilItIsActedOn()
+    {
+        const SceneFrame frame = sceneFrame({});
+        QCOMPARE(drawnAt(frame, "patient", kPoint), kPoint);
+        QCOMPARE(drawnAt(frame, "mandible", kPoint), kPoint);
+        QVERIFY(!frame.bodies.contains("tube"));
+    }
+
+    void movesThePatientAndItsJawAndNoTool()
+    {
+        constexpr double kSmall_m = 1e-12;
+        StationMoment moment;
+        // A quarter turn about z at twice the size, then a metre up: (x, y, z) to 2 (-y, x, z) +
+        // e_z.
+        const Quat quarter{Eigen::AngleAxisd{std::numbers::pi / 2.0, Vec3::UnitZ()}};
+        moment.patient.emplace().acted = {RigidTransform{quarter, Vec3::UnitZ()}, 2.0};
+        moment.jaw.emplace().X_FO = RigidTransform::translation({0.0, 0.1, 0.0});
+        moment.jaw->validity = Validity::Tracked;
+        moment.tube.emplace().X_FO = RigidTransform::translation({0.5, 0.0, 0.0});
+        moment.tube->validity = Validity::Tracked;
+        const SceneFrame frame = sceneFrame(moment);
+        const auto moved = [](const Vec3& p) {
+            return Vec3{2.0 * -p.y(), 2.0 * p.x(), 2.0 * p.z() + 1.0};
+        };
+        QVERIFY((drawnAt(frame, "patient", kPoint) - moved(kPoint)).norm() < kSmall_m);
+        const Vec3 inJaw = kPoint + Vec3{0.0, 0.1, 0.0};
+        QVERIFY((drawnAt(frame, "mandible", kPoint) - moved(inJaw)).norm() < kSmall_m);
+        QVERIFY((drawnAt(frame, "tube", kPoint) - (kPoint + Vec3{0.5, 0.0, 0.0})).norm()
+                < kSmall_m);
+    }
+
+private:
+    static inline const Vec3 kPoint{0.01, -0.02, 0.3};
+
+    static Vec3 drawnAt(const SceneFrame& frame, const char* body, const Vec3& p_F)
+    {
+        const PlacedBody& placed = frame.bodies.at(body);
+        return placed.X_AF * Vec3{placed.scale * p_F};
+    }
+};
+
+} // namespace carina
+
+QTEST_APPLESS_MAIN(carina::TestSceneParts)
+#include "tst_scene_parts.moc"

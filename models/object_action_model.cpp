@@ -202,7 +202,7 @@ QString ObjectActionModel::placeText() const
     if (!shown || isInItsPlace(shown->acted))
         return tr("In its place");
     const Displacement displacement = displacementOf(shown->acted);
-    return tr("▲ Away from its place: turned %1°, moved %2 mm, size %3 %")
+    return tr("▲ Away from its place: turned %1°, moved %2\u00a0mm, size %3\u00a0%")
         .arg(number(displacement.turned_deg), number(displacement.moved_mm),
              number(displacement.size_percent));
 }

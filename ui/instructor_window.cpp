@@ -133,8 +133,8 @@ void InstructorWindow::refreshStatus()
     const StationMoment& moment = m_stationScene->moment();
     const QString patient =
         tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
-    m_ui->patient->setText(isAway(moment) ? tr("%1   ▲ away from its place").arg(patient)
-                                          : patient);
+    m_ui->patient->setText(isAway(moment) ? tr("▲ Patient not in its place") : patient);
+    m_ui->patient->setToolTip(patient);
     const QString age =
         moment.sampleAge
             ? tr("Newest tube sample %1 ms old").arg(qRound(1e3 * toSeconds(*moment.sampleAge)))

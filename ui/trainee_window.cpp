@@ -7,6 +7,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QTimer>
+#include <QWindow>
 
 namespace carina
 {
@@ -193,7 +194,9 @@ void TraineeWindow::placeNotice(std::size_t place, const QString& notice, const 
     needed.moveBottom(within.bottom());
     label.setText(notice);
     label.setGeometry(needed);
-    label.raise();
+    // raise() leaves a native window where it is if the widget is the topmost already.
+    if (QWindow* window = label.windowHandle())
+        window->raise();
 }
 
 } // namespace carina

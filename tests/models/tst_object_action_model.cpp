@@ -114,7 +114,8 @@ void TestObjectActionModel::stopsWhereItIsByThen()
     QCOMPARE(seat.model.motionText(), QStringLiteral("■ At rest"));
     seat.node.advance(seconds{5});
     QCOMPARE(seat.model.placeText(),
-             QStringLiteral("▲ Away from its place: turned 100.0°, moved 0.0 mm, size 100.0 %"));
+             QStringLiteral(
+                 "▲ Away from its place: turned 100.0°, moved 0.0\u00a0mm, size 100.0\u00a0%"));
 }
 
 void TestObjectActionModel::bringsItBackToItsPlace()

@@ -90,7 +90,8 @@ void TestActionsPanel::turnsThePatientByItsControls()
     desk.button("stop").click();
     QCOMPARE(desk.words("motion"), QStringLiteral("■ At rest"));
     QCOMPARE(desk.words("place"),
-             QStringLiteral("▲ Away from its place: turned 90.0°, moved 0.0 mm, size 100.0 %"));
+             QStringLiteral(
+                 "▲ Away from its place: turned 90.0°, moved 0.0\u00a0mm, size 100.0\u00a0%"));
     desk.button("reset").click();
     QCOMPARE(desk.words("place"), QStringLiteral("In its place"));
     QVERIFY(!desk.button("reset").isEnabled());

@@ -66,8 +66,8 @@ void TraineeWindow::makeActions(ObjectActionModel& actions)
     QAction* toggle = m_actions->toggleViewAction();
     toggle->setText(tr("&Actions on the patient"));
     connect(toggle, &QAction::triggered, panel, [panel](bool isShown) {
-        if (isShown)
-            panel->setFocus();
+        if (isShown) // and the menu, which gives the keyboard back, is gone
+            QTimer::singleShot(0, panel, [panel] { panel->setFocus(); });
     });
 }
 

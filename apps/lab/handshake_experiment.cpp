@@ -110,8 +110,9 @@ Result<HandshakeFigures> measureHandshakes(const HandshakeSettings& settings)
     Host host{*std::move(bound)};
     HandshakeFigures figures;
     for (int join = 0; join < settings.joins; ++join) {
+        const PathProfile path{.delay = settings.roundTrip / 2, .loss = settings.loss};
         LossyRelay relay{host.transport->port(),
-                         {settings.roundTrip / 2, settings.loss},
+                         {path, path},
                          settings.seed + static_cast<std::uint32_t>(join)};
         const LocalTime begin = monotonicNow();
         Client client{relay.port(), host.key};

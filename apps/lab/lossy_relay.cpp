@@ -1,8 +1,7 @@
 #include "apps/lab/lossy_relay.h"
 
 #include "engine/core/expects.h"
-
-#include <QTimer>
+#include "engine/core/monotonic_clock.h"
 
 namespace carina::lab
 {
@@ -18,10 +17,16 @@ QByteArray readOne(QUdpSocket& socket, quint16& port)
     return bytes;
 }
 
+LocalTime relayTime() { return machineTime(monotonicNow()); }
+
 } // namespace
 
-LossyRelay::LossyRelay(std::uint16_t hostPort, const Path& path, std::uint32_t seed)
-    : m_hostPort{hostPort}, m_path{path}, m_random{seed}
+LossyRelay::LossyRelay(std::uint16_t hostPort, const Paths& paths, std::uint64_t seed)
+    : m_hostPort{hostPort},
+      m_inward{paths.toHost, seed},
+      m_outward{paths.toClients, ~seed},
+      m_begin{relayTime() + std::chrono::hours{1}},
+      m_timer{[this] { sendDue(); }}
 {
     const bool bound = m_front.bind(kLoopback, 0);
     CARINA_EXPECTS(bound);
@@ -32,12 +37,10 @@ void LossyRelay::readClients()
 {
     while (m_front.hasPendingDatagrams()) {
         quint16 port = 0;
-        QByteArray bytes = readOne(m_front, port);
-        if (isLost())
-            continue;
-        m_toHost.push_back({port, bytes});
-        later([this, passed = m_toHost.back()] { replay(passed); });
+        const QByteArray bytes = readOne(m_front, port);
+        carry(m_inward, true, {port, bytes});
     }
+    sendDue();
 }
 
 void LossyRelay::readHost(Client& client)
@@ -45,19 +48,41 @@ void LossyRelay::readHost(Client& client)
     while (client.socket.hasPendingDatagrams()) {
         quint16 port = 0;
         const QByteArray bytes = readOne(client.socket, port);
-        if (!isLost())
-            later([this, bytes, to = client.port] { m_front.writeDatagram(bytes, kLoopback, to); });
+        carry(m_outward, false, {client.port, bytes});
     }
+    sendDue();
+}
+
+void LossyRelay::carry(VirtualLink& link, bool isToHost, const Passed& datagram)
+{
+    if (m_cut)
+        return;
+    const auto size = static_cast<std::size_t>(datagram.bytes.size());
+    m_bytes += size;
+    const auto arrivals = link.send(size, relayTime() - m_begin);
+    for (std::size_t copy = 0; copy < arrivals.count; ++copy)
+        m_waiting.push({m_begin + arrivals.at[copy], m_order++, isToHost, datagram});
+}
+
+void LossyRelay::sendDue()
+{
+    while (!m_waiting.empty() && m_waiting.top().due <= relayTime()) {
+        const auto [due, order, isToHost, datagram] = m_waiting.top();
+        m_waiting.pop();
+        if (isToHost) {
+            m_toHost.push_back(datagram);
+            replay(datagram);
+        } else {
+            m_front.writeDatagram(datagram.bytes, kLoopback, datagram.clientPort);
+        }
+    }
+    if (!m_waiting.empty())
+        m_timer.setTo(m_waiting.top().due);
 }
 
 void LossyRelay::replay(const Passed& passed)
 {
     clientAt(passed.clientPort).socket.writeDatagram(passed.bytes, kLoopback, m_hostPort);
-}
-
-bool LossyRelay::isLost()
-{
-    return std::uniform_real_distribution{}(m_random) < m_path.loss || m_cut;
 }
 
 LossyRelay::Client& LossyRelay::clientAt(std::uint16_t port)
@@ -71,14 +96,6 @@ LossyRelay::Client& LossyRelay::clientAt(std::uint16_t port)
                 [this, known = client.get()] { readHost(*known); });
     }
     return *client;
-}
-
-void LossyRelay::later(std::function<void()> send)
-{
-    const auto delay = std::chrono::round<std::chrono::milliseconds>(m_path.oneWay);
-    if (delay.count() == 0)
-        return send();
-    QTimer::singleShot(delay, Qt::PreciseTimer, this, std::move(send));
 }
 
 } // namespace carina::lab

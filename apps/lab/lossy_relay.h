@@ -1,28 +1,26 @@
 #pragma once
 
-#include "engine/core/result.h"
-#include "engine/core/session_time.h"
+#include "apps/lab/precise_timer.h"
+#include "apps/lab/virtual_link.h"
 
-#include <QObject>
 #include <QUdpSocket>
 
 #include <map>
-#include <memory>
-#include <random>
+#include <queue>
 #include <vector>
 
 namespace carina::lab
 {
 
-/// Stands between clients and a host on loopback: passes datagrams on, each way late by as much and
-/// lost as often as told. Each client's come to the host from a port of their own. Which are lost
-/// follows from the seed and the order in which they come.
+/// Stands between clients and a host on loopback and is the network between them: what a
+/// VirtualLink each way does to a datagram happens to it. Each client's come to the host from a
+/// port of their own.
 class LossyRelay : public QObject
 {
 public:
-    struct Path {
-        Duration oneWay{};
-        double loss = 0.0; ///< share of the datagrams, each way
+    struct Paths {
+        PathProfile toHost;
+        PathProfile toClients;
     };
     /// One that was passed on to the host.
     struct Passed {
@@ -30,35 +28,56 @@ public:
         QByteArray bytes;
     };
 
-    /// @pre a port is free.
-    LossyRelay(std::uint16_t hostPort, const Path& path, std::uint32_t seed);
+    /// The paths are at a time long before their 0. @pre a port is free.
+    LossyRelay(std::uint16_t hostPort, const Paths& paths, std::uint64_t seed);
 
     [[nodiscard]] std::uint16_t port() const { return m_front.localPort(); }
-    [[nodiscard]] const std::vector<Passed>& toHost() const { return m_toHost; }
-    /// Once more what was passed on before, from where it came from then.
-    void replay(const Passed& passed);
+    /// Lets the paths' time 0 be then, on the machine's clock. @pre within an hour, asked once.
+    void beginAt(LocalTime machine) { m_begin = machine; }
     /// While it is cut nothing passes.
     void setCut(bool cut) { m_cut = cut; }
+
+    [[nodiscard]] const std::vector<Passed>& toHost() const { return m_toHost; }
+    /// Bytes of all datagrams that came from either side.
+    [[nodiscard]] std::uint64_t bytes() const { return m_bytes; }
+    /// Once more what was passed on before, from where it came from then.
+    void replay(const Passed& passed);
 
 private:
     struct Client {
         std::uint16_t port = 0;
         QUdpSocket socket; // towards the host
     };
+    struct Waiting {
+        LocalTime due; ///< on the machine's clock
+        std::uint64_t order = 0;
+        bool isToHost = false;
+        Passed datagram;
+
+        friend bool operator>(const Waiting& a, const Waiting& b)
+        {
+            return a.due != b.due ? a.due > b.due : a.order > b.order;
+        }
+    };
 
     void readClients();
     void readHost(Client& client);
-    [[nodiscard]] bool isLost();
+    void carry(VirtualLink& link, bool isToHost, const Passed& datagram);
+    void sendDue();
     [[nodiscard]] Client& clientAt(std::uint16_t port);
-    void later(std::function<void()> send);
 
     std::uint16_t m_hostPort;
-    Path m_path;
-    std::mt19937 m_random;
+    VirtualLink m_inward;
+    VirtualLink m_outward;
+    LocalTime m_begin;
     bool m_cut = false;
     QUdpSocket m_front;
     std::map<std::uint16_t, std::unique_ptr<Client>> m_clients;
+    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> m_waiting;
+    std::uint64_t m_order = 0;
     std::vector<Passed> m_toHost;
+    std::uint64_t m_bytes = 0;
+    PreciseTimer m_timer;
 };
 
 } // namespace carina::lab

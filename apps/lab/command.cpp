@@ -18,7 +18,8 @@ void printHelp()
 {
     print(stdout, "carina-lab COMMAND ARGS... : measures, and prints one JSON object.\n\n");
     for (const Command& command : commands())
-        print(stdout, QByteArray{command.help.data(), qsizetype(command.help.size())} + '\n');
+        if (!command.help.empty())
+            print(stdout, QByteArray{command.help.data(), qsizetype(command.help.size())} + '\n');
 }
 
 } // namespace

@@ -14,7 +14,8 @@ namespace carina::lab
 /// One subcommand of carina-lab: an experiment that prints one JSON object.
 struct Command {
     std::string_view name; ///< first word of the command line
-    std::string_view help; ///< usage and the meaning of every flag and key, many lines
+    std::string_view help; ///< usage and the meaning of every flag and key, many lines; empty for
+                           ///< one that is not for people
     /// Runs on the words after the name. The object gets the key "schema" from the command itself,
     /// such as "carina.breathe/1".
     Result<QJsonObject> (*run)(const QStringList& arguments);

@@ -1,11 +1,12 @@
 #include "apps/lab/drift_command.h"
 
 #include "apps/lab/drift_experiment.h"
+#include "apps/lab/drift_report.h"
+#include "apps/lab/live_drift.h"
 #include "engine/core/units.h"
 
+#include <QCoreApplication>
 #include <QMap>
-
-#include <cmath>
 
 namespace carina::lab
 {
@@ -15,6 +16,7 @@ namespace
 constexpr std::string_view kDriftHelp =
     R"(drift --scenario NAME|FILE [--strategy S] [--participants N] [--speed-deg-s W]
       [--speed-mm-s V] [--actions A] [--axes cartesian|random] [--seed K] [--seeds M]
+      [--live [--warm-up-s T] [--logs DIR]]
     How far the views of shared objects are apart, in virtual time: one of N participants turns one
     object and moves another, an action of 1.2 s after the other, each about and along a new random
     axis; all others watch. A host in the middle passes everything on. The same words print the same
@@ -45,27 +47,50 @@ constexpr std::string_view kDriftHelp =
     bytes_per_s                payload that a participant sends and receives, mean
     probes_per_s               datagrams sent for the delay alone, of all together
     access_link                the same with the scenario's delay on each link to the host, so that
-                               the way from actor to viewer has it twice
+                               the way from actor to viewer has it twice; null with --live
+    --live            in real time instead: a program for the host and for each participant, over
+                      encrypted sockets and relays that are the scenario's network. The
+                      participants' clocks are spread evenly over +-250 ms, at +-50 ppm. Only
+                      session-clock, at most 16 participants, one seed; 15 actions if not told, but
+                      step and partition come after 30 s, so that they take 30
+    --warm-up-s T     for the clocks, before the first action; 0 to 300; 20
+    --logs DIR        a folder that is there, for what each program wrote down
+    with --live every figure is of what the programs' logs say they showed, on the machine's
+    CLOCK_MONOTONIC (but the limit, of the delays that the scenario has then), and there are also
+    live, network              true; relay
+    bound_time_average_deg     1.5 limit + W (0.2 ms + half the paths' asymmetry)
+    is_within_bound            time average to that
+    is_end_state_same          both objects ended to the bit alike in all programs
+    handshake_mean_ms, handshake_max_ms   until a participant was in and had the session's clock
+    sample_gap_p95_ms          between a program's samples, which are to be 5.003 ms apart
+    load_average               of the machine in the minute in which the run ended
+    probes_per_s is null, and bytes_per_s is of the encrypted datagrams
 )";
 
 using Options = QMap<QString, QString>;
+
+const QString kLive = QStringLiteral("--live");
+constexpr int kMostLive = 16;
 
 tl::unexpected<Error> badOption(const QString& sentence)
 {
     return fail(Errc::OutOfRange, "drift: " + sentence.toStdString());
 }
 
-Result<Options> optionsOf(const QStringList& arguments)
+Result<Options> optionsOf(QStringList arguments)
 {
     Options options{{QStringLiteral("--strategy"), QStringLiteral("session-clock")},
                     {QStringLiteral("--participants"), QStringLiteral("2")},
                     {QStringLiteral("--speed-deg-s"), QStringLiteral("100")},
                     {QStringLiteral("--speed-mm-s"), QStringLiteral("100")},
-                    {QStringLiteral("--actions"), QStringLiteral("50")},
+                    {QStringLiteral("--actions"), QString{}},
                     {QStringLiteral("--axes"), QStringLiteral("cartesian")},
                     {QStringLiteral("--scenario"), QString{}},
                     {QStringLiteral("--seed"), QStringLiteral("1")},
-                    {QStringLiteral("--seeds"), QStringLiteral("1")}};
+                    {QStringLiteral("--seeds"), QStringLiteral("1")},
+                    {QStringLiteral("--warm-up-s"), QStringLiteral("20")},
+                    {QStringLiteral("--logs"), QString{}}};
+    const bool isLive = arguments.removeAll(kLive) > 0;
     for (qsizetype i = 0; i < arguments.size(); i += 2) {
         if (!options.contains(arguments[i]))
             return badOption(QStringLiteral("%1 is no option.").arg(arguments[i]));
@@ -75,6 +100,10 @@ Result<Options> optionsOf(const QStringList& arguments)
     }
     if (options[QStringLiteral("--scenario")].isEmpty())
         return badOption(QStringLiteral("--scenario NAME or FILE is missing."));
+    if (isLive)
+        options.insert(kLive, {});
+    if (options[QStringLiteral("--actions")].isEmpty())
+        options[QStringLiteral("--actions")] = QString::number(isLive ? 15 : 50);
     return options;
 }
 
@@ -120,7 +149,21 @@ private:
 struct DriftRequest {
     DriftSettings settings;
     int seeds = 1;
+    bool isLive = false;
+    double warmUp_s = 0.0;
+    QString logs;
 };
+
+Result<void> checkLive(const DriftRequest& request)
+{
+    if (request.settings.strategy->name != "session-clock")
+        return badOption(QStringLiteral("--live measures the programs, which run session-clock; "
+                                        "the other strategies run in virtual time only."));
+    if (request.settings.participants > kMostLive || request.seeds != 1)
+        return badOption(
+            QStringLiteral("--live takes 2 to %1 participants and one seed.").arg(kMostLive));
+    return {};
+}
 
 Result<DriftRequest> requestOf(const Options& options)
 {
@@ -141,8 +184,14 @@ Result<DriftRequest> requestOf(const Options& options)
         settings.script.axes = ActionScript::Axes::Random;
     else if (axes != "cartesian")
         reader.refuse("--axes", QStringLiteral("cartesian or random"));
+    request.isLive = options.contains(kLive);
+    request.warmUp_s = reader.number("--warm-up-s", 0.0, 300.0);
+    request.logs = options[QStringLiteral("--logs")];
     if (!reader.refusal().isEmpty())
         return badOption(reader.refusal());
+    if (request.isLive)
+        if (const auto live = checkLive(request); !live)
+            return tl::unexpected(live.error());
     auto scenario = findScenario(reader.text("--scenario"));
     if (!scenario)
         return tl::unexpected(scenario.error());
@@ -150,24 +199,29 @@ Result<DriftRequest> requestOf(const Options& options)
     return request;
 }
 
-double inDegrees(double rad) { return carina::inDegrees(radians(rad)); }
-
-QJsonObject objectOf(const DriftFigures& figures)
+Result<QJsonObject> measureLive(const DriftRequest& request)
 {
-    QJsonObject object{
-        {QStringLiteral("at_event_mean_deg"), inDegrees(figures.atEvent)},
-        {QStringLiteral("time_average_mean_deg"), inDegrees(figures.timeAverage)},
-        {QStringLiteral("p95_deg"), inDegrees(figures.p95)},
-        {QStringLiteral("position_mean_mm"), inMillimetres(metres(figures.position))},
-        {QStringLiteral("limit_time_average_deg"), inDegrees(figures.limit)},
-        {QStringLiteral("ratio_to_limit"), QJsonValue::Null},
-        {QStringLiteral("clock_error_ms"), QJsonValue::Null},
-        {QStringLiteral("bytes_per_s"), figures.bytesPerSecond},
-        {QStringLiteral("probes_per_s"), figures.probesPerSecond}};
-    if (figures.limit > 0.0)
-        object[QStringLiteral("ratio_to_limit")] = figures.timeAverage / figures.limit;
-    if (figures.clockError)
-        object[QStringLiteral("clock_error_ms")] = *figures.clockError * 1e3;
+    const DriftSettings& settings = request.settings;
+    const auto network = relayedNetwork(settings.participants, settings.scenario, settings.seed);
+    return runLiveDrift({.program = QCoreApplication::applicationFilePath(),
+                         .participants = settings.participants,
+                         .script = settings.script,
+                         .seed = settings.seed,
+                         .warmUp = fromSeconds(request.warmUp_s),
+                         .logs = request.logs},
+                        *network)
+        .map([&](const LiveFigures& figures) {
+            QJsonObject object = reportOf(figures, settings.script, settings.scenario);
+            object[QStringLiteral("network")] = network->name();
+            return object;
+        });
+}
+
+QJsonObject measureVirtual(DriftRequest request)
+{
+    QJsonObject object = reportOf(runDrift(request.settings, request.seeds));
+    request.settings.legs = VirtualStar::Legs::FullPath;
+    object[QStringLiteral("access_link")] = reportOf(runDrift(request.settings, request.seeds));
     return object;
 }
 
@@ -176,20 +230,21 @@ Result<QJsonObject> runDriftCommand(const QStringList& arguments)
     const Result<Options> options = optionsOf(arguments);
     if (!options)
         return tl::unexpected(options.error());
-    Result<DriftRequest> request = requestOf(*options);
+    const Result<DriftRequest> request = requestOf(*options);
     if (!request)
         return tl::unexpected(request.error());
+    const auto measured =
+        request->isLive ? measureLive(*request) : Result<QJsonObject>{measureVirtual(*request)};
+    if (!measured)
+        return tl::unexpected(measured.error());
 
-    DriftSettings& settings = request->settings;
-    QJsonObject object = objectOf(runDrift(settings, request->seeds));
-    settings.legs = VirtualStar::Legs::FullPath;
-    object[QStringLiteral("access_link")] = objectOf(runDrift(settings, request->seeds));
-
+    const DriftSettings& settings = request->settings;
+    QJsonObject object = *measured;
     object[QStringLiteral("schema")] = QStringLiteral("carina.drift/1");
     object[QStringLiteral("strategy")] = QString::fromLatin1(
         settings.strategy->name.data(), qsizetype(settings.strategy->name.size()));
     object[QStringLiteral("participants")] = settings.participants;
-    object[QStringLiteral("speed_deg_s")] = inDegrees(settings.script.angularSpeed);
+    object[QStringLiteral("speed_deg_s")] = inDegrees(radians(settings.script.angularSpeed));
     object[QStringLiteral("speed_mm_s")] = inMillimetres(metres(settings.script.speed));
     object[QStringLiteral("actions")] = settings.script.actions;
     object[QStringLiteral("action_s")] = toSeconds(ActionScript::kActionTime);

@@ -23,8 +23,8 @@ LocalTime relayTime() { return machineTime(monotonicNow()); }
 
 LossyRelay::LossyRelay(std::uint16_t hostPort, const Paths& paths, std::uint64_t seed)
     : m_hostPort{hostPort},
-      m_inward{paths.toHost, seed},
-      m_outward{paths.toClients, ~seed},
+      m_inward{paths.toHost, seedToHost(seed)},
+      m_outward{paths.toClients, seedToClients(seed)},
       m_begin{relayTime() + std::chrono::hours{1}},
       m_timer{[this] { sendDue(); }}
 {

@@ -28,6 +28,10 @@ public:
         QByteArray bytes;
     };
 
+    /// Of the VirtualLink each way.
+    [[nodiscard]] static std::uint64_t seedToHost(std::uint64_t seed) { return seed; }
+    [[nodiscard]] static std::uint64_t seedToClients(std::uint64_t seed) { return ~seed; }
+
     /// The paths are at a time long before their 0. @pre a port is free.
     LossyRelay(std::uint16_t hostPort, const Paths& paths, std::uint64_t seed);
 

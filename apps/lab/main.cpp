@@ -3,7 +3,10 @@
 #include "apps/lab/command.h"
 #include "apps/lab/drawing_application.h"
 #include "apps/lab/drift_command.h"
-#include "apps/lab/figures_command.h"
+static const std::array all{anatomyCommand(),   breatheCommand(), driftCommand(),
+                            driftNodeCommand(), figuresCommand(), fitCommand(),
+                            handshakeCommand(), pivotCommand(),   renderCommand(),
+                            summaryCommand(),   trackCommand()};
 #include "apps/lab/fit_command.h"
 #include "apps/lab/handshake_command.h"
 #include "apps/lab/pivot_command.h"
@@ -18,11 +21,14 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{
-        anatomyCommand(),   breatheCommand(), driftCommand(),  figuresCommand(), fitCommand(),
-        handshakeCommand(), pivotCommand(),   renderCommand(), summaryCommand(), trackCommand()};
-    return all;
-}
+    static const std::array all
+    {
+        static const std::array all{anatomyCommand(),   breatheCommand(), driftCommand(),
+                                    driftNodeCommand(), figuresCommand(), fitCommand(),
+                                    handshakeCommand(), pivotCommand(),   renderCommand(),
+                                    summaryCommand(),   trackCommand()};
+        return all;
+    }
 
 } // namespace carina::lab
 

@@ -45,6 +45,8 @@ public:
     /// How long an action of time t takes to viewer `id` at least: the delays that the links have
     /// just then, each leg tried again every kOracleRepeat until something gets through.
     [[nodiscard]] Duration leastDelay(std::uint16_t id, Duration t);
+    /// The same of one leg.
+    [[nodiscard]] static Duration throughLeg(VirtualLink& link, Duration now);
     static constexpr Duration kOracleRepeat = std::chrono::milliseconds{10};
     static constexpr Duration kOracleGivesUp = std::chrono::seconds{10};
 
@@ -80,7 +82,6 @@ private:
     void serve(std::uint16_t id, Duration now);
     void carry(std::uint16_t from, StarDatagram datagram, Duration now);
     [[nodiscard]] const StarParticipant& participant(std::uint16_t id) const;
-    [[nodiscard]] static Duration throughLeg(VirtualLink& link, Duration now);
 
     std::vector<Node> m_nodes; // the host first
     std::priority_queue<Happening, std::vector<Happening>, std::greater<>> m_queue;

@@ -140,6 +140,8 @@ public:
     /// nothing before the first action on it.
     [[nodiscard]] virtual std::optional<ShownObject> shown(ObjectId object,
                                                            SessionTime t) const = 0;
+    /// The newest action on the object, with where and when it began; nothing before the first.
+    [[nodiscard]] virtual std::optional<EventCpo> action(ObjectId object) const = 0;
 
     [[nodiscard]] virtual std::vector<LinkReport> links() const = 0;
     /// Of the paths that this node measures, ten times a second: the host's to everybody, all

@@ -108,6 +108,13 @@ std::optional<ShownObject> ThreadedNode::shown(ObjectId object, SessionTime t) c
     return m_board.actions()->shown(object, t, monotonicNow());
 }
 
+std::optional<EventCpo> ThreadedNode::action(ObjectId object) const
+{
+    const auto actions = m_board.actions();
+    const EventCpo* newest = actions->table().newest(object);
+    return newest ? std::optional{*newest} : std::nullopt;
+}
+
 std::vector<LinkReport> ThreadedNode::links() const
 {
     const LocalTime now = monotonicNow();

@@ -40,6 +40,7 @@ public:
     [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId id) const override;
     void act(ObjectId object, const ObjectAction& action) override;
     [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t) const override;
+    [[nodiscard]] std::optional<EventCpo> action(ObjectId object) const override;
     [[nodiscard]] std::vector<LinkReport> links() const override;
     [[nodiscard]] std::shared_ptr<const std::vector<PathReport>> paths() const override;
     [[nodiscard]] std::optional<Error> refusal() const override;

@@ -122,6 +122,11 @@ public:
     {
         return nullptr;
     }
+    [[nodiscard]] std::optional<EventCpo> action(ObjectId object) const override
+    {
+        const EventCpo* newest = m_actions.table().newest(object);
+        return newest ? std::optional{*newest} : std::nullopt;
+    }
     void act(ObjectId object, const ObjectAction& action) override
     {
         const auto event = m_actions.begun(object, action, m_now);

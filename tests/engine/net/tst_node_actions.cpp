@@ -36,6 +36,10 @@ private Q_SLOTS:
         const ShownObject expected = *anna->shown(jaw, t);
         QVERIFY(expected.acted.X_AO.translation() == from.X_AO.translation());
         QCOMPARE(expected.acted.scale, 1.5);
+        const EventCpo taken = *anna->action(jaw);
+        QVERIFY(taken.p_AO == from.X_AO.translation() && taken.start <= t - 1s);
+        QVERIFY(ben->action(jaw)->start == taken.start);
+        QVERIFY(!ben->action(ObjectId{99}));
         for (const auto* node : {instructor.get(), ben.get()}) {
             const ShownObject shown = *node->shown(jaw, t);
             QVERIFY(shown.acted.X_AO.matrix() == expected.acted.X_AO.matrix()); // to the bit

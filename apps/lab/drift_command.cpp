@@ -3,6 +3,7 @@
 #include "apps/lab/drift_experiment.h"
 #include "apps/lab/drift_report.h"
 #include "apps/lab/live_drift.h"
+#include "apps/lab/netlab_network.h"
 #include "engine/core/units.h"
 
 #include <QCoreApplication>
@@ -16,7 +17,7 @@ namespace
 constexpr std::string_view kDriftHelp =
     R"(drift --scenario NAME|FILE [--strategy S] [--participants N] [--speed-deg-s W]
       [--speed-mm-s V] [--actions A] [--axes cartesian|random] [--seed K] [--seeds M]
-      [--live [--warm-up-s T] [--logs DIR]]
+      [--live [--netlab PROGRAM] [--warm-up-s T] [--logs DIR]]
     How far the views of shared objects are apart, in virtual time: one of N participants turns one
     object and moves another, an action of 1.2 s after the other, each about and along a new random
     axis; all others watch. A host in the middle passes everything on. The same words print the same
@@ -53,18 +54,20 @@ constexpr std::string_view kDriftHelp =
                       participants' clocks are spread evenly over +-250 ms, at +-50 ppm. Only
                       session-clock, at most 16 participants, one seed; 15 actions if not told, but
                       step and partition come after 30 s, so that they take 30
+    --netlab PROGRAM  the network emulator to use in place of the relays; root only
     --warm-up-s T     for the clocks, before the first action; 0 to 300; 20
     --logs DIR        a folder that is there, for what each program wrote down
     with --live every figure is of what the programs' logs say they showed, on the machine's
     CLOCK_MONOTONIC (but the limit, of the delays that the scenario has then), and there are also
-    live, network              true; relay
+    live, network              true; relay or netlab
     bound_time_average_deg     1.5 limit + W (0.2 ms + half the paths' asymmetry)
     is_within_bound            time average to that
     is_end_state_same          both objects ended to the bit alike in all programs
     handshake_mean_ms, handshake_max_ms   until a participant was in and had the session's clock
     sample_gap_p95_ms          between a program's samples, which are to be 5.003 ms apart
     load_average               of the machine in the minute in which the run ended
-    probes_per_s is null, and bytes_per_s is of the encrypted datagrams
+    probes_per_s is null, and bytes_per_s is of the encrypted datagrams, null with
+    --netlab
 )";
 
 using Options = QMap<QString, QString>;
@@ -89,7 +92,8 @@ Result<Options> optionsOf(QStringList arguments)
                     {QStringLiteral("--seed"), QStringLiteral("1")},
                     {QStringLiteral("--seeds"), QStringLiteral("1")},
                     {QStringLiteral("--warm-up-s"), QStringLiteral("20")},
-                    {QStringLiteral("--logs"), QString{}}};
+                    {QStringLiteral("--logs"), QString{}},
+                    {QStringLiteral("--netlab"), QString{}}};
     const bool isLive = arguments.removeAll(kLive) > 0;
     for (qsizetype i = 0; i < arguments.size(); i += 2) {
         if (!options.contains(arguments[i]))
@@ -152,6 +156,7 @@ struct DriftRequest {
     bool isLive = false;
     double warmUp_s = 0.0;
     QString logs;
+    QString netlab;
 };
 
 Result<void> checkLive(const DriftRequest& request)
@@ -187,6 +192,7 @@ Result<DriftRequest> requestOf(const Options& options)
     request.isLive = options.contains(kLive);
     request.warmUp_s = reader.number("--warm-up-s", 0.0, 300.0);
     request.logs = options[QStringLiteral("--logs")];
+    request.netlab = options[QStringLiteral("--netlab")];
     if (!reader.refusal().isEmpty())
         return badOption(reader.refusal());
     if (request.isLive)
@@ -199,20 +205,30 @@ Result<DriftRequest> requestOf(const Options& options)
     return request;
 }
 
+Result<std::unique_ptr<LiveNetwork>> networkOf(const DriftRequest& request)
+{
+    const DriftSettings& settings = request.settings;
+    if (request.netlab.isEmpty())
+        return relayedNetwork(settings.participants, settings.scenario, settings.seed);
+    return netlabNetwork(request.netlab, settings.participants, settings.scenario, settings.seed);
+}
+
 Result<QJsonObject> measureLive(const DriftRequest& request)
 {
     const DriftSettings& settings = request.settings;
-    const auto network = relayedNetwork(settings.participants, settings.scenario, settings.seed);
+    const auto network = networkOf(request);
+    if (!network)
+        return tl::unexpected(network.error());
     return runLiveDrift({.program = QCoreApplication::applicationFilePath(),
                          .participants = settings.participants,
                          .script = settings.script,
                          .seed = settings.seed,
                          .warmUp = fromSeconds(request.warmUp_s),
                          .logs = request.logs},
-                        *network)
+                        **network)
         .map([&](const LiveFigures& figures) {
             QJsonObject object = reportOf(figures, settings.script, settings.scenario);
-            object[QStringLiteral("network")] = network->name();
+            object[QStringLiteral("network")] = (*network)->name();
             return object;
         });
 }

@@ -46,6 +46,8 @@ QJsonObject reportOf(const LiveFigures& figures, const ActionScript::Settings& s
     ::getloadavg(&load, 1);
     QJsonObject object = reportOf(figures.drift);
     object[QStringLiteral("probes_per_s")] = QJsonValue::Null;
+    if (figures.drift.bytesPerSecond <= 0.0) // where nobody counts
+        object[QStringLiteral("bytes_per_s")] = QJsonValue::Null;
     object[QStringLiteral("access_link")] = QJsonValue::Null;
     object[QStringLiteral("live")] = true;
     object[QStringLiteral("bound_time_average_deg")] = inDegrees(bound);

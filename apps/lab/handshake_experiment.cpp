@@ -111,9 +111,8 @@ Result<HandshakeFigures> measureHandshakes(const HandshakeSettings& settings)
     HandshakeFigures figures;
     for (int join = 0; join < settings.joins; ++join) {
         const PathProfile path{.delay = settings.roundTrip / 2, .loss = settings.loss};
-        LossyRelay relay{host.transport->port(),
-                         {path, path},
-                         settings.seed + static_cast<std::uint32_t>(join)};
+        LossyRelay relay{
+            host.transport->port(), {path, path}, settings.seed + static_cast<std::uint32_t>(join)};
         const LocalTime begin = monotonicNow();
         Client client{relay.port(), host.key};
         client.waitUntilIn();

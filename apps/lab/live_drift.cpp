@@ -29,12 +29,17 @@ void tell(const QString& progress)
 
 LocalTime liveNow() { return machineTime(monotonicNow()); }
 
-LiveClock clockOf(std::size_t participant, std::size_t participants)
+/// The words that start a program with its clock off: the host's is not.
+QStringList withClock(std::size_t who, std::size_t participants, const QStringList& program)
 {
     const double share =
-        static_cast<double>(participant - 1) / static_cast<double>(participants - 1);
-    const double side = participant % 2 == 1 ? 1.0 : -1.0;
-    return {kLiveOffset_ms * (2.0 * share - 1.0), kLiveSkew_ppm * side};
+        static_cast<double>(who - 1) / static_cast<double>(participants - 1); // from 0 to 1
+    const double offset = who == 0 ? 0.0 : kLiveOffset_ms * (2.0 * share - 1.0);
+    const double skew = who == 0 ? 0.0 : kLiveSkew_ppm * (who % 2 == 1 ? 1.0 : -1.0);
+    return QStringList{QStringLiteral("env"),
+                       QStringLiteral("CARINA_CLOCK_OFFSET_MS=%1").arg(offset),
+                       QStringLiteral("CARINA_CLOCK_PPM=%1").arg(skew)}
+           + program;
 }
 
 class LiveExperiment
@@ -78,9 +83,9 @@ private:
         orders.script = m_settings.script;
         orders.seed = m_settings.seed;
         const QStringList words =
-            m_network.inPlace(who, {m_settings.program, QStringLiteral("drift-node")});
-        const LiveClock clock = who == 0 ? LiveClock{} : clockOf(who, m_settings.participants);
-        m_programs.push_back(std::make_unique<LiveProgram>(orders.name, words, clock, orders));
+            m_network.inPlace(who, withClock(who, m_settings.participants,
+                                             {m_settings.program, QStringLiteral("drift-node")}));
+        m_programs.push_back(std::make_unique<LiveProgram>(orders.name, words, orders));
     }
 
     Result<void> startAll()

@@ -11,14 +11,9 @@ constexpr int kLastWords_ms = 3000;
 
 } // namespace
 
-LiveProgram::LiveProgram(std::string who, const QStringList& words, const LiveClock& clock,
-                         const LiveOrders& orders)
+LiveProgram::LiveProgram(std::string who, const QStringList& words, const LiveOrders& orders)
     : m_who{std::move(who)}
 {
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("CARINA_CLOCK_OFFSET_MS"), QString::number(clock.offset_ms));
-    environment.insert(QStringLiteral("CARINA_CLOCK_PPM"), QString::number(clock.ppm));
-    m_process.setProcessEnvironment(environment);
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     m_process.start(words.first(), words.mid(1));
     m_process.write(lineOf(orders));

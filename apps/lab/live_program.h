@@ -8,19 +8,12 @@
 namespace carina::lab
 {
 
-/// A clock that is off on purpose.
-struct LiveClock {
-    double offset_ms = 0.0;
-    double ppm = 0.0;
-};
-
 /// Another program of a live session, started from this one (see driftNodeCommand).
 class LiveProgram
 {
 public:
     /// @param words the program and its arguments
-    LiveProgram(std::string who, const QStringList& words, const LiveClock& clock,
-                const LiveOrders& orders);
+    LiveProgram(std::string who, const QStringList& words, const LiveOrders& orders);
     /// Ends it.
     ~LiveProgram();
     LiveProgram(const LiveProgram&) = delete;

@@ -3,10 +3,8 @@
 #include "apps/lab/command.h"
 #include "apps/lab/drawing_application.h"
 #include "apps/lab/drift_command.h"
-static const std::array all{anatomyCommand(),   breatheCommand(), driftCommand(),
-                            driftNodeCommand(), figuresCommand(), fitCommand(),
-                            handshakeCommand(), pivotCommand(),   renderCommand(),
-                            summaryCommand(),   trackCommand()};
+#include "apps/lab/drift_node_command.h"
+#include "apps/lab/figures_command.h"
 #include "apps/lab/fit_command.h"
 #include "apps/lab/handshake_command.h"
 #include "apps/lab/pivot_command.h"
@@ -21,14 +19,12 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all
-    {
-        static const std::array all{anatomyCommand(),   breatheCommand(), driftCommand(),
-                                    driftNodeCommand(), figuresCommand(), fitCommand(),
-                                    handshakeCommand(), pivotCommand(),   renderCommand(),
-                                    summaryCommand(),   trackCommand()};
-        return all;
-    }
+    static const std::array all{anatomyCommand(),   breatheCommand(), driftCommand(),
+                                driftNodeCommand(), figuresCommand(), fitCommand(),
+                                handshakeCommand(), pivotCommand(),   renderCommand(),
+                                summaryCommand(),   trackCommand()};
+    return all;
+}
 
 } // namespace carina::lab
 

@@ -100,7 +100,15 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("named");
         QTest::newRow("nothing") << QByteArray{""} << QByteArray{" is no option"};
         QTest::newRow("no scenario") << QByteArray{"--seed 1"} << QByteArray{"--scenario"};
-        QTest::newRow("unknown option") << QByteArray{"--live yes"} << QByteArray{"--live"};
+        QTest::newRow("unknown option") << QByteArray{"--walk yes"} << QByteArray{"--walk"};
+        QTest::newRow("live by another strategy")
+            << QByteArray{"--scenario lan --live --strategy event"} << QByteArray{"--live"};
+        QTest::newRow("17 live participants")
+            << QByteArray{"--live --scenario lan --participants 17"} << QByteArray{"2 to 16"};
+        QTest::newRow("two live seeds")
+            << QByteArray{"--scenario lan --live --seeds 2"} << QByteArray{"one seed"};
+        QTest::newRow("endless warm-up")
+            << QByteArray{"--scenario lan --live --warm-up-s 301"} << QByteArray{"--warm-up-s"};
         QTest::newRow("no value") << QByteArray{"--scenario"} << QByteArray{"--scenario"};
         QTest::newRow("unknown strategy")
             << QByteArray{"--scenario lan --strategy best"} << QByteArray{"--strategy"};

@@ -1,0 +1,60 @@
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// The live drift experiment among real programs: that it ends whole and alike everywhere. How far
+/// views were apart depends on the machine, and is not asserted.
+class TestLiveDrift : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void endsAlikeEverywhereWithWholeLogs()
+    {
+        constexpr int kActions = 3;
+        QTemporaryDir logs;
+        QProcess lab;
+        lab.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        lab.start(QStringLiteral(CARINA_LAB),
+                  {QStringLiteral("drift"), QStringLiteral("--live"), QStringLiteral("--scenario"),
+                   QStringLiteral("lan"), QStringLiteral("--actions"), QString::number(kActions),
+                   QStringLiteral("--warm-up-s"), QStringLiteral("0.5"), QStringLiteral("--logs"),
+                   logs.path()});
+        QVERIFY(lab.waitForFinished(60'000));
+        QCOMPARE(lab.exitCode(), 0);
+        const QJsonObject figures = QJsonDocument::fromJson(lab.readAllStandardOutput()).object();
+        QCOMPARE(figures[QLatin1StringView{"live"}], QJsonValue{true});
+        QCOMPARE(figures[QLatin1StringView{"is_end_state_same"}], QJsonValue{true});
+        QCOMPARE(figures[QLatin1StringView{"actions"}], QJsonValue{kActions});
+        for (const char* key : {"time_average_mean_deg", "at_event_mean_deg", "clock_error_ms",
+                                "handshake_mean_ms", "bytes_per_s"})
+            QVERIFY2(figures[QLatin1StringView{key}].toDouble() > 0.0, key);
+
+        const QStringList kept = QDir{logs.path()}.entryList(QDir::Files, QDir::Name);
+        QCOMPARE(kept, (QStringList{QStringLiteral("participant-1.json"),
+                                    QStringLiteral("participant-2.json"),
+                                    QStringLiteral("the-host.json")}));
+        QFile actor{logs.filePath(kept.first())};
+        QVERIFY(actor.open(QIODevice::ReadOnly));
+        const QJsonObject log = QJsonDocument::fromJson(actor.readAll()).object();
+        QCOMPARE(log[QLatin1StringView{"actions"}].toArray().size(), qsizetype{kActions + 1});
+    }
+
+    void programsEndWithTheOneThatStartedThem()
+    {
+        QProcess node;
+        node.start(QStringLiteral(CARINA_LAB), {QStringLiteral("drift-node")});
+        QVERIFY(node.waitForStarted());
+        node.closeWriteChannel();
+        QVERIFY(node.waitForFinished(10'000));
+        QCOMPARE(node.exitCode(), 1);
+        QVERIFY(node.readAllStandardError().contains("has ended"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLiveDrift)
+#include "tst_live_drift.moc"

@@ -179,10 +179,15 @@ private:
     {
         const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(after);
         QTimer::singleShot(ms, Qt::PreciseTimer, &m_lab, [this, statements] {
-            for (const QString& statement : statements)
-                QProcess::startDetached(
-                    m_program, QStringList{QStringLiteral("ctl"), QStringLiteral("-n"), m_name}
-                                   + statement.split(QLatin1Char{' '}));
+            for (const QString& statement : statements) {
+                QProcess control;
+                control.setProgram(m_program);
+                control.setArguments(
+                    QStringList{QStringLiteral("ctl"), QStringLiteral("-n"), m_name}
+                    + statement.split(QLatin1Char{' '}));
+                control.setStandardOutputFile(QProcess::nullDevice()); // ours is for the figures
+                control.startDetached();
+            }
         });
     }
 

@@ -86,19 +86,16 @@ void SyncHost::advance(LocalTime now)
 {
     dropSilentPeers(now);
     m_actions.advance(sessionTime(now), now);
-    const bool tick = !m_outgoing.empty() && m_tick.isDue(now);
+    const bool tick = m_streams.isDue(now);
     for (auto& [address, peer] : m_peers)
         sendDue(address, peer, tick, now);
-    if (tick) {
-        m_outgoing.clear();
-        m_tick.served(now);
-    }
+    if (tick)
+        m_streams.served(now);
 }
 
 LocalTime SyncHost::nextWake() const
 {
-    LocalTime wake =
-        std::min(m_actions.nextDue(), m_outgoing.empty() ? LocalTime::max() : m_tick.next());
+    LocalTime wake = std::min(m_actions.nextDue(), m_streams.nextDue());
     for (const auto& [address, peer] : m_peers) {
         if (peer.welcome || peer.answer || !peer.outbox.empty())
             return LocalTime::min();
@@ -118,14 +115,13 @@ void SyncHost::append(const FactRecord& fact)
 
 void SyncHost::share(ObjectId object, const Ownership& ownership)
 {
-    m_table.share(object, ownership.owner);
+    m_streams.share(object, ownership.owner);
     m_actions.share(object, ownership);
 }
 
 void SyncHost::publish(const StreamSample& sample, LocalTime now)
 {
-    if (m_table.accept(sample, sessionTime(now)))
-        m_outgoing.insert_or_assign(sample.cpo.object, sample);
+    m_streams.take(sample, sessionTime(now));
 }
 
 void SyncHost::drop(PeerAddress address, LocalTime now)
@@ -232,10 +228,8 @@ void SyncHost::takeStreams(const Peer& peer, const StreamGroup& group, LocalTime
         return;
     for (const StreamCpo& cpo : group.streams) {
         const StreamSample sample{group.owner, group.epoch, group.station, cpo};
-        if (!m_table.accept(sample, sessionTime(now)))
-            continue;
-        m_outgoing.insert_or_assign(cpo.object, sample);
-        m_output.streams.push_back(sample);
+        if (m_streams.take(sample, sessionTime(now)))
+            m_output.streams.push_back(sample);
     }
 }
 
@@ -260,7 +254,7 @@ void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)
     for (FactNumber number = due.first; number <= due.last; ++number.value)
         records.emplace_back(m_log[number.value - 1]);
     if (tick)
-        appendStreams(peer, records);
+        std::ranges::move(m_streams.dueTo(peer.participant), std::back_inserter(records));
     const bool answer = std::exchange(peer.answer, false);
     if (records.empty() && !answer && now < peer.link.lastSent() + kKeepAlive)
         return;
@@ -272,16 +266,6 @@ void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)
     };
     for (auto& bytes : packDatagrams(records, header))
         m_output.datagrams.push_back({to, std::move(bytes)});
-}
-
-void SyncHost::appendStreams(const Peer& peer, std::vector<WireRecord>& records) const
-{
-    std::vector<StreamSample> samples;
-    for (const auto& [object, sample] : m_outgoing)
-        if (sample.owner != peer.participant)
-            samples.push_back(sample);
-    for (StreamGroup& group : groupStreams(samples))
-        records.emplace_back(std::move(group));
 }
 
 void SyncHost::answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,

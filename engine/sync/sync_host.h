@@ -3,10 +3,9 @@
 #include "engine/core/result.h"
 #include "engine/sync/fact_replication.h"
 #include "engine/sync/host_actions.h"
+#include "engine/sync/host_streams.h"
 #include "engine/sync/peer_clock.h"
 #include "engine/sync/peer_link.h"
-#include "engine/sync/stream_table.h"
-#include "engine/sync/stream_tick.h"
 
 #include <functional>
 #include <span>
@@ -126,7 +125,6 @@ private:
     void takeStreams(const Peer& peer, const StreamGroup& group, LocalTime now);
     void dropSilentPeers(LocalTime now);
     void sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now);
-    void appendStreams(const Peer& peer, std::vector<WireRecord>& records) const;
     void answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,
                         LocalTime now);
     [[nodiscard]] FactNumber logEnd() const { return {m_log.size()}; }
@@ -136,9 +134,7 @@ private:
     Duration m_clockOffset;
     HostRules m_rules;
     std::map<PeerAddress, Peer> m_peers;
-    StreamTable m_table;
-    StreamTick m_tick;
-    std::map<ObjectId, StreamSample> m_outgoing; // the newest of each
+    HostStreams m_streams;
     HostActions m_actions;
     Output m_output;
 };

@@ -15,6 +15,12 @@ void ClientActions::startAfresh()
     m_acks.clear();
 }
 
+void ClientActions::disconnected()
+{
+    m_acks.clear();
+    m_repeater.doubt();
+}
+
 void ClientActions::share(ObjectId object, const Ownership& ownership)
 {
     if (!m_actions.share(object, ownership))
@@ -52,6 +58,12 @@ void ClientActions::take(const EventCpo& event, std::optional<SessionTime> sessi
         m_repeater.begin(event, now);
 }
 
+void ClientActions::take(const EventBeat& beat, std::optional<SessionTime> session, LocalTime now)
+{
+    if (const EventCpo* event = m_actions.table().named(beat))
+        take(EventCpo{*event}, session, now);
+}
+
 std::vector<WireRecord> ClientActions::takeDue(LocalTime now)
 {
     std::vector<WireRecord> records = std::exchange(m_acks, {});
@@ -59,8 +71,8 @@ std::vector<WireRecord> ClientActions::takeDue(LocalTime now)
         if (const EventCpo* event = m_actions.table().newest(object);
             event && m_actions.isOwners(m_actions.self(), *event))
             m_repeater.begin(*event, now);
-    for (const EventCpo& event : m_repeater.takeDue(now))
-        records.emplace_back(event);
+    for (const DueEvent& due : m_repeater.takeDue(now))
+        records.push_back(due.record());
     return records;
 }
 

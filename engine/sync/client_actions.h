@@ -13,8 +13,9 @@ public:
     void setSelf(ParticipantId self) { m_actions.setSelf(self); }
     /// It is another session.
     void startAfresh();
-    /// What the old connection brought is acknowledged no more.
-    void disconnected() { m_acks.clear(); }
+    /// What the old connection brought is acknowledged no more, and a host that was restarted may
+    /// not have all that the last one acknowledged.
+    void disconnected();
 
     /// As the facts say.
     void share(ObjectId object, const Ownership& ownership);
@@ -23,6 +24,9 @@ public:
                                    LocalTime now);
     /// An action that the host passed on. @param session the session's time, where it is known
     void take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
+    /// A sign of life that the host passed on: as if the action it names had come again, if that is
+    /// the newest here.
+    void take(const EventBeat& beat, std::optional<SessionTime> session, LocalTime now);
     void acknowledge(const EventAck& ack) { m_repeater.acknowledge(ack); }
 
     /// Acknowledgements and actions to send to the host now; they count as sent.

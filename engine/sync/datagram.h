@@ -13,7 +13,7 @@ namespace carina
 {
 
 /// Of this layout; a peer with another number is refused.
-inline constexpr std::uint8_t kProtocolVersion = 2;
+inline constexpr std::uint8_t kProtocolVersion = 3;
 /// Leaves room for DTLS around it (29 bytes), so that no more than 1200 bytes travel in a UDP
 /// packet: they fit into any path's MTU, and nothing is ever fragmented.
 inline constexpr std::size_t kLargestDatagram = 1160;
@@ -55,6 +55,12 @@ struct EventAck {
     std::uint16_t epoch = 0;
     std::uint32_t action = 0;
 };
+/// A sign of life of the owner: this action, which the other end has acknowledged, is in force.
+struct EventBeat {
+    ObjectId object;
+    std::uint16_t epoch = 0;
+    std::uint32_t action = 0;
+};
 /// The host does not enter this proposal into the log.
 struct ProposalRefused {
     ProposalId proposal;
@@ -86,7 +92,7 @@ struct Goodbye {
 
 using WireRecord =
     std::variant<StreamGroup, EventCpo, FactRecord, ProposalRecord, FactAck, ProposalRefused, Hello,
-                 Welcome, HelloRefused, ConnectionUnknown, Goodbye, EventAck>;
+                 Welcome, HelloRefused, ConnectionUnknown, Goodbye, EventAck, EventBeat>;
 
 /// One datagram, decoded.
 struct Datagram {

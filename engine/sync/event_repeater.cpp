@@ -14,6 +14,13 @@ bool isLater(const EventCpo& a, const EventCpo& b)
     return a.action != b.action ? isAfter(a.action, b.action) : a.start > b.start;
 }
 
+WireRecord DueEvent::record() const
+{
+    if (isBeat)
+        return EventBeat{event.object, event.epoch, event.action};
+    return event;
+}
+
 void EventRepeater::begin(const EventCpo& event, LocalTime now)
 {
     m_entries.insert_or_assign(event.object, Entry{event, now, now});
@@ -39,10 +46,19 @@ void EventRepeater::acknowledge(const EventAck& ack)
     if (found == m_entries.end())
         return;
     Entry& entry = found->second;
-    if (entry.isAcknowledged || ack.epoch != entry.event.epoch || ack.action != entry.event.action)
+    if (ack.epoch != entry.event.epoch || ack.action != entry.event.action)
+        return;
+    entry.beatsForNothing = 0;
+    if (entry.isAcknowledged)
         return;
     entry.isAcknowledged = true;
     entry.due = m_hasHeartbeat ? entry.lastSent + kHeartbeat : LocalTime::max();
+}
+
+void EventRepeater::doubt()
+{
+    for (auto& [object, entry] : m_entries)
+        entry.beatsForNothing = kUnanswered;
 }
 
 LocalTime EventRepeater::dueAfter(const Entry& entry, LocalTime now) const
@@ -56,13 +72,16 @@ LocalTime EventRepeater::dueAfter(const Entry& entry, LocalTime now) const
     return now + kHeartbeat;
 }
 
-std::vector<EventCpo> EventRepeater::takeDue(LocalTime now)
+std::vector<DueEvent> EventRepeater::takeDue(LocalTime now)
 {
-    std::vector<EventCpo> due;
+    std::vector<DueEvent> due;
     for (auto& [object, entry] : m_entries) {
         if (now < entry.due)
             continue;
-        due.push_back(entry.event);
+        const bool isBeat = entry.isAcknowledged && entry.beatsForNothing < kUnanswered;
+        due.push_back({entry.event, isBeat});
+        if (isBeat)
+            ++entry.beatsForNothing;
         entry.lastSent = now;
         entry.due = dueAfter(entry, now);
     }

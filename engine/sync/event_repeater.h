@@ -9,11 +9,21 @@
 namespace carina
 {
 
+/// An action to be sent: whole, or only named, as a sign of life.
+struct DueEvent {
+    EventCpo event;
+    bool isBeat = false;
+
+    [[nodiscard]] WireRecord record() const;
+};
+
 /// One direction of one connection: sends the newest action on each object at once, again after
 /// 10 ms and 30 ms and then every 100 ms until it is acknowledged.
 ///
-/// Whoever owns the objects also has a heartbeat: an acknowledged action is sent every 100 ms too,
-/// so that the others can tell an object at rest from an owner that is gone.
+/// Whoever owns the objects also has a heartbeat, so that the others can tell an object at rest
+/// from an owner that is gone: an acknowledged action is named every 100 ms, in a record as long as
+/// its acknowledgement, so that the two take equally long through a narrow path, as the clock
+/// wants it. When kUnanswered beats in a row were for nothing the action is sent whole again.
 class EventRepeater
 {
 public:
@@ -22,6 +32,7 @@ public:
     static constexpr Duration kHeartbeat = std::chrono::milliseconds{100};
     /// A heartbeat is not passed on sooner than this after the last time the action was sent.
     static constexpr Duration kShortestBeat = std::chrono::milliseconds{50};
+    static constexpr int kUnanswered = 10;
 
     explicit EventRepeater(bool hasHeartbeat) : m_hasHeartbeat{hasHeartbeat} {}
 
@@ -30,13 +41,15 @@ public:
     /// A heartbeat of an action is to be passed on.
     void beat(const EventCpo& event, LocalTime now);
     void acknowledge(const EventAck& ack);
+    /// The other end may have lost what it had acknowledged.
+    void doubt();
     /// The object is another's now.
     void forget(ObjectId object) { m_entries.erase(object); }
     /// Whether an action on the object is under way that nobody acknowledged.
     [[nodiscard]] bool awaits(ObjectId object) const;
 
     /// Events to send now; they count as sent.
-    [[nodiscard]] std::vector<EventCpo> takeDue(LocalTime now);
+    [[nodiscard]] std::vector<DueEvent> takeDue(LocalTime now);
     [[nodiscard]] LocalTime nextDue() const;
 
 private:
@@ -46,6 +59,7 @@ private:
         LocalTime due;
         LocalTime lastSent = LocalTime::min();
         bool isAcknowledged = false;
+        int beatsForNothing = 0;
     };
 
     [[nodiscard]] LocalTime dueAfter(const Entry& entry, LocalTime now) const;

@@ -50,6 +50,12 @@ const EventCpo* EventTable::newest(ObjectId object) const
     return found == m_entries.end() ? nullptr : &found->second.newest;
 }
 
+const EventCpo* EventTable::named(const EventBeat& beat) const
+{
+    const EventCpo* event = newest(beat.object);
+    return event && event->epoch == beat.epoch && event->action == beat.action ? event : nullptr;
+}
+
 std::vector<EventCpo> EventTable::newest() const
 {
     std::vector<EventCpo> events;

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] const EventCpo* inForce(ObjectId object, SessionTime t) const;
     [[nodiscard]] bool isStale(ObjectId object, LocalTime t) const;
     [[nodiscard]] const EventCpo* newest(ObjectId object) const;
+    /// The newest action on an object, where it is the one named; nullptr otherwise.
+    [[nodiscard]] const EventCpo* named(const EventBeat& beat) const;
     /// Of every object, in any order.
     [[nodiscard]] std::vector<EventCpo> newest() const;
     void forget(ObjectId object) { m_entries.erase(object); }

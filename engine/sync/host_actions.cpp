@@ -47,6 +47,12 @@ void HostActions::take(PeerAddress from, const EventCpo& event, SessionTime sess
         peer->second.acks.emplace_back(ackOf(event));
 }
 
+void HostActions::take(PeerAddress from, const EventBeat& beat, SessionTime session, LocalTime now)
+{
+    if (const EventCpo* event = m_actions.table().named(beat))
+        take(from, EventCpo{*event}, session, now);
+}
+
 void HostActions::acknowledge(PeerAddress from, const EventAck& ack)
 {
     if (const auto peer = m_peers.find(from); peer != m_peers.end())
@@ -90,9 +96,9 @@ void HostActions::advance(SessionTime session, LocalTime now)
         if (spread(kActingHost, event, session, now) == EventTable::Verdict::New
             && m_actions.isOwn(event.object))
             m_own.begin(event, now);
-    for (const EventCpo& event : m_own.takeDue(now)) {
-        m_own.acknowledge(ackOf(event));
-        spread(kActingHost, event, session, now);
+    for (const DueEvent& due : m_own.takeDue(now)) {
+        m_own.acknowledge(ackOf(due.event));
+        spread(kActingHost, due.event, session, now);
     }
 }
 
@@ -102,8 +108,8 @@ std::vector<WireRecord> HostActions::takeDue(PeerAddress to, LocalTime now)
     if (peer == m_peers.end())
         return {};
     std::vector<WireRecord> records = std::exchange(peer->second.acks, {});
-    for (const EventCpo& event : peer->second.events.takeDue(now))
-        records.emplace_back(event);
+    for (const DueEvent& due : peer->second.events.takeDue(now))
+        records.push_back(due.record());
     return records;
 }
 

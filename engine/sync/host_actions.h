@@ -31,6 +31,8 @@ public:
     /// An action that came from a peer: acknowledged and passed on where it is the owner's, under
     /// the present ownership; dropped otherwise.
     void take(PeerAddress from, const EventCpo& event, SessionTime session, LocalTime now);
+    /// A sign of life: as if the action it names had come again, if that is the newest here.
+    void take(PeerAddress from, const EventBeat& beat, SessionTime session, LocalTime now);
     void acknowledge(PeerAddress from, const EventAck& ack);
     /// An action that was in force before the host was started: goes on, in the name of whoever
     /// owns the object by now. Nothing for an object that is not shared.

@@ -25,6 +25,7 @@ enum class RecordKind : std::uint8_t {
     ConnectionUnknown,
     Goodbye,
     EventAck,
+    EventBeat,
 };
 
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
@@ -121,13 +122,21 @@ Welcome readWelcome(ByteReader& in)
     return welcome;
 }
 
-EventAck readEventAck(ByteReader& in)
+/// EventAck and EventBeat: which action.
+template <class Named> Named readNamed(ByteReader& in)
 {
-    EventAck ack;
-    ack.object.value = in.number<std::uint16_t>();
-    ack.epoch = in.number<std::uint16_t>();
-    ack.action = in.number<std::uint32_t>();
-    return ack;
+    Named event;
+    event.object.value = in.number<std::uint16_t>();
+    event.epoch = in.number<std::uint16_t>();
+    event.action = in.number<std::uint32_t>();
+    return event;
+}
+
+template <class Named> void writeNamed(ByteWriter& out, const Named& event)
+{
+    out.number(event.object.value);
+    out.number(event.epoch);
+    out.number(event.action);
 }
 
 ProposalRefused readProposalRefused(ByteReader& in)
@@ -204,9 +213,12 @@ public:
     void operator()(const EventAck& ack)
     {
         kind(RecordKind::EventAck);
-        m_out.number(ack.object.value);
-        m_out.number(ack.epoch);
-        m_out.number(ack.action);
+        writeNamed(m_out, ack);
+    }
+    void operator()(const EventBeat& beat)
+    {
+        kind(RecordKind::EventBeat);
+        writeNamed(m_out, beat);
     }
 
 private:
@@ -248,7 +260,9 @@ WireRecord readRecord(ByteReader& in)
     case RecordKind::Goodbye:
         return Goodbye{};
     case RecordKind::EventAck:
-        return readEventAck(in);
+        return readNamed<EventAck>(in);
+    case RecordKind::EventBeat:
+        return readNamed<EventBeat>(in);
     }
     in.require(false, "record kind");
     return Goodbye{};

@@ -51,13 +51,16 @@ struct SyncClient::Visitor {
         if (client.m_state == State::Connected)
             client.takeStreams(group, now);
     }
-    void operator()(const EventCpo& event) const
-    {
-        if (client.m_state == State::Connected)
-            client.m_actions.take(event, client.sessionTime(now), now);
-    }
+    void operator()(const EventCpo& event) const { take(event); }
+    void operator()(const EventBeat& beat) const { take(beat); }
     void operator()(const EventAck& ack) const { client.m_actions.acknowledge(ack); }
     template <class Other> void operator()(const Other&) const {}
+
+    void take(const auto& action) const
+    {
+        if (client.m_state == State::Connected)
+            client.m_actions.take(action, client.sessionTime(now), now);
+    }
 };
 
 SyncClient::SyncClient(ProposalRecord join, std::uint32_t firstConnection, LocalTime now)

@@ -31,13 +31,16 @@ struct SyncHost::Visitor {
         peer.facts.acknowledge(ack.last, roundTripOf(peer.link), now);
     }
     void operator()(const StreamGroup& group) const { host.takeStreams(peer, group, now); }
-    void operator()(const EventCpo& event) const
-    {
-        if (host.m_rules.mayAct(peer.participant))
-            host.m_actions.take(from, event, host.sessionTime(now), now);
-    }
+    void operator()(const EventCpo& event) const { take(event); }
+    void operator()(const EventBeat& beat) const { take(beat); }
     void operator()(const EventAck& ack) const { host.m_actions.acknowledge(from, ack); }
     template <class Other> void operator()(const Other&) const {}
+
+    void take(const auto& action) const
+    {
+        if (host.m_rules.mayAct(peer.participant))
+            host.m_actions.take(from, action, host.sessionTime(now), now);
+    }
 };
 
 SyncHost::SyncHost(const SessionKey& session, std::vector<FactRecord> log, Duration clockOffset,

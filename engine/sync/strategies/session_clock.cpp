@@ -50,8 +50,8 @@ public:
     void advance(LocalTime now) override
     {
         std::vector<WireRecord> records = std::exchange(m_acks, {});
-        for (const EventCpo& event : m_repeater.takeDue(now))
-            records.emplace_back(event);
+        for (const DueEvent& due : m_repeater.takeDue(now))
+            records.push_back(due.record());
         const bool isProbe = records.empty();
         if (isProbe && now < nextProbe())
             return;
@@ -100,11 +100,19 @@ private:
         bool isStamped = false;
     };
 
+    void take(const EventCpo& event, LocalTime now)
+    {
+        if (m_table.take(event, sessionTime(now), now) != EventTable::Verdict::Refused)
+            m_acks.emplace_back(EventAck{event.object, event.epoch, event.action});
+    }
+
     void take(const WireRecord& record, LocalTime now)
     {
         if (const auto* event = std::get_if<EventCpo>(&record)) {
-            if (m_table.take(*event, sessionTime(now), now) != EventTable::Verdict::Refused)
-                m_acks.emplace_back(EventAck{event->object, event->epoch, event->action});
+            take(*event, now);
+        } else if (const auto* beat = std::get_if<EventBeat>(&record)) {
+            if (const EventCpo* known = m_table.named(*beat))
+                take(EventCpo{*known}, now);
         } else if (const auto* ack = std::get_if<EventAck>(&record)) {
             m_repeater.acknowledge(*ack);
         }

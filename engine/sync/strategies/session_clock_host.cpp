@@ -30,7 +30,10 @@ void SessionClockHost::receive(ParticipantId from, std::span<const std::byte> by
     for (const WireRecord& record : datagram->records) {
         if (const auto* event = std::get_if<EventCpo>(&record))
             take(from, *event, now);
-        else if (const auto* ack = std::get_if<EventAck>(&record))
+        else if (const auto* beat = std::get_if<EventBeat>(&record)) {
+            if (const EventCpo* known = m_table.named(*beat))
+                take(from, EventCpo{*known}, now);
+        } else if (const auto* ack = std::get_if<EventAck>(&record))
             peer->second.events.acknowledge(*ack);
     }
 }
@@ -54,8 +57,8 @@ void SessionClockHost::advance(LocalTime now)
 {
     for (auto& [id, peer] : m_peers) {
         std::vector<WireRecord> records = std::exchange(peer.acks, {});
-        for (const EventCpo& event : peer.events.takeDue(now))
-            records.emplace_back(event);
+        for (const DueEvent& due : peer.events.takeDue(now))
+            records.push_back(due.record());
         if (records.empty() && !peer.answer)
             continue;
         peer.answer = false;

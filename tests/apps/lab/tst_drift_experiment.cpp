@@ -124,6 +124,14 @@ private Q_SLOTS:
         QVERIFY(figures.probesPerSecond < 1.0);
     }
 
+    void narrowPathLeavesTheClocksAlone()
+    {
+        // An action takes 1.5 ms longer than its acknowledgement through 1 Mbit/s.
+        const DriftFigures figures = figuresOf("session-clock", "bottleneck", 3);
+        QVERIFY2(deg(figures.atEvent) <= 0.005, shown(figures));
+        QVERIFY(*figures.clockError < 0.05e-3);
+    }
+
     void sessionClockIsExactOnALan()
     {
         const DriftFigures figures = figuresOf("session-clock", "lan", 3);

@@ -112,10 +112,10 @@ private Q_SLOTS:
     void tellsAnotherVersionFromNonsense()
     {
         auto bytes = fromHex(kPlainHeaderHex);
-        bytes[2] = std::byte{1};
-        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "1"}));
-        bytes[2] = std::byte{3};
-        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "3"}));
+        bytes[2] = std::byte{2};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "2"}));
+        bytes[2] = std::byte{4};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "4"}));
         bytes[2] = std::byte{0};
         QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "0"}));
         // Magic and version stay where they are in every version; nothing else need.
@@ -143,7 +143,7 @@ private Q_SLOTS:
         row("sent beyond the range of times", 4, -20, "01 00 00 00 00 00 00 20", "time");
         row("sent before the range of times", 4, -20, "ff ff ff ff ff ff ff df", "time");
         row("record kind zero", 4, 0, "00", "record kind");
-        row("record kind above the last", 4, 0, "0d", "record kind");
+        row("record kind above the last", 4, 0, "0e", "record kind");
         row("record kind above all", 4, 0, "ff", "record kind");
         row("no streams", 0, 11, "00", "stream count");
         row("too many streams", 0, 11, "1f", "stream count");

@@ -100,6 +100,49 @@ private Q_SLOTS:
         QCOMPARE(repeater.nextDue(), kStart + 210ms);
     }
 
+    void namesAnAcknowledgedActionInItsBeats()
+    {
+        EventRepeater repeater{true};
+        repeater.begin(eventOf(1, 7, 2), kStart);
+        QVERIFY(std::holds_alternative<EventCpo>(repeater.takeDue(kStart).at(0).record()));
+        QVERIFY(std::holds_alternative<EventCpo>(repeater.takeDue(kStart + 10ms).at(0).record()));
+        repeater.acknowledge({ObjectId{1}, 2, 7});
+        const WireRecord record = repeater.takeDue(kStart + 110ms).at(0).record();
+        const auto* beat = std::get_if<EventBeat>(&record);
+        QVERIFY(beat);
+        QCOMPARE(beat->object, ObjectId{1});
+        QCOMPARE(beat->epoch, std::uint16_t{2});
+        QCOMPARE(beat->action, 7U);
+    }
+
+    void sendsTheWholeActionWhenTenBeatsWereForNothing()
+    {
+        EventRepeater repeater{true};
+        repeater.begin(eventOf(1, 7, 2), kStart);
+        QCOMPARE(repeater.takeDue(kStart).size(), 1U);
+        repeater.acknowledge({ObjectId{1}, 2, 7});
+        const auto isBeat = [&] { return repeater.takeDue(repeater.nextDue()).at(0).isBeat; };
+        for (int beat = 1; beat <= 10; ++beat)
+            QVERIFY(isBeat());
+        QVERIFY(!isBeat());
+        QVERIFY(!isBeat());
+        repeater.acknowledge({ObjectId{1}, 2, 7});
+        QVERIFY(isBeat());
+    }
+
+    void sendsTheWholeActionWhereItIsInDoubt()
+    {
+        EventRepeater repeater{true};
+        repeater.begin(eventOf(1, 7, 2), kStart);
+        QCOMPARE(repeater.takeDue(kStart).size(), 1U);
+        repeater.acknowledge({ObjectId{1}, 2, 7});
+        repeater.doubt();
+        QVERIFY(!repeater.takeDue(kStart + 100ms).at(0).isBeat);
+        QVERIFY(!repeater.takeDue(kStart + 200ms).at(0).isBeat);
+        repeater.acknowledge({ObjectId{1}, 2, 7});
+        QVERIFY(repeater.takeDue(kStart + 300ms).at(0).isBeat);
+    }
+
     void newActionTakesThePlaceOfTheLast()
     {
         EventRepeater repeater{false};
@@ -108,7 +151,8 @@ private Q_SLOTS:
         repeater.begin(eventOf(1, 2), kStart);
         const auto due = repeater.takeDue(kStart);
         QCOMPARE(due.size(), 1U);
-        QCOMPARE(due[0].action, 2U);
+        QCOMPARE(due[0].event.action, 2U);
+        QVERIFY(!due[0].isBeat);
         QCOMPARE(sendings(repeater, 40ms), (std::vector<Duration>{10ms, 30ms}));
     }
 

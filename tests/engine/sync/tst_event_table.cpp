@@ -56,6 +56,22 @@ private Q_SLOTS:
         QCOMPARE(table.newest(kObject)->action, 1U);
     }
 
+    void knowsTheNewestActionByItsName()
+    {
+        EventTable table;
+        const EventCpo event = moving(5, 3.0, kSession);
+        const EventBeat beat{kObject, event.epoch, 5};
+        QVERIFY(table.named(beat) == nullptr);
+        table.take(moving(4, 1.0, kSession), kSession, kNow);
+        QVERIFY(table.named(beat) == nullptr);
+        table.take(event, kSession, kNow);
+        QVERIFY(table.named(beat) == table.newest(kObject));
+        QVERIFY(table.named({kObject, static_cast<std::uint16_t>(event.epoch + 1), 5}) == nullptr);
+        QVERIFY(table.named({ObjectId{99}, event.epoch, 5}) == nullptr);
+        table.take(moving(6, 3.0, kSession), kSession, kNow);
+        QVERIFY(table.named(beat) == nullptr);
+    }
+
     void latestWinsInAnyOrder()
     {
         EventTable table;

@@ -12,11 +12,8 @@ namespace
 {
 
 constexpr double kFullSpeed = 100.0; ///< deg/s, and mm/s
-constexpr std::array kSpeeds{1.0, 10.0, 50.0, 100.0};
 constexpr std::array kParticipants{2.0, 3.0, 4.0, 5.0, 6.0};
 constexpr std::array kDelays_ms{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
-constexpr std::array kByAction{"none", "event", "asa-adaptive", "session-clock"};
-constexpr std::array kByParticipants{"event", "asa-adaptive", "session-clock"};
 /// Of a path's constant delay: how long its queue is.
 constexpr double kQueueShare = 0.05;
 
@@ -86,11 +83,11 @@ Result<void> addTrends(std::vector<DriftFigure>& figures, const FigurePair& pair
     return {};
 }
 
-FigurePair measureActions(const FigureSettings& settings, const std::string& strategy)
+Result<FigurePair> measureActions(const FigureSettings& settings, const std::string& strategy)
 {
     FigurePair pair = pairOf({.name = "drift-by-action-" + strategy,
                               .title = "Drift at each action, 2 participants: " + strategy,
-                              .network = settings.scenario.name,
+                              .network = settings.scenario.name + settings.source.network,
                               .xLabel = "number of the action",
                               .xColumn = "action"});
     if (settings.isAngleRaw) {
@@ -98,11 +95,12 @@ FigurePair measureActions(const FigureSettings& settings, const std::string& str
         pair.orientation.yColumn = "raw_angle_deg";
     }
     settings.onCurve(pair.orientation.title);
-    const DriftFigures figures =
-        runDrift(experimentOf(settings, strategy, kFullSpeed), settings.seeds);
+    const auto figures = settings.source.run(experimentOf(settings, strategy, kFullSpeed));
+    if (!figures)
+        return tl::unexpected(figures.error());
     DriftCurve orientation{.name = withUnit(kFullSpeed, " deg/s")};
     DriftCurve position{.name = withUnit(kFullSpeed, " mm/s")};
-    for (const ActionDrift& action : figures.actions) {
+    for (const ActionDrift& action : figures->actions) {
         const double number = static_cast<double>(orientation.x.size()) + 1.0;
         orientation.x.push_back(number);
         orientation.y.push_back(deg(settings.isAngleRaw ? action.rawAngle : action.angle));
@@ -135,20 +133,23 @@ double atEvent_mm(const DriftFigures& figures)
     return mean;
 }
 
-FigurePair measureParticipants(const FigureSettings& settings, const std::string& strategy)
+Result<FigurePair> measureParticipants(const FigureSettings& settings, const std::string& strategy)
 {
     FigurePair pair = pairOf({.name = "drift-by-participants-" + strategy,
                               .title = "Mean drift at the actions: " + strategy,
-                              .network = settings.scenario.name,
+                              .network = settings.scenario.name + settings.source.network,
                               .xLabel = "number of participants",
                               .xColumn = "participants"});
-    for (const double speed : kSpeeds) {
+    for (const double speed : settings.source.speeds) {
         settings.onCurve(pair.orientation.title + ", " + withUnit(speed, " deg/s"));
         DriftSettings experiment = experimentOf(settings, strategy, speed);
         std::vector<DriftFigures> measured;
         for (const double count : kParticipants) {
             experiment.participants = static_cast<std::uint16_t>(count);
-            measured.push_back(runDrift(experiment, settings.seeds));
+            const auto figures = settings.source.run(experiment);
+            if (!figures)
+                return tl::unexpected(figures.error());
+            measured.push_back(*figures);
         }
         pair.orientation.curves.push_back(
             curveOf(withUnit(speed, " deg/s"), kParticipants, measured, atEvent_deg));
@@ -172,18 +173,22 @@ DriftScenario pathOf(double delay_ms)
 
 } // namespace
 
-std::size_t curvesToMeasure()
+std::size_t curvesToMeasure(const DriftSource& source)
 {
-    return kByAction.size() + kByParticipants.size() * kSpeeds.size() + syncStrategies().size();
+    return source.byAction.size() + source.byParticipants.size() * source.speeds.size()
+           + source.byDelay.size();
 }
 
 Result<std::vector<DriftFigure>> figuresByAction(const FigureSettings& settings)
 {
     std::vector<DriftFigure> figures;
-    for (const char* strategy : kByAction) {
-        const FigurePair pair = measureActions(settings, strategy);
-        const int order = strategy == std::string_view{"none"} ? kTrendOfNone : kTrendOfStrategies;
-        if (const auto added = addTrends(figures, pair, order); !added)
+    for (const std::string_view strategy : settings.source.byAction) {
+        const int order = strategy == "none" ? kTrendOfNone : kTrendOfStrategies;
+        const auto added =
+            measureActions(settings, std::string{strategy}).and_then([&](const FigurePair& pair) {
+                return addTrends(figures, pair, order);
+            });
+        if (!added)
             return tl::unexpected(added.error());
     }
     return figures;
@@ -192,30 +197,36 @@ Result<std::vector<DriftFigure>> figuresByAction(const FigureSettings& settings)
 Result<std::vector<DriftFigure>> figuresByParticipants(const FigureSettings& settings)
 {
     std::vector<DriftFigure> figures;
-    for (const char* strategy : kByParticipants)
-        if (const auto added = addTrends(figures, measureParticipants(settings, strategy), 1);
-            !added)
+    for (const std::string_view strategy : settings.source.byParticipants) {
+        const auto added =
+            measureParticipants(settings, std::string{strategy})
+                .and_then([&](const FigurePair& pair) { return addTrends(figures, pair, 1); });
+        if (!added)
             return tl::unexpected(added.error());
+    }
     return figures;
 }
 
-std::vector<DriftFigure> figuresByDelay(const FigureSettings& settings)
+Result<std::vector<DriftFigure>> figuresByDelay(const FigureSettings& settings)
 {
     FigurePair pair =
         pairOf({.name = "drift-by-delay",
                 .title = "Mean drift over time, 2 participants, 100 deg/s and 100 mm/s",
-                .network = "without loss",
+                .network = "without loss" + settings.source.network,
                 .xLabel = "mean one-way delay from actor to viewer, ms",
                 .xColumn = "delay_ms"});
     std::vector<DriftFigures> measured;
-    for (const SyncStrategy& strategy : syncStrategies()) {
-        const std::string name{strategy.name};
+    for (const std::string_view strategy : settings.source.byDelay) {
+        const std::string name{strategy};
         settings.onCurve(pair.orientation.title + ": " + name);
         DriftSettings experiment = experimentOf(settings, name, kFullSpeed);
         measured.clear();
         for (const double delay_ms : kDelays_ms) {
             experiment.scenario = pathOf(delay_ms);
-            measured.push_back(runDrift(experiment, settings.seeds));
+            const auto figures = settings.source.run(experiment);
+            if (!figures)
+                return tl::unexpected(figures.error());
+            measured.push_back(*figures);
         }
         pair.orientation.curves.push_back(curveOf(
             name, kDelays_ms, measured, [](const auto& of) { return deg(of.timeAverage); }));

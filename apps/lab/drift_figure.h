@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/lab/drift_scenario.h"
+#include "apps/lab/drift_source.h"
 #include "apps/lab/polynomial_fit.h"
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace carina::lab
 struct FigureSettings {
     DriftScenario scenario;
     std::uint32_t seed = 1;
-    int seeds = 20;          ///< runs, of which each number is the mean
-    int actions = 50;        ///< of a run
+    int actions = 50; ///< of a run
+    DriftSource source = virtualDrift(20);
     bool isAngleRaw = false; ///< 2 acos(w) in the figures by action
     /// Called before each curve that is measured, with what it is of.
     std::function<void(const std::string& curve)> onCurve = [](const std::string&) {};
@@ -45,25 +45,25 @@ struct DriftFigure {
 };
 
 /// How many curves the three functions below measure together.
-[[nodiscard]] std::size_t curvesToMeasure();
+[[nodiscard]] std::size_t curvesToMeasure(const DriftSource& source);
 
 inline constexpr int kTrendOfNone = 3;       ///< order, as in the 2004 paper
 inline constexpr int kTrendOfStrategies = 6; ///< which says "higher"
 
 /// Drift just before the next action against the number of the action, two participants, 100 deg/s
-/// and 100 mm/s: for each of none, event, asa-adaptive and session-clock one figure of orientation
+/// and 100 mm/s: for each strategy of the source one figure of orientation
 /// and one of position. @pre more actions than kTrendOfStrategies
 [[nodiscard]] Result<std::vector<DriftFigure>> figuresByAction(const FigureSettings& settings);
 
-/// Mean of that drift against 2 to 6 participants with a line for each of 1, 10, 50 and 100 deg/s
-/// and mm/s: for each of event, asa-adaptive and session-clock, orientation and position.
+/// Mean of that drift against 2 to 6 participants with a line for each speed of the source: for
+/// each of its strategies, orientation and position.
 [[nodiscard]] Result<std::vector<DriftFigure>>
 figuresByParticipants(const FigureSettings& settings);
 
-/// Time average of the drift against the mean one-way delay for all strategies with the physical
-/// limit, two participants, 100 deg/s and 100 mm/s: orientation and position. Not over the
-/// settings' scenario but over paths without loss that have 20/21 of the delay always and 1/21 as
-/// the mean of an exponential queue, like the WAN.
-[[nodiscard]] std::vector<DriftFigure> figuresByDelay(const FigureSettings& settings);
+/// Time average of the drift against the mean one-way delay for the source's strategies with
+/// the physical limit, two participants, 100 deg/s and 100 mm/s: orientation and position. Not over
+/// the settings' scenario but over paths without loss that have 20/21 of the delay always and 1/21
+/// as the mean of an exponential queue, like the WAN.
+[[nodiscard]] Result<std::vector<DriftFigure>> figuresByDelay(const FigureSettings& settings);
 
 } // namespace carina::lab

@@ -21,6 +21,7 @@ namespace
 
 constexpr std::string_view kFiguresHelp =
     R"(figures --out DIR [--scenario NAME|FILE] [--actions A] [--seed K] [--seeds M] [--raw-angle]
+        [--live [--warm-up-s T]]
     The drift experiment (see drift) in virtual time, drawn into DIR: each figure as .svg, .png and
     .csv, with the version and the seeds in it. The same words write the same bytes, but for .png,
     whose letters are of the fonts there are. What is being measured goes to stderr. Those of the
@@ -41,6 +42,10 @@ constexpr std::string_view kFiguresHelp =
     --actions A   of a run; 8 to 10000; 50
     --seed K      0 to 4294967295; 1
     --seeds M     each number is the mean of so many runs, from seed K on; 1 to 1000; 20
+    --live        from real programs in real time over relays (see drift --live): those figures that
+                  are of session-clock, at 100 deg/s and mm/s, of one run of 12 actions for each
+                  number; 16 runs, 8 minutes
+    --warm-up-s T of the clocks before each live run; 0 to 300; 10
     --raw-angle   in orientation by action 2 acos(w), which exceeds 180 deg, as the paper has it
     schema        "carina.figures/1"
     version, scenario, actions, seed, seeds: of Carina, and as given
@@ -52,14 +57,18 @@ constexpr std::string_view kFiguresHelp =
 struct FiguresRequest {
     std::filesystem::path folder;
     FigureSettings settings;
+    int seeds = 1;
 };
 
 /// A whole number given for an option.
 Result<std::int64_t> wholeOf(const QCommandLineParser& parser, const char* name,
-                             std::int64_t lowest, std::int64_t highest)
+                             std::int64_t lowest, std::int64_t highest, std::int64_t otherwise)
 {
+    const QString text = parser.value(QString::fromLatin1(name));
+    if (!parser.isSet(QString::fromLatin1(name)))
+        return otherwise;
     bool isNumber = false;
-    const qlonglong value = parser.value(QString::fromLatin1(name)).toLongLong(&isNumber);
+    const qlonglong value = text.toLongLong(&isNumber);
     if (isNumber && value >= lowest && value <= highest)
         return value;
     return fail(Errc::OutOfRange,
@@ -72,11 +81,17 @@ Result<std::int64_t> wholeOf(const QCommandLineParser& parser, const char* name,
 
 void addOptions(QCommandLineParser& parser)
 {
-    for (const auto& [name, value] : std::initializer_list<std::pair<const char*, const char*>>{
-             {"out", ""}, {"scenario", "metro"}, {"actions", "50"}, {"seed", "1"}, {"seeds", "20"}})
+    for (const auto& [name, value] :
+         std::initializer_list<std::pair<const char*, const char*>>{{"out", ""},
+                                                                    {"scenario", "metro"},
+                                                                    {"actions", ""},
+                                                                    {"seed", "1"},
+                                                                    {"seeds", ""},
+                                                                    {"warm-up-s", "10"}})
         parser.addOption(QCommandLineOption{
             QString::fromLatin1(name), {}, QString::fromLatin1(name), QString::fromLatin1(value)});
-    parser.addOption(QCommandLineOption{QStringLiteral("raw-angle")});
+    for (const char* flag : {"raw-angle", "live"})
+        parser.addOption(QCommandLineOption{QString::fromLatin1(flag)});
 }
 
 tl::unexpected<Error> notUnderstood(const QString& reason)
@@ -97,15 +112,20 @@ Result<FiguresRequest> requestOf(const QStringList& arguments)
     if (folder.empty())
         return fail(Errc::OutOfRange, "figures: --out DIR is missing.");
     FiguresRequest request{folder, {}};
-    const auto actions = wholeOf(parser, "actions", kTrendOfStrategies + 2, 10000);
-    const auto seed = wholeOf(parser, "seed", 0, 4294967295);
-    const auto seeds = wholeOf(parser, "seeds", 1, 1000);
-    for (const auto* number : {&actions, &seed, &seeds})
+    const bool isLive = parser.isSet(QStringLiteral("live"));
+    const auto actions =
+        wholeOf(parser, "actions", kTrendOfStrategies + 2, 10000, isLive ? 12 : 50);
+    const auto seed = wholeOf(parser, "seed", 0, 4294967295, 1);
+    const auto seeds = wholeOf(parser, "seeds", 1, isLive ? 1 : 1000, isLive ? 1 : 20);
+    const auto warmUp_s = wholeOf(parser, "warm-up-s", 0, 300, 10);
+    for (const auto* number : {&actions, &seed, &seeds, &warmUp_s})
         if (!*number)
             return tl::unexpected(number->error());
     request.settings.actions = static_cast<int>(*actions);
     request.settings.seed = static_cast<std::uint32_t>(*seed);
-    request.settings.seeds = static_cast<int>(*seeds);
+    request.seeds = static_cast<int>(*seeds);
+    request.settings.source =
+        isLive ? liveDrift(std::chrono::seconds{*warmUp_s}) : virtualDrift(request.seeds);
     request.settings.isAngleRaw = parser.isSet(QStringLiteral("raw-angle"));
     auto scenario = findScenario(parser.value(QStringLiteral("scenario")).toStdString());
     if (!scenario)
@@ -122,8 +142,11 @@ Result<std::vector<DriftFigure>> measureFigures(const FigureSettings& settings)
     auto byParticipants = figuresByParticipants(settings);
     if (!byParticipants)
         return byParticipants;
+    auto byDelay = figuresByDelay(settings);
+    if (!byDelay)
+        return byDelay;
     std::ranges::move(*byParticipants, std::back_inserter(*figures));
-    std::ranges::move(figuresByDelay(settings), std::back_inserter(*figures));
+    std::ranges::move(*byDelay, std::back_inserter(*figures));
     return figures;
 }
 
@@ -167,9 +190,10 @@ Result<void> writeAll(const std::filesystem::path& folder, const std::vector<Dri
 /// Says on stderr which curve of how many is being measured.
 void announceCurves(FigureSettings& settings)
 {
-    settings.onCurve = [curve = std::size_t{0}](const std::string& name) mutable {
+    settings.onCurve = [curve = std::size_t{0}, curves = curvesToMeasure(settings.source)](
+                           const std::string& name) mutable {
         ++curve;
-        std::fprintf(stderr, "figures: %zu of %zu: %s\n", curve, curvesToMeasure(), name.c_str());
+        std::fprintf(stderr, "figures: %zu of %zu: %s\n", curve, curves, name.c_str());
     };
 }
 
@@ -185,7 +209,7 @@ Result<QJsonObject> runFiguresCommand(const QStringList& arguments)
     const auto figures = measureFigures(settings);
     if (!figures)
         return tl::unexpected(figures.error());
-    const FigureStamp stamp{CARINA_VERSION, settings.seed, settings.seeds};
+    const FigureStamp stamp{CARINA_VERSION, settings.seed, request->seeds};
     if (const auto written = writeAll(request->folder, *figures, stamp); !written)
         return tl::unexpected(written.error());
     QJsonArray names;
@@ -196,7 +220,7 @@ Result<QJsonObject> runFiguresCommand(const QStringList& arguments)
                        {QStringLiteral("scenario"), QString::fromStdString(settings.scenario.name)},
                        {QStringLiteral("actions"), settings.actions},
                        {QStringLiteral("seed"), qint64{settings.seed}},
-                       {QStringLiteral("seeds"), settings.seeds},
+                       {QStringLiteral("seeds"), request->seeds},
                        {QStringLiteral("figures"), names},
                        {QStringLiteral("trends"), QStringLiteral("trends.csv")}};
 }

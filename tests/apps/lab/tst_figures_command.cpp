@@ -199,7 +199,7 @@ private Q_SLOTS:
         FigureSettings settings;
         settings.scenario = *findScenario("wan");
         settings.seed = kSeed;
-        settings.seeds = 1;
+        settings.source = virtualDrift(1);
         settings.actions = kActions;
         settings.isAngleRaw = true;
         const auto figures = figuresByAction(settings);
@@ -216,14 +216,14 @@ private Q_SLOTS:
     void announcesEveryCurve()
     {
         FigureSettings settings;
-        settings.seeds = 1;
+        settings.source = virtualDrift(1);
         settings.actions = kActions;
         std::size_t curves = 0;
         settings.onCurve = [&curves](const std::string&) { ++curves; };
         QVERIFY(figuresByAction(settings));
         QVERIFY(figuresByParticipants(settings));
-        QVERIFY(!figuresByDelay(settings).empty());
-        QCOMPARE(curves, curvesToMeasure());
+        QVERIFY(figuresByDelay(settings));
+        QCOMPARE(curves, curvesToMeasure(settings.source));
     }
 
     void refusesWhatItDoesNotUnderstand_data()
@@ -234,7 +234,9 @@ private Q_SLOTS:
             QTest::newRow(name) << QString::fromLatin1(words) << QString::fromLatin1(named);
         };
         row("no folder", "--seed 1", "--out DIR is missing");
-        row("an option there is not", "--out x --live", "live");
+        row("an option there is not", "--out x --dead", "dead");
+        row("seeds of a live session", "--out x --live --seeds 2", "--seeds");
+        row("too long a warm-up", "--out x --live --warm-up-s 301", "--warm-up-s");
         row("a word too many", "--out x yonder", "yonder");
         row("an option without its value", "--out x --seed", "--seed");
         row("too few actions for a trend", "--out x --actions 7", "--actions");

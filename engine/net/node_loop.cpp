@@ -1,6 +1,7 @@
 #include "engine/net/node_loop.h"
 
 #include "engine/core/monotonic_clock.h"
+#include "engine/sync/datagram_codec.h"
 
 #include <algorithm>
 
@@ -23,7 +24,8 @@ void NodeLoop::serve()
     if (!m_driver)
         return;
     m_transport->serve(*m_driver, monotonicNow());
-    send(m_driver->advance(monotonicNow()));
+    const LocalTime now = monotonicNow();
+    send(m_driver->advance(now), now);
     sleepUntil(std::min(m_driver->nextWake(), m_transport->nextWake()), monotonicNow());
 }
 
@@ -32,16 +34,19 @@ void NodeLoop::close()
     m_timer.stop();
     if (!m_driver)
         return;
-    send(m_driver->close(monotonicNow()));
+    const LocalTime now = monotonicNow();
+    send(m_driver->close(now), now);
     m_transport->close();
     m_transport.reset();
     m_driver.reset();
 }
 
-void NodeLoop::send(const NodeDriver::Datagrams& datagrams)
+void NodeLoop::send(NodeDriver::Datagrams datagrams, LocalTime made)
 {
-    for (const auto& [to, bytes] : datagrams)
+    for (auto& [to, bytes] : datagrams) {
+        leaveLater(bytes, monotonicNow() - made);
         m_transport->send(to, bytes);
+    }
 }
 
 void NodeLoop::sleepUntil(LocalTime wake, LocalTime now)

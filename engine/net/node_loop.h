@@ -21,7 +21,8 @@ public:
     void close();
 
 private:
-    void send(const NodeDriver::Datagrams& datagrams);
+    /// @param made when, as their headers say
+    void send(NodeDriver::Datagrams datagrams, LocalTime made);
     void sleepUntil(LocalTime wake, LocalTime now);
 
     QTimer m_timer{this};

@@ -4,6 +4,8 @@
 #include "engine/sync/record_codec.h"
 #include "engine/sync/wire_quantities.h"
 
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -56,6 +58,20 @@ std::vector<std::byte> encodeHeader(const BundleHeader& header)
     writeWireTime(out, echo.sentAt);
     out.number(static_cast<std::uint32_t>(echo.hold.count()));
     return bytes;
+}
+
+void leaveLater(std::span<std::byte> datagram, Duration by)
+{
+    ByteReader in{datagram};
+    const bool isBundle =
+        in.number<std::uint16_t>() == kMagic && in.number<std::uint8_t>() == kProtocolVersion;
+    BundleHeader header = readRestOfHeader(in);
+    if (!isBundle || !in.ok())
+        return;
+    header.sentAt += by;
+    if (header.echo && (header.echo->hold += by) > kLongestHold)
+        header.echo.reset();
+    std::ranges::copy(encodeHeader(header), datagram.begin());
 }
 
 Result<Datagram> decodeDatagram(std::span<const std::byte> bytes)

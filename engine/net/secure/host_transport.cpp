@@ -42,12 +42,16 @@ void HostTransport::admit(const std::string& sessionId, KeyOf keyOf)
 
 void HostTransport::serve(TransportListener& listener, LocalTime now)
 {
-    for (int i = 0; i < kDatagramsPerTurn; ++i) {
-        const auto datagram = readRaw(m_socket);
+    // All are read before the first is taken, for each counts as arrived when it was read.
+    std::vector<RawDatagram> arrived;
+    while (arrived.size() < kDatagramsPerTurn) {
+        auto datagram = readRaw(m_socket);
         if (!datagram)
             break;
-        take(*datagram, listener, datagram->arrived);
+        arrived.push_back(*std::move(datagram));
     }
+    for (const RawDatagram& datagram : arrived)
+        take(datagram, listener, datagram.arrived);
     dropSilent(listener, now);
 }
 

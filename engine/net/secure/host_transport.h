@@ -25,7 +25,7 @@ public:
     };
     using KeyOf = std::function<KeyAnswer(const PskIdentity&)>;
 
-    static constexpr int kDatagramsPerTurn = 256;
+    static constexpr std::size_t kDatagramsPerTurn = 256;
     static constexpr std::size_t kMostHandshakes = 64; ///< at once; the oldest makes room
     static constexpr std::size_t kMostPaths = 256;
     static constexpr Duration kHandshakeTimeout = std::chrono::seconds{5};

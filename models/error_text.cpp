@@ -93,6 +93,9 @@ public:
         case Errc::WrongCode:
             return tr("This code does not open the session%1: ask the instructor for the code of "
                       "your role and start again with it.");
+        case Errc::WrongLink:
+            return tr("This link leads into no session%1: copy it whole from the instructor's "
+                      "window, or type address, port and code.");
         case Errc::NotEnoughMemory:
             return tr("There is too little memory to check the code%1: close other programs and "
                       "start again.");

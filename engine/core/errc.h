@@ -44,6 +44,7 @@ enum class Errc : std::uint8_t {
     SessionEnded,    ///< the session takes no more changes
     NameTaken,       ///< somebody with the same name and role is in the session now
     WrongCode,       ///< no join code of this session and role
+    WrongLink,       ///< a text that is no link into a session
     NotEnoughMemory, ///< too little to derive a key from a join code
     OwnerChanged,    ///< the object has passed to somebody else meanwhile
 

@@ -2,6 +2,7 @@
 // without a fault that a sanitizer sees.
 
 #include "engine/net/discovery/session_notice.h"
+#include "engine/net/join_link.h"
 #include "engine/net/secure/dtls_record.h"
 #include "engine/net/secure/join_code.h"
 #include "engine/net/secure/psk_identity.h"
@@ -20,5 +21,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)carina::holdsFinished(octets);
     (void)carina::pskIdentity(text);
     (void)carina::JoinCode::parse(text);
+    (void)carina::joinLink(text);
     return 0;
 }

@@ -2,7 +2,9 @@
 
 #include "engine/core/expects.h"
 #include "engine/net/discovery/addresses.h"
+#include "engine/net/join_link.h"
 #include "engine/session/fact_rules.h"
+#include "models/error_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -19,8 +21,23 @@ class JoinWords
 
 } // namespace
 
+JoinForm withLinkRead(JoinForm form)
+{
+    const auto link = joinLink(form.address.toStdString());
+    if (!link)
+        return form;
+    form.address = QString::fromStdString(link->address);
+    form.port = QString::number(link->port);
+    form.code = QString::fromStdString(link->code.text());
+    form.role = link->role;
+    return form;
+}
+
 QString whatIsMissing(const JoinForm& form)
 {
+    if (const std::string address = form.address.toStdString(); isMeantAsLink(address))
+        if (const auto link = joinLink(address); !link)
+            return errorText(link.error());
     const QByteArray name = form.name.trimmed().toUtf8();
     if (name.isEmpty())
         return JoinWords::tr("Type your name, so that the instructor knows you.");
@@ -49,6 +66,13 @@ void fillIn(JoinSettings& settings, const JoinForm& form)
     settings.code.reset();
     if (const auto code = JoinCode::parse(form.code.toStdString()))
         settings.code = *code;
+}
+
+QString joinLinkText(const SessionNode& host, Role role)
+{
+    const auto addresses = host.isOpen() ? ownAddresses() : std::vector<std::string>{};
+    return QString::fromStdString(toText(JoinLink{addresses.empty() ? "127.0.0.1" : addresses[0],
+                                                  host.port(), role, host.joinCodes().at(role)}));
 }
 
 QString reachText(const SessionNode& host)

@@ -14,7 +14,7 @@ namespace
 
 constexpr int kRefreshInterval_ms = 250;
 constexpr int kEndAsked_ms = 4000;
-constexpr int kNetworkShare = 3; ///< of the height, against that of the participants
+constexpr int kBelowShare = 3; ///< of the height, against that of the participants
 
 /// Told by shape besides the word.
 QString phaseShape(SessionPhase phase)
@@ -51,10 +51,12 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->actions->setModel(actions);
     tabifyDockWidget(m_ui->breathingDock, m_ui->actionsDock);
     m_ui->breathingDock->raise();
+    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
+    m_ui->invitationDock->raise(); // nobody else is here yet
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
     m_ui->statusBar->addWidget(m_status, 1);
-    resizeDocks({m_ui->participantsDock, m_ui->networkDock}, {1, kNetworkShare}, Qt::Vertical);
+    resizeDocks({m_ui->participantsDock, m_ui->invitationDock}, {1, kBelowShare}, Qt::Vertical);
     fillSessionBar();
     connectViews();
 
@@ -70,23 +72,27 @@ InstructorWindow::~InstructorWindow() = default;
 void InstructorWindow::fillSessionBar()
 {
     m_phase->setMargin(8);
-    QFont bold = m_phase->font();
+    m_ui->sessionBar->addWidget(m_phase);
+    QFont bold = m_phase->font(); // that of the bar
     bold.setBold(true);
     m_phase->setFont(bold);
-    m_ui->sessionBar->addWidget(m_phase);
-    m_ui->sessionBar->addActions({m_ui->start, m_ui->pause, m_ui->end, m_ui->showActions});
-    for (QAction* action : {m_ui->start, m_ui->pause, m_ui->end, m_ui->showActions})
+    const QList<QAction*> actions{m_ui->start,       m_ui->pause,          m_ui->end,
+                                  m_ui->showActions, m_ui->showInvitation, m_ui->showNetwork};
+    m_ui->sessionBar->addActions(actions);
+    for (QAction* action : actions)
         m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
     connect(m_ui->start, &QAction::triggered, &m_session, &SessionModel::start);
     connect(m_ui->pause, &QAction::triggered, &m_session, &SessionModel::pause);
     connect(m_ui->end, &QAction::triggered, this, &InstructorWindow::endOnSecondPress);
-    connect(m_ui->showActions, &QAction::triggered, this, &InstructorWindow::showActions);
-}
-
-void InstructorWindow::showActions()
-{
-    m_ui->actionsDock->raise();
-    m_ui->actions->setFocus();
+    const auto raises = [this](QAction* action, QDockWidget* dock) {
+        connect(action, &QAction::triggered, this, [dock] {
+            dock->raise();
+            dock->widget()->setFocus();
+        });
+    };
+    raises(m_ui->showActions, m_ui->actionsDock);
+    raises(m_ui->showInvitation, m_ui->invitationDock);
+    raises(m_ui->showNetwork, m_ui->networkDock);
 }
 
 void InstructorWindow::connectViews()

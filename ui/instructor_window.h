@@ -39,7 +39,6 @@ public:
 private:
     void fillSessionBar();
     void connectViews();
-    void showActions();
     void endOnSecondPress();
     void refresh();
     void refreshStatus();

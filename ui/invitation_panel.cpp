@@ -1,10 +1,15 @@
 #include "ui/invitation_panel.h"
 
 #include "models/join_form.h"
+#include "widgets/qr_code.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QFontDatabase>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
 
 namespace carina
 {
@@ -29,23 +34,61 @@ QLabel* codeLabel(const QString& name)
 
 InvitationPanel::InvitationPanel(QWidget* parent)
     : QWidget{parent},
-      m_trainee{codeLabel(tr("Code for trainees"))},
-      m_observer{codeLabel(tr("Code for observers"))},
-      m_reach{new QLabel}
+      m_picture{new QrCode},
+      m_reach{new QLabel},
+      m_copy{new QPushButton{tr("Copy &link")}}
 {
+    auto* rows = new QGridLayout;
+    rows->setColumnStretch(1, 1);
+    addRow(*rows, Role::Trainee, tr("Trainees"), tr("Code for trainees"));
+    addRow(*rows, Role::Observer, tr("Observers"), tr("Code for observers"));
+    setFocusProxy(m_invited.at(m_chosen).choice);
+    m_picture->setObjectName(QStringLiteral("picture"));
     m_reach->setWordWrap(true);
-    auto* form = new QFormLayout{this};
-    form->addRow(tr("Trainees"), m_trainee);
-    form->addRow(tr("Observers"), m_observer);
-    form->addRow(m_reach);
+    m_copy->setObjectName(QStringLiteral("copy"));
+    m_copy->setToolTip(tr("The link that the picture holds: carina-trainee takes it in place of "
+                          "address, port and code"));
+    connect(m_copy, &QPushButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(m_invited.at(m_chosen).link); });
+    auto* column = new QVBoxLayout{this};
+    column->addLayout(rows);
+    column->addWidget(m_reach);
+    column->addWidget(m_picture, 1);
+    column->addWidget(m_copy, 0, Qt::AlignHCenter);
+}
+
+void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
+                             const QString& codeName)
+{
+    const Invited invited{new QRadioButton{name}, codeLabel(codeName)};
+    invited.choice->setObjectName(role == Role::Trainee ? QStringLiteral("trainees")
+                                                        : QStringLiteral("observers"));
+    invited.choice->setToolTip(tr("Show their link as a picture"));
+    invited.choice->setChecked(role == m_chosen);
+    connect(invited.choice, &QRadioButton::clicked, this, [this, role] { choose(role); });
+    const int row = rows.rowCount();
+    rows.addWidget(invited.choice, row, 0);
+    rows.addWidget(invited.code, row, 1);
+    m_invited.emplace(role, invited);
 }
 
 void InvitationPanel::show(const SessionNode& host)
 {
     const JoinCodes codes = host.joinCodes();
-    m_trainee->setText(QString::fromStdString(codes.at(Role::Trainee).text()));
-    m_observer->setText(QString::fromStdString(codes.at(Role::Observer).text()));
+    for (auto& [role, invited] : m_invited) {
+        invited.code->setText(QString::fromStdString(codes.at(role).text()));
+        invited.link = joinLinkText(host, role);
+    }
     m_reach->setText(reachText(host));
+    choose(m_chosen);
+}
+
+void InvitationPanel::choose(Role role)
+{
+    m_chosen = role;
+    m_picture->setText(m_invited.at(role).link);
+    m_picture->setAccessibleName(role == Role::Trainee ? tr("Link for trainees, as a QR code")
+                                                       : tr("Link for observers, as a QR code"));
 }
 
 } // namespace carina

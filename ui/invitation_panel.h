@@ -4,13 +4,21 @@
 
 #include <QWidget>
 
+#include <map>
+
+class QGridLayout;
 class QLabel;
+class QPushButton;
+class QRadioButton;
 
 namespace carina
 {
 
-/// By which codes others come into the session, large enough to be read across a room, and who can
-/// reach it at all.
+class QrCode;
+
+/// By which codes others come into the session, large enough to be read across a room, the link of
+/// the role that is chosen as a QR code, and who can reach the session at all. The QR code grows
+/// with the panel, up to a screen of its own.
 class InvitationPanel : public QWidget
 {
     Q_OBJECT
@@ -23,9 +31,20 @@ public:
     void show(const SessionNode& host);
 
 private:
-    QLabel* m_trainee;
-    QLabel* m_observer;
+    struct Invited {
+        QRadioButton* choice;
+        QLabel* code;
+        QString link{};
+    };
+
+    void addRow(QGridLayout& rows, Role role, const QString& name, const QString& codeName);
+    void choose(Role role);
+
+    std::map<Role, Invited> m_invited;
+    Role m_chosen = Role::Trainee;
+    QrCode* m_picture;
     QLabel* m_reach;
+    QPushButton* m_copy;
 };
 
 } // namespace carina

@@ -32,7 +32,7 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWid
       m_sessions{sessions},
       m_list{new QListView},
       m_searching{wrapping("searching")},
-      m_address{field("address", tr("Address"), begin.address)},
+      m_address{field("address", tr("Address or link"), begin.address)},
       m_port{field("port", tr("Port"), begin.port)},
       m_code{field("code", tr("Code"), begin.code)},
       m_name{field("name", tr("Your name"), begin.name)},
@@ -58,6 +58,8 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWid
             &JoinDialog::choose);
     connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::refresh);
     connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::refresh);
+    connect(m_address, &QLineEdit::textChanged, this, &JoinDialog::readLink);
+    readLink();
     refresh();
 }
 
@@ -81,7 +83,7 @@ void JoinDialog::layOut()
     auto* found = new QLabel{tr("&Sessions found"), this};
     found->setBuddy(m_list);
     auto* form = new QFormLayout;
-    form->addRow(tr("&Address"), m_address);
+    form->addRow(tr("&Address or link"), m_address);
     form->addRow(tr("&Port"), m_port);
     form->addRow(tr("&Code of your role"), m_code);
     form->addRow(tr("Your &name"), m_name);
@@ -110,12 +112,23 @@ void JoinDialog::choose(const QModelIndex& session)
     m_port->setText(QString::number(found.notice.port));
 }
 
+void JoinDialog::readLink()
+{
+    const JoinForm read = withLinkRead(form());
+    if (read.address == m_address->text())
+        return;
+    m_port->setText(read.port);
+    m_code->setText(read.code);
+    m_role->setCurrentIndex(m_role->findData(static_cast<int>(read.role)));
+    m_address->setText(read.address);
+}
+
 void JoinDialog::refresh()
 {
     m_searching->setText(m_sessions.rowCount() == 0
                              ? tr("Looking for sessions … If none appears, type the address and "
-                                  "port that the instructor's window shows.")
-                             : tr("Choose one, or type an address and port."));
+                                  "port that the instructor's window shows, or paste its link.")
+                             : tr("Choose one, type an address and port, or paste a link."));
     const QString missing = whatIsMissing(form());
     m_missing->setText(missing);
     m_join->setEnabled(missing.isEmpty());

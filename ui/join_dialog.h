@@ -14,8 +14,9 @@ class QPushButton;
 namespace carina
 {
 
-/// Asks a person which session to come into, with which code, name and role. What is missing is
-/// said in words, and Join can be pressed once nothing is.
+/// Asks a person which session to come into, with which code, name and role. A join link in the
+/// place of the address fills in what it says. What is missing is said in words, and Join can be
+/// pressed once nothing is.
 class JoinDialog : public QDialog
 {
     Q_OBJECT
@@ -30,6 +31,7 @@ private:
     [[nodiscard]] QLineEdit* field(const char* name, const QString& label, const QString& text);
     void layOut();
     void choose(const QModelIndex& session);
+    void readLink();
     void refresh();
 
     FoundSessionsModel& m_sessions;

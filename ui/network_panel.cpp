@@ -25,6 +25,7 @@ NetworkPanel::NetworkPanel(QWidget* parent)
       m_table{new QTableView}
 {
     layOut();
+    setFocusProxy(m_participant);
     m_participant->setPlaceholderText(tr("Nobody else is here yet"));
     m_participant->setAccessibleName(tr("Participant whose network is shown"));
     m_plot->setUp(kDelays, tr("ms"), tr("Delays are not known yet"));

@@ -150,6 +150,8 @@ Result<std::unique_ptr<SessionBeacon>> beaconOf(const SessionNode& node)
 
 Result<int> run(const QCommandLineParser& parser)
 {
+    if (const auto right = viewer::checkWords(parser, 0); !right)
+        return tl::unexpected(right.error());
     const auto options = viewer::measureOptions(parser);
     if (!options)
         return tl::unexpected(options.error());

@@ -150,6 +150,8 @@ Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& 
 
 Result<int> run(const QCommandLineParser& parser)
 {
+    if (const auto right = viewer::checkWords(parser, 0); !right)
+        return tl::unexpected(right.error());
     const auto size = viewer::sizeOption(parser);
     if (!size)
         return tl::unexpected(size.error());

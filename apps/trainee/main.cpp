@@ -29,8 +29,8 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption(
         {QStringLiteral("port"),
          QApplication::translate("Trainee", "UDP port of the session; the instructor's "
-                                            "window shows it. Without it a window asks which "
-                                            "session to join."),
+                                            "window shows it. Without it, or with a link but "
+                                            "no name, a window asks."),
          QStringLiteral("P")});
     viewer::addEntryOptions(parser);
     // Not "name": Qt keeps that for itself.
@@ -151,11 +151,18 @@ Result<std::optional<JoinSettings>> entry(const QCommandLineParser& parser,
                           .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer
                                                                           : Role::Trainee,
                           .station = kStation};
+    const auto link = viewer::linkArgument(parser);
+    if (!link)
+        return tl::unexpected(link.error());
     if (const auto read = viewer::readEntryOptions(parser, settings); !read)
         return tl::unexpected(read.error());
-    const bool hasPort = !parser.value(QStringLiteral("port")).isEmpty();
-    if (!hasPort && options.folder.isEmpty())
-        return viewer::askHowToJoin(settings);
+    // A link says all but the name.
+    const bool isComplete = link->isEmpty() ? !parser.value(QStringLiteral("port")).isEmpty()
+                                            : parser.isSet(QStringLiteral("as"));
+    if (!isComplete && options.folder.isEmpty())
+        return viewer::askHowToJoin(settings, *link);
+    if (!link->isEmpty())
+        return viewer::readLink(*link, settings).map([&] { return std::optional{settings}; });
     const auto port = viewer::portOption(parser);
     if (!port)
         return tl::unexpected(port.error());

@@ -1,6 +1,8 @@
 #include "apps/viewer/entry_option.h"
 
+#include "apps/viewer/program.h"
 #include "engine/io/whole_file.h"
+#include "engine/net/join_link.h"
 #include "engine/net/secure/psk_identity.h"
 
 #include <QApplication>
@@ -44,6 +46,11 @@ Result<JoinCode> codeInFile(const QString& file, Role role)
 
 void addEntryOptions(QCommandLineParser& parser)
 {
+    parser.addPositionalArgument(
+        QStringLiteral("link"),
+        QApplication::translate("Entry", "A link into a session, which the instructor's window "
+                                         "shows: it says address, port, role and code."),
+        QStringLiteral("[carina:join?...]"));
     parser.addOption({kCode,
                       QApplication::translate("Entry", "The code of your role, from the "
                                                        "instructor's window; needed the first "
@@ -75,6 +82,32 @@ Result<void> readEntryOptions(const QCommandLineParser& parser, JoinSettings& se
         return tl::unexpected(code.error());
     settings.code = *code;
     return {};
+}
+
+Result<QString> linkArgument(const QCommandLineParser& parser)
+{
+    if (const auto right = checkWords(parser, 1); !right)
+        return tl::unexpected(right.error());
+    const QString link = parser.positionalArguments().value(0);
+    if (link.isEmpty())
+        return link;
+    const QStringList given = parser.optionNames();
+    for (const QString& said :
+         {kHost, QStringLiteral("port"), QStringLiteral("observe"), kCode, kCodeFile})
+        if (given.contains(said))
+            return fail(Errc::OutOfRange, "the link says address, port, role and code: leave out --"
+                                              + said.toStdString());
+    return link;
+}
+
+Result<void> readLink(const QString& link, JoinSettings& settings)
+{
+    return joinLink(link.toStdString()).map([&](const JoinLink& read) {
+        settings.address = read.address;
+        settings.port = read.port;
+        settings.role = read.role;
+        settings.code = read.code;
+    });
 }
 
 Result<void> writeCodes(const QString& file, const JoinCodes& codes)

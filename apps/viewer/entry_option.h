@@ -8,7 +8,7 @@ namespace carina::viewer
 {
 
 /// Adds `--code CODE`, `--code-file FILE`, `--host ADDRESS` and `--data DIR`, by which a program
-/// comes into a session.
+/// comes into a session, and a join link that may stand in their place.
 void addEntryOptions(QCommandLineParser& parser);
 
 /// Takes over what they say for a role. A file of codes that is not there yet is waited for, so
@@ -17,6 +17,13 @@ void addEntryOptions(QCommandLineParser& parser);
 ///          file without a code of the role.
 [[nodiscard]] Result<void> readEntryOptions(const QCommandLineParser& parser,
                                             JoinSettings& settings);
+
+/// The link that stands in the place of options; empty where none does.
+/// @returns OutOfRange beside an option that says the same, or for a second word.
+[[nodiscard]] Result<QString> linkArgument(const QCommandLineParser& parser);
+
+/// Takes over what a link says. @returns WrongLink
+[[nodiscard]] Result<void> readLink(const QString& link, JoinSettings& settings);
 
 /// Writes "role code" lines into a file that only its owner may read.
 /// @returns FileUnwritable

@@ -5,12 +5,13 @@
 namespace carina::viewer
 {
 
-std::optional<JoinSettings> askHowToJoin(JoinSettings settings)
+std::optional<JoinSettings> askHowToJoin(JoinSettings settings, const QString& link)
 {
     FoundSessionsModel sessions;
     JoinDialog dialog{
         sessions,
-        {.code = settings.code ? QString::fromStdString(settings.code->text()) : QString{},
+        {.address = link,
+         .code = settings.code ? QString::fromStdString(settings.code->text()) : QString{},
          .name = QString::fromStdString(settings.participantName),
          .role = settings.role}};
     if (dialog.exec() != QDialog::Accepted)

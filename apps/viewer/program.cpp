@@ -64,8 +64,6 @@ void addSizeOption(QCommandLineParser& parser)
 
 Result<QSize> sizeOption(const QCommandLineParser& parser)
 {
-    if (const QStringList stray = parser.positionalArguments(); !stray.isEmpty())
-        return fail(Errc::OutOfRange, "there is no use for '" + stray.first().toStdString() + "'");
     const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
     const QSize size{sides.value(0).toInt(), sides.value(1).toInt()};
     if (sides.size() != 2 || size.isEmpty())
@@ -97,6 +95,14 @@ Result<std::uint16_t> portOption(const QCommandLineParser& parser)
                                           + parser.value(QStringLiteral("port")).toStdString()
                                           + "'");
     return port;
+}
+
+Result<void> checkWords(const QCommandLineParser& parser, qsizetype most)
+{
+    const QStringList words = parser.positionalArguments();
+    if (words.size() > most)
+        return fail(Errc::OutOfRange, "there is no use for '" + words[most].toStdString() + "'");
+    return {};
 }
 
 void warn(const Error& error) { std::fprintf(stderr, "%s\n", qPrintable(errorText(error))); }

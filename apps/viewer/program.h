@@ -34,11 +34,14 @@ void addMeasureOptions(QCommandLineParser& parser);
 
 /// Adds `--size WxH`, of the window; what addMeasureOptions adds, too.
 void addSizeOption(QCommandLineParser& parser);
-/// @returns OutOfRange for a size that is none, or for words that no option takes.
+/// @returns OutOfRange for a size that is none.
 [[nodiscard]] Result<QSize> sizeOption(const QCommandLineParser& parser);
 
 /// A UDP port from `--port`. @returns OutOfRange for something else.
 [[nodiscard]] Result<std::uint16_t> portOption(const QCommandLineParser& parser);
+
+/// @returns OutOfRange where there are more words than this that no option takes.
+[[nodiscard]] Result<void> checkWords(const QCommandLineParser& parser, qsizetype most);
 
 /// Says on stderr what does not work, though the program goes on.
 void warn(const Error& error);

@@ -86,6 +86,44 @@ private Q_SLOTS:
         QVERIFY2(missing.contains(QString::fromUtf8(word)), qPrintable(missing));
     }
 
+    void linkInThePlaceOfTheAddressIsRead()
+    {
+        const JoinForm typed{QStringLiteral(" carina:join?address=2001:db8::1&port=45001"
+                                            "&role=observer&code=7K3QM-XW2PD "),
+                             {},
+                             {},
+                             QStringLiteral("Anna"),
+                             Role::Trainee};
+        const JoinForm read = withLinkRead(typed);
+        QCOMPARE(whatIsMissing(read), QString{});
+        QCOMPARE(read.address, QStringLiteral("2001:db8::1"));
+        QCOMPARE(read.port, QStringLiteral("45001"));
+        QCOMPARE(read.code, QStringLiteral("7K3QM-XW2PD"));
+        QCOMPARE(read.name, QStringLiteral("Anna"));
+        QVERIFY(read.role == Role::Observer);
+    }
+
+    void whatIsNoLinkStaysAsItIs()
+    {
+        for (const char* address : {"192.0.2.7", "carina:join?port=1", "ward three", ""}) {
+            JoinForm form = complete();
+            form.address = QLatin1String{address};
+            const JoinForm read = withLinkRead(form);
+            QCOMPARE(read.address, form.address);
+            QCOMPARE(read.port, form.port);
+            QCOMPARE(read.code, form.code);
+        }
+    }
+
+    void wrongLinkIsNamedBeforeAnythingElse()
+    {
+        JoinForm form = complete();
+        form.address = QStringLiteral("carina:join?port=1");
+        form.name.clear();
+        const QString missing = whatIsMissing(form);
+        QVERIFY2(missing.contains(QStringLiteral("it has no address")), qPrintable(missing));
+    }
+
     void everyPortAndAddressThatThereIsWillDo()
     {
         JoinForm form = complete();

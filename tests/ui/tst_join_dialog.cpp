@@ -1,7 +1,9 @@
 #include "engine/net/discovery/session_beacon.h"
 #include "ui/join_dialog.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -10,6 +12,14 @@
 
 namespace carina
 {
+
+namespace
+{
+
+const QString kLink =
+    QStringLiteral("carina:join?address=192.0.2.7&port=45000&role=observer&code=7K3QM-XW2PD");
+
+} // namespace
 
 class TestJoinDialog : public QObject
 {
@@ -76,6 +86,43 @@ private Q_SLOTS:
         QVERIFY(missing.text().contains(QStringLiteral("code")));
         QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
         QVERIFY(dialog.form().role == Role::Observer);
+    }
+
+    void linkThatIsPastedFillsInWhatItSays()
+    {
+        FoundSessionsModel sessions{freePort()};
+        JoinDialog dialog{sessions, {.name = QStringLiteral("Anna")}};
+        auto& address = find<QLineEdit>(dialog, "address");
+        QGuiApplication::clipboard()->setText(kLink);
+        address.setFocus();
+        QTest::keySequence(&address, QKeySequence::Paste);
+        QCOMPARE(address.text(), QStringLiteral("192.0.2.7"));
+        QCOMPARE(find<QLineEdit>(dialog, "port").text(), QStringLiteral("45000"));
+        QCOMPARE(find<QLineEdit>(dialog, "code").text(), QStringLiteral("7K3QM-XW2PD"));
+        QVERIFY(dialog.form().role == Role::Observer);
+        QCOMPARE(dialog.form().name, QStringLiteral("Anna"));
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), QString{});
+    }
+
+    void linkThatTheProgramWasGivenFillsInWhatItSays()
+    {
+        FoundSessionsModel sessions{freePort()};
+        const JoinDialog dialog{sessions, {.address = kLink, .name = QStringLiteral("Anna")}};
+        QCOMPARE(dialog.form().address, QStringLiteral("192.0.2.7"));
+        QVERIFY(dialog.form().role == Role::Observer);
+        QVERIFY(find<QPushButton>(dialog, "join").isEnabled());
+    }
+
+    void wrongLinkIsSaidToBeOneAndFillsInNothing()
+    {
+        FoundSessionsModel sessions{freePort()};
+        JoinDialog dialog{sessions, {.name = QStringLiteral("Anna")}};
+        find<QLineEdit>(dialog, "address").setText(QString{kLink}.remove(QStringLiteral("-XW2PD")));
+        const QString missing = find<QLabel>(dialog, "missing").text();
+        QVERIFY2(missing.contains(QStringLiteral("link")), qPrintable(missing));
+        QVERIFY2(missing.contains(QStringLiteral("ten letters")), qPrintable(missing));
+        QCOMPARE(find<QLineEdit>(dialog, "port").text(), QString{});
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
     }
 
     void sessionThatIsGoneLeavesTheList()

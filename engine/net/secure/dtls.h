@@ -1,8 +1,7 @@
 #pragma once
 
 #include "engine/core/session_time.h"
-#include "engine/net/secure/access_key.h"
-#include "engine/net/secure/psk_identity.h"
+#include "engine/net/secure/key_offer.h"
 
 #include <QByteArray>
 #include <QDtls>
@@ -13,12 +12,6 @@
 
 namespace carina
 {
-
-/// What a client proves itself with.
-struct KeyOffer {
-    PskIdentity identity;
-    AccessKey key{};
-};
 
 /// Makes an association speak nothing but ECDHE-PSK-CHACHA20-POLY1305, which adds 29 bytes to a
 /// datagram, in packets that need no fragments.

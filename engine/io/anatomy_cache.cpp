@@ -2,6 +2,7 @@
 
 #include "engine/io/set_codec.h"
 #include "engine/io/set_description.h"
+#include "engine/io/set_hash.h"
 #include "engine/io/whole_file.h"
 
 #include <QJsonDocument>
@@ -12,18 +13,6 @@
 
 namespace carina
 {
-namespace
-{
-
-bool isHash(std::string_view text)
-{
-    constexpr std::size_t kHexDigitsOfSha256 = 64;
-    return text.size() == kHexDigitsOfSha256
-           && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
-} // namespace
-
 AnatomyCache::AnatomyCache(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
 std::filesystem::path AnatomyCache::defaultFolder()
@@ -40,7 +29,7 @@ std::filesystem::path AnatomyCache::setFile(const std::string& contentHash) cons
 std::optional<std::string> AnatomyCache::contentHash(const std::string& listingHash) const
 {
     const Result<std::string> hash = readWholeFile(m_folder / (listingHash + ".listing"));
-    if (!hash || !isHash(*hash))
+    if (!hash || !isSetHash(*hash))
         return std::nullopt;
     return *hash;
 }

@@ -17,6 +17,8 @@ constexpr std::uint64_t kMagic = 0x5450414e49524143; // "CARINAPT"
 /// Raised when the layout changes, or what an import makes of the same files.
 constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kHashBytes = 32;
+constexpr std::uint32_t kMostLevels = 16;    ///< of one part
+constexpr std::uint32_t kMostItems = 32'768; ///< of any other list; a part's number has 16 bits
 
 QByteArray hashOfPayload(std::span<const std::byte> payload)
 {
@@ -48,12 +50,15 @@ void writeList(ByteWriter& writer, const Items& items, const WriteItem& writeIte
         writeItem(writer, item);
 }
 
-/// Grows by one item for each that is there: a false count reads on into the end.
+/// Grows by one item for each that is there: a false count reads on into the end. An item may be
+/// many times as large as the bytes that stand for it, so there is a most.
 template <class Item, class ReadItem>
-std::vector<Item> readList(ByteReader& reader, const ReadItem& readItem)
+std::vector<Item> readList(ByteReader& reader, std::uint32_t most, const ReadItem& readItem)
 {
     std::vector<Item> items;
-    for (auto left = reader.number<std::uint32_t>(); left > 0 && reader.ok(); --left)
+    auto left = reader.number<std::uint32_t>();
+    reader.require(left <= most, "a count within its limit");
+    for (; left > 0 && reader.ok(); --left)
         items.push_back(readItem(reader));
     return items;
 }
@@ -74,7 +79,7 @@ AnatomyPart readPart(ByteReader& reader)
     reader.require(role.has_value(), "a part has a known role");
     part.role = role.value_or(PartRole::Other);
     part.conceptId = readText(reader);
-    part.levels = readList<TriangleMesh>(reader, readMesh);
+    part.levels = readList<TriangleMesh>(reader, kMostLevels, readMesh);
     reader.require(!part.levels.empty(), "a part has a surface");
     return part;
 }
@@ -134,11 +139,11 @@ ImportedSet readPayload(ByteReader& reader)
     set.anatomy.landmarks.p_A_incisors = readPoint(reader);
     set.anatomy.landmarks.p_A_glottis = readPoint(reader);
     set.anatomy.landmarks.p_A_carina = readPoint(reader);
-    set.anatomy.landmarks.path_A = readList<Vec3>(reader, readPoint);
-    set.anatomy.parts = readList<AnatomyPart>(reader, readPart);
-    set.anatomy.attributions = readList<std::string>(reader, readText);
-    set.faults = readList<FileFault>(reader, readFault);
-    set.leftOut = readList<std::string>(reader, readText);
+    set.anatomy.landmarks.path_A = readList<Vec3>(reader, kMostItems, readPoint);
+    set.anatomy.parts = readList<AnatomyPart>(reader, kMostItems, readPart);
+    set.anatomy.attributions = readList<std::string>(reader, kMostItems, readText);
+    set.faults = readList<FileFault>(reader, kMostItems, readFault);
+    set.leftOut = readList<std::string>(reader, kMostItems, readText);
     reader.require(reader.remaining() == 0, "nothing follows");
     return set;
 }

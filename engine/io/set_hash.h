@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace carina
+{
+
+/// Whether a text is a hash as sets are named by it: 64 hexadecimal digits in lower case. Only such
+/// a text is made part of a file's name.
+[[nodiscard]] constexpr bool isSetHash(std::string_view text)
+{
+    constexpr std::size_t kDigits = 64;
+    return text.size() == kDigits
+           && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+} // namespace carina

@@ -102,6 +102,15 @@ public:
         case Errc::OwnerChanged:
             return tr("Somebody else took this object first%1: see who has it now, then try "
                       "again.");
+        case Errc::SetNotNamed:
+            return tr("No station of the session has this patient%1: ask the instructor which one "
+                      "is meant.");
+        case Errc::SetWithdrawn:
+            return tr("The instructor's computer has not got this patient any more%1: ask the "
+                      "instructor to start the session with it again.");
+        case Errc::HostSilent:
+            return tr("The instructor's computer does not hand out its patient%1: check that no "
+                      "firewall is in the way.");
         case Errc::TrackerFailed:
             return tr("The tracker does not start%1: check its cable and power, then try again.");
         case Errc::NoGraphics:

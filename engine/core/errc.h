@@ -47,6 +47,9 @@ enum class Errc : std::uint8_t {
     WrongLink,       ///< a text that is no link into a session
     NotEnoughMemory, ///< too little to derive a key from a join code
     OwnerChanged,    ///< the object has passed to somebody else meanwhile
+    SetNotNamed,     ///< no station of the session has the patient that was asked for
+    SetWithdrawn,    ///< the host has not got the patient's surfaces any more
+    HostSilent,      ///< the host does not answer over TCP
 
     // Devices and graphics
     TrackerFailed, ///< the tracker could not be started

@@ -41,6 +41,7 @@ ClientDriver::ClientDriver(const JoinSettings& settings, NodeBoard& board, Local
     : m_credentials{settings.role, settings.code,
                     TokenFolder{settings.tokens, settings.role, settings.participantName},
                     settings.derive},
+      m_door{settings.address, settings.port, {}},
       m_board{board},
       m_core{newProposal(settings.station, fact::ParticipantJoined{ParticipantId{}, settings.role,
                                                                    settings.participantName}),
@@ -53,6 +54,13 @@ void ClientDriver::connected(PeerAddress host, const Credential&, LocalTime now)
 {
     m_host = host;
     m_core.greetNow(now);
+    showDoor();
+}
+
+void ClientDriver::showDoor()
+{
+    if (auto offer = m_credentials.offerAgain())
+        m_board.setDoor({m_door.address, m_door.port, *std::move(offer)});
 }
 
 void ClientDriver::disconnected(PeerAddress, LocalTime)
@@ -66,10 +74,12 @@ void ClientDriver::receive(PeerAddress from, std::span<const std::byte> bytes, L
 {
     if (from != m_host)
         return;
-    if (const auto token = decodeToken(bytes))
+    if (const auto token = decodeToken(bytes)) {
         m_credentials.keepToken(*token);
-    else
+        showDoor();
+    } else {
         m_core.receive(bytes, now);
+    }
 }
 
 void ClientDriver::propose(StationId station, FactBody body, LocalTime now)

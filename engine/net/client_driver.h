@@ -31,6 +31,7 @@ public:
     Datagrams close(LocalTime now) override;
 
 private:
+    void showDoor();
     void sendOwnStreams(LocalTime now);
     void startAfresh();
     /// @returns false for a fact that nobody can follow; this node then leaves.
@@ -42,6 +43,7 @@ private:
     void show(LocalTime now);
 
     ClientCredentials m_credentials;
+    HostDoor m_door;        // but for the key
     PeerAddress m_host = 0; // the path to it
     LocalTime m_nextTokenRequest{};
     std::optional<Error> m_noEntry;

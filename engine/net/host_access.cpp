@@ -30,6 +30,7 @@ void HostAccess::deriveMissing()
             continue;
         m_deriver.derive(m_secrets.codes().at(role), sessionKey(sessionId()),
                          [this, role](const Result<AccessKey>& key) {
+                             const std::scoped_lock lock{m_mutex};
                              const auto kept =
                                  key ? m_secrets.setCodeKey(role, *key) : key.map([](auto&) {});
                              if (!kept)
@@ -44,6 +45,7 @@ HostTransport::KeyAnswer HostAccess::keyOf(const PskIdentity& identity) const
     if (identity.sessionId != sessionId())
         return {};
     const Credential& who = identity.who;
+    const std::scoped_lock lock{m_mutex};
     const auto key =
         who.participant ? m_secrets.token(who.role, *who.participant) : m_secrets.codeKey(who.role);
     if (key)
@@ -72,6 +74,7 @@ Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId partici
 {
     const auto known = m_peers.find(peer);
     CARINA_EXPECTS(known != m_peers.end());
+    const std::scoped_lock lock{m_mutex};
     return m_secrets.issueToken(known->second.role, participant);
 }
 

@@ -4,11 +4,14 @@
 #include "engine/net/secure/key_deriver.h"
 #include "engine/net/secure/session_secrets.h"
 
+#include <mutex>
+
 namespace carina
 {
 
 /// Who may come into a session and as whom: holds the session's secrets against what peers prove.
-/// Lives on the node's thread; the codes' keys are derived on another one, each once.
+/// Lives on the node's thread, but for keyOf; the codes' keys are derived on another one, each
+/// once.
 class HostAccess
 {
 public:
@@ -20,7 +23,7 @@ public:
     [[nodiscard]] const JoinCodes& codes() const { return m_secrets.codes(); }
     /// Why a code opens nothing.
     [[nodiscard]] const std::optional<Error>& fault() const { return m_fault; }
-    /// The key that a peer with this identity must have.
+    /// The key that a peer with this identity must have. May be asked from any thread.
     [[nodiscard]] HostTransport::KeyAnswer keyOf(const PskIdentity& identity) const;
 
     /// What a peer proved to be, for as long as it is connected.
@@ -36,6 +39,7 @@ private:
     HostAccess(SessionSecrets secrets, DeriveKey derive);
     void deriveMissing();
 
+    mutable std::mutex m_mutex; // over m_secrets: it changes on the node's thread
     SessionSecrets m_secrets;
     std::map<PeerAddress, Credential> m_peers;
     std::optional<Error> m_fault;

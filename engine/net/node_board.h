@@ -75,6 +75,17 @@ public:
         return m_joinCodes;
     }
 
+    void setDoor(HostDoor door)
+    {
+        const std::scoped_lock lock{m_mutex};
+        m_door = std::move(door);
+    }
+    [[nodiscard]] std::optional<HostDoor> door() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_door;
+    }
+
     void onChange(std::function<void()> callback);
     void announce() const;
 
@@ -84,6 +95,7 @@ private:
     mutable std::mutex m_mutex;
     View m_view;
     JoinCodes m_joinCodes;
+    std::optional<HostDoor> m_door;
     std::function<void()> m_callback;
 };
 

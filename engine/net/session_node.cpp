@@ -8,8 +8,57 @@
 #include "engine/net/threaded_node.h"
 #include "engine/session/fact_rules.h"
 
+#include <algorithm>
+
 namespace carina
 {
+namespace
+{
+
+/// Where any port will do: one that is free for UDP may be taken for TCP.
+constexpr int kPortTries = 16;
+
+/// The two ports of a host, of the same number.
+struct HostPorts {
+    std::unique_ptr<HostTransport> transport;
+    std::unique_ptr<SetServer> sets; ///< none where no sets are handed out
+};
+
+Result<HostPorts> bindPorts(const HostSettings& settings)
+{
+    for (int i = 1;; ++i) {
+        auto transport = HostTransport::bind(settings.port, settings.open);
+        if (!transport)
+            return tl::unexpected(transport.error());
+        if (settings.anatomyCache.empty())
+            return HostPorts{*std::move(transport), nullptr};
+        auto sets = SetServer::listen((*transport)->port(), settings.open, settings.anatomyCache);
+        if (sets)
+            return HostPorts{*std::move(transport), *std::move(sets)};
+        if (settings.port != 0 || i == kPortTries)
+            return tl::unexpected(sets.error());
+    }
+}
+
+bool isNamed(const NodeBoard& board, const std::string& contentHash)
+{
+    const auto state = board.state();
+    return std::ranges::any_of(state->stations(), [&](const auto& station) {
+        return station.second.anatomyHash == contentHash;
+    });
+}
+
+/// Lets those in whose keys the driver knows.
+void admit(const HostPorts& ports, const HostAccess& access, const NodeBoard& board)
+{
+    const auto keyOf = [&access](const PskIdentity& identity) { return access.keyOf(identity); };
+    ports.transport->admit(access.sessionId(), keyOf);
+    if (ports.sets)
+        ports.sets->admit(access.sessionId(), keyOf,
+                          [&board](const std::string& hash) { return isNamed(board, hash); });
+}
+
+} // namespace
 
 Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& settings,
                                                        std::unique_ptr<FactStore> store)
@@ -22,17 +71,15 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
     if (!valid)
         return tl::unexpected(valid.error());
     return ThreadedNode::start([&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
-        auto transport = HostTransport::bind(settings.port, settings.open);
-        if (!transport)
-            return tl::unexpected(transport.error());
+        auto ports = bindPorts(settings);
+        if (!ports)
+            return tl::unexpected(ports.error());
         auto driver = HostDriver::open(settings, std::move(store), board, now);
         if (!driver)
             return tl::unexpected(driver.error());
-        const HostAccess& access = (*driver)->access();
-        (*transport)->admit(access.sessionId(), [&access](const PskIdentity& identity) {
-            return access.keyOf(identity);
-        });
-        return ThreadedNode::Parts{*std::move(driver), *std::move(transport), settings.open};
+        admit(*ports, (*driver)->access(), board);
+        return ThreadedNode::Parts{*std::move(driver), std::move(ports->transport), settings.open,
+                                   std::move(ports->sets)};
     });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/net/carriage/host_door.h"
 #include "engine/net/path_report.h"
 #include "engine/net/remote_object.h"
 #include "engine/net/secure/access_key.h"
@@ -56,11 +57,14 @@ struct ObjectReport {
 struct HostSettings {
     std::string sessionName;
     std::string participantName; ///< of the instructor who hosts
-    std::uint16_t port = 0;      ///< UDP; 0 takes a free one
+    std::uint16_t port = 0;      ///< UDP, and TCP for anatomy; 0 takes a free one
     bool open = false;           ///< to other computers; else only this one can reach the session
     /// Codes, keys and tokens are kept in it, beside the store; empty: in memory only.
     std::filesystem::path secrets{};
     DeriveKey derive = deriveByArgon2id;
+    /// Anatomy sets that stations of the session have are handed out of it, over TCP at the same
+    /// port; empty: none are, and nothing listens there.
+    std::filesystem::path anatomyCache{};
 };
 
 struct JoinSettings {
@@ -104,6 +108,9 @@ public:
     [[nodiscard]] virtual JoinCodes joinCodes() const = 0;
     /// Programs on other computers can come in too.
     [[nodiscard]] virtual bool isOpen() const = 0;
+    /// Where sets are fetched from the host (SetFetch); nothing at the host, and until it took a
+    /// key of this node.
+    [[nodiscard]] virtual std::optional<HostDoor> door() const = 0;
     /// kNobody until the host has admitted this node.
     [[nodiscard]] virtual ParticipantId self() const = 0;
     /// The session clock's best estimate; nothing until the clock is first set.

@@ -28,6 +28,7 @@ Result<void> ThreadedNode::open(const MakeParts& makeParts)
         }
         m_port = parts->transport->port();
         m_open = parts->open;
+        m_sets = std::move(parts->sets);
         m_loop->drive(std::move(parts->driver), std::move(parts->transport));
     });
     return opened;
@@ -36,6 +37,7 @@ Result<void> ThreadedNode::open(const MakeParts& makeParts)
 ThreadedNode::~ThreadedNode()
 {
     m_board.onChange({});
+    m_sets.reset(); // asks the driver for keys
     runThere([this] {
         m_loop->close();
         m_loop.reset();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/net/carriage/set_server.h"
 #include "engine/net/node_board.h"
 #include "engine/net/node_loop.h"
 
@@ -17,6 +18,7 @@ public:
         std::unique_ptr<NodeDriver> driver;
         std::unique_ptr<SecureTransport> transport; ///< ends before the driver
         bool open = false;
+        std::unique_ptr<SetServer> sets{}; ///< ends first; none at a client
     };
     using MakeParts = std::function<Result<Parts>(NodeBoard& board, LocalTime now)>;
 
@@ -29,6 +31,7 @@ public:
     [[nodiscard]] std::uint16_t port() const override { return m_port; }
     [[nodiscard]] JoinCodes joinCodes() const override { return m_board.joinCodes(); }
     [[nodiscard]] bool isOpen() const override { return m_open; }
+    [[nodiscard]] std::optional<HostDoor> door() const override { return m_board.door(); }
     [[nodiscard]] ParticipantId self() const override;
     [[nodiscard]] std::optional<SessionTime> now() const override;
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override;
@@ -57,6 +60,7 @@ private:
     NodeBoard m_board;
     QThread m_thread;
     std::unique_ptr<NodeLoop> m_loop;
+    std::unique_ptr<SetServer> m_sets;
     std::uint16_t m_port = 0;
     bool m_open = false;
 };

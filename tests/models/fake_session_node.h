@@ -76,6 +76,7 @@ public:
     std::vector<LinkReport> linkReports;
     std::vector<PathReport> pathReports;
     std::vector<ObjectReport> reports;
+    std::optional<HostDoor> hostDoor;
     int proposed = 0; ///< how many proposals came
 
     // SessionNode.
@@ -83,6 +84,7 @@ public:
     [[nodiscard]] std::uint16_t port() const override { return 0; }
     [[nodiscard]] JoinCodes joinCodes() const override { return {}; }
     [[nodiscard]] bool isOpen() const override { return false; }
+    [[nodiscard]] std::optional<HostDoor> door() const override { return hostDoor; }
     [[nodiscard]] ParticipantId self() const override { return m_self; }
     [[nodiscard]] std::optional<SessionTime> now() const override
     {

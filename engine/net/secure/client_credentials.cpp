@@ -30,6 +30,8 @@ std::optional<KeyOffer> ClientCredentials::offerFor(const std::string& hint)
     return std::nullopt;
 }
 
+std::optional<KeyOffer> ClientCredentials::offerAgain() { return offerFor(m_session); }
+
 void ClientCredentials::rejected(const KeyOffer& offer)
 {
     if (++m_rejections < kRejectionsBelieved)

@@ -22,6 +22,8 @@ public:
     /// For this session. Nothing while the key is being derived, or when refused.
     /// @param hint what the host calls itself; anything but a session id gets no offer
     [[nodiscard]] std::optional<KeyOffer> offerFor(const std::string& hint);
+    /// For the session that took the last offer, likewise.
+    [[nodiscard]] std::optional<KeyOffer> offerAgain();
     /// The host does not take this offer.
     void rejected(const KeyOffer& offer);
     /// The host took this offer.

@@ -1,0 +1,80 @@
+#include "engine/net/carriage/set_listener.h"
+
+#include "engine/core/monotonic_clock.h"
+#include "engine/net/carriage/carriage_tls.h"
+#include "engine/net/carriage/set_sender.h"
+#include "engine/net/secure/dtls.h"
+#include "engine/net/secure/endpoint.h"
+
+#include <QNetworkProxy>
+#include <QSslPreSharedKeyAuthenticator>
+
+namespace carina
+{
+
+SetListener::SetListener(const std::filesystem::path& anatomyCache) : m_sets{anatomyCache}
+{
+    setProxy(QNetworkProxy::NoProxy);
+    connect(this, &QSslServer::preSharedKeyAuthenticationRequired, this,
+            [this](QSslSocket*, QSslPreSharedKeyAuthenticator* question) { answerKey(*question); });
+    connect(this, &QSslServer::startedEncryptionHandshake, this, [this](QSslSocket* socket) {
+        const Endpoint from = endpoint(normalised(socket->peerAddress()), socket->peerPort());
+        if (!m_limiter.admits(sourcePrefix(from), monotonicNow()))
+            socket->abort();
+    });
+    connect(this, &QTcpServer::pendingConnectionAvailable, this, &SetListener::welcome);
+}
+
+Result<std::uint16_t> SetListener::bind(std::uint16_t port, bool open)
+{
+    if (!listen(open ? QHostAddress::Any : QHostAddress::LocalHost, port))
+        return fail(Errc::AddressInUse, "TCP " + std::to_string(port));
+    pauseAccepting();
+    return serverPort();
+}
+
+void SetListener::admit(const std::string& sessionId, HostTransport::KeyOf keyOf,
+                        SetServer::IsNamed isNamed)
+{
+    m_keyOf = std::move(keyOf);
+    m_isNamed = std::move(isNamed);
+    setSslConfiguration(carriage::tlsConfiguration(QByteArray::fromStdString(sessionId)));
+    resumeAccepting();
+}
+
+void SetListener::answerKey(QSslPreSharedKeyAuthenticator& question) const
+{
+    const auto identity = pskIdentity(question.identity().toStdString());
+    auto answer = identity ? m_keyOf(*identity) : HostTransport::KeyAnswer{};
+    // Nobody shall learn which identities there are: an unknown one just has a wrong key.
+    if (answer.state != HostTransport::KeyAnswer::State::Known)
+        answer.key = randomKey();
+    answerPsk(question, {}, answer.key);
+}
+
+void SetListener::welcome()
+{
+    while (auto* socket = qobject_cast<QSslSocket*>(nextPendingConnection())) {
+        ++m_transfers;
+        connect(socket, &QObject::destroyed, this, [this] { --m_transfers; });
+        connect(socket, &QSslSocket::disconnected, socket, &QObject::deleteLater);
+        auto* sender = new SetSender{*socket, *this}; // Qt's: a child of the socket
+        if (m_transfers > SetServer::kMostTransfers)
+            sender->refuse(carriage::Reason::Busy);
+    }
+}
+
+tl::expected<CarriedSet, carriage::Reason> SetListener::find(const std::string& contentHash)
+{
+    if (!m_isNamed(contentHash))
+        return tl::unexpected(carriage::Reason::NotNamed);
+    const auto known = m_prepared.find(contentHash);
+    if (known != m_prepared.end() && m_sets.has(known->second))
+        return known->second;
+    const auto prepared = m_sets.prepare(contentHash);
+    if (!prepared)
+        return tl::unexpected(carriage::Reason::Withdrawn);
+    return m_prepared.insert_or_assign(contentHash, *prepared).first->second;
+}
+
+} // namespace carina

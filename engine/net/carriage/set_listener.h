@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/io/carried_sets.h"
+#include "engine/net/carriage/carriage_frame.h"
+#include "engine/net/carriage/set_server.h"
+
+#include <QSslServer>
+
+#include <map>
+
+namespace carina
+{
+
+/// What SetServer runs on its thread: accepts, asks for keys, and knows which set is meant.
+class SetListener : public QSslServer
+{
+public:
+    explicit SetListener(const std::filesystem::path& anatomyCache);
+
+    /// @returns AddressInUse with the port.
+    [[nodiscard]] Result<std::uint16_t> bind(std::uint16_t port, bool open);
+    void admit(const std::string& sessionId, HostTransport::KeyOf keyOf,
+               SetServer::IsNamed isNamed);
+
+    /// The set with this content hash, ready to be sent.
+    [[nodiscard]] tl::expected<CarriedSet, carriage::Reason> find(const std::string& contentHash);
+    [[nodiscard]] std::filesystem::path fileOf(const CarriedSet& set) const
+    {
+        return m_sets.file(set.digest);
+    }
+
+private:
+    void answerKey(QSslPreSharedKeyAuthenticator& question) const;
+    void welcome();
+
+    CarriedSets m_sets;
+    HostTransport::KeyOf m_keyOf;
+    SetServer::IsNamed m_isNamed;
+    std::map<std::string, CarriedSet> m_prepared; // by content hash
+    HelloLimiter m_limiter;
+    std::size_t m_transfers = 0;
+};
+
+} // namespace carina

@@ -1,0 +1,109 @@
+#include "engine/net/carriage/set_sender.h"
+
+#include "engine/net/carriage/set_listener.h"
+#include "engine/net/secure/dtls.h"
+
+namespace carina
+{
+namespace
+{
+
+/// Nothing that a client says is longer.
+constexpr qint64 kLongestQuestion = 1024;
+/// Of one transfer, not yet handed to the system.
+constexpr qint64 kMostWaiting = qint64{256} << 10U;
+constexpr std::size_t kChunk = std::size_t{16} << 10U; ///< one record of TLS
+
+} // namespace
+
+SetSender::SetSender(QSslSocket& socket, SetListener& listener)
+    : QObject{&socket}, m_socket{socket}, m_listener{listener}
+{
+    socket.setReadBufferSize(kLongestQuestion);
+    connect(&socket, &QSslSocket::readyRead, this, &SetSender::read);
+    connect(&socket, &QSslSocket::encryptedBytesWritten, this, &SetSender::sendMore);
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(
+        std::chrono::duration_cast<std::chrono::milliseconds>(SetServer::kPatience));
+    m_patience.callOnTimeout(&socket, &QSslSocket::abort);
+    m_patience.start();
+    read(); // what came with the handshake
+}
+
+void SetSender::read()
+{
+    m_received += m_socket.read(kLongestQuestion - m_received.size());
+    auto bytes = std::as_bytes(octets(m_received));
+    while (m_socket.state() == QAbstractSocket::ConnectedState) {
+        const auto frame = carriage::takeFrame(bytes);
+        if (!frame)
+            return m_socket.abort();
+        if (!*frame)
+            break;
+        take(**frame);
+    }
+    m_received = m_received.last(static_cast<qsizetype>(bytes.size()));
+    if (m_received.size() == kLongestQuestion)
+        m_socket.abort();
+}
+
+void SetSender::take(const carriage::Frame& frame)
+{
+    if (const auto* want = std::get_if<carriage::Want>(&frame); want && !m_file.isOpen())
+        offer(*want);
+    else if (const auto* get = std::get_if<carriage::Get>(&frame); get && m_left == 0)
+        begin(get->offset);
+    else
+        m_socket.abort();
+}
+
+void SetSender::offer(const carriage::Want& want)
+{
+    if (want.version != carriage::kVersion)
+        return refuse(carriage::Reason::OtherVersion);
+    const auto set = m_listener.find(want.contentHash);
+    if (!set)
+        return refuse(set.error());
+    m_file.setFileName(QString::fromStdString(m_listener.fileOf(*set).string()));
+    if (!m_file.open(QIODevice::ReadOnly))
+        return refuse(carriage::Reason::Withdrawn);
+    write(carriage::Offer{set->bytes, set->digest, set->licence});
+}
+
+void SetSender::begin(std::uint64_t offset)
+{
+    const auto size = static_cast<std::uint64_t>(m_file.size());
+    if (!m_file.isOpen() || offset >= size || !m_file.seek(static_cast<qint64>(offset)))
+        return m_socket.abort();
+    m_left = size - offset;
+    sendMore();
+}
+
+void SetSender::sendMore()
+{
+    m_patience.start();
+    while (m_left > 0
+           && m_socket.bytesToWrite() + m_socket.encryptedBytesToWrite() < kMostWaiting) {
+        const QByteArray chunk =
+            m_file.read(static_cast<qint64>(std::min<std::uint64_t>(kChunk, m_left)));
+        if (chunk.isEmpty())
+            return refuse(carriage::Reason::Withdrawn);
+        m_left -= static_cast<std::uint64_t>(chunk.size());
+        write(carriage::Chunk{std::as_bytes(octets(chunk))});
+    }
+}
+
+void SetSender::refuse(carriage::Reason reason)
+{
+    m_left = 0;
+    write(carriage::Refusal{reason});
+    m_socket.disconnectFromHost();
+}
+
+void SetSender::write(const carriage::Frame& frame)
+{
+    const auto bytes = carriage::encode(frame);
+    m_socket.write(viewOf(bytes).constData(), static_cast<qint64>(bytes.size()));
+}
+
+} // namespace carina

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/net/carriage/carriage_frame.h"
+
+#include <QFile>
+#include <QSslSocket>
+#include <QTimer>
+
+namespace carina
+{
+
+class SetListener;
+
+/// The host's end of one connection: answers Want with an Offer and Get with the bytes, no faster
+/// than they leave. A child of the socket.
+class SetSender : public QObject
+{
+public:
+    SetSender(QSslSocket& socket, SetListener& listener);
+
+    /// Says why, and ends the connection.
+    void refuse(carriage::Reason reason);
+
+private:
+    void read();
+    void take(const carriage::Frame& frame);
+    void offer(const carriage::Want& want);
+    void begin(std::uint64_t offset);
+    void sendMore();
+    void write(const carriage::Frame& frame);
+
+    QSslSocket& m_socket;
+    SetListener& m_listener;
+    QByteArray m_received; // less than one frame
+    QFile m_file;          // that was offered; open while it is sent
+    std::uint64_t m_left = 0;
+    QTimer m_patience;
+};
+
+} // namespace carina

@@ -42,8 +42,7 @@ QString phaseNotice(SessionPhase phase)
 
 } // namespace
 
-QString stationNotice(const SessionNode& node, StationId stationId, const std::string& anatomyHash,
-                      const StationMoment& moment, ViewOutput output)
+QString stationNotice(const SessionNode& node, const StationMoment& moment, ViewOutput output)
 {
     if (const auto refusal = node.refusal())
         return errorText(*refusal);
@@ -53,13 +52,6 @@ QString stationNotice(const SessionNode& node, StationId stationId, const std::s
     const QString phase = phaseNotice(state->phaseAt(moment.time));
     if (!phase.isEmpty())
         return phase;
-    const auto station = state->stations().find(stationId);
-    if (station != state->stations().end() && !station->second.anatomyHash.empty()
-        && station->second.anatomyHash != anatomyHash)
-        return words(QT_TRANSLATE_NOOP("StationNotice",
-                                       "The session's patient is “%1”; another one is shown "
-                                       "here"))
-            .arg(QString::fromStdString(station->second.anatomyName));
     if (isAway(moment))
         return words(QT_TRANSLATE_NOOP("StationNotice",
                                        "The virtual patient was moved away from its place"));

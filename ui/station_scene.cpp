@@ -7,16 +7,23 @@ namespace carina
 {
 
 StationScene::StationScene(SceneView& scene, const PatientModel& patient, const StationView& view)
-    : m_scene{scene}, m_patient{patient}, m_view{view}
+    : m_scene{scene}, m_patient{&patient}, m_view{&view}
 {
-    m_scene.setParts(sceneParts(m_patient));
+    m_scene.setParts(sceneParts(patient));
     m_scene.setFrameSource([this](int level, LocalTime lit) {
-        m_moment = m_view.litAt(lit, static_cast<std::size_t>(level));
+        m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
         SceneFrame frame = sceneFrame(m_moment);
         if (m_headset)
             frame.eyes = m_headset->eyes(m_output, m_moment.head);
         return frame;
     });
+}
+
+void StationScene::show(const PatientModel& patient, const StationView& view)
+{
+    m_patient = &patient;
+    m_view = &view;
+    m_scene.setParts(sceneParts(patient));
 }
 
 void StationScene::showTo(const HeadsetView& headset, ViewOutput output)

@@ -24,12 +24,15 @@ public:
     /// @pre all outlive this.
     StationScene(SceneView& scene, const PatientModel& patient, const StationView& view);
 
+    /// Draws another patient from now on. @pre both outlive this, or their successors.
+    void show(const PatientModel& patient, const StationView& view);
+
     /// Shows it to the eyes of a headset, or on a screen again.
     void showTo(const HeadsetView& headset, ViewOutput output);
     [[nodiscard]] ViewOutput output() const { return m_output; }
 
     [[nodiscard]] SceneView& scene() const { return m_scene; }
-    [[nodiscard]] const PatientModel& patient() const { return m_patient; }
+    [[nodiscard]] const PatientModel& patient() const { return *m_patient; }
     /// The moment of the latest frame.
     [[nodiscard]] const StationMoment& moment() const { return m_moment; }
 
@@ -37,8 +40,8 @@ public:
 
 private:
     SceneView& m_scene;
-    const PatientModel& m_patient;
-    const StationView& m_view;
+    const PatientModel* m_patient;
+    const StationView* m_view;
     std::optional<HeadsetView> m_headset;
     ViewOutput m_output = ViewOutput::Screen;
     StationMoment m_moment;

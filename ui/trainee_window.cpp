@@ -19,18 +19,17 @@ constexpr int kNoticeMargin = 4; // pixels
 
 } // namespace
 
-TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
-                             const PatientModel& patient, const StationView& view,
-                             const HeadsetView& headset, ViewOutput output,
+TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
+                             const StationView& view, const HeadsetView& headset, ViewOutput output,
                              ChinProbeModel chinProbe, ObjectActionModel& actions)
     : m_node{node},
-      m_station{station},
+      m_patient{patient},
       m_scene{new SceneView{this}},
       m_actions{new QDockWidget{tr("Actions"), this}},
       m_notices{new QLabel{this}, new QLabel{this}},
       m_headset{headset},
       m_chinProbe{chinProbe},
-      m_stationScene{*m_scene, patient, view}
+      m_stationScene{*m_scene, *patient.patient(), view}
 {
     setWindowTitle(tr("Carina trainee"));
     setPalette(QPalette{Qt::white, Qt::black});
@@ -39,6 +38,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
     makeActions(actions);
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
+        notice->setTextFormat(Qt::PlainText);      // names and licences come from elsewhere
         notice->setAlignment(Qt::AlignCenter);
         notice->setAutoFillBackground(true);
         notice->setMargin(kNoticeMargin);
@@ -52,6 +52,14 @@ TraineeWindow::TraineeWindow(const SessionNode& node, StationId station,
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &TraineeWindow::refreshNotice);
     timer->start(kNoticeInterval_ms);
+}
+
+void TraineeWindow::show(const PatientModel& patient, const StationView& view,
+                         ChinProbeModel chinProbe)
+{
+    chinProbe.setMovesManikin(m_chinProbe.movesManikin());
+    m_chinProbe = chinProbe;
+    m_stationScene.show(patient, view);
 }
 
 void TraineeWindow::makeActions(ObjectActionModel& actions)
@@ -79,6 +87,7 @@ void TraineeWindow::makeMenu()
     m_menu.addSeparator();
     m_menu.addAction(m_actions->toggleViewAction());
     m_menu.addSeparator();
+    addFetching();
     if (m_chinProbe.isThere())
         addChinProbe();
     m_menu.addAction(tr("F&ull screen on or off"), this,
@@ -133,6 +142,22 @@ void TraineeWindow::addChinProbe()
     m_menu.addSeparator();
 }
 
+void TraineeWindow::addFetching()
+{
+    QAction* stop = m_menu.addAction(tr("Stop fetching the session's &patient"), this,
+                                     [this] { m_patient.stop(); });
+    QAction* again = m_menu.addAction(tr("&Get the session's patient"), this,
+                                      [this] { m_patient.fetchAgain(); });
+    QAction* end = m_menu.addSeparator();
+    const auto offer = [=, this] {
+        stop->setVisible(m_patient.canStop());
+        again->setVisible(m_patient.canFetchAgain());
+        end->setVisible(m_patient.canStop() || m_patient.canFetchAgain());
+    };
+    connect(&m_menu, &QMenu::aboutToShow, this, offer);
+    offer();
+}
+
 void TraineeWindow::showTo(ViewOutput output)
 {
     m_stationScene.showTo(m_headset, output);
@@ -163,11 +188,12 @@ QPoint TraineeWindow::menuPlace() const
 
 QString TraineeWindow::notice() const
 {
-    const QString notice = stationNotice(m_node, m_station, m_stationScene.patient().contentHash(),
-                                         m_stationScene.moment(), m_stationScene.output());
-    return notice.isEmpty() && m_chinProbe.movesManikin()
-               ? tr("The patient follows the chin probe: keep the manikin's mouth closed")
-               : notice;
+    QString notice = stationNotice(m_node, m_stationScene.moment(), m_stationScene.output());
+    if (notice.isEmpty() && m_chinProbe.movesManikin())
+        notice = tr("The patient follows the chin probe: keep the manikin's mouth closed");
+    const QString patient = m_patient.notice();
+    return notice.isEmpty() || patient.isEmpty() ? notice + patient
+                                                 : notice + QLatin1Char('\n') + patient;
 }
 
 void TraineeWindow::refreshNotice()

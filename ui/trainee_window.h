@@ -2,6 +2,7 @@
 
 #include "models/chin_probe_model.h"
 #include "models/object_action_model.h"
+#include "models/session_patient.h"
 #include "ui/station_scene.h"
 
 #include <QDockWidget>
@@ -25,9 +26,14 @@ class TraineeWindow : public QMainWindow
 
 public:
     /// @pre all outlive the window.
-    TraineeWindow(const SessionNode& node, StationId station, const PatientModel& patient,
-                  const StationView& view, const HeadsetView& headset, ViewOutput output,
-                  ChinProbeModel chinProbe, ObjectActionModel& actions);
+    TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
+                  const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
+                  ObjectActionModel& actions);
+
+    /// Draws another patient from now on. @param chinProbe of the tracking that goes with it
+    /// @pre all outlive the window, or their successors.
+    void show(const PatientModel& patient, const StationView& view, ChinProbeModel chinProbe);
+    using QMainWindow::show;
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
 
@@ -40,6 +46,7 @@ private:
     void addOutputs();
     void addPresets();
     void addChinProbe();
+    void addFetching();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QPoint menuPlace() const;
     void showTo(ViewOutput output);
@@ -47,7 +54,7 @@ private:
     void placeNotice(std::size_t place, const QString& notice, const QRect& within);
 
     const SessionNode& m_node;
-    StationId m_station;
+    SessionPatient& m_patient;
     SceneView* m_scene;
     QDockWidget* m_actions;
     std::array<QLabel*, 2> m_notices; ///< all the window, or its left half; and its right half

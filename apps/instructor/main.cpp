@@ -4,6 +4,7 @@
 #include "apps/viewer/measurement.h"
 #include "apps/viewer/patient_option.h"
 #include "apps/viewer/program.h"
+#include "engine/io/anatomy_cache.h"
 #include "engine/io/sql_fact_store.h"
 #include "engine/net/discovery/session_beacon.h"
 #include "engine/net/session_identity.h"
@@ -30,7 +31,8 @@ void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(words("The instructor's console, which hosts the session."));
     parser.addHelpOption();
-    parser.addOption({QStringLiteral("port"), words("UDP port of the session; 0 takes a free one."),
+    parser.addOption({QStringLiteral("port"),
+                      words("UDP and TCP port of the session; 0 takes a free one."),
                       QStringLiteral("P"), QStringLiteral("0")});
     parser.addOption({QStringLiteral("data"), words("Folder that the session is stored in."),
                       QStringLiteral("DIR"),
@@ -78,10 +80,11 @@ void introducePatient(SessionNode& node, const viewer::ChosenPatient& patient)
     const auto state = node.state();
     const auto station = state->stations().find(kStation);
     const bool known = station != state->stations().end()
-                       && station->second.anatomyHash == patient.model.contentHash();
+                       && station->second.anatomyHash == patient.model->contentHash();
     if (known)
         return;
-    node.propose(kStation, fact::AnatomyChosen{patient.model.contentHash(), patient.model.name()});
+    node.propose(kStation,
+                 fact::AnatomyChosen{patient.model->contentHash(), patient.model->name()});
     node.propose(kStation, fact::BreathingRateSet{patient.dimensions.breathingRate});
     node.propose(kStation, fact::TidalVolumeSet{patient.dimensions.tidalVolume});
     node.propose(kStation, fact::InspiratoryFractionSet{patient.dimensions.inspiratoryFraction});
@@ -101,16 +104,23 @@ int measure(InstructorWindow& window, SessionNode& node, BreathingModel& breathi
     return QApplication::exec();
 }
 
-Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, std::uint16_t port, bool open)
+struct HostOptions {
+    std::uint16_t port = 0;
+    bool open = false;
+    std::filesystem::path anatomyCache; ///< that the patient is in, if it was imported
+};
+
+Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, const HostOptions& options)
 {
     auto store = openFactStore(file.toStdString());
     if (!store)
         return tl::unexpected(store.error());
     return SessionNode::host({.sessionName = words("Routine intubation").toStdString(),
                               .participantName = words("Instructor").toStdString(),
-                              .port = port,
-                              .open = open,
-                              .secrets = secretsOf(file)},
+                              .port = options.port,
+                              .open = options.open,
+                              .secrets = secretsOf(file),
+                              .anatomyCache = options.anatomyCache},
                              std::move(*store));
 }
 
@@ -130,14 +140,16 @@ Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parse
     const QDir folder{parser.value(QStringLiteral("data"))};
     if (!folder.mkpath(QStringLiteral(".")))
         return fail(Errc::FileUnwritable, folder.path().toStdString());
-    const bool open = parser.isSet(QStringLiteral("open"));
+    const HostOptions options{*port, parser.isSet(QStringLiteral("open")),
+                              viewer::importsPatient(parser) ? AnatomyCache::defaultFolder()
+                                                             : std::filesystem::path{}};
     if (parser.isSet(QStringLiteral("new")))
-        return hostFile(newSessionFile(folder), *port, open);
-    auto node = hostFile(latestSessionFile(folder), *port, open);
+        return hostFile(newSessionFile(folder), options);
+    auto node = hostFile(latestSessionFile(folder), options);
     if (!node || !hasEnded(**node))
         return node;
     node->reset(); // gives the port back
-    return hostFile(newSessionFile(folder), *port, open);
+    return hostFile(newSessionFile(folder), options);
 }
 
 /// Lets those who look for sessions find this one.
@@ -178,9 +190,9 @@ Result<int> run(const QCommandLineParser& parser)
     NetworkModel network{session};
     SharedObjectModel object{session, kStation};
     ObjectActionModel actions{object};
-    const StationView view{**node, kStation, patient->model.lungs(), posesOf(**node, kStation)};
-    InstructorWindow window{session, breathing,      participants, network,
-                            actions, patient->model, view};
+    const StationView view{**node, kStation, patient->model->lungs(), posesOf(**node, kStation)};
+    InstructorWindow window{session, breathing,       participants, network,
+                            actions, *patient->model, view};
     window.resize(options->size);
     window.show();
     const auto journal =

@@ -117,12 +117,12 @@ Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& 
     lock.setStaleLockTime(0); // it is stale when its program is gone
     if (!lock.tryLock() && lock.error() == QLockFile::LockFailedError)
         return fail(Errc::SiteInUse, siteFile);
-    auto site = RegistrationModel::siteOf(siteFile, patient.model);
+    auto site = RegistrationModel::siteOf(siteFile, *patient.model);
     if (!site)
         return tl::unexpected(site.error());
     if (auto writable = writeSiteFile(siteFile, *site); !writable)
         return tl::unexpected(writable.error());
-    const auto workplace = simulatedWorkplace(patient.model.landmarks(), patient.model.tube());
+    const auto workplace = simulatedWorkplace(patient.model->landmarks(), patient.model->tube());
     if (!workplace)
         return tl::unexpected(workplace.error());
     if (auto started = workplace->tracker->start(); !started)
@@ -134,7 +134,7 @@ Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& 
                                     .clock = workplace->clock,
                                     .landmarks = landmarksOf(patient)},
                                    std::move(*site),
-                                   patient.model};
+                                   *patient.model};
     const auto journal = journalOf(registration, parser);
     if (!journal)
         return tl::unexpected(journal.error());

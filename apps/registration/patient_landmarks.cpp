@@ -8,10 +8,10 @@ namespace carina
 LandmarkCatalogue landmarksOf(const viewer::ChosenPatient& patient)
 {
     std::vector<Bone> bones;
-    for (const PatientSurface& surface : patient.model.surfaces())
+    for (const PatientSurface& surface : patient.model->surfaces())
         if (surface.description.role == PartRole::Rib)
             bones.push_back({surface.name, surface.levels.front()->rest.positions});
-    const std::string& anatomy = patient.model.contentHash();
+    const std::string& anatomy = patient.model->contentHash();
     return boneLandmarks(bones, anatomy)
         .value_or(ribCageCatalogue(patient.dimensions.height, anatomy));
 }

@@ -1,3 +1,4 @@
+#include "apps/trainee/trainee_station.h"
 #include "apps/viewer/entry_option.h"
 #include "apps/viewer/join_question.h"
 #include "apps/viewer/journal.h"
@@ -5,7 +6,7 @@
 #include "apps/viewer/patient_option.h"
 #include "apps/viewer/program.h"
 #include "apps/viewer/site_option.h"
-#include "engine/session/simulated_station.h"
+#include "engine/io/anatomy_cache.h"
 #include "models/shared_patient.h"
 #include "ui/trainee_window.h"
 #include "widgets/scene/graphics.h"
@@ -56,56 +57,6 @@ void addOptions(QCommandLineParser& parser)
     viewer::addJournalOption(parser);
 }
 
-/// Shares the tools that others see: the newest sample of each, in the patient's frame.
-void publish(SessionNode& node, const StationTracking& tracking)
-{
-    const auto share = [&](ObjectKind kind, ToolRole tool, std::string name) {
-        node.publish(kStation, kind, std::move(name),
-                     [&tracking, tool] { return tracking.newest(tool); });
-    };
-    share(ObjectKind::Tube, ToolRole::Tube, "Tube");
-    share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
-    share(ObjectKind::Head, ToolRole::Head, "Head");
-}
-
-/// The node asks the tracking for poses, the tracking reads the node's clock: neither may end
-/// while the other runs.
-struct TrackedStation {
-    viewer::TrueView truth; ///< what the simulated head truly has before it
-    std::unique_ptr<StationTracking> tracking;
-    std::unique_ptr<SessionNode> node;
-
-    TrackedStation() = default;
-    TrackedStation(const TrackedStation&) = delete;
-    TrackedStation& operator=(const TrackedStation&) = delete;
-    ~TrackedStation()
-    {
-        if (tracking)
-            tracking->stop();
-        node.reset();
-    }
-};
-
-Result<void> watchHands(TrackedStation& station, const PatientModel& patient,
-                        const std::optional<SiteSetup>& site)
-{
-    auto simulated = simulatedStation(
-        patient.landmarks(), patient.tube(), [node = station.node.get()] { return node->now(); },
-        site ? std::optional{site->registration} : std::nullopt);
-    if (!simulated)
-        return tl::unexpected(simulated.error());
-    station.tracking = std::move(simulated->tracking);
-    station.truth = [truth = simulated->truth,
-                     X_TA = simulated->X_TA](SessionTime t) -> std::optional<RigidTransform> {
-        const auto X_TH = truth(ToolRole::Head, t);
-        return X_TH ? std::optional{X_TH->inverse() * X_TA} : std::nullopt;
-    };
-    if (auto started = station.tracking->start(); !started)
-        return started;
-    publish(*station.node, *station.tracking);
-    return {};
-}
-
 /// How long the newest action on the virtual patient took to arrive here; empty before there was
 /// one.
 QJsonObject actionReport(const SessionNode& node)
@@ -120,7 +71,7 @@ QJsonObject actionReport(const SessionNode& node)
 
 /// Shows the window until it is closed, or measures it for as long as it was asked to.
 int show(TraineeWindow& window, const QCommandLineParser& parser,
-         const viewer::MeasureOptions& options, const TrackedStation& station)
+         const viewer::MeasureOptions& options, TraineeStation& station)
 {
     if (options.folder.isEmpty()) {
         window.resize(options.size);
@@ -133,11 +84,18 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     window.resize(options.size);
     window.show();
     viewer::Measurement measurement{window, window.stationScene()};
-    if (station.truth)
-        measurement.compareWith(station.truth);
+    const auto compare = [&] {
+        if (station.truth())
+            measurement.compareWith(station.truth());
+    };
+    compare();
+    station.onLaid([&] {
+        measurement.startAfresh();
+        compare();
+    });
     QTimer::singleShot(options.seconds * 1000, [&] {
         const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"),
-                                             actionReport(*station.node));
+                                             actionReport(station.node()));
         QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
     });
     return QApplication::exec();
@@ -183,7 +141,7 @@ Result<int> run(const QCommandLineParser& parser)
     const auto patient = viewer::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    const auto site = viewer::siteOption(parser, patient->model);
+    const auto site = viewer::siteOption(parser, *patient->model);
     if (!site)
         return tl::unexpected(site.error());
     const auto headset =
@@ -196,32 +154,36 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(settings.error());
     if (!*settings)
         return 0;
-    TrackedStation station;
-    auto joined = SessionNode::join(**settings);
-    if (!joined)
-        return tl::unexpected(joined.error());
-    station.node = std::move(*joined);
-    if (parser.isSet(QStringLiteral("simulated-tracker")) && (*settings)->role == Role::Trainee) {
-        if (auto watched = watchHands(station, patient->model, *site); !watched)
-            return tl::unexpected(watched.error());
-    }
+    auto node = SessionNode::join(**settings);
+    if (!node)
+        return tl::unexpected(node.error());
+    const bool simulates = parser.isSet(QStringLiteral("simulated-tracker"));
+    TraineeStation station{*std::move(node), kStation,
+                           simulates && (*settings)->role == Role::Trainee,
+                           [&parser](const PatientModel& of) -> Result<TraineeStation::Place> {
+                               return viewer::siteOption(parser, of)
+                                   .map([](const auto& setup) -> TraineeStation::Place {
+                                       if (!setup)
+                                           return std::nullopt;
+                                       return setup->registration;
+                                   });
+                           }};
+    if (const auto laid = station.lay(patient->model); !laid)
+        return tl::unexpected(laid.error());
 
-    const StationView view{*station.node, kStation, patient->model.lungs(),
-                           station.tracking ? posesOf(*station.tracking)
-                                            : posesOf(*station.node, kStation)};
-    SessionModel session{*station.node};
+    SessionModel session{station.node()};
     SharedObjectModel object{session, kStation};
     ObjectActionModel actions{object};
-    TraineeWindow window{*station.node,
-                         kStation,
-                         patient->model,
-                         view,
-                         *headset,
-                         *output,
-                         ChinProbeModel{station.tracking.get()},
-                         actions};
+    SessionPatient sessionPatient{station.node(), kStation, patient->model,
+                                  AnatomyCache::defaultFolder()};
+    TraineeWindow window{station.node(), sessionPatient,      station.view(), *headset,
+                         *output,        station.chinProbe(), actions};
+    sessionPatient.follow([&](const SharedPatientModel& another) {
+        return station.lay(another,
+                           [&] { window.show(*another, station.view(), station.chinProbe()); });
+    });
     const auto journal =
-        viewer::journalFromOptions(parser, *station.node, kStation, window.stationScene());
+        viewer::journalFromOptions(parser, station.node(), kStation, window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());
     return show(window, parser, *options, station);

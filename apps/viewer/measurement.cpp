@@ -73,6 +73,15 @@ void Measurement::compareWith(TrueView truth)
     m_overlay.emplace(std::move(truth), m_scene.patient().landmarks());
 }
 
+void Measurement::startAfresh()
+{
+    m_frames.clear();
+    m_overlay.reset();
+    m_inPlaceSince.reset();
+    m_pictureDue = false;
+    m_picture = {};
+}
+
 void Measurement::logFrame(const DrawnFrame& drawn, const StationMoment& moment)
 {
     m_frames.push_back(logged(drawn, moment));
@@ -156,6 +165,8 @@ Result<void> Measurement::write(const QDir& folder, const QString& name, const Q
     QJsonObject report = extra;
     report[QStringLiteral("schema")] = QStringLiteral("carina.view/1");
     report[QStringLiteral("anatomy")] = QString::fromStdString(m_scene.patient().name());
+    report[QStringLiteral("anatomy_hash")] =
+        QString::fromStdString(m_scene.patient().contentHash());
     report[QStringLiteral("screenshot")] = picture;
     const int level = m_frames.empty() ? 0 : m_frames.back().level;
     report[QStringLiteral("level")] = level;

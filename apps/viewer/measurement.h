@@ -27,6 +27,9 @@ public:
     /// adds "overlay" to what is written.
     void compareWith(TrueView truth);
 
+    /// Forgets what was measured: another patient is drawn from now on.
+    void startAfresh();
+
     /// Writes NAME.png, NAME.json (what was measured, and `extra` with it) and NAME_frames.csv.
     /// @returns NoGraphics where vertices cannot be read back; FileUnwritable with the path.
     [[nodiscard]] Result<void> write(const QDir& folder, const QString& name,

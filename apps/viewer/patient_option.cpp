@@ -50,9 +50,11 @@ void addPatientOptions(QCommandLineParser& parser)
                       QStringLiteral("NAME"), QStringLiteral("child")});
 }
 
+bool importsPatient(const QCommandLineParser& parser) { return parser.isSet(kAnatomy); }
+
 Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
 {
-    const bool imported = parser.isSet(kAnatomy);
+    const bool imported = importsPatient(parser);
     const auto builtin = imported ? Result<BuiltinPatient>{BuiltinPatient::Adult}
                                   : builtinNamed(parser.value(kPatient));
     if (!builtin)
@@ -60,11 +62,10 @@ Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
     auto anatomy = imported ? importedPatient(parser.value(kAnatomy)) : builtinPatient(*builtin);
     if (!anatomy)
         return tl::unexpected(anatomy.error());
-    const PatientDimensions dimensions = dimensionsOf(*builtin);
-    auto model = PatientModel::of(std::move(*anatomy), dimensions.tubeInnerDiameter);
+    auto model = patientOf(std::move(*anatomy));
     if (!model)
         return tl::unexpected(model.error());
-    return ChosenPatient{std::move(*model), dimensions};
+    return ChosenPatient{*std::move(model), dimensionsOf(*builtin)};
 }
 
 } // namespace carina::viewer

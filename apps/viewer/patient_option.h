@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/patient_dimensions.h"
-#include "models/patient_model.h"
+#include "models/patient_source.h"
 
 #include <QCommandLineParser>
 
@@ -10,13 +10,16 @@ namespace carina::viewer
 
 /// The patient that a program was started with.
 struct ChosenPatient {
-    PatientModel model;
+    SharedPatientModel model;
     PatientDimensions
         dimensions; ///< of the built-in patient nearest to it: how it breathes at rest
 };
 
 /// Adds `--anatomy DIR` and `--patient adult|child`.
 void addPatientOptions(QCommandLineParser& parser);
+
+/// Whether these options name a set rather than a built-in patient.
+[[nodiscard]] bool importsPatient(const QCommandLineParser& parser);
 
 /// The patient that these options name; the child without them. An imported set is taken for an
 /// adult.

@@ -114,7 +114,20 @@ std::vector<AnatomyPart> partsOf(const PatientDimensions& d, const AirwayLandmar
     return parts;
 }
 
+std::string_view hashOf(BuiltinPatient patient)
+{
+    return patient == BuiltinPatient::Adult ? "builtin-adult-1" : "builtin-twelve-years-1";
+}
+
 } // namespace
+
+std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash)
+{
+    for (const BuiltinPatient patient : {BuiltinPatient::Adult, BuiltinPatient::TwelveYears})
+        if (contentHash == hashOf(patient))
+            return patient;
+    return std::nullopt;
+}
 
 Result<Anatomy> builtinPatient(BuiltinPatient patient)
 {
@@ -122,7 +135,7 @@ Result<Anatomy> builtinPatient(BuiltinPatient patient)
     const PatientDimensions dimensions = dimensionsOf(patient);
     Anatomy anatomy;
     anatomy.name = adult ? "Adult" : "12 years, 150 cm";
-    anatomy.contentHash = adult ? "builtin-adult-1" : "builtin-twelve-years-1";
+    anatomy.contentHash = hashOf(patient);
     anatomy.landmarks = landmarksOf(dimensions);
     anatomy.parts = partsOf(dimensions, anatomy.landmarks);
     for (const AnatomyPart& part : anatomy.parts) {

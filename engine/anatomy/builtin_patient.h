@@ -4,6 +4,9 @@
 #include "engine/anatomy/patient_dimensions.h"
 #include "engine/core/result.h"
 
+#include <optional>
+#include <string_view>
+
 namespace carina
 {
 
@@ -16,5 +19,8 @@ namespace carina
 ///
 /// @returns MeshNotClosed if a surface came out open or inside out.
 [[nodiscard]] Result<Anatomy> builtinPatient(BuiltinPatient patient);
+
+/// The built-in patient with this content hash; nothing for any other.
+[[nodiscard]] std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash);
 
 } // namespace carina

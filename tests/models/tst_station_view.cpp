@@ -135,9 +135,7 @@ void TestStationView::saysThatThePatientIsAway()
     StationMoment moment;
     moment.time = kNow + std::chrono::seconds{1};
     moment.tube = tellingPose(ObjectKind::Tube, moment.time);
-    const auto notice = [&] {
-        return stationNotice(node, FakeSessionNode::kStation, {}, moment, ViewOutput::Screen);
-    };
+    const auto notice = [&] { return stationNotice(node, moment, ViewOutput::Screen); };
     moment.patient.emplace();
     QCOMPARE(notice(), QString{});
     moment.patient->acted.scale = 1.01;
@@ -176,7 +174,7 @@ void TestStationView::saysWhenTheHeadsetIsLost()
         moment.head = tellingPose(ObjectKind::Head, moment.time);
         moment.head->validity = *head;
     }
-    QCOMPARE(stationNotice(node, FakeSessionNode::kStation, {}, moment, output), notice);
+    QCOMPARE(stationNotice(node, moment, output), notice);
 }
 
 } // namespace carina

@@ -1,0 +1,84 @@
+#include "apps/trainee/trainee_station.h"
+
+#include "engine/session/simulated_station.h"
+
+namespace carina
+{
+
+TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId station, bool simulates,
+                               PlaceOf placeOf)
+    : m_node{std::move(node)},
+      m_station{station},
+      m_simulates{simulates},
+      m_placeOf{std::move(placeOf)}
+{
+    if (m_simulates)
+        publish();
+}
+
+/// The node asks the tracking for poses, the tracking reads the node's clock: neither may end while
+/// the other runs.
+TraineeStation::~TraineeStation()
+{
+    if (m_laid && m_laid->tracking)
+        m_laid->tracking->stop();
+    m_laid.reset();
+    m_node.reset();
+}
+
+/// Shares the tools that others see: the newest sample of each, in the patient's frame.
+void TraineeStation::publish()
+{
+    const auto share = [this](ObjectKind kind, ToolRole tool, std::string name) {
+        m_node->publish(m_station, kind, std::move(name),
+                        [this, tool]() -> std::optional<PoseSample> {
+                            const auto tracking = m_published.load();
+                            return tracking ? tracking->newest(tool) : std::nullopt;
+                        });
+    };
+    share(ObjectKind::Tube, ToolRole::Tube, "Tube");
+    share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
+    share(ObjectKind::Head, ToolRole::Head, "Head");
+}
+
+Result<void> TraineeStation::lay(const SharedPatientModel& patient,
+                                 const std::function<void()>& show)
+{
+    auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr});
+    if (m_simulates)
+        if (const auto watched = watchHands(*next); !watched)
+            return watched;
+    next->view = std::make_unique<StationView>(*m_node, m_station, patient->lungs(),
+                                               next->tracking ? posesOf(*next->tracking)
+                                                              : posesOf(*m_node, m_station));
+    const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
+    m_published.store(m_laid->tracking);
+    if (show)
+        show();
+    if (before && before->tracking)
+        before->tracking->stop();
+    if (m_onLaid)
+        m_onLaid();
+    return {};
+}
+
+Result<void> TraineeStation::watchHands(Laid& laid)
+{
+    const auto place = m_placeOf(*laid.patient);
+    if (!place)
+        return tl::unexpected(place.error());
+    auto simulated = simulatedStation(
+        laid.patient->landmarks(), laid.patient->tube(),
+        [node = m_node.get()] { return node->now(); }, *place);
+    if (!simulated)
+        return tl::unexpected(simulated.error());
+    laid.truth = [truth = simulated->truth,
+                  X_TA = simulated->X_TA](SessionTime t) -> std::optional<RigidTransform> {
+        const auto X_TH = truth(ToolRole::Head, t);
+        return X_TH ? std::optional{X_TH->inverse() * X_TA} : std::nullopt;
+    };
+    laid.tracking = std::move(simulated->tracking);
+    return laid.tracking->start();
+}
+
+} // namespace carina

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "apps/viewer/seen_overlay.h"
+#include "engine/net/session_node.h"
+#include "engine/session/station_tracking.h"
+#include "models/chin_probe_model.h"
+#include "models/patient_source.h"
+#include "models/station_view.h"
+
+#include <atomic>
+
+namespace carina
+{
+
+/// A trainee's part in a session: the node, and the patient that lies at the station now with
+/// everything that depends on it. Another patient can be laid while the session goes on.
+class TraineeStation
+{
+public:
+    /// How the manikin was registered for a patient; without it, exactly.
+    using Place = std::optional<StationRegistration>;
+    using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
+
+    /// @param simulates whether a simulated tracker and hands are used; without them it watches
+    TraineeStation(std::unique_ptr<SessionNode> node, StationId station, bool simulates,
+                   PlaceOf placeOf);
+    ~TraineeStation();
+    TraineeStation(const TraineeStation&) = delete;
+    TraineeStation& operator=(const TraineeStation&) = delete;
+
+    /// Lays a patient in place of the one before. @param show turns to what is new here, while what
+    /// was before still is
+    /// @returns what its site, or the simulated tracker, says against it; nothing is changed then.
+    [[nodiscard]] Result<void> lay(const SharedPatientModel& patient,
+                                   const std::function<void()>& show = {});
+    /// Called after another patient was laid.
+    void onLaid(std::function<void()> callback) { m_onLaid = std::move(callback); }
+
+    [[nodiscard]] SessionNode& node() { return *m_node; }
+    // @pre a patient was laid. They are good until the next one is.
+    [[nodiscard]] const StationView& view() const { return *m_laid->view; }
+    [[nodiscard]] ChinProbeModel chinProbe() const
+    {
+        return ChinProbeModel{m_laid->tracking.get()};
+    }
+    /// What the simulated head truly has before it; empty without one.
+    [[nodiscard]] const viewer::TrueView& truth() const { return m_laid->truth; }
+
+private:
+    struct Laid {
+        SharedPatientModel patient;
+        /// Shared with the node's thread while it asks for poses; none where this only watches.
+        std::shared_ptr<StationTracking> tracking;
+        viewer::TrueView truth;
+        std::unique_ptr<StationView> view;
+    };
+
+    [[nodiscard]] Result<void> watchHands(Laid& laid);
+    void publish();
+
+    std::unique_ptr<SessionNode> m_node;
+    StationId m_station;
+    bool m_simulates;
+    PlaceOf m_placeOf;
+    std::function<void()> m_onLaid;
+    std::unique_ptr<Laid> m_laid;
+    std::atomic<std::shared_ptr<StationTracking>> m_published;
+};
+
+} // namespace carina

@@ -1,0 +1,42 @@
+#include "models/patient_source.h"
+
+#include "engine/anatomy/builtin_patient.h"
+#include "engine/io/anatomy_cache.h"
+#include "engine/io/carried_sets.h"
+#include "engine/io/set_hash.h"
+
+namespace carina
+{
+
+Result<SharedPatientModel> patientOf(Anatomy anatomy)
+{
+    const auto builtin = builtinOfHash(anatomy.contentHash).value_or(BuiltinPatient::Adult);
+    return PatientModel::of(std::move(anatomy), dimensionsOf(builtin).tubeInnerDiameter)
+        .map([](PatientModel&& model) -> SharedPatientModel {
+            return std::make_shared<const PatientModel>(std::move(model));
+        });
+}
+
+Result<SharedPatientModel> patientHere(const std::string& contentHash,
+                                       const std::filesystem::path& cacheFolder)
+{
+    if (const auto builtin = builtinOfHash(contentHash))
+        return builtinPatient(*builtin).and_then(patientOf);
+    if (!isSetHash(contentHash))
+        return fail(Errc::FileNotFound, contentHash);
+    return AnatomyCache{cacheFolder}.load(contentHash).and_then([](ImportedSet&& set) {
+        return patientOf(std::move(set.anatomy));
+    });
+}
+
+Result<SharedPatientModel> patientCarried(const std::string& digest, const std::string& contentHash,
+                                          const std::string& name,
+                                          const std::filesystem::path& cacheFolder)
+{
+    return CarriedSets{cacheFolder}.load(digest, contentHash).and_then([&](ImportedSet&& set) {
+        set.anatomy.name = name;
+        return patientOf(std::move(set.anatomy));
+    });
+}
+
+} // namespace carina

@@ -43,8 +43,16 @@ bool isThere(const std::filesystem::path& file, std::uint64_t bytes)
 
 } // namespace
 
-CarriedSets::CarriedSets(std::filesystem::path cacheFolder) : m_cacheFolder{std::move(cacheFolder)}
+CarriedSets::CarriedSets(std::filesystem::path cacheFolder, RoomIn roomIn)
+    : m_cacheFolder{std::move(cacheFolder)}, m_roomIn{roomIn}
 {
+}
+
+std::uint64_t CarriedSets::roomOnDisk(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    // Where it is not known the writing will tell.
+    return std::filesystem::space(folder, error).available;
 }
 
 std::filesystem::path CarriedSets::file(const std::string& digest) const

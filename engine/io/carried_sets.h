@@ -60,8 +60,12 @@ public:
     static constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;
     static constexpr std::size_t kLongestLicence = 1024;
 
+    /// How many bytes more the disk takes that a folder lies on.
+    using RoomIn = std::uint64_t (*)(const std::filesystem::path& folder);
+    [[nodiscard]] static std::uint64_t roomOnDisk(const std::filesystem::path& folder);
+
     /// @param cacheFolder usually AnatomyCache::defaultFolder()
-    explicit CarriedSets(std::filesystem::path cacheFolder);
+    explicit CarriedSets(std::filesystem::path cacheFolder, RoomIn roomIn = &roomOnDisk);
 
     /// Puts the set that the cache holds under this content hash into the form that travels.
     /// @returns what AnatomyCache::load does; OutOfRange for one that is too long; FileUnwritable.
@@ -82,6 +86,7 @@ public:
 
 private:
     std::filesystem::path m_cacheFolder;
+    RoomIn m_roomIn;
 };
 
 } // namespace carina

@@ -66,8 +66,7 @@ Result<std::unique_ptr<PartialSet>> CarriedSets::resume(const CarriedSet& set) c
     if (bytes > set.bytes && ftruncate(opened, 0) == 0)
         bytes = 0;
     std::unique_ptr<PartialSet> partial{new PartialSet{opened, bytes, part, whole, set.digest}};
-    const auto room = std::filesystem::space(part, error);
-    if (!error && room.available < set.bytes - bytes)
+    if (m_roomIn(part.parent_path()) < set.bytes - bytes)
         return cannotWrite(part, "the disk has no room for it");
     return partial;
 }

@@ -109,6 +109,20 @@ private Q_SLOTS:
         }
     }
 
+    void refusesListsBeyondTheirLimits()
+    {
+        ImportedSet set = smallSet();
+        set.anatomy.parts[1].levels.resize(16, set.anatomy.parts[1].levels[0]);
+        QVERIFY(decodeSet(encodeSet(set)).has_value());
+        set.anatomy.parts[1].levels.resize(17, set.anatomy.parts[1].levels[0]);
+        QVERIFY(!decodeSet(encodeSet(set)).has_value());
+        set = smallSet();
+        set.leftOut.resize(32'768);
+        QVERIFY(decodeSet(encodeSet(set)).has_value());
+        set.leftOut.resize(32'769);
+        QVERIFY(!decodeSet(encodeSet(set)).has_value());
+    }
+
     void refusesAMeshThatContradictsItself()
     {
         ImportedSet set = smallSet();

@@ -1,0 +1,90 @@
+#include "engine/io/carried_sets.h"
+
+#include "tests/engine/io/carried_set_files.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <random>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kKills = 40;
+constexpr int kMostYields = 400;
+constexpr qsizetype kPiece = 1000;
+
+/// Goes on with the set until all of it is there, and ends well.
+[[noreturn]] void receive(const std::filesystem::path& cache, const CarriedSet& set,
+                          const QByteArray& bytes)
+{
+    const auto partial = CarriedSets{cache}.resume(set);
+    if (!partial || !*partial)
+        _exit(1);
+    for (auto at = qsizetype((*partial)->bytes()); at < bytes.size(); at += kPiece)
+        if (!(*partial)->append(test::bytesOf(bytes.mid(at, kPiece))))
+            _exit(1);
+    _exit((*partial)->finish() ? 0 : 1);
+}
+
+/// @returns how the process ended that was killed after so many yields, or before.
+int statusOfKilled(const std::filesystem::path& cache, const CarriedSet& set,
+                   const QByteArray& bytes, int yields)
+{
+    const pid_t receiver = fork();
+    if (receiver == 0)
+        receive(cache, set, bytes);
+    for (int i = 0; i < yields; ++i)
+        std::this_thread::yield();
+    kill(receiver, SIGKILL);
+    int status = 0;
+    waitpid(receiver, &status, 0);
+    return status;
+}
+
+} // namespace
+
+/// Processes that are killed with SIGKILL while a set comes.
+class TestCarriedSetsKill : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void isWholeOrNotThereWheneverAReceiverIsKilled()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path root = folder.path().toStdString();
+        test::importInto(root / "host", test::carriedSample(20'000));
+        const auto set = CarriedSets{root / "host"}.prepare(test::kSetHash);
+        QVERIFY(set);
+        const QByteArray bytes = test::contentOf(CarriedSets{root / "host"}.file(set->digest));
+        const CarriedSets here{root / "here"};
+        std::mt19937 random{7};
+        int killed = 0;
+        int wholes = 0;
+        for (int i = 0; i < kKills; ++i) {
+            const int status = statusOfKilled(root / "here", *set, bytes,
+                                              static_cast<int>(random() % kMostYields));
+            killed += WIFSIGNALED(status) ? 1 : 0;
+            QVERIFY(WIFSIGNALED(status) || WEXITSTATUS(status) == 0);
+            if (!std::filesystem::exists(here.file(set->digest)))
+                continue;
+            QVERIFY(here.load(set->digest, test::kSetHash)); // whoever finds it finds it whole
+            std::filesystem::remove(here.file(set->digest));
+            ++wholes;
+        }
+        QVERIFY(killed > kKills / 4);
+        QVERIFY(wholes > 0);
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestCarriedSetsKill)
+#include "tst_carried_sets_kill.moc"

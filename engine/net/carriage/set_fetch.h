@@ -41,7 +41,7 @@ struct FetchStatus {
 class SetFetch
 {
 public:
-    static constexpr Duration kFirstPause = std::chrono::milliseconds{250}; ///< doubled each time
+    static constexpr Duration kFirstPause = std::chrono::milliseconds{100}; ///< doubled each time
     static constexpr Duration kLongestPause = std::chrono::seconds{4};
     /// Without a byte for so long a try is given up.
     static constexpr Duration kPatience = std::chrono::seconds{10};

@@ -2,7 +2,6 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "engine/net/carriage/carriage_tls.h"
-#include "engine/net/carriage/set_sender.h"
 #include "engine/net/secure/dtls.h"
 #include "engine/net/secure/endpoint.h"
 
@@ -15,6 +14,9 @@ namespace carina
 SetListener::SetListener(const std::filesystem::path& anatomyCache) : m_sets{anatomyCache}
 {
     setProxy(QNetworkProxy::NoProxy);
+    m_pace.setTimerType(Qt::PreciseTimer);
+    m_pace.setInterval(SetServer::kPace);
+    m_pace.callOnTimeout(this, &SetListener::sendOneChunk);
     connect(this, &QSslServer::preSharedKeyAuthenticationRequired, this,
             [this](QSslSocket*, QSslPreSharedKeyAuthenticator* question) { answerKey(*question); });
     connect(this, &QSslServer::startedEncryptionHandshake, this, [this](QSslSocket* socket) {
@@ -62,6 +64,29 @@ void SetListener::welcome()
         if (m_transfers > SetServer::kMostTransfers)
             sender->refuse(carriage::Reason::Busy);
     }
+}
+
+void SetListener::giveTurns(SetSender& sender)
+{
+    m_turns.emplace_back(&sender);
+    if (!m_pace.isActive())
+        m_pace.start();
+}
+
+void SetListener::sendOneChunk()
+{
+    bool sent = false;
+    for (std::size_t turns = m_turns.size(); turns > 0 && !sent; --turns) {
+        const QPointer<SetSender> sender = m_turns.front();
+        m_turns.pop_front();
+        if (!sender)
+            continue; // its connection has ended
+        sent = sender->sendChunk();
+        if (sender->hasMore())
+            m_turns.push_back(sender);
+    }
+    if (m_turns.empty())
+        m_pace.stop();
 }
 
 tl::expected<CarriedSet, carriage::Reason> SetListener::find(const std::string& contentHash)

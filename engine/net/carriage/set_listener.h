@@ -2,10 +2,14 @@
 
 #include "engine/io/carried_sets.h"
 #include "engine/net/carriage/carriage_frame.h"
+#include "engine/net/carriage/set_sender.h"
 #include "engine/net/carriage/set_server.h"
 
+#include <QPointer>
 #include <QSslServer>
+#include <QTimer>
 
+#include <deque>
 #include <map>
 
 namespace carina
@@ -28,10 +32,13 @@ public:
     {
         return m_sets.file(set.digest);
     }
+    /// Lets it send when its turn comes, until it has nothing left.
+    void giveTurns(SetSender& sender);
 
 private:
     void answerKey(QSslPreSharedKeyAuthenticator& question) const;
     void welcome();
+    void sendOneChunk();
 
     CarriedSets m_sets;
     HostTransport::KeyOf m_keyOf;
@@ -39,6 +46,8 @@ private:
     std::map<std::string, CarriedSet> m_prepared; // by content hash
     HelloLimiter m_limiter;
     std::size_t m_transfers = 0;
+    std::deque<QPointer<SetSender>> m_turns; // whose turn it is to the front
+    QTimer m_pace{this};
 };
 
 } // namespace carina

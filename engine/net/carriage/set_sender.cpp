@@ -11,7 +11,10 @@ namespace
 /// Nothing that a client says is longer.
 constexpr qint64 kLongestQuestion = 1024;
 /// Of one transfer, not yet handed to the system.
-constexpr qint64 kMostWaiting = qint64{256} << 10U;
+constexpr qint64 kMostWaiting = qint64{64} << 10U;
+/// Of one transfer, handed to the system and not acknowledged: what a slow link may have in its
+/// queue before a pose.
+constexpr int kMostUnderWay = 64 << 10;
 constexpr std::size_t kChunk = std::size_t{16} << 10U; ///< one record of TLS
 
 } // namespace
@@ -20,8 +23,10 @@ SetSender::SetSender(QSslSocket& socket, SetListener& listener)
     : QObject{&socket}, m_socket{socket}, m_listener{listener}
 {
     socket.setReadBufferSize(kLongestQuestion);
+    socket.setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kMostUnderWay);
     connect(&socket, &QSslSocket::readyRead, this, &SetSender::read);
-    connect(&socket, &QSslSocket::encryptedBytesWritten, this, &SetSender::sendMore);
+    connect(&socket, &QSslSocket::encryptedBytesWritten, &m_patience,
+            [this] { m_patience.start(); });
     m_patience.setSingleShot(true);
     m_patience.setInterval(
         std::chrono::duration_cast<std::chrono::milliseconds>(SetServer::kPatience));
@@ -76,21 +81,22 @@ void SetSender::begin(std::uint64_t offset)
     if (!m_file.isOpen() || offset >= size || !m_file.seek(static_cast<qint64>(offset)))
         return m_socket.abort();
     m_left = size - offset;
-    sendMore();
+    m_listener.giveTurns(*this);
 }
 
-void SetSender::sendMore()
+bool SetSender::sendChunk()
 {
-    m_patience.start();
-    while (m_left > 0
-           && m_socket.bytesToWrite() + m_socket.encryptedBytesToWrite() < kMostWaiting) {
-        const QByteArray chunk =
-            m_file.read(static_cast<qint64>(std::min<std::uint64_t>(kChunk, m_left)));
-        if (chunk.isEmpty())
-            return refuse(carriage::Reason::Withdrawn);
-        m_left -= static_cast<std::uint64_t>(chunk.size());
-        write(carriage::Chunk{std::as_bytes(octets(chunk))});
+    if (m_socket.bytesToWrite() + m_socket.encryptedBytesToWrite() > kMostWaiting)
+        return false;
+    const QByteArray chunk =
+        m_file.read(static_cast<qint64>(std::min<std::uint64_t>(kChunk, m_left)));
+    if (chunk.isEmpty()) {
+        refuse(carriage::Reason::Withdrawn);
+        return true;
     }
+    m_left -= static_cast<std::uint64_t>(chunk.size());
+    write(carriage::Chunk{std::as_bytes(octets(chunk))});
+    return true;
 }
 
 void SetSender::refuse(carriage::Reason reason)

@@ -11,8 +11,8 @@ namespace carina
 
 class SetListener;
 
-/// The host's end of one connection: answers Want with an Offer and Get with the bytes, no faster
-/// than they leave. A child of the socket.
+/// The host's end of one connection: answers Want with an Offer and Get with the bytes, when it is
+/// its turn and no faster than they leave. A child of the socket.
 class SetSender : public QObject
 {
 public:
@@ -21,12 +21,15 @@ public:
     /// Says why, and ends the connection.
     void refuse(carriage::Reason reason);
 
+    [[nodiscard]] bool hasMore() const { return m_left > 0; }
+    /// @returns false while what was sent before has not left.
+    bool sendChunk();
+
 private:
     void read();
     void take(const carriage::Frame& frame);
     void offer(const carriage::Want& want);
     void begin(std::uint64_t offset);
-    void sendMore();
     void write(const carriage::Frame& frame);
 
     QSslSocket& m_socket;

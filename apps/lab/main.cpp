@@ -1,5 +1,6 @@
 #include "apps/lab/anatomy_command.h"
 #include "apps/lab/breathe_command.h"
+#include "apps/lab/carry_command.h"
 #include "apps/lab/command.h"
 #include "apps/lab/drawing_application.h"
 #include "apps/lab/drift_command.h"
@@ -19,10 +20,10 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(),   breatheCommand(), driftCommand(),
-                                driftNodeCommand(), figuresCommand(), fitCommand(),
-                                handshakeCommand(), pivotCommand(),   renderCommand(),
-                                summaryCommand(),   trackCommand()};
+    static const std::array all{anatomyCommand(), breatheCommand(),   carryCommand(),
+                                driftCommand(),   driftNodeCommand(), figuresCommand(),
+                                fitCommand(),     handshakeCommand(), pivotCommand(),
+                                renderCommand(),  summaryCommand(),   trackCommand()};
     return all;
 }
 

@@ -17,14 +17,15 @@ Result<SharedPatientModel> patientOf(Anatomy anatomy)
         });
 }
 
-Result<SharedPatientModel> patientHere(const std::string& contentHash,
+Result<SharedPatientModel> patientHere(const std::string& contentHash, const std::string& name,
                                        const std::filesystem::path& cacheFolder)
 {
     if (const auto builtin = builtinOfHash(contentHash))
         return builtinPatient(*builtin).and_then(patientOf);
     if (!isSetHash(contentHash))
         return fail(Errc::FileNotFound, contentHash);
-    return AnatomyCache{cacheFolder}.load(contentHash).and_then([](ImportedSet&& set) {
+    return AnatomyCache{cacheFolder}.load(contentHash).and_then([&](ImportedSet&& set) {
+        set.anatomy.name = name;
         return patientOf(std::move(set.anatomy));
     });
 }

@@ -17,12 +17,13 @@ using SharedPatientModel = std::shared_ptr<const PatientModel>;
 
 /// The patient with this content hash that is built in, or was imported on this computer. Takes a
 /// second; may be called from any thread.
-/// @param cacheFolder usually AnatomyCache::defaultFolder()
+/// @param name that the session gives it @param cacheFolder usually AnatomyCache::defaultFolder()
 /// @returns FileNotFound where there is none; what reading or building it fails with.
 [[nodiscard]] Result<SharedPatientModel> patientHere(const std::string& contentHash,
+                                                     const std::string& name,
                                                      const std::filesystem::path& cacheFolder);
 
-/// The patient of a set that came from the host, likewise. @param name that the session gives it
+/// The patient of a set that came from the host, likewise.
 [[nodiscard]] Result<SharedPatientModel> patientCarried(const std::string& digest,
                                                         const std::string& contentHash,
                                                         const std::string& name,

@@ -63,7 +63,8 @@ void SessionPatient::want(const std::string& contentHash, const std::string& nam
     m_fault.reset();
     m_step = Step::Settled;
     if (contentHash != m_patient->contentHash())
-        make([contentHash, folder = m_cacheFolder] { return patientHere(contentHash, folder); },
+        make([contentHash, name,
+              folder = m_cacheFolder] { return patientHere(contentHash, name, folder); },
              true);
 }
 
@@ -171,7 +172,7 @@ QString SessionPatient::withLicence(const QString& text) const
 {
     return m_status.set.licence.empty()
                ? text
-               : text + QLatin1Char('\n') + carina::text(m_status.set.licence);
+               : text + QLatin1Char('\n') + carina::text(m_status.set.licence).simplified();
 }
 
 } // namespace carina

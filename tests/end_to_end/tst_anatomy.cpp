@@ -1,0 +1,145 @@
+#include "tests/end_to_end/program.h"
+#include "tests/support/test_data.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+
+namespace
+{
+
+constexpr int kPatience_ms = 60'000; ///< for a program to start and import on a busy machine
+constexpr int kSoon_ms = 20'000;
+constexpr int kMeasured_s = 15; ///< long enough for the set to come
+constexpr int kTries = 8;
+
+/// The files of a cache that end so, in the folder of sets that were carried.
+QFileInfoList carried(const QString& cache, const QString& ending)
+{
+    const QDir folder{cache + QStringLiteral("/carina/anatomy/carried")};
+    return folder.entryInfoList({QStringLiteral("*.") + ending}, QDir::Files);
+}
+
+/// Environment variables as QProcess hands them on, for the time of a block.
+class CacheAt
+{
+public:
+    explicit CacheAt(const QString& folder) { qputenv("XDG_CACHE_HOME", folder.toLocal8Bit()); }
+    ~CacheAt() { qunsetenv("XDG_CACHE_HOME"); }
+    CacheAt(const CacheAt&) = delete;
+    CacheAt& operator=(const CacheAt&) = delete;
+};
+
+} // namespace
+
+/// The two programs, each with a cache folder of its own. The host imports a real set; the trainee
+/// has none of it.
+class TestAnatomy : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_set = carina::test::testData("anatomy/bodyparts3d");
+        if (!m_set)
+            QSKIP("anatomy/bodyparts3d is not here");
+        m_hostFolder = std::make_unique<QTemporaryDir>();
+        m_port = QString::number(20'000 + QCoreApplication::applicationPid() % 30'000);
+        m_instructor = std::make_unique<Program>(
+            QStringLiteral(CARINA_INSTRUCTOR),
+            QStringList{QStringLiteral("--port"), m_port, QStringLiteral("--data"),
+                        m_hostFolder->path(), QStringLiteral("--codes"), codes(),
+                        QStringLiteral("--anatomy"), QString::fromStdString(m_set->string()),
+                        QStringLiteral("--start")},
+            m_hostFolder->filePath(QStringLiteral("instructor.jsonl")));
+        const CacheAt cache{m_hostFolder->filePath(QStringLiteral("cache"))};
+        m_instructor->start();
+        QTRY_VERIFY_WITH_TIMEOUT(!drawn(*m_instructor).isEmpty(), kPatience_ms);
+    }
+
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void cleanup() { m_trainee.reset(); }
+    void cleanupTestCase() { m_instructor.reset(); }
+
+    void traineeDrawsTheHostsPatientAndSaysSo()
+    {
+        start({QStringLiteral("--measure"), m_folder->path(), QStringLiteral("--seconds"),
+               QString::number(kMeasured_s)});
+        QTRY_VERIFY_WITH_TIMEOUT(m_trainee->hasEnded(), kPatience_ms);
+        QCOMPARE(m_trainee->exitCode(), 0);
+        QCOMPARE(drawn(*m_trainee), drawn(*m_instructor));
+        QFile file{m_folder->filePath(QStringLiteral("trainee.json"))};
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonObject summary = QJsonDocument::fromJson(file.readAll()).object();
+        QCOMPARE(summary[QStringLiteral("anatomy_hash")].toString(), drawn(*m_instructor));
+        QCOMPARE(summary[QStringLiteral("anatomy")].toString(), QStringLiteral("bodyparts3d"));
+        QCOMPARE(carried(cache(), QStringLiteral("anatomy")).size(), 1);
+        QVERIFY(carried(cache(), QStringLiteral("part")).isEmpty());
+    }
+
+    void traineeThatIsKilledUnderWayGoesOn()
+    {
+        QVERIFY(killUnderWay());
+        const qint64 before = carried(cache(), QStringLiteral("part")).at(0).size();
+        QVERIFY(before > 0);
+        QVERIFY(carried(cache(), QStringLiteral("anatomy")).isEmpty());
+        start();
+        QTRY_COMPARE_WITH_TIMEOUT(drawn(*m_trainee), drawn(*m_instructor), kSoon_ms);
+        const QFileInfoList whole = carried(cache(), QStringLiteral("anatomy"));
+        QCOMPARE(whole.size(), 1);
+        QVERIFY(whole[0].size() > before);
+        QVERIFY(carried(cache(), QStringLiteral("part")).isEmpty());
+    }
+
+private:
+    /// Kills a trainee while its set has come in part. @returns false where it was too quick.
+    bool killUnderWay()
+    {
+        for (int i = 0; i < kTries; ++i) {
+            start();
+            const bool begun = QTest::qWaitFor(
+                [this] {
+                    const auto parts = carried(cache(), QStringLiteral("part"));
+                    return (!parts.isEmpty() && parts[0].size() > 0)
+                           || !carried(cache(), QStringLiteral("anatomy")).isEmpty();
+                },
+                kSoon_ms);
+            m_trainee->kill();
+            if (begun && carried(cache(), QStringLiteral("anatomy")).isEmpty())
+                return true;
+            QDir{cache()}.removeRecursively();
+        }
+        return false;
+    }
+
+    void start(const QStringList& more = {})
+    {
+        m_trainee = std::make_unique<Program>(
+            QStringLiteral(CARINA_TRAINEE),
+            QStringList{QStringLiteral("--port"), m_port, QStringLiteral("--as"),
+                        QStringLiteral("Trainee"), QStringLiteral("--simulated-tracker"),
+                        QStringLiteral("--data"), m_folder->path(), QStringLiteral("--code-file"),
+                        codes()}
+                + more,
+            m_folder->filePath(QStringLiteral("trainee.jsonl")));
+        const CacheAt here{cache()};
+        m_trainee->start();
+    }
+
+    [[nodiscard]] QString codes() const { return m_hostFolder->filePath(QStringLiteral("codes")); }
+    [[nodiscard]] QString cache() const { return m_folder->filePath(QStringLiteral("cache")); }
+    static QString drawn(const Program& program)
+    {
+        return program.shown()[QStringLiteral("anatomy")].toString();
+    }
+
+    std::optional<std::filesystem::path> m_set;
+    QString m_port;
+    std::unique_ptr<QTemporaryDir> m_hostFolder;
+    std::unique_ptr<Program> m_instructor;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Program> m_trainee;
+};
+
+QTEST_GUILESS_MAIN(TestAnatomy)
+#include "tst_anatomy.moc"

@@ -6,6 +6,7 @@
 #include "engine/net/secure/dtls_record.h"
 #include "engine/net/secure/join_code.h"
 #include "engine/net/secure/psk_identity.h"
+#include "engine/net/secure/role_proof.h"
 #include "engine/net/secure/token_message.h"
 
 // libFuzzer calls it by this name.
@@ -16,6 +17,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)carina::decodeQuestion(std::as_bytes(octets));
     (void)carina::decodeAnswer(std::as_bytes(octets), 0);
     (void)carina::decodeToken(std::as_bytes(octets));
+    (void)carina::decodeChallenge(std::as_bytes(octets));
+    (void)carina::decodeProof(std::as_bytes(octets));
+    (void)carina::decodeVerdict(std::as_bytes(octets));
     (void)carina::firstRecord(octets);
     (void)carina::isClientHello(octets);
     (void)carina::holdsFinished(octets);

@@ -111,6 +111,25 @@ public:
         case Errc::HostSilent:
             return tr("The instructor's computer does not hand out its patient%1: check that no "
                       "firewall is in the way.");
+        case Errc::CertificateExpired:
+            return tr("A certificate is not valid today%1: check the date on this computer, or "
+                      "have the certificate renewed.");
+        case Errc::CertificateUntrusted:
+            return tr("No authority that is trusted here stands behind the session's "
+                      "certificate%1: ask for the authority's file and start again with "
+                      "--authority.");
+        case Errc::CertificateOfAnother:
+            return tr("The session's certificate is for another name%1: compare address and name "
+                      "with the instructor's window.");
+        case Errc::CertificateMissing:
+            return tr("A certificate is expected, and this session has none%1: check address and "
+                      "port, or start again without the name of a certificate.");
+        case Errc::CertificateNeeded:
+            return tr("This session proves itself by a certificate%1: take the link in the "
+                      "instructor's window, or type the name that it shows.");
+        case Errc::KeyDoesNotFit:
+            return tr("The private key is not that of the certificate%1: choose two files that "
+                      "belong together.");
         case Errc::TrackerFailed:
             return tr("The tracker does not start%1: check its cable and power, then try again.");
         case Errc::NoGraphics:

@@ -51,6 +51,14 @@ enum class Errc : std::uint8_t {
     SetWithdrawn,    ///< the host has not got the patient's surfaces any more
     HostSilent,      ///< the host does not answer over TCP
 
+    // Certificates
+    CertificateExpired,   ///< not valid today, or not yet
+    CertificateUntrusted, ///< from no authority that is trusted
+    CertificateOfAnother, ///< for another name than the one expected
+    CertificateMissing,   ///< expected of a host that has none
+    CertificateNeeded,    ///< the host has one, and none was expected
+    KeyDoesNotFit,        ///< a private key that is not the certificate's
+
     // Devices and graphics
     TrackerFailed, ///< the tracker could not be started
     NoGraphics,    ///< no OpenGL where a picture is needed

@@ -58,6 +58,24 @@ void admit(const HostPorts& ports, const HostAccess& access, const NodeBoard& bo
                           [&board](const std::string& hash) { return isNamed(board, hash); });
 }
 
+Result<std::optional<HostCertificate>> certificateIn(const std::optional<CertificateFiles>& files)
+{
+    if (!files)
+        return std::nullopt;
+    return HostCertificate::read(files->certificate, files->privateKey)
+        .map([](const HostCertificate& read) { return std::optional{read}; });
+}
+
+Result<std::optional<ExpectedCertificate>> expectationOf(const JoinSettings& settings)
+{
+    const auto& expected = settings.certificate;
+    if (!expected)
+        return std::nullopt;
+    return ExpectedCertificate::read(expected->name.empty() ? settings.address : expected->name,
+                                     expected->authority)
+        .map([](const ExpectedCertificate& read) { return std::optional{read}; });
+}
+
 } // namespace
 
 Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& settings,
@@ -71,15 +89,21 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
     if (!valid)
         return tl::unexpected(valid.error());
     return ThreadedNode::start([&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
+        const auto certificate = certificateIn(settings.certificate);
+        if (!certificate)
+            return tl::unexpected(certificate.error());
         auto ports = bindPorts(settings);
         if (!ports)
             return tl::unexpected(ports.error());
+        if (*certificate)
+            ports->transport->present(**certificate);
         auto driver = HostDriver::open(settings, std::move(store), board, now);
         if (!driver)
             return tl::unexpected(driver.error());
         admit(*ports, (*driver)->access(), board);
         return ThreadedNode::Parts{*std::move(driver), std::move(ports->transport), settings.open,
-                                   std::move(ports->sets)};
+                                   std::move(ports->sets),
+                                   *certificate ? (*certificate)->name : std::string{}};
     });
 }
 
@@ -91,10 +115,13 @@ Result<std::unique_ptr<SessionNode>> SessionNode::join(const JoinSettings& setti
     const QHostAddress host{QString::fromStdString(settings.address)};
     if (host.isNull())
         return fail(Errc::OutOfRange, "the address '" + settings.address + "'");
+    const auto expected = expectationOf(settings);
+    if (!expected)
+        return tl::unexpected(expected.error());
     return ThreadedNode::start([&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {
         auto driver = std::make_unique<ClientDriver>(settings, board, now);
-        auto transport =
-            std::make_unique<ClientTransport>(host, settings.port, driver->credentials(), now);
+        auto transport = std::make_unique<ClientTransport>(host, settings.port,
+                                                           driver->credentials(), now, *expected);
         return ThreadedNode::Parts{std::move(driver), std::move(transport)};
     });
 }

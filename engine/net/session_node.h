@@ -54,6 +54,18 @@ struct ObjectReport {
     std::optional<Duration> delay{};
 };
 
+/// By what a host proves itself to those who expect it: PEM files.
+struct CertificateFiles {
+    std::filesystem::path certificate; ///< the host's own first, then those above it
+    std::filesystem::path privateKey;  ///< without a password
+};
+
+/// What a client wants of the host's certificate.
+struct ExpectedHost {
+    std::string name{};                ///< that it is for; empty: the address that is joined
+    std::filesystem::path authority{}; ///< PEM: whom to trust; empty: as the system does
+};
+
 struct HostSettings {
     std::string sessionName;
     std::string participantName; ///< of the instructor who hosts
@@ -61,6 +73,8 @@ struct HostSettings {
     bool open = false;           ///< to other computers; else only this one can reach the session
     /// Codes, keys and tokens are kept in it, beside the store; empty: in memory only.
     std::filesystem::path secrets{};
+    /// Nobody comes in without checking it; nothing: a code's key proves host and guest at once.
+    std::optional<CertificateFiles> certificate{};
     DeriveKey derive = deriveByArgon2id;
     /// Anatomy sets that stations of the session have are handed out of it, over TCP at the same
     /// port; empty: none are, and nothing listens there.
@@ -75,6 +89,8 @@ struct JoinSettings {
     std::optional<JoinCode> code{};    ///< needed where there is no token of an earlier admission
     std::filesystem::path tokens{};    ///< folder that keeps them; empty: in memory only
     std::string address = "127.0.0.1"; ///< of the host, IPv4 or IPv6
+    /// No host without a certificate that does is joined; nothing: none with one is.
+    std::optional<ExpectedHost> certificate{};
     DeriveKey derive = deriveByArgon2id;
 };
 
@@ -92,13 +108,14 @@ public:
     ///
     /// @pre a QCoreApplication exists.
     /// @returns AddressInUse with the port; OutOfRange for a name that checkBody refuses; what the
-    ///          store or the file of secrets objects to.
+    ///          store or the file of secrets objects to; what HostCertificate::read does.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>>
     host(const HostSettings& settings, std::unique_ptr<FactStore> store);
     /// Joins; returns at once and connects, and reconnects, by itself.
     ///
     /// @pre a QCoreApplication exists.
-    /// @returns OutOfRange for a name that checkBody refuses, or an address that is none.
+    /// @returns OutOfRange for a name that checkBody refuses, or an address that is none; what
+    ///          reading the authority's file does.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>> join(const JoinSettings& settings);
     virtual ~SessionNode() = default;
 
@@ -106,6 +123,8 @@ public:
     [[nodiscard]] virtual std::uint16_t port() const = 0;
     /// By which others may come in; none at a node that joined.
     [[nodiscard]] virtual JoinCodes joinCodes() const = 0;
+    /// The name that guests are to expect in this host's certificate; empty where it has none.
+    [[nodiscard]] virtual std::string certificateName() const = 0;
     /// Programs on other computers can come in too.
     [[nodiscard]] virtual bool isOpen() const = 0;
     /// Where sets are fetched from the host (SetFetch); nothing at the host, and until it took a

@@ -29,6 +29,7 @@ Result<void> ThreadedNode::open(const MakeParts& makeParts)
         m_port = parts->transport->port();
         m_open = parts->open;
         m_sets = std::move(parts->sets);
+        m_certificateName = parts->certificateName;
         m_loop->drive(std::move(parts->driver), std::move(parts->transport));
     });
     return opened;

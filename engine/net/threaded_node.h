@@ -19,6 +19,7 @@ public:
         std::unique_ptr<SecureTransport> transport; ///< ends before the driver
         bool open = false;
         std::unique_ptr<SetServer> sets{}; ///< ends first; none at a client
+        std::string certificateName{};
     };
     using MakeParts = std::function<Result<Parts>(NodeBoard& board, LocalTime now)>;
 
@@ -30,6 +31,7 @@ public:
 
     [[nodiscard]] std::uint16_t port() const override { return m_port; }
     [[nodiscard]] JoinCodes joinCodes() const override { return m_board.joinCodes(); }
+    [[nodiscard]] std::string certificateName() const override { return m_certificateName; }
     [[nodiscard]] bool isOpen() const override { return m_open; }
     [[nodiscard]] std::optional<HostDoor> door() const override { return m_board.door(); }
     [[nodiscard]] ParticipantId self() const override;
@@ -63,6 +65,7 @@ private:
     std::unique_ptr<SetServer> m_sets;
     std::uint16_t m_port = 0;
     bool m_open = false;
+    std::string m_certificateName;
 };
 
 } // namespace carina

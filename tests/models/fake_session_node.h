@@ -83,6 +83,7 @@ public:
 
     [[nodiscard]] std::uint16_t port() const override { return 0; }
     [[nodiscard]] JoinCodes joinCodes() const override { return {}; }
+    [[nodiscard]] std::string certificateName() const override { return {}; }
     [[nodiscard]] bool isOpen() const override { return false; }
     [[nodiscard]] std::optional<HostDoor> door() const override { return hostDoor; }
     [[nodiscard]] ParticipantId self() const override { return m_self; }

@@ -3,12 +3,31 @@
 #include <QHostAddress>
 #include <QNetworkInterface>
 
+#include <algorithm>
+
 namespace carina
 {
+namespace
+{
+
+constexpr std::size_t kLongestHostName = 253;
+
+} // namespace
 
 bool isAddress(const std::string& text)
 {
     return !QHostAddress{QString::fromStdString(text)}.isNull();
+}
+
+bool isHostName(const std::string& text)
+{
+    const auto belongs = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')
+               || c == '-' || c == '.';
+    };
+    const bool isName = !text.empty() && text.size() <= kLongestHostName
+                        && std::all_of(text.begin(), text.end(), belongs);
+    return isName || isAddress(text);
 }
 
 std::vector<std::string> ownAddresses()

@@ -43,6 +43,14 @@ void ClientCredentials::rejected(const KeyOffer& offer)
         m_refusal = Error{Errc::WrongCode, m_code ? m_code->text() : std::string{}};
 }
 
+void ClientCredentials::turnedAway(const Error& why)
+{
+    if (++m_rejections < kRejectionsBelieved)
+        return;
+    m_rejections = 0;
+    m_refusal = why;
+}
+
 void ClientCredentials::accepted(const KeyOffer& offer)
 {
     m_rejections = 0;

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] std::optional<KeyOffer> offerAgain();
     /// The host does not take this offer.
     void rejected(const KeyOffer& offer);
+    /// The host cannot be come to, or not be trusted; believed as often as it is said of an offer.
+    void turnedAway(const Error& why);
     /// The host took this offer.
     void accepted(const KeyOffer& offer);
     /// A token for the session that took the last offer.

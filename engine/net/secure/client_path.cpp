@@ -3,6 +3,7 @@
 #include "engine/net/secure/dtls_record.h"
 
 #include <QNetworkProxy>
+#include <QSslConfiguration>
 #include <QSslPreSharedKeyAuthenticator>
 
 namespace carina
@@ -17,10 +18,12 @@ constexpr int kReadPerTurn = 256;
 } // namespace
 
 ClientPath::ClientPath(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
+                       const std::optional<ExpectedCertificate>& expected,
                        std::function<void()> onReadable, LocalTime now)
     : m_host{host},
       m_port{port},
       m_credentials{credentials},
+      m_expected{expected},
       m_socket{new QUdpSocket},
       m_opened{now},
       m_lastHeard{now}
@@ -38,8 +41,11 @@ ClientPath::ClientPath(const QHostAddress& host, std::uint16_t port, ClientCrede
                          if (m_offer)
                              answerPsk(*question, toText(m_offer->identity), m_offer->key);
                      });
-    prepareDtls(m_dtls, {});
-    m_dtls.setPeer(m_host, m_port);
+    if (m_expected)
+        prepareDtls(m_dtls, *m_expected);
+    else
+        prepareDtls(m_dtls, QByteArray{});
+    m_dtls.setPeer(m_host, m_port, m_expected ? m_expected->name : QString{});
     if (!m_dtls.doHandshake(m_socket.get()))
         m_state = State::Failed;
 }
@@ -60,12 +66,14 @@ void ClientPath::serve(const std::function<void(std::span<const std::byte>, Loca
         if (datagram->from != m_host || datagram->port != m_port
             || !firstRecord(octets(datagram->bytes)))
             continue;
-        if (m_state == State::Opening) {
+        if (!m_dtls.isConnectionEncrypted()) {
             shakeHands(datagram->bytes, datagram->arrived);
             continue;
         }
         const QByteArray text = m_dtls.decryptDatagram(m_socket.get(), datagram->bytes);
-        if (!text.isEmpty()) {
+        if (!text.isEmpty() && m_state == State::Opening) {
+            proveItself(std::as_bytes(octets(text)), datagram->arrived);
+        } else if (!text.isEmpty()) {
             m_lastHeard = datagram->arrived;
             plain(std::as_bytes(octets(text)), datagram->arrived);
         } else if (!m_dtls.isConnectionEncrypted()) {
@@ -84,13 +92,54 @@ void ClientPath::shakeHands(const QByteArray& datagram, LocalTime now)
         m_state = State::Failed;
         return;
     }
-    if (!m_dtls.doHandshake(m_socket.get(), datagram))
+    if (!m_dtls.doHandshake(m_socket.get(), datagram)) {
+        if (const auto fault = handshakeFault(datagram))
+            m_credentials.turnedAway(*fault);
         m_state = State::Failed;
-    else if (m_dtls.isConnectionEncrypted()) {
-        m_state = State::Encrypted;
-        m_lastHeard = now;
-        m_credentials.accepted(*m_offer);
+    } else if (m_dtls.isConnectionEncrypted() && !m_expected) {
+        admitted(now);
     }
+}
+
+std::optional<Error> ClientPath::handshakeFault(const QByteArray& datagram) const
+{
+    if (m_dtls.dtlsError() == QDtlsError::PeerVerificationError)
+        return certificateFault(m_dtls.peerVerificationErrors(), m_expected->name);
+    if (!isNoCipherAlert(octets(datagram)))
+        return std::nullopt;
+    return m_expected ? Error{Errc::CertificateMissing, m_expected->name.toStdString()}
+                      : Error{Errc::CertificateNeeded, {}};
+}
+
+void ClientPath::proveItself(std::span<const std::byte> asked, LocalTime now)
+{
+    if (const auto challenge = decodeChallenge(asked)) {
+        m_offer = m_credentials.offerFor(challenge->sessionId);
+        if (!m_offer) {
+            m_dtls.shutdown(m_socket.get()); // the host need not wait for it
+            m_state = State::Failed;
+            return;
+        }
+        const auto host = digestOf(m_dtls.dtlsConfiguration().peerCertificate());
+        const auto proof =
+            encodeProof(proveRole(m_offer->identity, m_offer->key, challenge->nonce, host));
+        m_dtls.writeDatagramEncrypted(m_socket.get(), viewOf(proof));
+        return;
+    }
+    const auto taken = decodeVerdict(asked);
+    if (!taken || !m_offer)
+        return;
+    if (*taken)
+        return admitted(now);
+    m_credentials.rejected(*m_offer);
+    m_state = State::Failed;
+}
+
+void ClientPath::admitted(LocalTime now)
+{
+    m_state = State::Encrypted;
+    m_lastHeard = now;
+    m_credentials.accepted(*m_offer);
 }
 
 void ClientPath::send(std::span<const std::byte> bytes)

@@ -8,15 +8,19 @@ namespace carina
 {
 
 /// One path of a client to its host: a UDP socket on a local port of its own and the DTLS
-/// association over it, from the first hello on.
+/// association over it, from the first hello on. Where a certificate is expected, it is checked
+/// first and the client's role proved after it, inside the association; without one the role's key
+/// is the association's own.
 class ClientPath
 {
 public:
     enum class State : std::uint8_t { Opening, Encrypted, Failed };
 
-    /// Sends the first hello. @param onReadable called when something came
+    /// Sends the first hello. @param expected of the host; outlives the path
+    /// @param onReadable called when something came
     ClientPath(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
-               std::function<void()> onReadable, LocalTime now);
+               const std::optional<ExpectedCertificate>& expected, std::function<void()> onReadable,
+               LocalTime now);
 
     /// Reads what came. @param plain is handed what was in it for this node, and when it came
     void serve(const std::function<void(std::span<const std::byte>, LocalTime)>& plain);
@@ -34,10 +38,15 @@ public:
 
 private:
     void shakeHands(const QByteArray& datagram, LocalTime now);
+    /// Why the handshake failed, as far as it means that no other can succeed.
+    [[nodiscard]] std::optional<Error> handshakeFault(const QByteArray& datagram) const;
+    void proveItself(std::span<const std::byte> asked, LocalTime now);
+    void admitted(LocalTime now);
 
     QHostAddress m_host;
     std::uint16_t m_port;
     ClientCredentials& m_credentials;
+    const std::optional<ExpectedCertificate>& m_expected;
     /// Serving may end a path that its own socket told of.
     struct DeleteLater {
         void operator()(QUdpSocket* socket) const;

@@ -8,8 +8,13 @@ namespace carina
 {
 
 ClientTransport::ClientTransport(const QHostAddress& host, std::uint16_t port,
-                                 ClientCredentials& credentials, LocalTime now)
-    : m_host{normalised(host)}, m_port{port}, m_credentials{credentials}, m_nextTry{now}
+                                 ClientCredentials& credentials, LocalTime now,
+                                 std::optional<ExpectedCertificate> expected)
+    : m_host{normalised(host)},
+      m_port{port},
+      m_credentials{credentials},
+      m_expected{std::move(expected)},
+      m_nextTry{now}
 {
     m_credentials.onChange([this] {
         m_nextTry = LocalTime::min();
@@ -81,7 +86,7 @@ void ClientTransport::beginTry(LocalTime now)
     if (m_opening.size() >= kMostTries)
         m_opening.erase(m_opening.begin());
     m_opening.push_back(std::make_unique<ClientPath>(
-        m_host, m_port, m_credentials, [this] { tellNews(); }, now));
+        m_host, m_port, m_credentials, m_expected, [this] { tellNews(); }, now));
     ++m_tries;
     m_nextTry = now + std::max(kShortestTry, kTryRoundTrips * m_roundTrip);
 }

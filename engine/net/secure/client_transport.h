@@ -24,8 +24,9 @@ public:
     static constexpr Duration kSilence = std::chrono::milliseconds{750};
 
     /// @param credentials outlive the transport
+    /// @param expected what the host must prove first, where it has to
     ClientTransport(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
-                    LocalTime now);
+                    LocalTime now, std::optional<ExpectedCertificate> expected = {});
     ~ClientTransport() override;
 
     void serve(TransportListener& listener, LocalTime now) override;
@@ -47,6 +48,7 @@ private:
     QHostAddress m_host;
     std::uint16_t m_port;
     ClientCredentials& m_credentials;
+    std::optional<ExpectedCertificate> m_expected; // the paths refer to it
     std::unique_ptr<ClientPath> m_path;
     PeerAddress m_address = 0; // of the path; one more for each
     std::vector<std::unique_ptr<ClientPath>> m_opening;

@@ -14,18 +14,47 @@ namespace
 
 constexpr quint16 kMtu = 1200;
 constexpr qint64 kLongestRaw = 1200;
+constexpr const char* kCertificateCiphers =
+    "ECDHE-ECDSA-CHACHA20-POLY1305:ECDHE-RSA-CHACHA20-POLY1305";
+
+QSslConfiguration configurationOf(const char* ciphers)
+{
+    QSslConfiguration configuration = QSslConfiguration::defaultDtlsConfiguration();
+    configuration.setProtocol(QSsl::DtlsV1_2);
+    configuration.setCiphers(QLatin1String{ciphers});
+    configuration.setPeerVerifyMode(QSslSocket::VerifyNone); // unless a certificate is expected
+    return configuration;
+}
+
+void use(const QSslConfiguration& configuration, QDtls& dtls)
+{
+    dtls.setDtlsConfiguration(configuration);
+    dtls.setMtuHint(kMtu);
+}
 
 } // namespace
 
 void prepareDtls(QDtls& dtls, const QByteArray& hint)
 {
-    QSslConfiguration configuration = QSslConfiguration::defaultDtlsConfiguration();
-    configuration.setProtocol(QSsl::DtlsV1_2);
-    configuration.setCiphers(QStringLiteral("ECDHE-PSK-CHACHA20-POLY1305"));
-    configuration.setPeerVerifyMode(QSslSocket::VerifyNone); // the key proves it, no certificate
+    QSslConfiguration configuration = configurationOf("ECDHE-PSK-CHACHA20-POLY1305");
     configuration.setPreSharedKeyIdentityHint(hint);
-    dtls.setDtlsConfiguration(configuration);
-    dtls.setMtuHint(kMtu);
+    use(configuration, dtls);
+}
+
+void prepareDtls(QDtls& dtls, const HostCertificate& certificate)
+{
+    QSslConfiguration configuration = configurationOf(kCertificateCiphers);
+    configuration.setLocalCertificateChain(certificate.chain);
+    configuration.setPrivateKey(certificate.key);
+    use(configuration, dtls);
+}
+
+void prepareDtls(QDtls& dtls, const ExpectedCertificate& expected)
+{
+    QSslConfiguration configuration = configurationOf(kCertificateCiphers);
+    configuration.setPeerVerifyMode(QSslSocket::VerifyPeer);
+    configuration.setCaCertificates(expected.authorities);
+    use(configuration, dtls);
 }
 
 void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& identity,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/session_time.h"
+#include "engine/net/secure/certificates.h"
 #include "engine/net/secure/key_offer.h"
 
 #include <QByteArray>
@@ -17,6 +18,11 @@ namespace carina
 /// datagram, in packets that need no fragments.
 /// @param hint the session id, which a host tells before anything is encrypted; empty at a client
 void prepareDtls(QDtls& dtls, const QByteArray& hint);
+/// Makes a host's association speak nothing but ECDHE-ECDSA- or ECDHE-RSA-CHACHA20-POLY1305, which
+/// adds the same 29 bytes, under this certificate; a client's, that it checks the host's against
+/// what is expected. The name to look for is the one of QDtls::setPeer.
+void prepareDtls(QDtls& dtls, const HostCertificate& certificate);
+void prepareDtls(QDtls& dtls, const ExpectedCertificate& expected);
 
 /// The key that a QDtls asks for while a handshake goes on. @param identity empty at a host
 void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& identity,

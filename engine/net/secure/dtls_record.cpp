@@ -10,6 +10,8 @@ namespace
 
 constexpr std::size_t kRecordHeader = 13;
 constexpr std::uint8_t kClientHello = 1;
+constexpr std::uint8_t kFatal = 2;
+constexpr std::uint8_t kHandshakeFailure = 40;
 
 // The sequence number lies beyond those that a handshake uses, so that no record is taken for a
 // repeat of this one.
@@ -52,6 +54,14 @@ bool holdsFinished(std::span<const std::uint8_t> datagram)
 }
 
 std::span<const std::uint8_t> wrongKeyAlert() { return kWrongKeyAlert; }
+
+bool isNoCipherAlert(std::span<const std::uint8_t> datagram)
+{
+    const auto record = firstRecord(datagram);
+    return record && record->type == DtlsRecord::Type::Alert && record->epoch == 0
+           && record->size == kRecordHeader + 2 && datagram[kRecordHeader] == kFatal
+           && datagram[kRecordHeader + 1] == kHandshakeFailure;
+}
 
 bool isWrongKeyAlert(std::span<const std::uint8_t> datagram)
 {

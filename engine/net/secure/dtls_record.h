@@ -31,5 +31,9 @@ struct DtlsRecord {
 /// The alert in the clear, "decrypt_error", by which a host says that a client has another key.
 [[nodiscard]] std::span<const std::uint8_t> wrongKeyAlert();
 [[nodiscard]] bool isWrongKeyAlert(std::span<const std::uint8_t> datagram);
+/// The alert in the clear, "handshake_failure", by which a host says that it speaks none of the
+/// ciphers offered: it has a certificate and was greeted without one in mind, or the other way
+/// round.
+[[nodiscard]] bool isNoCipherAlert(std::span<const std::uint8_t> datagram);
 
 } // namespace carina

@@ -15,6 +15,7 @@ struct HostTransport::Association {
     QByteArray hello; // that it began with
     LocalTime lastHeard{};
     bool asked = false; // for its key
+    AccessKey nonce{};  // that a role is proved with, under a certificate
     Credential who;     // as it says
     KeyAnswer::State key = KeyAnswer::State::Unknown;
     QDtls dtls{QSslSocket::SslServerMode};
@@ -32,6 +33,12 @@ Result<std::unique_ptr<HostTransport>> HostTransport::bind(std::uint16_t port, b
 }
 
 HostTransport::~HostTransport() = default;
+
+void HostTransport::present(HostCertificate certificate)
+{
+    m_digest = digestOf(certificate.chain.first());
+    m_certificate = std::move(certificate);
+}
 
 void HostTransport::admit(const std::string& sessionId, KeyOf keyOf)
 {
@@ -93,9 +100,15 @@ void HostTransport::take(const RawDatagram& datagram, TransportListener& listene
     if (isClientHello(octets(datagram.bytes)))
         return greet(from, datagram, now);
     const bool shakesHands = record->epoch == 0 || record->type == DtlsRecord::Type::Handshake;
-    if (const auto handshake = m_handshakes.find(from);
-        shakesHands && handshake != m_handshakes.end())
-        return goOn(handshake, datagram, listener, now);
+    if (const auto handshake = m_handshakes.find(from); handshake != m_handshakes.end()) {
+        // What a path before it was sent may still arrive while its role is to be proved.
+        if (handshake->second->dtls.isConnectionEncrypted()) {
+            if (hearProof(handshake, datagram, listener, now))
+                return;
+        } else if (shakesHands) {
+            return goOn(handshake, datagram, listener, now);
+        }
+    }
     if (const auto path = m_paths.find(from); path != m_paths.end())
         decrypt(path, datagram, listener, now);
 }
@@ -127,21 +140,32 @@ std::unique_ptr<HostTransport::Association> HostTransport::newAssociation(const 
     association->hello = hello.bytes;
     association->lastHeard = now;
     association->dtls.setPeer(hello.from, hello.port);
+    if (m_certificate) {
+        prepareDtls(association->dtls, *m_certificate);
+        association->nonce = randomKey();
+        return association;
+    }
     prepareDtls(association->dtls, m_hint);
     const auto onQuestion = [this,
                              peer = association.get()](QSslPreSharedKeyAuthenticator* question) {
         const auto identity = pskIdentity(question->identity().toStdString());
-        KeyAnswer answer = identity ? m_keyOf(*identity) : KeyAnswer{};
+        const KeyAnswer answer = keyOf(identity);
         peer->asked = true;
         peer->who = identity ? identity->who : Credential{};
         peer->key = answer.state;
-        // Nobody shall learn which identities there are: an unknown one just has a wrong key.
-        if (answer.state != KeyAnswer::State::Known)
-            answer.key = randomKey();
         answerPsk(*question, {}, answer.key);
     };
     QObject::connect(&association->dtls, &QDtls::pskRequired, &association->dtls, onQuestion);
     return association;
+}
+
+HostTransport::KeyAnswer HostTransport::keyOf(const std::optional<PskIdentity>& identity) const
+{
+    KeyAnswer answer = identity ? m_keyOf(*identity) : KeyAnswer{};
+    // Nobody shall learn which identities there are: an unknown one just has a wrong key.
+    if (answer.state != KeyAnswer::State::Known)
+        answer.key = randomKey();
+    return answer;
 }
 
 void HostTransport::goOn(Associations::iterator handshake, const RawDatagram& datagram,
@@ -150,6 +174,11 @@ void HostTransport::goOn(Associations::iterator handshake, const RawDatagram& da
     Association& peer = *handshake->second;
     if (!peer.dtls.doHandshake(&m_socket, datagram.bytes)) {
         m_handshakes.erase(handshake);
+        return;
+    }
+    if (peer.dtls.handshakeState() == QDtls::HandshakeComplete && m_certificate) {
+        const auto challenge = encodeChallenge({m_hint.toStdString(), peer.nonce});
+        peer.dtls.writeDatagramEncrypted(&m_socket, viewOf(challenge));
         return;
     }
     if (peer.dtls.handshakeState() == QDtls::HandshakeComplete)
@@ -164,6 +193,33 @@ void HostTransport::goOn(Associations::iterator handshake, const RawDatagram& da
                                static_cast<qint64>(alert.size()), datagram.from, datagram.port);
     }
     m_handshakes.erase(handshake);
+}
+
+bool HostTransport::hearProof(Associations::iterator handshake, const RawDatagram& datagram,
+                              TransportListener& listener, LocalTime now)
+{
+    Association& peer = *handshake->second;
+    const QByteArray plain = peer.dtls.decryptDatagram(&m_socket, datagram.bytes);
+    if (plain.isEmpty()) {
+        if (!peer.dtls.isConnectionEncrypted())
+            m_handshakes.erase(handshake);
+        return false;
+    }
+    const auto proof = decodeProof(std::as_bytes(octets(plain)));
+    if (!proof)
+        return true; // nothing else is heard before it
+    const KeyAnswer answer = keyOf(proof->identity);
+    const bool taken = isProvedBy(*proof, answer.key, peer.nonce, m_digest)
+                       && answer.state == KeyAnswer::State::Known;
+    // Where the right key is not derived yet, the client shall just try again.
+    if (answer.state != KeyAnswer::State::NotYet)
+        peer.dtls.writeDatagramEncrypted(&m_socket, viewOf(encodeVerdict(taken)));
+    peer.who = proof->identity.who;
+    if (taken)
+        proved(handshake, listener, now);
+    else
+        m_handshakes.erase(handshake);
+    return true;
 }
 
 void HostTransport::proved(Associations::iterator handshake, TransportListener& listener,

@@ -14,7 +14,9 @@ namespace carina
 /// A stranger's ClientHello costs it a cookie first, and no state is held for it; how often each
 /// source may greet is limited. A path is replaced only by one that is proved: a hello with
 /// somebody's address changes nothing for them. With a wrong key the last word of the handshake
-/// cannot be decrypted; the client is then told so, in the clear, and forgotten.
+/// cannot be decrypted; the client is then told so, in the clear, and forgotten. A host that
+/// presents a certificate asks for the proof of a role inside the association instead, and the
+/// handshake lasts until it came.
 class HostTransport : public SecureTransport
 {
 public:
@@ -37,6 +39,8 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<HostTransport>> bind(std::uint16_t port, bool open);
     ~HostTransport() override;
 
+    /// From now on handshakes are made under this certificate and in no other way.
+    void present(HostCertificate certificate);
     /// Lets those in whose keys are known. @param sessionId told to everyone who asks
     void admit(const std::string& sessionId, KeyOf keyOf);
 
@@ -61,6 +65,10 @@ private:
                                                               LocalTime now);
     void goOn(Associations::iterator handshake, const RawDatagram& datagram,
               TransportListener& listener, LocalTime now);
+    /// @returns whether the datagram was of this handshake.
+    bool hearProof(Associations::iterator handshake, const RawDatagram& datagram,
+                   TransportListener& listener, LocalTime now);
+    [[nodiscard]] KeyAnswer keyOf(const std::optional<PskIdentity>& identity) const;
     void proved(Associations::iterator handshake, TransportListener& listener, LocalTime now);
     void decrypt(Associations::iterator path, const RawDatagram& datagram,
                  TransportListener& listener, LocalTime now);
@@ -71,6 +79,8 @@ private:
     QUdpSocket m_socket;
     QDtlsClientVerifier m_verifier;
     QByteArray m_hint;
+    std::optional<HostCertificate> m_certificate;
+    CertificateDigest m_digest{}; // of it
     KeyOf m_keyOf;
     HelloLimiter m_limiter;
     Associations m_handshakes;

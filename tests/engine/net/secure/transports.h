@@ -69,10 +69,11 @@ struct TestHost {
 
 /// A client whose code has the key given.
 struct TestClient {
-    TestClient(std::uint16_t port, const AccessKey& key, Role role = Role::Trainee)
+    TestClient(std::uint16_t port, const AccessKey& key, Role role = Role::Trainee,
+               std::optional<ExpectedCertificate> expected = {})
         : credentials{role, JoinCode::random(), TokenFolder{{}, role, "Anna"},
                       [key](const JoinCode&, const SessionKey&) { return Result<AccessKey>{key}; }},
-          transport{kLoopback, port, credentials, monotonicNow()}
+          transport{kLoopback, port, credentials, monotonicNow(), std::move(expected)}
     {
     }
     void send(const char* text) { transport.send(heard.paths.rbegin()->first, textBytes(text)); }
@@ -95,7 +96,7 @@ public:
         QObject::connect(
             &m_dtls, &QDtls::pskRequired, &m_dtls,
             [=](QSslPreSharedKeyAuthenticator* question) { answerPsk(*question, identity, key); });
-        prepareDtls(m_dtls, {});
+        prepareDtls(m_dtls, QByteArray{});
         m_dtls.setPeer(kLoopback, hostPort);
         m_dtls.doHandshake(&m_socket);
     }

@@ -55,6 +55,19 @@ private Q_SLOTS:
         QCOMPARE(anna.derivations.load(), 2);
     }
 
+    void hostThatCannotBeTrustedIsBelievedToBeSoAfterThreeTimes()
+    {
+        Person anna;
+        const Error untrusted{Errc::CertificateUntrusted, "self-signed"};
+        for (int i = 1; i < ClientCredentials::kRejectionsBelieved; ++i) {
+            anna.credentials.turnedAway(untrusted);
+            QVERIFY(!anna.credentials.refusal() && anna.credentials.mayTry());
+        }
+        anna.credentials.turnedAway(untrusted);
+        QVERIFY(!anna.credentials.mayTry());
+        QCOMPARE(*anna.credentials.refusal(), untrusted);
+    }
+
     void onlySessionsGetAnOffer()
     {
         Person anna;

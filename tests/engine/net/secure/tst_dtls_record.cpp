@@ -102,6 +102,19 @@ private Q_SLOTS:
         QVERIFY(isWrongKeyAlert(wrongKeyAlert()));
         QVERIFY(!isWrongKeyAlert(record(21, 0, {2, 51})));
     }
+
+    void alertOfAHostThatSpeaksNoneOfTheCiphersIsKnown()
+    {
+        // As OpenSSL 3.0 sends it: handshake_failure(40) of RFC 5246, 7.2.
+        QVERIFY(isNoCipherAlert(record(21, 0, {2, 40})));
+        QVERIFY(!isNoCipherAlert(record(21, 0, {1, 40})));
+        QVERIFY(!isNoCipherAlert(record(21, 0, {2, 41})));
+        QVERIFY(!isNoCipherAlert(record(21, 1, {2, 40})));
+        QVERIFY(!isNoCipherAlert(record(22, 0, {2, 40})));
+        QVERIFY(!isNoCipherAlert(record(21, 0, {2, 40, 0})));
+        QVERIFY(!isNoCipherAlert(record(21, 0, {2})));
+        QVERIFY(!isNoCipherAlert({}));
+    }
 };
 
 } // namespace carina

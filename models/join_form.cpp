@@ -30,6 +30,8 @@ JoinForm withLinkRead(JoinForm form)
     form.port = QString::number(link->port);
     form.code = QString::fromStdString(link->code.text());
     form.role = link->role;
+    if (!link->certificate.empty())
+        form.certificate = QString::fromStdString(link->certificate);
     return form;
 }
 
@@ -53,6 +55,10 @@ QString whatIsMissing(const JoinForm& form)
     if (!form.code.trimmed().isEmpty() && !JoinCode::parse(form.code.toStdString()))
         return JoinWords::tr("A code has ten letters and digits, such as 7K3QM-XW2PD: compare it "
                              "with the instructor's window.");
+    if (const QString host = form.certificate.trimmed();
+        !host.isEmpty() && !isHostName(host.toStdString()))
+        return JoinWords::tr("Leave the name in the certificate empty, or type it as the "
+                             "instructor's window shows it, such as carina.hospital.example.");
     return {};
 }
 
@@ -66,13 +72,25 @@ void fillIn(JoinSettings& settings, const JoinForm& form)
     settings.code.reset();
     if (const auto code = JoinCode::parse(form.code.toStdString()))
         settings.code = *code;
+    const std::string certificate = form.certificate.trimmed().toStdString();
+    if (!certificate.empty() && !settings.certificate)
+        settings.certificate.emplace();
+    if (settings.certificate) // never given up for an empty field
+        settings.certificate->name = certificate;
 }
 
 QString joinLinkText(const SessionNode& host, Role role)
 {
     const auto addresses = host.isOpen() ? ownAddresses() : std::vector<std::string>{};
-    return QString::fromStdString(toText(JoinLink{addresses.empty() ? "127.0.0.1" : addresses[0],
-                                                  host.port(), role, host.joinCodes().at(role)}));
+    return QString::fromStdString(
+        toText(JoinLink{addresses.empty() ? "127.0.0.1" : addresses[0], host.port(), role,
+                        host.joinCodes().at(role), host.certificateName()}));
+}
+
+QString certificateText(const SessionNode& host)
+{
+    const QString name = QString::fromStdString(host.certificateName());
+    return name.isEmpty() ? QString{} : JoinWords::tr("Its certificate is for %1.").arg(name);
 }
 
 QString reachText(const SessionNode& host)

@@ -14,6 +14,7 @@ struct JoinForm {
     QString code{};
     QString name{};
     Role role = Role::Trainee;
+    QString certificate{}; ///< the name in the host's, where it has one
 };
 
 /// The form with what a join link says that stands in the place of the address; as it is where none
@@ -29,6 +30,9 @@ void fillIn(JoinSettings& settings, const JoinForm& form);
 /// The link that leads a guest in this role into a session that is hosted here: at the first of
 /// this computer's addresses, or on this computer alone where it is not open to others.
 [[nodiscard]] QString joinLinkText(const SessionNode& host, Role role);
+
+/// Which name guests are to expect in the host's certificate; empty where it has none.
+[[nodiscard]] QString certificateText(const SessionNode& host);
 
 /// How others come into a session that is hosted here, with a shape before the words.
 [[nodiscard]] QString reachText(const SessionNode& host);

@@ -79,7 +79,7 @@ void InvitationPanel::show(const SessionNode& host)
         invited.code->setText(QString::fromStdString(codes.at(role).text()));
         invited.link = joinLinkText(host, role);
     }
-    m_reach->setText(reachText(host));
+    m_reach->setText(QStringLiteral("%1 %2").arg(reachText(host), certificateText(host)).trimmed());
     choose(m_chosen);
 }
 

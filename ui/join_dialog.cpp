@@ -37,6 +37,7 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWid
       m_code{field("code", tr("Code"), begin.code)},
       m_name{field("name", tr("Your name"), begin.name)},
       m_role{new QComboBox},
+      m_certificate{field("certificate", tr("Name in its certificate"), begin.certificate)},
       m_missing{wrapping("missing")},
       m_join{new QPushButton{tr("&Join")}}
 {
@@ -52,6 +53,7 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWid
     m_role->addItem(tr("Observer, who watches and changes nothing"),
                     QVariant::fromValue(static_cast<int>(Role::Observer)));
     m_role->setCurrentIndex(m_role->findData(static_cast<int>(begin.role)));
+    m_certificate->setPlaceholderText(tr("empty if the instructor's window names none"));
     m_code->setPlaceholderText(tr("empty if you were in this session before"));
     layOut();
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -65,8 +67,12 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWid
 
 JoinForm JoinDialog::form() const
 {
-    return {m_address->text(), m_port->text(), m_code->text(), m_name->text(),
-            static_cast<Role>(m_role->currentData().toInt())};
+    return {m_address->text(),
+            m_port->text(),
+            m_code->text(),
+            m_name->text(),
+            static_cast<Role>(m_role->currentData().toInt()),
+            m_certificate->text()};
 }
 
 QLineEdit* JoinDialog::field(const char* name, const QString& label, const QString& text)
@@ -88,6 +94,7 @@ void JoinDialog::layOut()
     form->addRow(tr("&Code of your role"), m_code);
     form->addRow(tr("Your &name"), m_name);
     form->addRow(tr("&Role"), m_role);
+    form->addRow(tr("Cer&tificate"), m_certificate);
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
     buttons->addButton(m_join, QDialogButtonBox::AcceptRole);
     m_join->setObjectName(QStringLiteral("join"));
@@ -120,6 +127,7 @@ void JoinDialog::readLink()
     m_port->setText(read.port);
     m_code->setText(read.code);
     m_role->setCurrentIndex(m_role->findData(static_cast<int>(read.role)));
+    m_certificate->setText(read.certificate);
     m_address->setText(read.address);
 }
 

@@ -42,6 +42,7 @@ private:
     QLineEdit* m_code;
     QLineEdit* m_name;
     QComboBox* m_role;
+    QLineEdit* m_certificate;
     QLabel* m_missing;
     QPushButton* m_join;
 };

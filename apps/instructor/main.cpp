@@ -24,6 +24,8 @@ namespace
 {
 
 constexpr StationId kStation{0};
+const QString kCertificate = QStringLiteral("certificate");
+const QString kPrivateKey = QStringLiteral("private-key");
 
 QString words(const char* text) { return QApplication::translate("Instructor", text); }
 
@@ -43,6 +45,12 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption({QStringLiteral("open"),
                       words("Let programs on other computers join too; without this only those on "
                             "this computer can.")});
+    parser.addOption({kCertificate,
+                      words("Prove this host by a certificate, for a site that has its own: this "
+                            "file (PEM), with those that lead to its authority."),
+                      QStringLiteral("FILE")});
+    parser.addOption({kPrivateKey, words("The key of the certificate (PEM, without a password)."),
+                      QStringLiteral("FILE")});
     parser.addOption({QStringLiteral("codes"),
                       words("Write the codes to join with into this file, for scripts."),
                       QStringLiteral("FILE")});
@@ -104,23 +112,42 @@ int measure(InstructorWindow& window, SessionNode& node, BreathingModel& breathi
     return QApplication::exec();
 }
 
-struct HostOptions {
+/// How the session is reached, and by whom.
+struct Reach {
     std::uint16_t port = 0;
     bool open = false;
-    std::filesystem::path anatomyCache; ///< that the patient is in, if it was imported
+    std::optional<CertificateFiles> certificate{};
+    std::filesystem::path anatomyCache{}; ///< that the patient is in, if it was imported
 };
 
-Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, const HostOptions& options)
+Result<Reach> reachOptions(const QCommandLineParser& parser)
+{
+    const auto port = viewer::portOption(parser);
+    if (!port)
+        return tl::unexpected(port.error());
+    Reach reach{.port = *port, .open = parser.isSet(QStringLiteral("open"))};
+    if (viewer::importsPatient(parser))
+        reach.anatomyCache = AnatomyCache::defaultFolder();
+    if (parser.isSet(kCertificate) != parser.isSet(kPrivateKey))
+        return fail(Errc::OutOfRange, "--certificate and --private-key need each other");
+    if (parser.isSet(kCertificate))
+        reach.certificate = CertificateFiles{parser.value(kCertificate).toStdString(),
+                                             parser.value(kPrivateKey).toStdString()};
+    return reach;
+}
+
+Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, const Reach& reach)
 {
     auto store = openFactStore(file.toStdString());
     if (!store)
         return tl::unexpected(store.error());
     return SessionNode::host({.sessionName = words("Routine intubation").toStdString(),
                               .participantName = words("Instructor").toStdString(),
-                              .port = options.port,
-                              .open = options.open,
+                              .port = reach.port,
+                              .open = reach.open,
                               .secrets = secretsOf(file),
-                              .anatomyCache = options.anatomyCache},
+                              .certificate = reach.certificate,
+                              .anatomyCache = reach.anatomyCache},
                              std::move(*store));
 }
 
@@ -134,22 +161,19 @@ bool hasEnded(const SessionNode& node)
 /// has ended.
 Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parser)
 {
-    const auto port = viewer::portOption(parser);
-    if (!port)
-        return tl::unexpected(port.error());
+    const auto reach = reachOptions(parser);
+    if (!reach)
+        return tl::unexpected(reach.error());
     const QDir folder{parser.value(QStringLiteral("data"))};
     if (!folder.mkpath(QStringLiteral(".")))
         return fail(Errc::FileUnwritable, folder.path().toStdString());
-    const HostOptions options{*port, parser.isSet(QStringLiteral("open")),
-                              viewer::importsPatient(parser) ? AnatomyCache::defaultFolder()
-                                                             : std::filesystem::path{}};
     if (parser.isSet(QStringLiteral("new")))
-        return hostFile(newSessionFile(folder), options);
-    auto node = hostFile(latestSessionFile(folder), options);
+        return hostFile(newSessionFile(folder), *reach);
+    auto node = hostFile(latestSessionFile(folder), *reach);
     if (!node || !hasEnded(**node))
         return node;
     node->reset(); // gives the port back
-    return hostFile(newSessionFile(folder), options);
+    return hostFile(newSessionFile(folder), *reach);
 }
 
 /// Lets those who look for sessions find this one.

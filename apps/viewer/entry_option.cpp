@@ -25,6 +25,8 @@ const QString kCode = QStringLiteral("code");
 const QString kCodeFile = QStringLiteral("code-file");
 const QString kHost = QStringLiteral("host");
 const QString kData = QStringLiteral("data");
+const QString kHostName = QStringLiteral("host-name");
+const QString kAuthority = QStringLiteral("authority");
 
 Result<JoinCode> codeInFile(const QString& file, Role role)
 {
@@ -63,6 +65,15 @@ void addEntryOptions(QCommandLineParser& parser)
     parser.addOption({kHost,
                       QApplication::translate("Entry", "Address of the instructor's computer."),
                       QStringLiteral("ADDRESS"), QStringLiteral("127.0.0.1")});
+    parser.addOption({kHostName,
+                      QApplication::translate("Entry", "Join only a host with a certificate for "
+                                                       "this name, or this address."),
+                      QStringLiteral("NAME")});
+    parser.addOption({kAuthority,
+                      QApplication::translate("Entry", "Join only a host with a certificate from "
+                                                       "an authority in this file (PEM), in place "
+                                                       "of those that the system trusts."),
+                      QStringLiteral("FILE")});
     parser.addOption({kData,
                       QApplication::translate("Entry", "Folder that keeps the keys for coming "
                                                        "back into a session."),
@@ -74,6 +85,9 @@ Result<void> readEntryOptions(const QCommandLineParser& parser, JoinSettings& se
 {
     settings.address = parser.value(kHost).toStdString();
     settings.tokens = QDir{parser.value(kData)}.filePath(QStringLiteral("tokens")).toStdString();
+    if (parser.isSet(kHostName) || parser.isSet(kAuthority))
+        settings.certificate = ExpectedHost{parser.value(kHostName).toStdString(),
+                                            parser.value(kAuthority).toStdString()};
     if (!parser.isSet(kCode) && !parser.isSet(kCodeFile))
         return {};
     const auto code = parser.isSet(kCode) ? JoinCode::parse(parser.value(kCode).toStdString())
@@ -107,6 +121,11 @@ Result<void> readLink(const QString& link, JoinSettings& settings)
         settings.port = read.port;
         settings.role = read.role;
         settings.code = read.code;
+        if (read.certificate.empty())
+            return;
+        if (!settings.certificate)
+            settings.certificate.emplace();
+        settings.certificate->name = read.certificate;
     });
 }
 

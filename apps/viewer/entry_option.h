@@ -8,7 +8,8 @@ namespace carina::viewer
 {
 
 /// Adds `--code CODE`, `--code-file FILE`, `--host ADDRESS` and `--data DIR`, by which a program
-/// comes into a session, and a join link that may stand in their place.
+/// comes into a session, `--host-name NAME` and `--authority FILE`, each of which makes it come
+/// into none without a certificate, and a join link that may stand in their place.
 void addEntryOptions(QCommandLineParser& parser);
 
 /// Takes over what they say for a role. A file of codes that is not there yet is waited for, so

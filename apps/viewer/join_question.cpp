@@ -13,7 +13,9 @@ std::optional<JoinSettings> askHowToJoin(JoinSettings settings, const QString& l
         {.address = link,
          .code = settings.code ? QString::fromStdString(settings.code->text()) : QString{},
          .name = QString::fromStdString(settings.participantName),
-         .role = settings.role}};
+         .role = settings.role,
+         .certificate = settings.certificate ? QString::fromStdString(settings.certificate->name)
+                                             : QString{}}};
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     fillIn(settings, dialog.form());

@@ -16,8 +16,9 @@ namespace
 constexpr std::string_view kLinkBegin = "carina:join?";
 constexpr std::string_view kBlanks = " \t\r\n";
 
-enum LinkPart : std::size_t { Address, Port, RolePart, Code, PartCount };
-constexpr std::array<std::string_view, PartCount> kPartNames{"address", "port", "role", "code"};
+enum LinkPart : std::size_t { Address, Port, RolePart, Code, Certificate, PartCount };
+constexpr std::array<std::string_view, PartCount> kPartNames{"address", "port", "role", "code",
+                                                             "certificate"};
 using LinkParts = std::array<std::optional<std::string_view>, PartCount>;
 
 std::string_view withoutBlanksAround(std::string_view text)
@@ -60,7 +61,8 @@ std::string toText(const JoinLink& link)
 {
     return std::string{kLinkBegin} + "address=" + link.address
            + "&port=" + std::to_string(link.port) + "&role=" + std::string{roleWord(link.role)}
-           + "&code=" + link.code.text();
+           + "&code=" + link.code.text()
+           + (link.certificate.empty() ? "" : "&certificate=" + link.certificate);
 }
 
 bool isMeantAsLink(std::string_view text)
@@ -93,7 +95,10 @@ Result<JoinLink> joinLink(std::string_view text)
     const auto code = JoinCode::parse(said(Code));
     if (!code)
         return fail(Errc::WrongLink, "it has no code of ten letters and digits");
-    return JoinLink{address, port, *role, *code};
+    const std::string certificate{said(Certificate)};
+    if ((*parts)[Certificate] && !isHostName(certificate))
+        return fail(Errc::WrongLink, "its certificate is for no host");
+    return JoinLink{address, port, *role, *code, certificate};
 }
 
 } // namespace carina

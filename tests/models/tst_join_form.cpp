@@ -103,6 +103,38 @@ private Q_SLOTS:
         QVERIFY(read.role == Role::Observer);
     }
 
+    void certificateThatIsExpectedStaysExpected()
+    {
+        JoinForm form = complete();
+        JoinSettings settings;
+        fillIn(settings, form);
+        QVERIFY(!settings.certificate);
+        form.certificate = QStringLiteral(" carina.example ");
+        QCOMPARE(whatIsMissing(form), QString{});
+        settings.certificate = ExpectedHost{{}, "authority.pem"};
+        fillIn(settings, form);
+        QCOMPARE(settings.certificate->name, std::string{"carina.example"});
+        QCOMPARE(settings.certificate->authority.string(), std::string{"authority.pem"});
+        form.certificate.clear();
+        fillIn(settings, form);
+        QVERIFY(settings.certificate);
+        QCOMPARE(settings.certificate->name, std::string{}); // the address
+        settings.certificate.reset();
+        form.certificate = QStringLiteral("192.0.2.7");
+        fillIn(settings, form);
+        QCOMPARE(settings.certificate->name, std::string{"192.0.2.7"});
+        form.certificate = QStringLiteral("ward three");
+        QVERIFY(whatIsMissing(form).contains(QStringLiteral("certificate")));
+    }
+
+    void linkNamesTheCertificateToExpect()
+    {
+        JoinForm form = complete();
+        form.address = QStringLiteral("carina:join?address=192.0.2.7&port=1&role=trainee"
+                                      "&code=7K3QM-XW2PD&certificate=carina.example");
+        QCOMPARE(withLinkRead(form).certificate, QStringLiteral("carina.example"));
+    }
+
     void whatIsNoLinkStaysAsItIs()
     {
         for (const char* address : {"192.0.2.7", "carina:join?port=1", "ward three", ""}) {

@@ -34,6 +34,16 @@ private Q_SLOTS:
         QVERIFY(joinLink(toText(far)) == far);
     }
 
+    void mayNameTheCertificateToExpect()
+    {
+        JoinLink link = wardThree();
+        link.certificate = "carina.hospital.example";
+        QCOMPARE(toText(link), kLink + "&certificate=carina.hospital.example");
+        QVERIFY(joinLink(toText(link)) == link);
+        link.certificate = "2001:db8::7";
+        QVERIFY(joinLink(toText(link)) == link);
+    }
+
     void isAUrlLikeAnyOther()
     {
         const QUrl url{QString::fromStdString(kLink), QUrl::StrictMode};
@@ -91,6 +101,10 @@ private Q_SLOTS:
         row("another role", "observer", "surgeon", role);
         row("an instructor", "observer", "instructor", role);
         const char* const code = "it has no code of ten letters and digits";
+        const char* const host = "its certificate is for no host";
+        row("no name", "&role", "&certificate=&role", host);
+        row("a name with a blank", "&role", "&certificate=ward three&role", host);
+        row("a name with a letter beyond ASCII", "&role", "&certificate=\xc3\xa9&role", host);
         row("no code", "&code=7K3QM-XW2PD", "", code);
         row("half a code", "-XW2PD", "", code);
     }

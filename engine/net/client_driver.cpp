@@ -42,6 +42,7 @@ ClientDriver::ClientDriver(const JoinSettings& settings, NodeBoard& board, Local
                     TokenFolder{settings.tokens, settings.role, settings.participantName},
                     settings.derive},
       m_door{settings.address, settings.port, {}},
+      m_expectsCertificate{settings.certificate.has_value()},
       m_board{board},
       m_core{newProposal(settings.station, fact::ParticipantJoined{ParticipantId{}, settings.role,
                                                                    settings.participantName}),
@@ -59,7 +60,9 @@ void ClientDriver::connected(PeerAddress host, const Credential&, LocalTime now)
 
 void ClientDriver::showDoor()
 {
-    if (auto offer = m_credentials.offerAgain())
+    auto offer = m_credentials.offerAgain();
+    // There is no certificate behind that door: only the token's other holder shall be asked.
+    if (offer && (offer->identity.who.participant || !m_expectsCertificate))
         m_board.setDoor({m_door.address, m_door.port, *std::move(offer)});
 }
 

@@ -43,7 +43,8 @@ private:
     void show(LocalTime now);
 
     ClientCredentials m_credentials;
-    HostDoor m_door;        // but for the key
+    HostDoor m_door; // but for the key
+    bool m_expectsCertificate;
     PeerAddress m_host = 0; // the path to it
     LocalTime m_nextTokenRequest{};
     std::optional<Error> m_noEntry;

@@ -48,11 +48,18 @@ bool isNamed(const NodeBoard& board, const std::string& contentHash)
     });
 }
 
-/// Lets those in whose keys the driver knows.
-void admit(const HostPorts& ports, const HostAccess& access, const NodeBoard& board)
+/// Lets those in whose keys the driver knows. There is no certificate where sets are handed out, so
+/// beside one only a token opens that door.
+void admit(const HostPorts& ports, const HostAccess& access, const NodeBoard& board,
+           bool hasCertificate)
 {
-    const auto keyOf = [&access](const PskIdentity& identity) { return access.keyOf(identity); };
-    ports.transport->admit(access.sessionId(), keyOf);
+    ports.transport->admit(access.sessionId(), [&access](const PskIdentity& identity) {
+        return access.keyOf(identity);
+    });
+    const auto keyOf = [&access, hasCertificate](const PskIdentity& identity) {
+        return identity.who.participant || !hasCertificate ? access.keyOf(identity)
+                                                           : HostTransport::KeyAnswer{};
+    };
     if (ports.sets)
         ports.sets->admit(access.sessionId(), keyOf,
                           [&board](const std::string& hash) { return isNamed(board, hash); });
@@ -100,7 +107,7 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
         auto driver = HostDriver::open(settings, std::move(store), board, now);
         if (!driver)
             return tl::unexpected(driver.error());
-        admit(*ports, (*driver)->access(), board);
+        admit(*ports, (*driver)->access(), board, certificate->has_value());
         return ThreadedNode::Parts{*std::move(driver), std::move(ports->transport), settings.open,
                                    std::move(ports->sets),
                                    *certificate ? (*certificate)->name : std::string{}};

@@ -51,6 +51,16 @@ private Q_SLOTS:
         QCOMPARE(anna->refusal()->code, Errc::NotPermitted); // a trainee as ever
     }
 
+    void setsAreAskedForWithATokenAlone()
+    {
+        // There is no certificate behind that door.
+        MemoryDisk disk;
+        const auto instructor = certifiedHost(disk);
+        const auto anna = join(guest(*instructor, "Anna"));
+        QTRY_VERIFY_WITH_TIMEOUT(anna->door().has_value(), kSoonMs);
+        QCOMPARE(anna->door()->offer.identity.who.participant, std::optional{anna->self()});
+    }
+
     void observersChangeNothing()
     {
         MemoryDisk disk;

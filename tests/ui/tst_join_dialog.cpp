@@ -107,8 +107,10 @@ private Q_SLOTS:
     void linkThatTheProgramWasGivenFillsInWhatItSays()
     {
         FoundSessionsModel sessions{freePort()};
-        const JoinDialog dialog{sessions, {.address = kLink, .name = QStringLiteral("Anna")}};
+        const QString link = kLink + QStringLiteral("&certificate=carina.example");
+        const JoinDialog dialog{sessions, {.address = link, .name = QStringLiteral("Anna")}};
         QCOMPARE(dialog.form().address, QStringLiteral("192.0.2.7"));
+        QCOMPARE(dialog.form().certificate, QStringLiteral("carina.example"));
         QVERIFY(dialog.form().role == Role::Observer);
         QVERIFY(find<QPushButton>(dialog, "join").isEnabled());
     }

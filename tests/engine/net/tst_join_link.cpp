@@ -40,8 +40,14 @@ private Q_SLOTS:
         link.certificate = "carina.hospital.example";
         QCOMPARE(toText(link), kLink + "&certificate=carina.hospital.example");
         QVERIFY(joinLink(toText(link)) == link);
-        link.certificate = "2001:db8::7";
-        QVERIFY(joinLink(toText(link)) == link);
+        for (const std::string& name :
+             {std::string{"2001:db8::7"}, std::string{"A-0.z"}, std::string(253, 'a')}) {
+            link.certificate = name;
+            QVERIFY(joinLink(toText(link)) == link);
+        }
+        link.certificate = std::string(254, 'a');
+        QCOMPARE(joinLink(toText(link)).error().detail,
+                 std::string{"its certificate is for no host"});
     }
 
     void isAUrlLikeAnyOther()

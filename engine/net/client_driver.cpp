@@ -197,7 +197,7 @@ std::optional<ClockReport> ClientDriver::clockReport(LocalTime now) const
     if (!clock.mapping())
         return std::nullopt;
     return ClockReport{clock.mapping()->at(now).time_since_epoch() - now.time_since_epoch(),
-                       clock.skew(), fromSeconds(clock.uncertainty(now)), clock.bound(),
+                       clock.skew(), fromSeconds(clock.uncertainty(now)), clock.bound(now),
                        clock.stateAt(now) == FittedClock::State::Holdover};
 }
 

@@ -254,7 +254,7 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
         PathReport path = reportPath(peer.participant, peer.link, peer.clock.trigger());
         if ((path.clockOffset = peer.clock.offset(session))) {
             path.clockError = fromSeconds(peer.clock.uncertainty(session));
-            path.clockErrorBound = peer.clock.bound();
+            path.clockErrorBound = peer.clock.bound(session);
         }
         paths.push_back(std::move(path));
     }

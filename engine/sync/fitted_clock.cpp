@@ -101,13 +101,14 @@ double FittedClock::uncertainty(LocalTime t) const
 {
     CARINA_EXPECTS(m_mapping);
     const double alone = std::max(0.0, toSeconds(t - m_lastProbe - kHoldoverAfter));
-    return m_fit.error + std::abs(toSeconds(m_mapping->toGo(t))) + kHoldoverGrowth * alone;
+    return std::min(m_fit.error, toSeconds(m_bound)) + std::abs(toSeconds(m_mapping->toGo(t)))
+           + kHoldoverGrowth * alone;
 }
 
-Duration FittedClock::bound() const
+Duration FittedClock::bound(LocalTime t) const
 {
     CARINA_EXPECTS(m_mapping);
-    return m_bound;
+    return m_bound + std::chrono::abs(m_mapping->toGo(t));
 }
 
 } // namespace carina

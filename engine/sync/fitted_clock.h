@@ -29,7 +29,7 @@ struct ClockProbe {
 ///
 ///     offset(t) = a + b (t - t_mean)      with weights  exp(-2 (rtt - rtt_min) / s)
 ///
-/// with s the mean of rtt - rtt_min, over the last kWindow probes or kWindowTime. The skew b is
+/// with s the mean of rtt - rtt_min, over the last kWindow probes within kWindowTime. The skew b is
 /// held to 0 with kSkewPrior as far as the scatter of the probes leaves it undetermined, so that a
 /// short window does not make one up. The clock works towards the line at 500 ppm and is never set
 /// once it is live, except onto a host that is further off than kLargestSlew after a flush.
@@ -42,7 +42,7 @@ public:
     enum class State : std::uint8_t { Acquiring, Locked, Holdover };
 
     static constexpr std::size_t kProbesToSet = 10;
-    static constexpr std::size_t kWindow = DelayHistory::kCapacity;
+    static constexpr std::size_t kWindow = 300;
     static constexpr Duration kWindowTime = std::chrono::seconds{30};
     static constexpr Duration kLargestSlew = std::chrono::milliseconds{50};
     static constexpr int kOutsideInARow = 3;
@@ -71,12 +71,13 @@ public:
 
     /// Session seconds per local second, less 1, as fitted.
     [[nodiscard]] double skew() const { return m_fit.skew; }
-    /// Standard error of the session time, seconds: of the fit, what is still to be worked off, and
-    /// kHoldoverGrowth of the time without probes. @pre mapping()
-    [[nodiscard]] double uncertainty(LocalTime t) const;
-    /// Half the shortest round trip: no path, however lopsided, makes the error larger. @pre
+    /// Standard error of the session time, seconds: of the fit, at most half the shortest round
+    /// trip; what is still to be worked off; and kHoldoverGrowth of the time without probes. @pre
     /// mapping()
-    [[nodiscard]] Duration bound() const;
+    [[nodiscard]] double uncertainty(LocalTime t) const;
+    /// Half the shortest round trip, and what is still to be worked off: no path, however lopsided,
+    /// makes the error larger. @pre mapping()
+    [[nodiscard]] Duration bound(LocalTime t) const;
 
 private:
     struct Probe {

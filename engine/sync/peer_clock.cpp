@@ -33,4 +33,6 @@ double PeerClock::uncertainty(SessionTime session) const
     return m_clock.uncertainty(peerTime(session));
 }
 
+Duration PeerClock::bound(SessionTime session) const { return m_clock.bound(peerTime(session)); }
+
 } // namespace carina

@@ -32,7 +32,7 @@ public:
     /// Standard error of the offset, seconds (FittedClock::uncertainty). @pre offset()
     [[nodiscard]] double uncertainty(SessionTime session) const;
     /// Nothing makes the error of the offset larger (FittedClock::bound). @pre offset()
-    [[nodiscard]] Duration bound() const { return m_clock.bound(); }
+    [[nodiscard]] Duration bound(SessionTime session) const;
 
 private:
     [[nodiscard]] LocalTime peerTime(SessionTime session) const;

@@ -73,6 +73,8 @@ constexpr std::string_view kDriftHelp =
 using Options = QMap<QString, QString>;
 
 const QString kLive = QStringLiteral("--live");
+const QStringList kOfLive{QStringLiteral("--warm-up-s"), QStringLiteral("--logs"),
+                          QStringLiteral("--netlab")};
 constexpr int kMostLive = 16;
 
 tl::unexpected<Error> badOption(const QString& sentence)
@@ -95,11 +97,17 @@ Result<Options> optionsOf(QStringList arguments)
                     {QStringLiteral("--logs"), QString{}},
                     {QStringLiteral("--netlab"), QString{}}};
     const bool isLive = arguments.removeAll(kLive) > 0;
+    QStringList given;
     for (qsizetype i = 0; i < arguments.size(); i += 2) {
         if (!options.contains(arguments[i]))
             return badOption(QStringLiteral("%1 is no option.").arg(arguments[i]));
         if (i + 1 == arguments.size())
             return badOption(QStringLiteral("%1 needs a value.").arg(arguments[i]));
+        if (given.contains(arguments[i]))
+            return badOption(QStringLiteral("%1 is given twice.").arg(arguments[i]));
+        if (!isLive && kOfLive.contains(arguments[i]))
+            return badOption(QStringLiteral("%1 goes with --live.").arg(arguments[i]));
+        given.append(arguments[i]);
         options[arguments[i]] = arguments[i + 1];
     }
     if (options[QStringLiteral("--scenario")].isEmpty())

@@ -113,6 +113,8 @@ Result<FiguresRequest> requestOf(const QStringList& arguments)
         return fail(Errc::OutOfRange, "figures: --out DIR is missing.");
     FiguresRequest request{folder, {}};
     const bool isLive = parser.isSet(QStringLiteral("live"));
+    if (!isLive && parser.isSet(QStringLiteral("warm-up-s")))
+        return notUnderstood(QStringLiteral("--warm-up-s goes with --live."));
     const auto actions =
         wholeOf(parser, "actions", kTrendOfStrategies + 2, 10000, isLive ? 12 : 50);
     const auto seed = wholeOf(parser, "seed", 0, 4294967295, 1);

@@ -9,6 +9,14 @@ namespace carina::lab
 namespace
 {
 
+/// The last delay of a trace holds for as long as the one before it, a lone one for a second.
+Duration lengthOf(const std::vector<TracePoint>& points)
+{
+    const Duration last = points.size() > 1 ? points.back().at - points[points.size() - 2].at
+                                            : Duration{std::chrono::seconds{1}};
+    return points.back().at - points.front().at + last;
+}
+
 constexpr Duration kBurstSlot = std::chrono::milliseconds{10};
 // IP and UDP around each payload.
 constexpr std::size_t kHeaderBytes = 28;
@@ -96,7 +104,7 @@ std::optional<Duration> VirtualLink::baseDelay(Duration now) const
     if (!m_path.trace)
         return delay;
     const auto& points = *m_path.trace;
-    const Duration length = points.back().at - points.front().at + std::chrono::milliseconds{1};
+    const Duration length = lengthOf(points);
     Duration phase = now % length;
     if (phase < Duration{})
         phase += length;

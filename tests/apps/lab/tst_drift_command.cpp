@@ -109,6 +109,10 @@ private Q_SLOTS:
             << QByteArray{"--scenario lan --live --seeds 2"} << QByteArray{"one seed"};
         QTest::newRow("endless warm-up")
             << QByteArray{"--scenario lan --live --warm-up-s 301"} << QByteArray{"--warm-up-s"};
+        QTest::newRow("twice") << QByteArray{"--scenario lan --seed 1 --seed 2"}
+                               << QByteArray{"--seed is given twice"};
+        QTest::newRow("logs of nothing")
+            << QByteArray{"--scenario lan --logs x"} << QByteArray{"--logs goes with --live"};
         QTest::newRow("no value") << QByteArray{"--scenario"} << QByteArray{"--scenario"};
         QTest::newRow("unknown strategy")
             << QByteArray{"--scenario lan --strategy best"} << QByteArray{"--strategy"};

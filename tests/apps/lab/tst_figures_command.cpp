@@ -236,6 +236,7 @@ private Q_SLOTS:
         row("no folder", "--seed 1", "--out DIR is missing");
         row("an option there is not", "--out x --dead", "dead");
         row("seeds of a live session", "--out x --live --seeds 2", "--seeds");
+        row("a warm-up of nothing", "--out x --warm-up-s 3", "--warm-up-s goes with --live");
         row("too long a warm-up", "--out x --live --warm-up-s 301", "--warm-up-s");
         row("a word too many", "--out x yonder", "yonder");
         row("an option without its value", "--out x --seed", "--seed");

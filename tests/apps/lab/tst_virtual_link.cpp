@@ -194,10 +194,12 @@ private Q_SLOTS:
         QCOMPARE(delayOfOne(path, 0ms), Duration{10ms});
         QCOMPARE(delayOfOne(path, 100ms - 1ns), Duration{10ms});
         QCOMPARE(delayOfOne(path, 100ms), Duration{-1});
+        // The last holds as long as the one before it.
         QCOMPARE(delayOfOne(path, 199ms), Duration{30ms});
-        QCOMPARE(delayOfOne(path, 200ms), Duration{10ms});
-        QCOMPARE(delayOfOne(path, 399ms), Duration{30ms});
-        QCOMPARE(delayOfOne(path, -1ms), Duration{30ms});
+        QCOMPARE(delayOfOne(path, 298ms - 1ns), Duration{30ms});
+        QCOMPARE(delayOfOne(path, 298ms), Duration{10ms});
+        QCOMPARE(delayOfOne(path, 298ms + 199ms), Duration{30ms});
+        QCOMPARE(delayOfOne(path, -1ns), Duration{30ms});
     }
 
     void twoHalvesAreTheWhole()

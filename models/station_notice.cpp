@@ -3,6 +3,7 @@
 #include "models/error_text.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 
@@ -10,6 +11,10 @@ namespace carina
 {
 namespace
 {
+
+/// A host says something every 250 ms; so two in a row may be lost. What others track is lost
+/// sooner than the connection is given up, and not for the tracker's sake.
+constexpr Duration kHostSilent = std::chrono::milliseconds{800};
 
 QString words(const char* text) { return QCoreApplication::translate("StationNotice", text); }
 
@@ -21,8 +26,9 @@ bool isLost(const std::optional<PoseSample>& sample)
 bool hostIsHere(const SessionNode& node)
 {
     const auto links = node.links();
-    return std::ranges::any_of(
-        links, [](const LinkReport& link) { return link.state == LinkState::Connected; });
+    return std::ranges::any_of(links, [](const LinkReport& link) {
+        return link.state == LinkState::Connected && link.sinceLastDatagram < kHostSilent;
+    });
 }
 
 QString phaseNotice(SessionPhase phase)
@@ -40,9 +46,8 @@ QString phaseNotice(SessionPhase phase)
     return {};
 }
 
-} // namespace
-
-QString stationNotice(const SessionNode& node, const StationMoment& moment, ViewOutput output)
+/// Of what goes on, the weightiest; empty when all is well.
+QString situation(const SessionNode& node, const StationMoment& moment, ViewOutput output)
 {
     if (const auto refusal = node.refusal())
         return errorText(*refusal);
@@ -52,14 +57,23 @@ QString stationNotice(const SessionNode& node, const StationMoment& moment, View
     const QString phase = phaseNotice(state->phaseAt(moment.time));
     if (!phase.isEmpty())
         return phase;
-    if (isAway(moment))
-        return words(QT_TRANSLATE_NOOP("StationNotice",
-                                       "The virtual patient was moved away from its place"));
     if (output != ViewOutput::Screen && isLost(moment.head))
         return words(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
     if (isLost(moment.tube))
         return words(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
     return {};
+}
+
+} // namespace
+
+QString stationNotice(const SessionNode& node, const StationMoment& moment, ViewOutput output)
+{
+    QStringList lines{situation(node, moment, output)};
+    if (isAway(moment))
+        lines.append(words(QT_TRANSLATE_NOOP("StationNotice",
+                                             "The virtual patient was moved away from its place")));
+    lines.removeAll(QString{});
+    return lines.join(QLatin1Char{'\n'});
 }
 
 } // namespace carina

@@ -139,7 +139,12 @@ void TestStationView::saysThatThePatientIsAway()
     moment.patient.emplace();
     QCOMPARE(notice(), QString{});
     moment.patient->acted.scale = 1.01;
-    QCOMPARE(notice(), QStringLiteral("The virtual patient was moved away from its place"));
+    const QString away = QStringLiteral("The virtual patient was moved away from its place");
+    QCOMPARE(notice(), away);
+    node.linkReports.front().sinceLastDatagram = std::chrono::milliseconds{799};
+    QCOMPARE(notice(), away);
+    node.linkReports.front().sinceLastDatagram = std::chrono::milliseconds{800};
+    QCOMPARE(notice(), QStringLiteral("Connecting to the instructor …\n") + away);
 }
 
 void TestStationView::saysWhenTheHeadsetIsLost_data()

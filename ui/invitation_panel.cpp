@@ -36,6 +36,7 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     : QWidget{parent},
       m_picture{new QrCode},
       m_reach{new QLabel},
+      m_certificate{new QLabel},
       m_copy{new QPushButton{tr("Copy &link")}}
 {
     auto* rows = new QGridLayout;
@@ -44,7 +45,8 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     addRow(*rows, Role::Observer, tr("Observers"), tr("Code for observers"));
     setFocusProxy(m_invited.at(m_chosen).choice);
     m_picture->setObjectName(QStringLiteral("picture"));
-    m_reach->setWordWrap(true);
+    for (QLabel* words : {m_reach, m_certificate})
+        words->setWordWrap(true);
     m_copy->setObjectName(QStringLiteral("copy"));
     m_copy->setToolTip(tr("The link that the picture holds: carina-trainee takes it in place of "
                           "address, port and code"));
@@ -53,6 +55,7 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     auto* column = new QVBoxLayout{this};
     column->addLayout(rows);
     column->addWidget(m_reach);
+    column->addWidget(m_certificate);
     column->addWidget(m_picture, 1);
     column->addWidget(m_copy, 0, Qt::AlignHCenter);
 }
@@ -79,7 +82,9 @@ void InvitationPanel::show(const SessionNode& host)
         invited.code->setText(QString::fromStdString(codes.at(role).text()));
         invited.link = joinLinkText(host, role);
     }
-    m_reach->setText(QStringLiteral("%1 %2").arg(reachText(host), certificateText(host)).trimmed());
+    m_reach->setText(reachText(host));
+    m_certificate->setText(certificateText(host));
+    m_certificate->setVisible(!m_certificate->text().isEmpty());
     choose(m_chosen);
 }
 

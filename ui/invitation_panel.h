@@ -44,6 +44,7 @@ private:
     Role m_chosen = Role::Trainee;
     QrCode* m_picture;
     QLabel* m_reach;
+    QLabel* m_certificate; ///< hidden where the host has none
     QPushButton* m_copy;
 };
 

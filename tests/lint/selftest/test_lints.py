@@ -162,7 +162,8 @@ class Words(Tree):
         self.assertEqual(len(words.faults_of(self.root)), 1)
 
     def test_a_path_of_the_project_is_right(self):
-        self.write("docs/start.md", "tests/home/page.md and build/root/x and ../shared/data\n")
+        inside = [folder + MACHINE[:6] + "page.md" for folder in ("tests", "build")]
+        self.write("docs/start.md", f"{' and '.join(inside)} and ../shared/data\n")
         self.assertEqual(words.faults_of(self.root), [])
 
 

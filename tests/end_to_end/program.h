@@ -8,6 +8,12 @@
 
 #include <memory>
 
+/// For the session of a test, beside others that run at the same time.
+inline QString portOfThisTest()
+{
+    return QString::number(20'000 + QCoreApplication::applicationPid() % 30'000);
+}
+
 /// One of the programs, with the journal of what it shows.
 class Program
 {

@@ -44,7 +44,7 @@ private Q_SLOTS:
         if (!m_set)
             QSKIP("anatomy/bodyparts3d is not here");
         m_hostFolder = std::make_unique<QTemporaryDir>();
-        m_port = QString::number(20'000 + QCoreApplication::applicationPid() % 30'000);
+        m_port = portOfThisTest();
         m_instructor = std::make_unique<Program>(
             QStringLiteral(CARINA_INSTRUCTOR),
             QStringList{QStringLiteral("--port"), m_port, QStringLiteral("--data"),

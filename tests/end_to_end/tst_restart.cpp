@@ -36,7 +36,7 @@ private Q_SLOTS:
     {
         m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(m_folder->isValid());
-        const QString port = QString::number(20'000 + QCoreApplication::applicationPid() % 30'000);
+        const QString port = portOfThisTest();
         const QStringList common{QStringLiteral("--port"), port, QStringLiteral("--patient"),
                                  QStringLiteral("child")};
         m_instructor = std::make_unique<Program>(

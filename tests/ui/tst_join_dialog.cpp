@@ -1,4 +1,5 @@
 #include "engine/net/discovery/session_beacon.h"
+#include "tests/engine/net/free_port.h"
 #include "ui/join_dialog.h"
 
 #include <QClipboard>
@@ -27,14 +28,6 @@ class TestJoinDialog : public QObject
 
 private:
     static constexpr int kSoonMs = 5000;
-
-    /// A port that nobody has.
-    static std::uint16_t freePort()
-    {
-        QUdpSocket socket;
-        socket.bind(QHostAddress{QHostAddress::LocalHost}, 0);
-        return socket.localPort();
-    }
     template <class Widget> static Widget& find(const QWidget& window, const char* name)
     {
         return *window.findChild<Widget*>(QLatin1String{name});

@@ -5,6 +5,7 @@
 #include "engine/net/discovery/session_finder.h"
 #include "engine/net/secure/dtls.h"
 #include "tests/engine/net/discovery/notices.h"
+#include "tests/engine/net/free_port.h"
 
 #include <QTest>
 
@@ -19,14 +20,6 @@ class SessionBeaconTest : public QObject
 
 private:
     static constexpr int kSoonMs = 5000;
-
-    /// A port that nobody has.
-    static std::uint16_t freePort()
-    {
-        QUdpSocket socket;
-        socket.bind(QHostAddress{QHostAddress::LocalHost}, 0);
-        return socket.localPort();
-    }
 
     static std::set<std::string> namesIn(const SessionFinder& finder)
     {

@@ -9,6 +9,8 @@ namespace
 
 Drift driftAfter(const EventCpo& event, const EventCpo& before, Duration delay)
 {
+    if (delay == Duration{})
+        return {}; // where it puts the object elsewhere that was meant, and drawn in time
     const SessionTime t = event.start + delay;
     return driftBetween(evaluate(event, t).X_AO, evaluate(before, t).X_AO);
 }

@@ -17,9 +17,10 @@ struct ActionFigures {
 
 /// Measures the actions on one shared object as they arrive at a node.
 ///
-/// The drift is between what the action before it and it have for the time it arrives. The limit is
-/// the same for the shortest delay that any action under this ownership had in the last kWindow: a
-/// repeat or a queue is in the one but not in the other.
+/// The drift is between what the action before it and it have for the time it arrives; none where
+/// it is there when it begins, as at whoever took it. The limit is the same for the shortest delay
+/// that any action under this ownership had in the last kWindow: a repeat or a queue is in the one
+/// but not in the other.
 class ActionMeter
 {
 public:

@@ -51,6 +51,19 @@ private Q_SLOTS:
         QCOMPARE(figures.delay, Duration{40ms});
     }
 
+    void whoPutsAnObjectElsewhereHasNoDrift()
+    {
+        EventCpo away = turnAt(kBegin - 1s, 0.0F);
+        away.p_AO = Vec3{0.5, 0.0, 0.0};
+        ActionMeter meter;
+        meter.arrived(turnAt(kBegin, 0.0F), away, kBegin);
+        QCOMPARE(meter.figures().drift.position.si, 0.0);
+        // Elsewhere it was drawn in the wrong place until word of it came.
+        meter.arrived(turnAt(kBegin, 0.0F), away, kBegin + 1ns);
+        QVERIFY(isNear(meter.figures().drift.position.si, 0.5));
+        QCOMPARE(meter.figures().limit.position.si, 0.0);
+    }
+
     void driftOfATranslationIsADistance()
     {
         EventCpo push = turnAt(kBegin, 0.25F);

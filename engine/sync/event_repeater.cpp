@@ -65,11 +65,10 @@ LocalTime EventRepeater::dueAfter(const Entry& entry, LocalTime now) const
 {
     if (entry.isAcknowledged)
         return m_hasHeartbeat ? now + kHeartbeat : LocalTime::max();
-    if (now < entry.begun + kFirstRepeat)
-        return entry.begun + kFirstRepeat;
-    if (now < entry.begun + kSecondRepeat)
-        return entry.begun + kSecondRepeat;
-    return now + kHeartbeat;
+    LocalTime next = entry.begun + kFirstRepeat;
+    if (now >= next)
+        next += kRepeat * ((now - next) / kRepeat + 1);
+    return next;
 }
 
 std::vector<DueEvent> EventRepeater::takeDue(LocalTime now)

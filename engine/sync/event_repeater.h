@@ -18,7 +18,8 @@ struct DueEvent {
 };
 
 /// One direction of one connection: sends the newest action on each object at once, again after
-/// 10 ms and 30 ms and then every 100 ms until it is acknowledged.
+/// 10 ms, after 30 ms, and every further 20 ms until it is acknowledged: what a burst of loss took
+/// is not known elsewhere before the first repeat that comes through.
 ///
 /// Whoever owns the objects also has a heartbeat, so that the others can tell an object at rest
 /// from an owner that is gone: an acknowledged action is named every 100 ms, in a record as long as
@@ -28,7 +29,7 @@ class EventRepeater
 {
 public:
     static constexpr Duration kFirstRepeat = std::chrono::milliseconds{10};
-    static constexpr Duration kSecondRepeat = std::chrono::milliseconds{30};
+    static constexpr Duration kRepeat = std::chrono::milliseconds{20};
     static constexpr Duration kHeartbeat = std::chrono::milliseconds{100};
     /// A heartbeat is not passed on sooner than this after the last time the action was sent.
     static constexpr Duration kShortestBeat = std::chrono::milliseconds{50};

@@ -26,12 +26,12 @@ void EventRepeater::begin(const EventCpo& event, LocalTime now)
     m_entries.insert_or_assign(event.object, Entry{event, now, now});
 }
 
-void EventRepeater::beat(const EventCpo& event, LocalTime now)
+void EventRepeater::beat(const EventCpo& event, LocalTime due)
 {
     const auto found = m_entries.find(event.object);
-    if (found != m_entries.end() && found->second.due > now
-        && now - found->second.lastSent >= kShortestBeat)
-        found->second.due = now;
+    if (found != m_entries.end() && found->second.due > due
+        && due - found->second.lastSent >= kShortestBeat)
+        found->second.due = due;
 }
 
 bool EventRepeater::awaits(ObjectId object) const

@@ -33,14 +33,17 @@ public:
     static constexpr Duration kHeartbeat = std::chrono::milliseconds{100};
     /// A heartbeat is not passed on sooner than this after the last time the action was sent.
     static constexpr Duration kShortestBeat = std::chrono::milliseconds{50};
+    /// Heartbeats are passed on to one participant after the other, so far apart: sent to all at
+    /// once they are answered at once, and answers that wait for each other shift the clocks.
+    static constexpr Duration kTurn = std::chrono::milliseconds{2};
     static constexpr int kUnanswered = 10;
 
     explicit EventRepeater(bool hasHeartbeat) : m_hasHeartbeat{hasHeartbeat} {}
 
     /// A new action on an object, in place of the last.
     void begin(const EventCpo& event, LocalTime now);
-    /// A heartbeat of an action is to be passed on.
-    void beat(const EventCpo& event, LocalTime now);
+    /// A heartbeat of an action is to be passed on at that time.
+    void beat(const EventCpo& event, LocalTime due);
     void acknowledge(const EventAck& ack);
     /// The other end may have lost what it had acknowledged.
     void doubt();

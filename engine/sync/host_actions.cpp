@@ -79,13 +79,15 @@ EventTable::Verdict HostActions::spread(ParticipantId from, const EventCpo& even
     const auto verdict = m_actions.take(event, session, now);
     if (verdict == EventTable::Verdict::New)
         m_changed.insert(event.object);
+    LocalTime turn = now;
     for (auto& [address, peer] : m_peers) {
         if (peer.participant == from)
             continue;
         if (verdict == EventTable::Verdict::New)
             peer.events.begin(event, now);
         else if (verdict == EventTable::Verdict::Known)
-            peer.events.beat(event, now);
+            peer.events.beat(event, turn);
+        turn += EventRepeater::kTurn;
     }
     return verdict;
 }

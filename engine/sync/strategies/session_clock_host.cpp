@@ -43,13 +43,17 @@ void SessionClockHost::take(ParticipantId from, const EventCpo& event, LocalTime
     const auto verdict = m_table.take(event, SessionTime{now.time_since_epoch()}, now);
     if (verdict == EventTable::Verdict::Refused)
         return;
+    LocalTime turn = now;
     for (auto& [id, peer] : m_peers) {
-        if (id == from)
+        if (id == from) {
             peer.acks.emplace_back(EventAck{event.object, event.epoch, event.action});
-        else if (verdict == EventTable::Verdict::New)
+            continue;
+        }
+        if (verdict == EventTable::Verdict::New)
             peer.events.begin(event, now);
         else if (verdict == EventTable::Verdict::Known)
-            peer.events.beat(event, now);
+            peer.events.beat(event, turn);
+        turn += EventRepeater::kTurn;
     }
 }
 

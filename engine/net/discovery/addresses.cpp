@@ -16,7 +16,10 @@ constexpr std::size_t kLongestHostName = 253;
 
 bool isAddress(const std::string& text)
 {
-    return !QHostAddress{QString::fromStdString(text)}.isNull();
+    // Qt overlooks blanks, so that one address would have many spellings.
+    const auto isVisible = [](char c) { return c > ' ' && c <= '~'; };
+    return std::all_of(text.begin(), text.end(), isVisible)
+           && !QHostAddress{QString::fromStdString(text)}.isNull();
 }
 
 bool isHostName(const std::string& text)

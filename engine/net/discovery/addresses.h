@@ -6,7 +6,8 @@
 namespace carina
 {
 
-/// Whether it is an IPv4 or IPv6 address, which a session may be joined at.
+/// Whether it is an IPv4 or IPv6 address, which a session may be joined at, and nothing besides,
+/// not even a blank.
 [[nodiscard]] bool isAddress(const std::string& text);
 
 /// Whether it is an address, or may be the name of a host: at most 253 letters, digits, hyphens and

@@ -97,6 +97,8 @@ private Q_SLOTS:
         row("two ports, one empty", "port=", "port=&port=", "its port is there twice");
         row("no address", "address=192.0.2.7&", "", "it has no address");
         row("a name as address", "192.0.2.7", "ward three", "it has no address");
+        row("an address and a blank", "192.0.2.7", "192.0.2.7 ", "it has no address");
+        row("a blank and an address", "192.0.2.7", "\u00a0192.0.2.7", "it has no address");
         row("no port", "port=45000&", "", "it has no port");
         row("port 0", "45000", "0", "it has no port");
         row("port 65536", "45000", "65536", "it has no port");
@@ -111,6 +113,7 @@ private Q_SLOTS:
         row("no name", "&role", "&certificate=&role", host);
         row("a name with a blank", "&role", "&certificate=ward three&role", host);
         row("a name with a letter beyond ASCII", "&role", "&certificate=\xc3\xa9&role", host);
+        row("an address and a blank as name", "&role", "&certificate=192.0.2.7 &role", host);
         row("no code", "&code=7K3QM-XW2PD", "", code);
         row("half a code", "-XW2PD", "", code);
     }

@@ -1,23 +1,112 @@
-// seed_datagrams DIR: a datagram with each record, for a fuzzer to begin with.
+// seeds DIR: whole messages for the fuzzers to begin with, in a folder below DIR for each.
 
+#include "engine/io/set_codec.h"
+#include "engine/net/discovery/session_notice.h"
+#include "engine/net/join_link.h"
+#include "engine/net/secure/dtls_record.h"
+#include "engine/net/secure/role_proof.h"
+#include "engine/net/secure/token_message.h"
+#include "tests/engine/io/carried_set_files.h"
+#include "tests/engine/net/carriage/frame_samples.h"
 #include "tests/engine/sync/datagram_samples.h"
+#include "tests/fuzz/set_under_seal.h"
 
 #include <fstream>
+
+namespace
+{
+
+using namespace carina;
+
+const std::string kSession = "00112233445566778899aabbccddeeff";
+
+std::string textOf(std::span<const std::byte> bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::vector<std::string> datagrams()
+{
+    const std::string header = textOf(fromHex(kGoldenHeaderHex));
+    std::vector<std::string> all;
+    for (const GoldenRecord& golden : goldenRecords())
+        all.push_back(header + textOf(fromHex(golden.hex)));
+    return all;
+}
+
+/// A record of DTLS, RFC 6347, 4.1.
+std::string dtls(char type, char epoch, const std::string& fragment)
+{
+    return std::string{type, '\xFE', '\xFD', 0, epoch, 0, 0, 0, 0, 0, 0, 0}
+           + static_cast<char>(fragment.size()) + fragment;
+}
+
+std::vector<std::string> entries()
+{
+    const AccessKey key = *keyFromHex(std::string(64, '7'));
+    const PskIdentity newcomer{{Role::Trainee, std::nullopt}, kSession};
+    const PskIdentity anna{{Role::Observer, ParticipantId{7}}, kSession};
+    JoinLink link{"192.0.2.7", 45000, Role::Observer, *JoinCode::parse("7K3QMXW2PD")};
+    std::vector<std::string> all{toText(link), link.code.text(), toText(newcomer), toText(anna)};
+    link.certificate = "carina.example";
+    all.push_back(toText(link));
+    const std::vector<std::vector<std::byte>> messages{
+        encodeQuestion(7),
+        encodeAnswer(0, {goldenKey(), "Ward 3", 45000}),
+        encodeToken({ParticipantId{7}, key}),
+        encodeChallenge({kSession, key}),
+        encodeProof({anna, key}),
+        encodeProof({newcomer, key}),
+        encodeVerdict(true),
+        encodeVerdict(false)};
+    for (const auto& message : messages)
+        all.push_back(textOf(message));
+    all.push_back(textOf(std::as_bytes(wrongKeyAlert())));
+    all.push_back(dtls(21, 0, {2, 40}));
+    all.push_back(dtls(22, 0, {1, 0, 0}));
+    all.push_back(dtls(22, 0, {16, 0, 0}) + dtls(20, 0, {1}) + dtls(22, 1, "finished"));
+    return all;
+}
+
+std::vector<std::string> frames()
+{
+    std::vector<std::string> all(1);
+    for (const test::GoldenFrame& golden : test::goldenFrames()) {
+        all.push_back(golden.bytes);
+        all.front() += golden.bytes;
+    }
+    return all;
+}
+
+std::vector<std::string> sets()
+{
+    const auto withoutSeal = [](const ImportedSet& set) {
+        return textOf(encodeSet(set)).substr(fuzz::kSealBytes);
+    };
+    return {withoutSeal(test::carriedSample()), withoutSeal({})};
+}
+
+bool areWritten(const std::filesystem::path& folder, const std::vector<std::string>& all)
+{
+    std::filesystem::create_directories(folder);
+    int number = 0;
+    for (const std::string& bytes : all) {
+        std::ofstream file{folder / std::to_string(++number), std::ios::binary};
+        if (!(file << bytes))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
     if (argc != 2)
         return 2;
-    int number = 0;
-    for (const carina::GoldenRecord& golden : carina::goldenRecords()) {
-        const auto header = carina::fromHex(carina::kGoldenHeaderHex);
-        const auto record = carina::fromHex(golden.hex);
-        std::ofstream file{std::string{argv[1]} + '/' + std::to_string(++number), std::ios::binary};
-        for (const auto& bytes : {header, record})
-            file.write(reinterpret_cast<const char*>(bytes.data()),
-                       static_cast<std::streamsize>(bytes.size()));
-        if (!file)
-            return 1;
-    }
-    return 0;
+    const std::filesystem::path folder{argv[1]};
+    const bool written =
+        areWritten(folder / "datagram", datagrams()) && areWritten(folder / "entry", entries())
+        && areWritten(folder / "carriage", frames()) && areWritten(folder / "set", sets());
+    return written ? 0 : 1;
 }

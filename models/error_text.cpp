@@ -92,7 +92,7 @@ public:
                       "another name.");
         case Errc::WrongCode:
             return tr("This code does not open the session%1: ask the instructor for the code of "
-                      "your role and start again with it.");
+                      "your role and join with it.");
         case Errc::WrongLink:
             return tr("This link leads into no session%1: copy it whole from the instructor's "
                       "window, or type address, port and code.");

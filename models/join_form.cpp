@@ -3,6 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/net/discovery/addresses.h"
 #include "engine/net/join_link.h"
+#include "engine/net/secure/token_folder.h"
 #include "engine/session/fact_rules.h"
 #include "models/error_text.h"
 
@@ -18,6 +19,35 @@ class JoinWords
 {
     Q_DECLARE_TR_FUNCTIONS(carina::JoinForm)
 };
+
+QString noCode()
+{
+    return JoinWords::tr("Type the code of your role, which the instructor's window shows.");
+}
+
+bool wasHereBefore(const JoinForm& form, const std::filesystem::path& tokens)
+{
+    return TokenFolder{tokens, form.role, form.name.trimmed().toStdString()}.hasAny();
+}
+
+JoinField fieldOf(Errc refusal)
+{
+    switch (refusal) {
+    case Errc::WrongCode:
+    case Errc::NotEnoughMemory:
+        return JoinField::Code;
+    case Errc::NameTaken:
+        return JoinField::Name;
+    case Errc::CertificateExpired:
+    case Errc::CertificateUntrusted:
+    case Errc::CertificateOfAnother:
+    case Errc::CertificateMissing:
+    case Errc::CertificateNeeded:
+        return JoinField::Certificate;
+    default:
+        return JoinField::Address;
+    }
+}
 
 } // namespace
 
@@ -35,36 +65,62 @@ JoinForm withLinkRead(JoinForm form)
     return form;
 }
 
-QString whatIsMissing(const JoinForm& form)
+std::optional<JoinGap> whatIsMissing(const JoinForm& form, const std::filesystem::path& tokens)
 {
+    using enum JoinField;
     if (const std::string address = form.address.toStdString(); isMeantAsLink(address))
         if (const auto link = joinLink(address); !link)
-            return errorText(link.error());
+            return JoinGap{Address, errorText(link.error())};
     const QByteArray name = form.name.trimmed().toUtf8();
     if (name.isEmpty())
-        return JoinWords::tr("Type your name, so that the instructor knows you.");
+        return JoinGap{Name, JoinWords::tr("Type your name, so that the instructor knows you.")};
     if (static_cast<std::size_t>(name.size()) > kLongestText)
-        return JoinWords::tr("Type a shorter name.");
+        return JoinGap{Name, JoinWords::tr("Type a shorter name.")};
     if (!isAddress(form.address.trimmed().toStdString()))
-        return JoinWords::tr("Choose a session, or type the address that the instructor's window "
-                             "shows, such as 192.168.1.20.");
+        return JoinGap{Address,
+                       JoinWords::tr("Choose a session, or type the address that the instructor's "
+                                     "window shows, such as 192.168.1.20.")};
     bool isNumber = false;
     if (form.port.trimmed().toUShort(&isNumber) == 0 || !isNumber)
-        return JoinWords::tr("Type the port that the instructor's window shows: a number from 1 "
-                             "to 65535.");
+        return JoinGap{Port, JoinWords::tr("Type the port that the instructor's window shows: a "
+                                           "number from 1 to 65535.")};
+    if (form.code.trimmed().isEmpty() && !wasHereBefore(form, tokens))
+        return JoinGap{Code, noCode()};
     if (!form.code.trimmed().isEmpty() && !JoinCode::parse(form.code.toStdString()))
-        return JoinWords::tr("A code has ten letters and digits, such as 7K3QM-XW2PD: compare it "
-                             "with the instructor's window.");
+        return JoinGap{Code, JoinWords::tr("A code has ten letters and digits, such as "
+                                           "7K3QM-XW2PD: compare it with the instructor's "
+                                           "window.")};
     if (const QString host = form.certificate.trimmed();
         !host.isEmpty() && !isHostName(host.toStdString()))
-        return JoinWords::tr("Leave the name in the certificate empty, or type it as the "
-                             "instructor's window shows it, such as carina.hospital.example.");
-    return {};
+        return JoinGap{Certificate,
+                       JoinWords::tr("Leave the name in the certificate empty, or type it as the "
+                                     "instructor's window shows it, such as "
+                                     "carina.hospital.example.")};
+    return std::nullopt;
+}
+
+JoinGap gapOf(const Error& refusal, const JoinForm& form)
+{
+    if (refusal.code == Errc::WrongCode && form.code.trimmed().isEmpty())
+        return {JoinField::Code, noCode()};
+    return {fieldOf(refusal.code), errorText(refusal)};
+}
+
+JoinForm formOf(const JoinSettings& settings)
+{
+    return {.address = QString::fromStdString(settings.address),
+            .port = settings.port == 0 ? QString{} : QString::number(settings.port),
+            .code = settings.code ? QString::fromStdString(settings.code->text()) : QString{},
+            .name = QString::fromStdString(settings.participantName),
+            .role = settings.role,
+            .certificate = settings.certificate ? QString::fromStdString(settings.certificate->name)
+                                                : QString{}};
 }
 
 void fillIn(JoinSettings& settings, const JoinForm& form)
 {
-    CARINA_EXPECTS(whatIsMissing(form).isEmpty());
+    const auto missing = whatIsMissing(form, {});
+    CARINA_EXPECTS(!missing || missing->field == JoinField::Code);
     settings.participantName = form.name.trimmed().toStdString();
     settings.address = form.address.trimmed().toStdString();
     settings.port = form.port.trimmed().toUShort();

@@ -27,9 +27,11 @@ QLabel* wrapping(const char* name)
 
 } // namespace
 
-JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWidget* parent)
+JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const JoinForm& begin,
+                       QWidget* parent)
     : QDialog{parent},
       m_sessions{sessions},
+      m_entrance{entrance},
       m_list{new QListView},
       m_searching{wrapping("searching")},
       m_address{field("address", tr("Address or link"), begin.address)},
@@ -38,6 +40,7 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWid
       m_name{field("name", tr("Your name"), begin.name)},
       m_role{new QComboBox},
       m_certificate{field("certificate", tr("Name in its certificate"), begin.certificate)},
+      m_typed{new QWidget{this}},
       m_missing{wrapping("missing")},
       m_join{new QPushButton{tr("&Join")}}
 {
@@ -61,6 +64,8 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, const JoinForm& begin, QWid
     connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::refresh);
     connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::refresh);
     connect(m_address, &QLineEdit::textChanged, this, &JoinDialog::readLink);
+    connect(m_role, &QComboBox::currentIndexChanged, this, &JoinDialog::refresh);
+    connect(&m_entrance, &Entrance::changed, this, &JoinDialog::follow);
     readLink();
     refresh();
 }
@@ -88,7 +93,8 @@ void JoinDialog::layOut()
 {
     auto* found = new QLabel{tr("&Sessions found"), this};
     found->setBuddy(m_list);
-    auto* form = new QFormLayout;
+    auto* form = new QFormLayout{m_typed};
+    form->setContentsMargins({});
     form->addRow(tr("&Address or link"), m_address);
     form->addRow(tr("&Port"), m_port);
     form->addRow(tr("&Code of your role"), m_code);
@@ -104,7 +110,7 @@ void JoinDialog::layOut()
     column->addWidget(found);
     column->addWidget(m_list);
     column->addWidget(m_searching);
-    column->addLayout(form);
+    column->addWidget(m_typed);
     column->addWidget(m_missing);
     column->addWidget(buttons);
     m_join->setDefault(true); // of this dialog, now that it is in it
@@ -131,15 +137,61 @@ void JoinDialog::readLink()
     m_address->setText(read.address);
 }
 
+void JoinDialog::accept()
+{
+    if (!m_entrance.isTrying() && !whatIsMissing(form(), m_entrance.settings().tokens))
+        m_entrance.enter(form());
+}
+
+void JoinDialog::reject()
+{
+    if (m_entrance.isTrying())
+        m_entrance.stop();
+    else
+        QDialog::reject();
+}
+
+void JoinDialog::follow()
+{
+    if (m_entrance.isIn())
+        return QDialog::accept();
+    refresh();
+    if (const auto& refusal = m_entrance.refusal()) {
+        m_missing->setText(refusal->sentence);
+        fieldOf(refusal->field)->setFocus();
+        fieldOf(refusal->field)->selectAll();
+    }
+}
+
 void JoinDialog::refresh()
 {
     m_searching->setText(m_sessions.rowCount() == 0
                              ? tr("Looking for sessions … If none appears, type the address and "
                                   "port that the instructor's window shows, or paste its link.")
                              : tr("Choose one, type an address and port, or paste a link."));
-    const QString missing = whatIsMissing(form());
-    m_missing->setText(missing);
-    m_join->setEnabled(missing.isEmpty());
+    const bool isTrying = m_entrance.isTrying();
+    const auto missing = whatIsMissing(form(), m_entrance.settings().tokens);
+    m_missing->setText(isTrying ? m_entrance.progress() : missing ? missing->sentence : QString{});
+    m_typed->setEnabled(!isTrying);
+    m_list->setEnabled(!isTrying);
+    m_join->setEnabled(!isTrying && !missing);
+}
+
+QLineEdit* JoinDialog::fieldOf(JoinField field) const
+{
+    switch (field) {
+    case JoinField::Address:
+        return m_address;
+    case JoinField::Port:
+        return m_port;
+    case JoinField::Code:
+        return m_code;
+    case JoinField::Name:
+        return m_name;
+    case JoinField::Certificate:
+        return m_certificate;
+    }
+    return nullptr;
 }
 
 } // namespace carina

@@ -101,31 +101,48 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     return QApplication::exec();
 }
 
-/// How to come in, as the options say or a person; nothing when that person wants to leave.
-Result<std::optional<JoinSettings>> entry(const QCommandLineParser& parser,
-                                          const viewer::MeasureOptions& options)
+/// How to come in, as far as the options say it.
+struct Entry {
+    JoinSettings settings;
+    QString link{}; ///< that a person is still to complete
+    bool isComplete = false;
+};
+
+/// @param asks whether a person may be asked for the rest
+Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
 {
-    JoinSettings settings{.participantName = parser.value(QStringLiteral("as")).toStdString(),
-                          .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer
-                                                                          : Role::Trainee,
-                          .station = kStation};
+    Entry entry{{.participantName = parser.value(QStringLiteral("as")).toStdString(),
+                 .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer : Role::Trainee,
+                 .station = kStation}};
     const auto link = viewer::linkArgument(parser);
     if (!link)
         return tl::unexpected(link.error());
-    if (const auto read = viewer::readEntryOptions(parser, settings); !read)
+    if (const auto read = viewer::readEntryOptions(parser, entry.settings); !read)
         return tl::unexpected(read.error());
     // A link says all but the name.
-    const bool isComplete = link->isEmpty() ? !parser.value(QStringLiteral("port")).isEmpty()
-                                            : parser.isSet(QStringLiteral("as"));
-    if (!isComplete && options.folder.isEmpty())
-        return viewer::askHowToJoin(settings, *link);
+    entry.isComplete = link->isEmpty() ? !parser.value(QStringLiteral("port")).isEmpty()
+                                       : parser.isSet(QStringLiteral("as"));
+    if (!entry.isComplete && asks) {
+        entry.link = *link;
+        return entry;
+    }
     if (!link->isEmpty())
-        return viewer::readLink(*link, settings).map([&] { return std::optional{settings}; });
-    const auto port = viewer::portOption(parser);
-    if (!port)
-        return tl::unexpected(port.error());
-    settings.port = *port;
-    return settings;
+        return viewer::readLink(*link, entry.settings).map([&] { return entry; });
+    return viewer::portOption(parser).map([&](std::uint16_t port) {
+        entry.settings.port = port;
+        return entry;
+    });
+}
+
+/// Comes in; a person is asked for what is missing or refused, but not while this measures.
+Result<viewer::Entered> enter(const Entry& entry, const viewer::MeasureOptions& options)
+{
+    if (options.folder.isEmpty())
+        return viewer::askHowToJoin(entry.settings, entry.link, entry.isComplete);
+    auto node = SessionNode::join(entry.settings);
+    if (!node)
+        return tl::unexpected(node.error());
+    return viewer::Entered{*std::move(node), entry.settings.role};
 }
 
 Result<int> run(const QCommandLineParser& parser)
@@ -149,17 +166,17 @@ Result<int> run(const QCommandLineParser& parser)
     if (!headset)
         return tl::unexpected(headset.error());
 
-    const auto settings = entry(parser, *options);
-    if (!settings)
-        return tl::unexpected(settings.error());
-    if (!*settings)
+    const auto entry = entryOptions(parser, options->folder.isEmpty());
+    if (!entry)
+        return tl::unexpected(entry.error());
+    auto entered = enter(*entry, *options);
+    if (!entered)
+        return tl::unexpected(entered.error());
+    if (!entered->node)
         return 0;
-    auto node = SessionNode::join(**settings);
-    if (!node)
-        return tl::unexpected(node.error());
     const bool simulates = parser.isSet(QStringLiteral("simulated-tracker"));
-    TraineeStation station{*std::move(node), kStation,
-                           simulates && (*settings)->role == Role::Trainee,
+    TraineeStation station{std::move(entered->node), kStation,
+                           simulates && entered->role == Role::Trainee,
                            [&parser](const PatientModel& of) -> Result<TraineeStation::Place> {
                                return viewer::siteOption(parser, of)
                                    .map([](const auto& setup) -> TraineeStation::Place {

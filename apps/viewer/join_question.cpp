@@ -5,21 +5,19 @@
 namespace carina::viewer
 {
 
-std::optional<JoinSettings> askHowToJoin(JoinSettings settings, const QString& link)
+Entered askHowToJoin(const JoinSettings& settings, const QString& link, bool isComplete)
 {
     FoundSessionsModel sessions;
-    JoinDialog dialog{
-        sessions,
-        {.address = link,
-         .code = settings.code ? QString::fromStdString(settings.code->text()) : QString{},
-         .name = QString::fromStdString(settings.participantName),
-         .role = settings.role,
-         .certificate = settings.certificate ? QString::fromStdString(settings.certificate->name)
-                                             : QString{}}};
-    if (dialog.exec() != QDialog::Accepted)
-        return std::nullopt;
-    fillIn(settings, dialog.form());
-    return settings;
+    Entrance entrance{settings};
+    JoinForm begin = formOf(settings);
+    if (!isComplete)
+        begin.address = link;
+    JoinDialog dialog{sessions, entrance, begin};
+    if (isComplete)
+        dialog.accept();
+    if (!entrance.isIn() && dialog.exec() != QDialog::Accepted)
+        return {};
+    return {entrance.take(), entrance.settings().role};
 }
 
 } // namespace carina::viewer

@@ -68,6 +68,9 @@ public:
             judge(proposal);
         announce();
     }
+    /// What it is to the host from now on.
+    void becomes(ParticipantId self) { m_self = self; }
+    void isRefused(const Error& why) { m_refusal = why; }
     void announce() const
     {
         if (m_callback)

@@ -1,5 +1,8 @@
+#include "engine/net/secure/token_folder.h"
+#include "models/error_text.h"
 #include "models/join_form.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 namespace carina
@@ -16,13 +19,19 @@ private:
                 QStringLiteral("Anna"), Role::Trainee};
     }
 
+    static QString missingIn(const JoinForm& form)
+    {
+        const auto missing = whatIsMissing(form, {});
+        return missing ? missing->sentence : QString{};
+    }
+
 private Q_SLOTS:
     void completeFormIsTakenOver()
     {
         JoinForm form = complete();
         form.name = QStringLiteral("  Anna ");
         form.role = Role::Observer;
-        QCOMPARE(whatIsMissing(form), QString{});
+        QCOMPARE(missingIn(form), QString{});
         JoinSettings settings;
         fillIn(settings, form);
         QCOMPARE(settings.participantName, std::string{"Anna"});
@@ -32,15 +41,79 @@ private Q_SLOTS:
         QCOMPARE(settings.code->text(), std::string{"7K3QM-XW2PD"});
     }
 
-    void codeMayBeEmptyForOneWhoComesBack()
+    void codeMayBeEmptyOnlyForOneWhoComesBack()
     {
+        const QTemporaryDir tokens;
+        const std::filesystem::path folder = tokens.path().toStdString();
         JoinForm form = complete();
         form.code = QStringLiteral(" ");
-        QCOMPARE(whatIsMissing(form), QString{});
+        QCOMPARE(whatIsMissing(form, folder)->field, JoinField::Code);
+        QVERIFY(TokenFolder(folder, Role::Trainee, "Anna").keep(std::string(32, 'a'), {}));
+        QVERIFY(!whatIsMissing(form, folder));
+        form.role = Role::Observer;
+        QCOMPARE(whatIsMissing(form, folder)->field, JoinField::Code);
+        form.role = Role::Trainee;
+        form.name = QStringLiteral("Anne");
+        QCOMPARE(whatIsMissing(form, folder)->field, JoinField::Code);
+        QCOMPARE(whatIsMissing(form, {})->field, JoinField::Code);
         JoinSettings settings;
         settings.code = JoinCode::random();
         fillIn(settings, form);
         QVERIFY(!settings.code);
+    }
+
+    void refusalLeadsToTheFieldThatIsWrong_data()
+    {
+        QTest::addColumn<Errc>("why");
+        QTest::addColumn<JoinField>("field");
+        QTest::newRow("code") << Errc::WrongCode << JoinField::Code;
+        QTest::newRow("memory") << Errc::NotEnoughMemory << JoinField::Code;
+        QTest::newRow("name") << Errc::NameTaken << JoinField::Name;
+        QTest::newRow("expired") << Errc::CertificateExpired << JoinField::Certificate;
+        QTest::newRow("untrusted") << Errc::CertificateUntrusted << JoinField::Certificate;
+        QTest::newRow("another's") << Errc::CertificateOfAnother << JoinField::Certificate;
+        QTest::newRow("no certificate") << Errc::CertificateMissing << JoinField::Certificate;
+        QTest::newRow("a certificate") << Errc::CertificateNeeded << JoinField::Certificate;
+        QTest::newRow("version") << Errc::VersionMismatch << JoinField::Address;
+    }
+
+    void refusalLeadsToTheFieldThatIsWrong()
+    {
+        QFETCH(const Errc, why);
+        QFETCH(const JoinField, field);
+        const JoinGap gap = gapOf({why, "this"}, complete());
+        QCOMPARE(gap.field, field);
+        QCOMPARE(gap.sentence, errorText({why, "this"}));
+    }
+
+    void codeThatWasNotTypedIsAskedForAndNotCalledWrong()
+    {
+        JoinForm form = complete();
+        form.code.clear();
+        const JoinGap gap = gapOf({Errc::WrongCode, {}}, form);
+        QCOMPARE(gap.field, JoinField::Code);
+        QCOMPARE(gap.sentence, whatIsMissing(form, {})->sentence);
+    }
+
+    void settingsAreShownAsTheyWouldBeTyped()
+    {
+        JoinSettings settings;
+        const JoinForm none = formOf(settings);
+        QCOMPARE(none.address, QStringLiteral("127.0.0.1"));
+        QCOMPARE(none.port, QString{});
+        QCOMPARE(none.code, QString{});
+        QCOMPARE(none.certificate, QString{});
+        JoinForm form = complete();
+        form.role = Role::Observer;
+        form.certificate = QStringLiteral("carina.example");
+        fillIn(settings, form);
+        const JoinForm shown = formOf(settings);
+        QCOMPARE(shown.address, form.address);
+        QCOMPARE(shown.port, form.port);
+        QCOMPARE(shown.code, QStringLiteral("7K3QM-XW2PD"));
+        QCOMPARE(shown.name, form.name);
+        QVERIFY(shown.role == Role::Observer);
+        QCOMPARE(shown.certificate, form.certificate);
     }
 
     void saysWhatToMend_data()
@@ -69,6 +142,8 @@ private Q_SLOTS:
                                     << QByteArray{"A"} << QByteArray{"port"};
         QTest::newRow("a word as port") << QByteArray{good} << QByteArray{"four"} << QByteArray{""}
                                         << QByteArray{"A"} << QByteArray{"port"};
+        QTest::newRow("no code") << QByteArray{good} << QByteArray{"1"} << QByteArray{" "}
+                                 << QByteArray{"A"} << QByteArray{"code of your role"};
         QTest::newRow("half a code") << QByteArray{good} << QByteArray{"1"} << QByteArray{"7K3QM"}
                                      << QByteArray{"A"} << QByteArray{"code"};
     }
@@ -81,8 +156,8 @@ private Q_SLOTS:
         QFETCH(const QByteArray, name);
         QFETCH(const QByteArray, word);
         const QString missing =
-            whatIsMissing({QString::fromUtf8(address), QString::fromUtf8(port),
-                           QString::fromUtf8(code), QString::fromUtf8(name), Role::Trainee});
+            missingIn({QString::fromUtf8(address), QString::fromUtf8(port), QString::fromUtf8(code),
+                       QString::fromUtf8(name), Role::Trainee});
         QVERIFY2(missing.contains(QString::fromUtf8(word)), qPrintable(missing));
     }
 
@@ -95,7 +170,7 @@ private Q_SLOTS:
                              QStringLiteral("Anna"),
                              Role::Trainee};
         const JoinForm read = withLinkRead(typed);
-        QCOMPARE(whatIsMissing(read), QString{});
+        QCOMPARE(missingIn(read), QString{});
         QCOMPARE(read.address, QStringLiteral("2001:db8::1"));
         QCOMPARE(read.port, QStringLiteral("45001"));
         QCOMPARE(read.code, QStringLiteral("7K3QM-XW2PD"));
@@ -110,7 +185,7 @@ private Q_SLOTS:
         fillIn(settings, form);
         QVERIFY(!settings.certificate);
         form.certificate = QStringLiteral(" carina.example ");
-        QCOMPARE(whatIsMissing(form), QString{});
+        QCOMPARE(missingIn(form), QString{});
         settings.certificate = ExpectedHost{{}, "authority.pem"};
         fillIn(settings, form);
         QCOMPARE(settings.certificate->name, std::string{"carina.example"});
@@ -124,7 +199,7 @@ private Q_SLOTS:
         fillIn(settings, form);
         QCOMPARE(settings.certificate->name, std::string{"192.0.2.7"});
         form.certificate = QStringLiteral("ward three");
-        QVERIFY(whatIsMissing(form).contains(QStringLiteral("certificate")));
+        QVERIFY(missingIn(form).contains(QStringLiteral("certificate")));
     }
 
     void linkNamesTheCertificateToExpect()
@@ -152,7 +227,7 @@ private Q_SLOTS:
         JoinForm form = complete();
         form.address = QStringLiteral("carina:join?port=1");
         form.name.clear();
-        const QString missing = whatIsMissing(form);
+        const QString missing = missingIn(form);
         QVERIFY2(missing.contains(QStringLiteral("it has no address")), qPrintable(missing));
     }
 
@@ -162,10 +237,10 @@ private Q_SLOTS:
         form.address = QStringLiteral("2001:db8::1");
         for (const char* port : {"1", "65535"}) {
             form.port = QLatin1String{port};
-            QCOMPARE(whatIsMissing(form), QString{});
+            QCOMPARE(missingIn(form), QString{});
         }
         form.name = QString(64, QLatin1Char{'a'});
-        QCOMPARE(whatIsMissing(form), QString{});
+        QCOMPARE(missingIn(form), QString{});
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include <QCryptographicHash>
 
+#include <algorithm>
 #include <charconv>
 
 namespace carina
@@ -45,16 +46,30 @@ Result<void> TokenFolder::keep(const std::string& sessionId, const Token& token)
                             std::to_string(token.participant.value) + ' ' + toHex(token.key));
 }
 
-std::filesystem::path TokenFolder::fileOf(const std::string& sessionId) const
+bool TokenFolder::hasAny() const
+{
+    if (!m_known.empty())
+        return true;
+    std::error_code none;
+    const std::filesystem::directory_iterator files{m_folder, none};
+    return std::any_of(begin(files), end(files), [ending = ending()](const auto& file) {
+        return file.path().filename().string().ends_with(ending);
+    });
+}
+
+std::string TokenFolder::ending() const
 {
     // Names may hold anything; their hash may not.
     const QByteArray name =
         QCryptographicHash::hash(QByteArray::fromStdString(m_name), QCryptographicHash::Sha256)
             .toHex()
             .first(16);
-    return m_folder
-           / (sessionId + '-' + std::string{roleWord(m_role)} + '-' + name.toStdString()
-              + ".token");
+    return '-' + std::string{roleWord(m_role)} + '-' + name.toStdString() + ".token";
+}
+
+std::filesystem::path TokenFolder::fileOf(const std::string& sessionId) const
+{
+    return m_folder / (sessionId + ending());
 }
 
 } // namespace carina

@@ -24,10 +24,14 @@ public:
 
     /// Nothing where none was kept, or what was kept cannot be read.
     [[nodiscard]] std::optional<Token> find(const std::string& sessionId) const;
+    /// Whether one was kept for this role and name, of whichever session.
+    [[nodiscard]] bool hasAny() const;
     /// @returns FileUnwritable; it is known until the program ends all the same.
     Result<void> keep(const std::string& sessionId, const Token& token);
 
 private:
+    /// What its files' names end with, after the session.
+    [[nodiscard]] std::string ending() const;
     [[nodiscard]] std::filesystem::path fileOf(const std::string& sessionId) const;
 
     std::filesystem::path m_folder;

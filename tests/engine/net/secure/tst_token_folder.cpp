@@ -42,6 +42,20 @@ private Q_SLOTS:
                  QFile::Permissions{});
     }
 
+    void knowsWhetherOneWasKeptForARoleAndAName()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path tokens =
+            folder.filePath(QStringLiteral("tokens")).toStdString();
+        TokenFolder anna{tokens, Role::Trainee, "Anna"};
+        QVERIFY(!anna.hasAny());
+        QVERIFY(anna.keep(kSession, {}));
+        QVERIFY(TokenFolder(tokens, Role::Trainee, "Anna").hasAny());
+        QVERIFY(!TokenFolder(tokens, Role::Observer, "Anna").hasAny());
+        QVERIFY(!TokenFolder(tokens, Role::Trainee, "Ben").hasAny());
+        QVERIFY(!TokenFolder({}, Role::Trainee, "Anna").hasAny());
+    }
+
     void damagedTokensAreNone_data()
     {
         QTest::addColumn<QByteArray>("text");
@@ -70,6 +84,7 @@ private Q_SLOTS:
         QVERIFY(!tokens.find(kSession));
         QVERIFY(tokens.keep(kSession, {ParticipantId{2}, randomKey()}));
         QCOMPARE(tokens.find(kSession)->participant, ParticipantId{2});
+        QVERIFY(tokens.hasAny());
     }
 
     void messagesAreLaidOutAsTheProtocolSays()

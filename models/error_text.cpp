@@ -32,6 +32,9 @@ public:
         case Errc::VolumeUnreachable:
             return tr(
                 "A lung cannot take on the volume asked for%1: choose a smaller tidal volume.");
+        case Errc::NoAirway:
+            return tr("This patient has no airway that a tube fits into%1: add the surface of its "
+                      "trachea, down to the carina, or choose another set.");
         case Errc::TooFewLandmarks:
             return tr("There are too few landmarks%1: touch at least three.");
         case Errc::DegenerateLandmarks:
@@ -70,6 +73,11 @@ public:
             return tr("Nothing usable was found%1: choose the folder that holds the surfaces.");
         case Errc::Cancelled:
             return tr("You stopped this before it was done%1: start it again when you want it.");
+        case Errc::WrongOption:
+            return tr("The command line cannot be followed%1: --help explains each option.");
+        case Errc::WrongAddress:
+            return tr("This is no address of a computer%1: type the numbers that the instructor's "
+                      "window shows, such as 192.168.1.20.");
         case Errc::PacketMalformed:
             return tr("Data came that make no sense%1: make sure that only Carina uses this port.");
         case Errc::VersionMismatch:

@@ -24,7 +24,7 @@ Result<ViewOutput> viewOutputNamed(const QString& word)
         return ViewOutput::Mono;
     if (word == QStringLiteral("side-by-side"))
         return ViewOutput::SideBySide;
-    return fail(Errc::OutOfRange,
+    return fail(Errc::WrongOption,
                 "--output takes screen, mono or side-by-side, not '" + word.toStdString() + "'");
 }
 

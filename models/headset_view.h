@@ -20,7 +20,7 @@ enum class ViewOutput : std::uint8_t {
 };
 
 /// The output that a word names: "screen", "mono" or "side-by-side".
-/// @returns OutOfRange with the word.
+/// @returns WrongOption with the word.
 [[nodiscard]] Result<ViewOutput> viewOutputNamed(const QString& word);
 
 /// The pictures that a headset's eyes need of the station that its wearer stands at.

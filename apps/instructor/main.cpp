@@ -129,7 +129,7 @@ Result<Reach> reachOptions(const QCommandLineParser& parser)
     if (viewer::importsPatient(parser))
         reach.anatomyCache = AnatomyCache::defaultFolder();
     if (parser.isSet(kCertificate) != parser.isSet(kPrivateKey))
-        return fail(Errc::OutOfRange, "--certificate and --private-key need each other");
+        return fail(Errc::WrongOption, "--certificate and --private-key need each other");
     if (parser.isSet(kCertificate))
         reach.certificate = CertificateFiles{parser.value(kCertificate).toStdString(),
                                              parser.value(kPrivateKey).toStdString()};

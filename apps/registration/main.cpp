@@ -63,7 +63,8 @@ Result<bool> hasScriptedHand(const QCommandLineParser& parser)
 {
     const QString who = parser.value(kHands);
     if (who != kScripted && who != QStringLiteral("off"))
-        return fail(Errc::OutOfRange, "--hands " + who.toStdString());
+        return fail(Errc::WrongOption,
+                    "--hands takes scripted or off, not '" + who.toStdString() + "'");
     return who == kScripted;
 }
 

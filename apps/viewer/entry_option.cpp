@@ -109,8 +109,9 @@ Result<QString> linkArgument(const QCommandLineParser& parser)
     for (const QString& said :
          {kHost, QStringLiteral("port"), QStringLiteral("observe"), kCode, kCodeFile})
         if (given.contains(said))
-            return fail(Errc::OutOfRange, "the link says address, port, role and code: leave out --"
-                                              + said.toStdString());
+            return fail(Errc::WrongOption,
+                        "the link says address, port, role and code: leave out --"
+                            + said.toStdString());
     return link;
 }
 

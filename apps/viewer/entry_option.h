@@ -20,7 +20,7 @@ void addEntryOptions(QCommandLineParser& parser);
                                             JoinSettings& settings);
 
 /// The link that stands in the place of options; empty where none does.
-/// @returns OutOfRange beside an option that says the same, or for a second word.
+/// @returns WrongOption beside an option that says the same, or for a second word.
 [[nodiscard]] Result<QString> linkArgument(const QCommandLineParser& parser);
 
 /// Takes over what a link says. @returns WrongLink

@@ -22,7 +22,8 @@ Result<BuiltinPatient> builtinNamed(const QString& name)
         return BuiltinPatient::Adult;
     if (name == QStringLiteral("child"))
         return BuiltinPatient::TwelveYears;
-    return fail(Errc::OutOfRange, "--patient " + name.toStdString());
+    return fail(Errc::WrongOption,
+                "--patient takes adult or child, not '" + name.toStdString() + "'");
 }
 
 /// The set in a folder; files that could not be used are told on stderr, and the rest is shown.

@@ -24,7 +24,7 @@ void addPatientOptions(QCommandLineParser& parser);
 /// The patient that these options name; the child without them. An imported set is taken for an
 /// adult.
 ///
-/// @returns OutOfRange for another patient; what importing or building it fails with.
+/// @returns WrongOption for another patient; what importing or building it fails with.
 [[nodiscard]] Result<ChosenPatient> choosePatient(const QCommandLineParser& parser);
 
 } // namespace carina::viewer

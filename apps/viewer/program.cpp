@@ -67,7 +67,8 @@ Result<QSize> sizeOption(const QCommandLineParser& parser)
     const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
     const QSize size{sides.value(0).toInt(), sides.value(1).toInt()};
     if (sides.size() != 2 || size.isEmpty())
-        return fail(Errc::OutOfRange, "--size " + parser.value(kSize).toStdString());
+        return fail(Errc::WrongOption, "--size needs WxH, such as 1280x800, not '"
+                                           + parser.value(kSize).toStdString() + "'");
     return size;
 }
 
@@ -76,7 +77,8 @@ Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
     MeasureOptions options{.folder = parser.value(kMeasure)};
     options.seconds = parser.value(kSeconds).toInt();
     if (options.seconds <= 0)
-        return fail(Errc::OutOfRange, "--seconds " + parser.value(kSeconds).toStdString());
+        return fail(Errc::WrongOption, "--seconds needs a whole number from 1, not '"
+                                           + parser.value(kSeconds).toStdString() + "'");
     const auto size = sizeOption(parser);
     if (!size)
         return tl::unexpected(size.error());
@@ -87,13 +89,13 @@ Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
 Result<std::uint16_t> portOption(const QCommandLineParser& parser)
 {
     if (parser.value(QStringLiteral("port")).isEmpty())
-        return fail(Errc::OutOfRange, "--port is missing; the instructor's window shows it");
+        return fail(Errc::WrongOption, "--port is missing; the instructor's window shows it");
     bool right = false;
     const std::uint16_t port = parser.value(QStringLiteral("port")).toUShort(&right);
     if (!right)
-        return fail(Errc::OutOfRange, "--port needs a number from 0 to 65535, not '"
-                                          + parser.value(QStringLiteral("port")).toStdString()
-                                          + "'");
+        return fail(Errc::WrongOption, "--port needs a number from 0 to 65535, not '"
+                                           + parser.value(QStringLiteral("port")).toStdString()
+                                           + "'");
     return port;
 }
 
@@ -101,7 +103,7 @@ Result<void> checkWords(const QCommandLineParser& parser, qsizetype most)
 {
     const QStringList words = parser.positionalArguments();
     if (words.size() > most)
-        return fail(Errc::OutOfRange, "there is no use for '" + words[most].toStdString() + "'");
+        return fail(Errc::WrongOption, "there is no use for '" + words[most].toStdString() + "'");
     return {};
 }
 

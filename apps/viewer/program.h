@@ -29,18 +29,19 @@ void prepareProgram(QApplication& application);
 
 /// Adds `--measure DIR`, `--seconds N` and `--size WxH`.
 void addMeasureOptions(QCommandLineParser& parser);
-/// @returns OutOfRange for a number or size that is none.
+/// @returns WrongOption for a number or size that is none; FileUnwritable for a folder that cannot
+///          be made or written into, before anything is measured.
 [[nodiscard]] Result<MeasureOptions> measureOptions(const QCommandLineParser& parser);
 
 /// Adds `--size WxH`, of the window; what addMeasureOptions adds, too.
 void addSizeOption(QCommandLineParser& parser);
-/// @returns OutOfRange for a size that is none.
+/// @returns WrongOption for a size that is none.
 [[nodiscard]] Result<QSize> sizeOption(const QCommandLineParser& parser);
 
-/// A UDP port from `--port`. @returns OutOfRange for something else.
+/// A UDP port from `--port`. @returns WrongOption for something else.
 [[nodiscard]] Result<std::uint16_t> portOption(const QCommandLineParser& parser);
 
-/// @returns OutOfRange where there are more words than this that no option takes.
+/// @returns WrongOption where there are more words than this that no option takes.
 [[nodiscard]] Result<void> checkWords(const QCommandLineParser& parser, qsizetype most);
 
 /// Says on stderr what does not work, though the program goes on.

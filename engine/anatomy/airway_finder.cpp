@@ -211,12 +211,12 @@ Result<AirwayLandmarks> findAirway(std::span<const AnatomyPart> parts)
 {
     const TriangleMesh* trachea = finestOf(parts, PartRole::Trachea);
     if (trachea == nullptr)
-        return fail(Errc::NothingRecognised, "trachea");
+        return fail(Errc::NoAirway);
     AirwayLandmarks found;
     found.p_A_carina = carinaOf(parts, *trachea);
     const Box box = boundsOf(*trachea);
     if (box.max.z() - found.p_A_carina.z() < kShortestTrachea)
-        return fail(Errc::NothingRecognised, "a trachea above the carina");
+        return fail(Errc::NoAirway, "the trachea is too short");
 
     Centreline down = alongTrachea(*trachea, found.p_A_carina);
     const Vec3 up = (down.front() - pointAlong(down, 0.4 * lengthOf(down))).normalized();

@@ -37,7 +37,7 @@ inline constexpr Length kPathInFrontOfTeeth = millimetres(100.0);
 ///   central" and "incisor"; without them 1 cm above and 1 cm in front of the front upper rim of
 ///   the mandible; without that by incisorsAtLength, 13.5 parts in 10.1 of the trachea's length.
 ///
-/// @returns NothingRecognised without a trachea at least 2 cm high.
+/// @returns NoAirway without a trachea at least 2 cm high.
 [[nodiscard]] Result<AirwayLandmarks> findAirway(std::span<const AnatomyPart> parts);
 
 } // namespace carina

@@ -112,13 +112,15 @@ Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,
     const double inner_mm = inMillimetres(innerDiameter);
     if (!(inner_mm >= 2.0 && inner_mm <= 12.0))
         return fail(Errc::OutOfRange, "a tube of " + std::to_string(inner_mm) + " mm");
+    if (!(tipAboveCarina.si >= 0.0))
+        return fail(Errc::OutOfRange, "the tip of the tube beyond the carina");
     if (path_A.size() < 2)
-        return fail(Errc::NothingRecognised, "the airway of this patient");
+        return fail(Errc::NoAirway);
     const SweptLine path = sweptLine(path_A);
     const double from = nearestAlong(path, p_A_incisors) - kOutside;
     const double until = path.along.back() - tipAboveCarina.si;
-    if (!(from >= 0.0 && until > from + kCuffFromTip + kCuffLength && tipAboveCarina.si >= 0.0))
-        return fail(Errc::OutOfRange, "the tube does not lie within the airway");
+    if (!(from >= 0.0 && until > from + kCuffFromTip + kCuffLength))
+        return fail(Errc::NoAirway, "it is too short");
 
     const RigidTransform X_AE = connectorPose(placeAt(path, from));
     const RigidTransform X_EA = X_AE.inverse();

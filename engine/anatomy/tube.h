@@ -42,8 +42,9 @@ struct TubeShape {
 /// one every five.
 ///
 /// @param path_A centreline of the airway, from in front of the incisors to the carina
-/// @returns NothingRecognised for a path without length (a patient without an airway); OutOfRange
-///          for an inner diameter outside 2 to 12 mm or a tip that would not lie on the path.
+/// @returns NoAirway for a path that is not there or too short for the tube; OutOfRange for an
+/// inner
+///          diameter outside 2 to 12 mm or a tip beyond the path's end.
 [[nodiscard]] Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,
                                          const Vec3& p_A_incisors,
                                          Length tipAboveCarina = millimetres(30.0));

@@ -14,6 +14,7 @@ enum class Errc : std::uint8_t {
     NotARotation,      ///< a matrix that is not a proper rotation
     MeshNotClosed,     ///< a surface that encloses no volume
     VolumeUnreachable, ///< no deformation of the mesh has the volume asked for
+    NoAirway,          ///< an anatomy without an airway that a tube fits into
 
     // Registration
     TooFewLandmarks,     ///< fewer than a fit needs
@@ -33,6 +34,10 @@ enum class Errc : std::uint8_t {
     UnknownFormat,     ///< no reader for this kind of file
     NothingRecognised, ///< a folder without one usable part
     Cancelled,         ///< stopped by whoever asked for it
+
+    // Command line and forms
+    WrongOption,  ///< an option that cannot be used as it was given
+    WrongAddress, ///< a text that is no address of a computer
 
     // Network and session
     PacketMalformed, ///< bytes that are not a Carina datagram

@@ -121,7 +121,7 @@ Result<std::unique_ptr<SessionNode>> SessionNode::join(const JoinSettings& setti
         return tl::unexpected(valid.error());
     const QHostAddress host{QString::fromStdString(settings.address)};
     if (host.isNull())
-        return fail(Errc::OutOfRange, "the address '" + settings.address + "'");
+        return fail(Errc::WrongAddress, settings.address);
     const auto expected = expectationOf(settings);
     if (!expected)
         return tl::unexpected(expected.error());

@@ -114,8 +114,8 @@ public:
     /// Joins; returns at once and connects, and reconnects, by itself.
     ///
     /// @pre a QCoreApplication exists.
-    /// @returns OutOfRange for a name that checkBody refuses, or an address that is none; what
-    ///          reading the authority's file does.
+    /// @returns OutOfRange for a name that checkBody refuses; WrongAddress; what reading the
+    ///          authority's file does.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>> join(const JoinSettings& settings);
     virtual ~SessionNode() = default;
 

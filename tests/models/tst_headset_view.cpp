@@ -86,7 +86,7 @@ void TestHeadsetView::refusesAnotherOutput()
     QFETCH(QString, word);
     const Result<ViewOutput> output = viewOutputNamed(word);
     QVERIFY(!output);
-    QCOMPARE(output.error().code, Errc::OutOfRange);
+    QCOMPARE(output.error().code, Errc::WrongOption);
     QVERIFY(
         QString::fromStdString(output.error().detail).endsWith(QStringLiteral("'%1'").arg(word)));
 }

@@ -235,7 +235,7 @@ void TestAirwayFinder::refusesASetWithoutATrachea()
                                           : TriangleMesh{}));
     const auto found = findAirway(parts);
     QVERIFY(!found.has_value());
-    QCOMPARE(found.error().code, Errc::NothingRecognised);
+    QCOMPARE(found.error().code, Errc::NoAirway);
 }
 
 QTEST_APPLESS_MAIN(TestAirwayFinder)

@@ -230,13 +230,13 @@ void TestTube::refusesWhatCannotLieInAnAirway_data()
     QTest::addColumn<std::vector<Vec3>>("path");
     QTest::addColumn<double>("tipMillimetres");
     QTest::addColumn<Errc>("code");
-    QTest::newRow("no airway") << 7.0 << std::vector<Vec3>{} << 30.0 << Errc::NothingRecognised;
+    QTest::newRow("no airway") << 7.0 << std::vector<Vec3>{} << 30.0 << Errc::NoAirway;
     QTest::newRow("hair thin") << 1.9 << bentPath() << 30.0 << Errc::OutOfRange;
     QTest::newRow("as wide as a trachea") << 12.1 << bentPath() << 30.0 << Errc::OutOfRange;
     QTest::newRow("not a number") << std::nan("") << bentPath() << 30.0 << Errc::OutOfRange;
     QTest::newRow("tip beyond the carina") << 7.0 << bentPath() << -0.1 << Errc::OutOfRange;
     QTest::newRow("tip at no number") << 7.0 << bentPath() << std::nan("") << Errc::OutOfRange;
-    QTest::newRow("tip outside the mouth") << 7.0 << bentPath() << 400.0 << Errc::OutOfRange;
+    QTest::newRow("tip outside the mouth") << 7.0 << bentPath() << 400.0 << Errc::NoAirway;
 }
 
 void TestTube::refusesWhatCannotLieInAnAirway()

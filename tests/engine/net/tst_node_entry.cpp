@@ -197,7 +197,7 @@ private Q_SLOTS:
         settings.address = "somewhere";
         const auto anna = SessionNode::join(settings);
         QVERIFY(!anna);
-        QCOMPARE(anna.error(), (Error{Errc::OutOfRange, "the address 'somewhere'"}));
+        QCOMPARE(anna.error(), (Error{Errc::WrongAddress, "somewhere"}));
     }
 
     void openHostIsReachedAtAllItsAddresses()

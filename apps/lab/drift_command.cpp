@@ -5,6 +5,7 @@
 #include "apps/lab/live_drift.h"
 #include "apps/lab/netlab_network.h"
 #include "engine/core/units.h"
+#include "engine/io/whole_file.h"
 
 #include <QCoreApplication>
 #include <QMap>
@@ -56,7 +57,7 @@ constexpr std::string_view kDriftHelp =
                       step and partition come after 30 s, so that they take 30
     --netlab PROGRAM  the network emulator to use in place of the relays; root only
     --warm-up-s T     for the clocks, before the first action; 0 to 300; 20
-    --logs DIR        a folder that is there, for what each program wrote down
+    --logs DIR        for what each program wrote down; the folder is made if need be
     with --live every figure is of what the programs' logs say they showed, on the machine's
     CLOCK_MONOTONIC (but the limit, of the delays that the scenario has then), and there are also
     live, network              true; relay or netlab
@@ -224,6 +225,10 @@ Result<std::unique_ptr<LiveNetwork>> networkOf(const DriftRequest& request)
 Result<QJsonObject> measureLive(const DriftRequest& request)
 {
     const DriftSettings& settings = request.settings;
+    if (!request.logs.isEmpty())
+        if (const auto opened = openFolder(request.logs.toStdString()); !opened)
+            return badOption(
+                QStringLiteral("--logs %1.").arg(QString::fromStdString(opened.error().detail)));
     const auto network = networkOf(request);
     if (!network)
         return tl::unexpected(network.error());

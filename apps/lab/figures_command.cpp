@@ -7,7 +7,6 @@
 
 #include <QCommandLineParser>
 #include <QJsonArray>
-#include <QTemporaryFile>
 
 #include <algorithm>
 #include <cstdio>
@@ -22,10 +21,11 @@ namespace
 constexpr std::string_view kFiguresHelp =
     R"(figures --out DIR [--scenario NAME|FILE] [--actions A] [--seed K] [--seeds M] [--raw-angle]
         [--live [--warm-up-s T]]
-    The drift experiment (see drift) in virtual time, drawn into DIR: each figure as .svg, .png and
-    .csv, with the version and the seeds in it. The same words write the same bytes, but for .png,
-    whose letters are of the fonts there are. What is being measured goes to stderr. Those of the
-    2004 paper (its figures 9 to 13), orientation and position, from runs of our own:
+    The drift experiment (see drift) in virtual time, drawn into DIR, which is made if need be: each
+    figure as .svg, .png and .csv, with the version and the seeds in it. The same words write the
+    same bytes, but for .png, whose letters are of the fonts there are. What is being measured goes
+    to stderr. Those of the 2004 paper (its figures 9 to 13), orientation and position, from runs of
+    our own:
       drift-by-action-none              drift at each action, trend of third order
       drift-by-action-event             the same, trend of sixth order
       drift-by-action-asa-adaptive      the same
@@ -152,18 +152,6 @@ Result<std::vector<DriftFigure>> measureFigures(const FigureSettings& settings)
     return figures;
 }
 
-/// So that nobody waits for figures which then have no place.
-Result<void> tryToWriteInto(const std::filesystem::path& folder)
-{
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    QTemporaryFile file{QString::fromStdString((folder / "figures").string())};
-    if (error || !file.open())
-        return fail(Errc::FileUnwritable,
-                    "figures: nothing can be written into the folder " + folder.string() + '.');
-    return {};
-}
-
 Result<void> write(const std::filesystem::path& file, const QByteArray& bytes)
 {
     const auto written = writeWholeFile(file, {bytes.data(), std::size_t(bytes.size())});
@@ -204,8 +192,8 @@ Result<QJsonObject> runFiguresCommand(const QStringList& arguments)
     auto request = requestOf(arguments);
     if (!request)
         return tl::unexpected(request.error());
-    if (const auto tried = tryToWriteInto(request->folder); !tried)
-        return tl::unexpected(tried.error());
+    if (const auto opened = openFolder(request->folder); !opened)
+        return fail(opened.error().code, "figures: " + opened.error().detail + '.');
     FigureSettings& settings = request->settings;
     announceCurves(settings);
     const auto figures = measureFigures(settings);

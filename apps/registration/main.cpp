@@ -51,7 +51,8 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("WHO"), kScripted});
     parser.addOption({kMeasure,
                       words("Go through all steps without a person, write pictures of the pages "
-                            "and registration.json into this folder, and leave."),
+                            "and registration.json into this folder, which is made if need be, and "
+                            "leave."),
                       QStringLiteral("DIR")});
     parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
                       QStringLiteral("FILE")});
@@ -85,8 +86,6 @@ int measure(RegistrationWindow& window, const RegistrationModel& registration,
             const SimulatedWorkplace& workplace, const QCommandLineParser& parser)
 {
     const QDir folder{parser.value(kMeasure)};
-    if (!folder.mkpath(QStringLiteral(".")))
-        return viewer::refuse({Errc::FileUnwritable, folder.path().toStdString()});
     ScriptedTechnician technician{window, registration, folder};
     QObject::connect(&technician, &ScriptedTechnician::done, &window, [&] {
         const auto wrote = writeReport(folder, parser.value(kSite).toStdString(),
@@ -159,6 +158,9 @@ Result<int> run(const QCommandLineParser& parser)
     const auto scripted = hasScriptedHand(parser);
     if (!scripted)
         return tl::unexpected(scripted.error());
+    if (parser.isSet(kMeasure))
+        if (const auto opened = openFolder(parser.value(kMeasure).toStdString()); !opened)
+            return tl::unexpected(opened.error());
     if (!parser.isSet(kSimulatedTracker)) {
         std::fprintf(stderr, "%s\n",
                      qPrintable(words("This version knows no other tracker than the simulated one: "

@@ -1,5 +1,6 @@
 #include "apps/viewer/program.h"
 
+#include "engine/io/whole_file.h"
 #include "models/error_text.h"
 #include "widgets/theme/dark_theme.h"
 
@@ -49,7 +50,7 @@ void addMeasureOptions(QCommandLineParser& parser)
     parser.addOption(
         {kMeasure,
          QApplication::translate("Program", "Measure what is drawn, write it into this "
-                                            "folder and leave."),
+                                            "folder, which is made if need be, and leave."),
          QStringLiteral("DIR")});
     parser.addOption({kSeconds, QApplication::translate("Program", "How long to measure."),
                       QStringLiteral("N"), QStringLiteral("20")});
@@ -83,6 +84,9 @@ Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
     if (!size)
         return tl::unexpected(size.error());
     options.size = *size;
+    if (!options.folder.isEmpty())
+        if (const auto opened = openFolder(options.folder.toStdString()); !opened)
+            return tl::unexpected(opened.error());
     return options;
 }
 

@@ -55,4 +55,14 @@ Result<void> writePrivateFile(const std::filesystem::path& file, std::string_vie
     return {};
 }
 
+Result<void> openFolder(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    QTemporaryFile file{QString::fromStdString((folder / "carina").string())};
+    if (error || !file.open())
+        return fail(Errc::FileUnwritable, folder.string() + ": nothing can be written into it");
+    return {};
+}
+
 } // namespace carina

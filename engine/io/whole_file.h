@@ -24,4 +24,9 @@ namespace carina
 [[nodiscard]] Result<void> writePrivateFile(const std::filesystem::path& file,
                                             std::string_view bytes);
 
+/// Makes a folder where there is none, and tries to write into it, so that long work need not fail
+/// at its end.
+/// @returns FileUnwritable with the folder.
+[[nodiscard]] Result<void> openFolder(const std::filesystem::path& folder);
+
 } // namespace carina

@@ -113,6 +113,9 @@ private Q_SLOTS:
                                << QByteArray{"--seed is given twice"};
         QTest::newRow("logs of nothing")
             << QByteArray{"--scenario lan --logs x"} << QByteArray{"--logs goes with --live"};
+        QTest::newRow("logs where no folder can be")
+            << QByteArray{"--scenario lan --live --logs /dev/null/x"}
+            << QByteArray{"--logs /dev/null/x"};
         QTest::newRow("no value") << QByteArray{"--scenario"} << QByteArray{"--scenario"};
         QTest::newRow("unknown strategy")
             << QByteArray{"--scenario lan --strategy best"} << QByteArray{"--strategy"};

@@ -244,8 +244,8 @@ private Q_SLOTS:
         row("no seeds", "--out x --seeds 0", "--seeds");
         row("negative seed", "--out x --seed -1", "--seed");
         row("unknown scenario", "--out x --scenario moon", "moon is neither");
-        row("a folder that cannot be", "--out /dev/null/x", "written into the folder /dev/null/x");
-        row("a folder that takes no file", "--out /proc", "written into the folder /proc");
+        row("a folder that cannot be", "--out /dev/null/x", "/dev/null/x: nothing can be written");
+        row("a folder that takes no file", "--out /proc", "/proc: nothing can be written");
     }
     void refusesWhatItDoesNotUnderstand()
     {

@@ -1,0 +1,42 @@
+#include "engine/io/whole_file.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace carina
+{
+
+class TestWholeFile : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void folderIsMadeWithThoseAboveItAndLeftEmpty()
+    {
+        const QTemporaryDir above;
+        const QDir folder{above.filePath(QStringLiteral("a/b"))};
+        QVERIFY(openFolder(folder.path().toStdString()));
+        QVERIFY(folder.exists());
+        QVERIFY(folder.isEmpty());
+        QVERIFY(openFolder(folder.path().toStdString())); // and that one is there
+    }
+
+    void folderThatTakesNothingIsNamed()
+    {
+        const QTemporaryDir above;
+        const std::string file = above.filePath(QStringLiteral("file")).toStdString();
+        QVERIFY(writeWholeFile(file, "x"));
+        for (const std::string& folder : {file, file + "/below"}) {
+            const auto opened = openFolder(folder);
+            QVERIFY(!opened);
+            QCOMPARE(opened.error(),
+                     (Error{Errc::FileUnwritable, folder + ": nothing can be written into it"}));
+        }
+    }
+};
+
+} // namespace carina
+
+QTEST_GUILESS_MAIN(carina::TestWholeFile)
+#include "tst_whole_file.moc"

@@ -16,7 +16,7 @@ int megabytes(std::uint64_t bytes) { return static_cast<int>((bytes + 500'000) /
 } // namespace
 
 SessionPatient::SessionPatient(const SessionNode& node, StationId station, SharedPatientModel first,
-                               std::filesystem::path cacheFolder)
+                               std::filesystem::path cacheFolder, int licenceShown_ms)
     : m_node{node},
       m_station{station},
       m_patient{std::move(first)},
@@ -24,6 +24,7 @@ SessionPatient::SessionPatient(const SessionNode& node, StationId station, Share
 {
     m_maker.setMaxThreadCount(1);
     m_licenceShown.setSingleShot(true);
+    m_licenceShown.setInterval(licenceShown_ms);
     m_tick.callOnTimeout(this, &SessionPatient::look);
 }
 
@@ -91,8 +92,13 @@ void SessionPatient::made(const std::string& contentHash, const Result<SharedPat
         return goWithout(laid.error());
     m_patient = *patient;
     m_step = Step::Settled;
+    showLicence();
+}
+
+void SessionPatient::showLicence()
+{
     if (!m_status.set.licence.empty())
-        m_licenceShown.start(kLicenceShown_ms);
+        m_licenceShown.start();
 }
 
 void SessionPatient::fetch()
@@ -109,7 +115,10 @@ void SessionPatient::fetch()
 
 void SessionPatient::watchFetch()
 {
+    const bool wasKnown = !m_status.set.licence.empty();
     m_status = m_fetch->status();
+    if (!wasKnown)
+        showLicence();
     if (m_status.state == FetchStatus::State::Failed)
         return goWithout(m_status.fault);
     if (m_status.state != FetchStatus::State::Here)
@@ -170,9 +179,9 @@ QString SessionPatient::progress() const
 
 QString SessionPatient::withLicence(const QString& text) const
 {
-    return m_status.set.licence.empty()
-               ? text
-               : text + QLatin1Char('\n') + carina::text(m_status.set.licence).simplified();
+    return m_licenceShown.isActive() && !m_status.set.licence.empty()
+               ? text + QLatin1Char('\n') + carina::text(m_status.set.licence).simplified()
+               : text;
 }
 
 } // namespace carina

@@ -15,22 +15,23 @@ namespace carina
 /// the one that the program began with.
 ///
 /// The session names its patient by content hash. One that is built in or was imported here is
-/// taken from this computer; any other is fetched from the host. What goes on is said in words, the
-/// licence of what comes included, and a person can stop it.
+/// taken from this computer; any other is fetched from the host. What goes on is said in words, for
+/// some seconds with the licence of what comes, and a person can stop it.
 class SessionPatient : public QObject
 {
     Q_OBJECT
 
 public:
     static constexpr int kInterval_ms = 200;
-    static constexpr int kLicenceShown_ms = 15'000; ///< after the set has come
+    /// Once it is known, and again when the set has come; it hides the patient meanwhile.
+    static constexpr int kLicenceShown_ms = 15'000;
 
     /// Draws another patient from now on. @returns why it cannot; the one before is kept then.
     using Lay = std::function<Result<void>(const SharedPatientModel&)>;
 
     /// @param cacheFolder usually AnatomyCache::defaultFolder() @pre `node` outlives this.
     SessionPatient(const SessionNode& node, StationId station, SharedPatientModel first,
-                   std::filesystem::path cacheFolder);
+                   std::filesystem::path cacheFolder, int licenceShown_ms = kLicenceShown_ms);
     ~SessionPatient() override;
 
     /// From now on patients are laid by this, which is called on the thread this lives on.
@@ -66,6 +67,7 @@ private:
               bool fetchElse);
     void fetch();
     void watchFetch();
+    void showLicence();
     void goWithout(std::optional<Error> fault);
     [[nodiscard]] QString progress() const;
     [[nodiscard]] QString withLicence(const QString& text) const;
@@ -82,7 +84,7 @@ private:
     FetchStatus m_status;         // of the last one
     std::optional<Error> m_fault; // without one a person stopped it
     QTimer m_tick;
-    QTimer m_licenceShown;
+    QTimer m_licenceShown; // runs as long
     QThreadPool m_maker;
 };
 

@@ -32,6 +32,12 @@ private:
             return {};
         });
     }
+    void makeModel(int licenceShown_ms)
+    {
+        m_model = std::make_unique<SessionPatient>(*m_node, FakeSessionNode::kStation,
+                                                   patientNamed("First", "builtin-adult-1"),
+                                                   m_folder->path().toStdString(), licenceShown_ms);
+    }
     [[nodiscard]] bool saysFault(Errc code) const
     {
         return m_model->notice().contains(errorText({code, {}})) && m_model->canFetchAgain();
@@ -52,9 +58,7 @@ private Q_SLOTS:
         m_host = std::make_unique<ServingHost>(1);
         m_laid.clear();
         m_refused.reset();
-        m_model = std::make_unique<SessionPatient>(*m_node, FakeSessionNode::kStation,
-                                                   patientNamed("First", "builtin-adult-1"),
-                                                   m_folder->path().toStdString());
+        makeModel(SessionPatient::kLicenceShown_ms);
     }
     void cleanup() { m_model.reset(); }
 
@@ -161,6 +165,22 @@ private Q_SLOTS:
         QVERIFY(m_model->notice().contains(
             QStringLiteral("You stopped fetching the session's patient “Somebody else”")));
         QVERIFY(!m_model->canStop() && m_model->canFetchAgain());
+    }
+
+    void licenceLeavesThePictureThoughTheSetStillComes()
+    {
+        ScriptedHost slow{[](RawPeer& peer, const Frame& frame) {
+            if (std::holds_alternative<Want>(frame))
+                peer.say(Offer{40'000'000, std::string(64, 'a'), "CC BY"});
+        }};
+        makeModel(SessionPatient::kInterval_ms);
+        m_node->hostDoor = doorAt(slow.port());
+        m_node->decide(somebody());
+        follow();
+        const QString licence = QStringLiteral("\nCC BY");
+        QTRY_VERIFY_WITH_TIMEOUT(m_model->notice().endsWith(licence), kSoon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_model->notice().contains(licence), kSoon_ms);
+        QVERIFY(m_model->notice().contains(QStringLiteral("is coming: 0 of 40 MB")));
     }
 
     void keepsThePatientWhereTheOtherCannotBeLaid()

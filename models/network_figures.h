@@ -37,6 +37,8 @@ struct NetworkFigures {
     std::optional<double> probes_per_s{}; ///< gamma_0
     std::optional<double> clockOffset_s{};
     std::optional<double> clockError_ms{};
+    std::optional<double> clockChange_ms{}; ///< of the offset since it was first known
+    std::optional<double> clockChangeError_ms{};
     std::optional<double> clockErrorBound_ms{};
     std::optional<double> loss_percent{};
     std::vector<ObjectFigures> objects{};

@@ -41,6 +41,9 @@ private:
     static void addClock(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addObject(const ObjectFigures& object, std::vector<Row>& rows);
 
+    /// A row as a screen reader says it: without a shape.
+    [[nodiscard]] static QString spoken(const Row& row);
+
     std::vector<Row> m_rows;
 };
 

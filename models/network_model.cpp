@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
@@ -21,7 +22,7 @@ bool samePeople(const std::vector<NetworkFigures>& a, const std::vector<NetworkF
 } // namespace
 
 NetworkModel::NetworkModel(SessionModel& session, QObject* parent)
-    : QAbstractListModel{parent}, m_session{session}, m_figures{networkFigures(session.node())}
+    : QAbstractListModel{parent}, m_session{session}, m_figures{measure()}
 {
     connect(&m_session, &SessionModel::changed, this, &NetworkModel::refresh);
     auto* timer = new QTimer{this};
@@ -53,9 +54,28 @@ std::optional<NetworkFigures> NetworkModel::figures(int row) const
     return m_figures[std::size_t(row)];
 }
 
-void NetworkModel::refresh()
+std::vector<NetworkFigures> NetworkModel::measure()
 {
     std::vector<NetworkFigures> figures = networkFigures(m_session.node());
+    std::map<ParticipantId, FirstOffset> firstOffsets;
+    for (NetworkFigures& one : figures) {
+        if (!one.clockOffset_s || !one.clockError_ms)
+            continue;
+        const auto known = m_firstOffsets.find(one.id);
+        const FirstOffset first = known != m_firstOffsets.end()
+                                      ? known->second
+                                      : FirstOffset{*one.clockOffset_s, *one.clockError_ms};
+        firstOffsets.emplace(one.id, first);
+        one.clockChange_ms = 1e3 * (*one.clockOffset_s - first.offset_s);
+        one.clockChangeError_ms = std::hypot(*one.clockError_ms, first.error_ms);
+    }
+    m_firstOffsets = std::move(firstOffsets); // who comes back begins anew
+    return figures;
+}
+
+void NetworkModel::refresh()
+{
+    std::vector<NetworkFigures> figures = measure();
     if (samePeople(figures, m_figures)) {
         m_figures = std::move(figures);
     } else {

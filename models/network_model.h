@@ -5,6 +5,8 @@
 
 #include <QAbstractListModel>
 
+#include <map>
+
 namespace carina
 {
 
@@ -31,9 +33,17 @@ Q_SIGNALS:
     void measured();
 
 private:
+    /// An offset when it was first known.
+    struct FirstOffset {
+        double offset_s = 0.0;
+        double error_ms = 0.0;
+    };
+
     void refresh();
+    [[nodiscard]] std::vector<NetworkFigures> measure();
 
     SessionModel& m_session;
+    std::map<ParticipantId, FirstOffset> m_firstOffsets; ///< of those who are here
     std::vector<NetworkFigures> m_figures;
 };
 

@@ -25,9 +25,10 @@ QString roleText(Role role)
     return {};
 }
 
-QString number(const std::optional<double>& value, int decimals)
+/// The number in place of %1.
+QString number(const std::optional<double>& value, int decimals, const QString& words)
 {
-    return value ? QString::number(*value, 'f', decimals) : kNothing;
+    return value ? words.arg(*value, 0, 'f', decimals) : kNothing;
 }
 
 void keepLargest(std::optional<double>& largest, double value)
@@ -45,6 +46,15 @@ ParticipantsModel::ParticipantsModel(SessionModel& session, QObject* parent)
     connect(timer, &QTimer::timeout, this, &ParticipantsModel::refresh);
     timer->start(kRefreshInterval_ms);
     m_rows = currentRows();
+}
+
+std::optional<double> ParticipantsModel::oldestSample_ms() const
+{
+    std::optional<double> oldest;
+    for (const Row& row : m_rows)
+        if (row.age_ms)
+            keepLargest(oldest, *row.age_ms);
+    return oldest;
 }
 
 int ParticipantsModel::rowCount(const QModelIndex& parent) const
@@ -66,7 +76,7 @@ QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
         return cell(row, index.column());
     if (role == Qt::AccessibleTextRole)
         return spoken(row, index.column());
-    if (role == Qt::TextAlignmentRole && index.column() >= Age && index.column() <= Clock)
+    if (role == Qt::TextAlignmentRole && index.column() >= Age && index.column() <= DriftDistance)
         return int{Qt::AlignRight | Qt::AlignVCenter};
     return {};
 }
@@ -81,13 +91,11 @@ QString ParticipantsModel::cell(const Row& row, int column)
     case State:
         return row.state;
     case Age:
-        return number(row.age_ms, 0);
+        return number(row.age_ms, 0, tr("%1 ms"));
     case DriftAngle:
-        return number(row.drift_deg, 2);
+        return number(row.drift_deg, 2, tr("%1°"));
     case DriftDistance:
-        return number(row.drift_mm, 1);
-    case Clock:
-        return number(row.clock_ms, 1);
+        return number(row.drift_mm, 1, tr("%1 mm"));
     default:
         return {};
     }
@@ -113,8 +121,6 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
             return tr("Age of the oldest of the participant's newest samples");
         if (section == DriftAngle || section == DriftDistance)
             return tr("How far an object of the participant was off when its newest sample came");
-        if (section == Clock)
-            return tr("How far the participant's clock may be off");
         return {};
     }
     if (role != Qt::DisplayRole)
@@ -127,13 +133,10 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
     case State:
         return tr("State");
     case Age:
-        return tr("Age, ms");
+        return tr("Age");
     case DriftAngle:
-        return tr("Drift, °");
     case DriftDistance:
-        return tr("Drift, mm");
-    case Clock:
-        return tr("Clock ±, ms");
+        return tr("Drift");
     default:
         return {};
     }
@@ -168,14 +171,13 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
                 .state = stateText(participant)};
         for (const ObjectReport& report : reports) {
             const auto object = state->objects().find(report.object);
-            if (object == state->objects().end() || object->second.owner != id)
+            if (!participant.present || object == state->objects().end()
+                || object->second.owner != id)
                 continue;
             keepLargest(row.age_ms, 1e3 * toSeconds(report.age));
             keepLargest(row.drift_deg, report.driftDeg);
             keepLargest(row.drift_mm, report.driftMm);
         }
-        if (const auto link = linkTo(id))
-            row.clock_ms = 1e3 * toSeconds(link->clockUncertainty);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -184,19 +186,19 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
 QString ParticipantsModel::stateText(const Participant& participant) const
 {
     if (participant.id == m_session.node().self())
-        return tr("▲ here");
+        return tr("✓ here");
     if (!participant.present)
         return tr("○ left");
     const auto link = linkTo(participant.id);
     switch (link ? link->state : LinkState::Away) {
     case LinkState::Connected:
-        return tr("▲ connected");
+        return tr("✓ connected");
     case LinkState::Connecting:
         return tr("◇ connecting");
     case LinkState::Away:
         break;
     }
-    return tr("■ away");
+    return tr("▲ away");
 }
 
 std::optional<LinkReport> ParticipantsModel::linkTo(ParticipantId id) const

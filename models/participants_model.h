@@ -10,16 +10,20 @@ namespace carina
 {
 
 /// Everybody in the session: who, in which role, whether their program answers, how old their
-/// newest sample is, how far their objects jumped when it came, and how well their clock is known.
+/// newest sample is, and how far their objects jumped when it came.
 class ParticipantsModel : public QAbstractTableModel
 {
     Q_OBJECT
 
 public:
-    enum Column { Name, State, Age, DriftAngle, DriftDistance, Clock, RoleColumn, ColumnCount };
+    enum Column { Name, State, Age, DriftAngle, DriftDistance, RoleColumn, ColumnCount };
 
     /// @pre session outlives this.
     explicit ParticipantsModel(SessionModel& session, QObject* parent = nullptr);
+
+    /// Of the newest samples of everybody who is here, in milliseconds; nothing while nobody
+    /// tracks.
+    [[nodiscard]] std::optional<double> oldestSample_ms() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -37,7 +41,6 @@ private:
         std::optional<double> age_ms{};
         std::optional<double> drift_deg{};
         std::optional<double> drift_mm{};
-        std::optional<double> clock_ms{}; ///< uncertainty of the clock of a linked program
 
         friend bool operator==(const Row&, const Row&) = default;
     };

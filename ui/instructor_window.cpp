@@ -40,6 +40,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
                                    const StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
+      m_participants{participants},
       m_phase{new QLabel{this}},
       m_status{new QLabel{this}}
 {
@@ -64,6 +65,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &InstructorWindow::refresh);
     timer->start(kRefreshInterval_ms);
+    connect(&participants, &QAbstractItemModel::dataChanged, this,
+            &InstructorWindow::refreshStatus); // one number in both places
     refresh();
 }
 
@@ -141,10 +144,9 @@ void InstructorWindow::refreshStatus()
         tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
     m_ui->patient->setText(isAway(moment) ? tr("▲ Patient not in its place") : patient);
     m_ui->patient->setToolTip(patient);
+    const auto oldest = m_participants.oldestSample_ms();
     const QString age =
-        moment.sampleAge
-            ? tr("Newest tube sample %1 ms old").arg(qRound(1e3 * toSeconds(*moment.sampleAge)))
-            : tr("No tube seen yet");
+        oldest ? tr("Oldest sample %1 ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
     const QString pictures =
         tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
     const QString port = tr("Trainees join at port %1").arg(m_session.node().port());

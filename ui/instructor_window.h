@@ -45,6 +45,7 @@ private:
 
     std::unique_ptr<Ui::InstructorWindow> m_ui;
     SessionModel& m_session;
+    ParticipantsModel& m_participants;
     std::unique_ptr<StationScene> m_stationScene;
     QLabel* m_phase;
     QLabel* m_status;

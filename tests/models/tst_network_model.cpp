@@ -142,17 +142,13 @@ private Q_SLOTS:
         node.reports = {{FakeSessionNode::kTube, 21ms, 0.14, 0.8}};
         const QStringList expected{
             QStringLiteral("Round trip: ") + kUnknown,
-            QStringLiteral("One-way delay, mean: ") + kUnknown,
-            QStringLiteral("Delay, σ: ") + kUnknown,
+            QStringLiteral("One-way delay ± σ: ") + kUnknown,
             QStringLiteral("Probing, γ₀: ") + kUnknown,
-            QStringLiteral("Lost on the way here: ") + kUnknown,
-            QStringLiteral("Clock offset: ") + kUnknown,
-            QStringLiteral("Clock offset, error: ") + kUnknown,
-            QStringLiteral("Clock offset, at most off by: ") + kUnknown,
-            QStringLiteral("tube: drift (limit): 0.140° (not known yet)"),
-            QStringLiteral("tube: drift (limit): 0.800 mm (not known yet)"),
-            QStringLiteral("tube: actions vₖ (upshot v₀): not known yet (not known yet)"),
-            QStringLiteral("tube: category: ") + kUnknown};
+            QStringLiteral("Lost on the way here: not known before 100 datagrams"),
+            QStringLiteral("Clock since joining: ") + kUnknown,
+            QStringLiteral("Clock at most off by: ") + kUnknown,
+            QStringLiteral("tube: drift (limit): 0.140 (unknown)°, 0.800 (unknown) mm"),
+            QStringLiteral("tube: vₖ (v₀): ") + kUnknown};
         QCOMPARE(linesOf(networkFigures(node).at(0)), expected);
     }
 
@@ -161,23 +157,59 @@ private Q_SLOTS:
         FakeSessionNode node;
         node.pathReports = {knownPath(kTrainee)};
         node.reports = {movingTube()};
+        SessionModel session{node};
+        const NetworkModel model{session};
         const QStringList expected{
             QStringLiteral("Round trip: 24.00 ms"),
-            QStringLiteral("One-way delay, mean: 10.00 ms"),
-            QStringLiteral("Delay, σ: 2.00 ms"),
+            QStringLiteral("One-way delay ± σ: 10.00 ± 2.00 ms"),
             QStringLiteral("Probing, γ₀: 3 per s"),
             QStringLiteral("Lost on the way here: 1.2 %"),
-            QStringLiteral("Clock offset: 12345.678901 s"),
-            QStringLiteral("Clock offset, error: ± 0.054 ms"),
-            QStringLiteral("Clock offset, at most off by: ± 8.000 ms"),
-            QStringLiteral("tube: drift (limit): 0.140° (1.000°)"),
-            QStringLiteral("tube: drift (limit): 0.800 mm (0.500 mm)"),
-            QStringLiteral("tube: actions vₖ (upshot v₀): 60 per s (100 per s)"),
-            QStringLiteral("tube: category: ▲ below upshot")};
-        QCOMPARE(linesOf(networkFigures(node).at(0)), expected);
+            QStringLiteral("Clock since joining: +0.000 ± 0.076 ms"), // 0.054 twice
+            QStringLiteral("Clock at most off by: ± 8.000 ms"),
+            QStringLiteral("tube: drift (limit): 0.140 (1.000)°, 0.800 (0.500) mm"),
+            QStringLiteral("tube: vₖ (v₀): 60 (100) per s, below upshot")};
+        QCOMPARE(linesOf(*model.figures(0)), expected);
+    }
+
+    void tellsTheCategoryByShapeAndWords()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.reports = {movingTube()};
+        NetworkFiguresModel table;
+        const auto category = [&] {
+            table.show(networkFigures(node).at(0));
+            return table.index(table.rowCount() - 1, Column::HowMuch).data().toString();
+        };
+        QCOMPARE(category(), QStringLiteral("60 (100) per s, ✓ below upshot"));
         node.reports[0].actionsPerS = 100.0;
-        QCOMPARE(linesOf(networkFigures(node).at(0)).last(),
-                 QStringLiteral("tube: category: ■ above upshot"));
+        QCOMPARE(category(), QStringLiteral("100 (100) per s, ▲ above upshot"));
+        node.reports[0].actionsPerS.reset();
+        QCOMPARE(category(), QStringLiteral("– (100) per s"));
+    }
+
+    void tellsHowFarClocksHaveRunApartSinceTheyCouldBeCompared()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.pathReports[0].clockOffset.reset();
+        SessionModel session{node};
+        const NetworkModel model{session};
+        const auto after = [&](std::optional<Duration> offset, Duration error) {
+            node.pathReports[0].clockOffset = offset;
+            node.pathReports[0].clockError = error;
+            node.announce();
+            QCoreApplication::sendPostedEvents();
+            return *model.figures(0);
+        };
+        QVERIFY(!model.figures(0)->clockChange_ms);
+        QCOMPARE(after(5000s, 300us).clockChange_ms, std::optional{0.0});
+        const NetworkFigures apart = after(5000s - 1500us, 400us);
+        QVERIFY(std::abs(apart.clockChange_ms.value() + 1.5) < 1e-6);
+        QVERIFY(std::abs(apart.clockChangeError_ms.value() - 0.5) < 1e-9); // of 0.3 and 0.4
+        QCOMPARE(linesOf(apart).at(4), QStringLiteral("Clock since joining: -1.500 ± 0.500 ms"));
+        QVERIFY(!after({}, 0us).clockChange_ms); // comes in again
+        QCOMPARE(after(7000s, 300us).clockChange_ms, std::optional{0.0});
     }
 
     void changesNumbersWithoutLosingTheSelection()

@@ -16,11 +16,11 @@ class TestParticipantsModel : public QObject
 
 private Q_SLOTS:
     void listsEverybodyWithTheirRole();
-    void namesItsColumnsWithTheirUnits();
+    void namesItsColumns();
     void saysWhetherSomebodyIsThere_data();
     void saysWhetherSomebodyIsThere();
     void showsTheWorstOfSomebodysObjects();
-    void showsHowWellAClockIsKnown();
+    void forgetsTheObjectsOfWhoLeft();
     void speaksEachCell();
     void addsWhoComesInAndKeepsWhoLeft();
     void changesCellsWithoutLosingTheSelection();
@@ -69,13 +69,12 @@ void TestParticipantsModel::listsEverybodyWithTheirRole()
     QCOMPARE(table.cell(kObserverRow, Column::RoleColumn), QStringLiteral("Observer"));
 }
 
-void TestParticipantsModel::namesItsColumnsWithTheirUnits()
+void TestParticipantsModel::namesItsColumns()
 {
     const Table table;
-    const QStringList expected{QStringLiteral("Name"),      QStringLiteral("State"),
-                               QStringLiteral("Age, ms"),   QStringLiteral("Drift, °"),
-                               QStringLiteral("Drift, mm"), QStringLiteral("Clock ±, ms"),
-                               QStringLiteral("Role")};
+    const QStringList expected{QStringLiteral("Name"),  QStringLiteral("State"),
+                               QStringLiteral("Age"),   QStringLiteral("Drift"),
+                               QStringLiteral("Drift"), QStringLiteral("Role")};
     QStringList headers;
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
@@ -88,11 +87,11 @@ void TestParticipantsModel::saysWhetherSomebodyIsThere_data()
     QTest::addColumn<bool>("present");
     QTest::addColumn<QString>("word");
     QTest::newRow("connected") << int(LinkState::Connected) << true
-                               << QStringLiteral("▲ connected");
+                               << QStringLiteral("✓ connected");
     QTest::newRow("connecting") << int(LinkState::Connecting) << true
                                 << QStringLiteral("◇ connecting");
-    QTest::newRow("away") << int(LinkState::Away) << true << QStringLiteral("■ away");
-    QTest::newRow("no link") << -1 << true << QStringLiteral("■ away");
+    QTest::newRow("away") << int(LinkState::Away) << true << QStringLiteral("▲ away");
+    QTest::newRow("no link") << -1 << true << QStringLiteral("▲ away");
     QTest::newRow("left") << int(LinkState::Connected) << false << QStringLiteral("○ left");
 }
 
@@ -110,8 +109,8 @@ void TestParticipantsModel::saysWhetherSomebodyIsThere()
         table.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::State), word);
-    QCOMPARE(table.cell(kInstructorRow, Column::State), QStringLiteral("▲ here"));
-    QCOMPARE(table.cell(kObserverRow, Column::State), QStringLiteral("▲ connected"));
+    QCOMPARE(table.cell(kInstructorRow, Column::State), QStringLiteral("✓ here"));
+    QCOMPARE(table.cell(kObserverRow, Column::State), QStringLiteral("✓ connected"));
 }
 
 void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
@@ -124,22 +123,25 @@ void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
                           {ObjectId{3}, milliseconds{700}, 9.0, 99.0},
                           {ObjectId{77}, milliseconds{900}, 90.0, 999.0}}; // of nobody
     table.deliver();
-    QCOMPARE(table.cell(kTraineeRow, Column::Age), QStringLiteral("41"));
-    QCOMPARE(table.cell(kTraineeRow, Column::DriftAngle), QStringLiteral("0.03"));
-    QCOMPARE(table.cell(kTraineeRow, Column::DriftDistance), QStringLiteral("1.3"));
-    QCOMPARE(table.cell(kObserverRow, Column::Age), QStringLiteral("700"));
+    QCOMPARE(table.cell(kTraineeRow, Column::Age), QStringLiteral("41 ms"));
+    QCOMPARE(table.cell(kTraineeRow, Column::DriftAngle), QStringLiteral("0.03°"));
+    QCOMPARE(table.cell(kTraineeRow, Column::DriftDistance), QStringLiteral("1.3 mm"));
+    QCOMPARE(table.cell(kObserverRow, Column::Age), QStringLiteral("700 ms"));
     for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
         QCOMPARE(table.cell(kInstructorRow, column), kNoValue);
+    QCOMPARE(table.model.oldestSample_ms(), std::optional{700.0});
 }
 
-void TestParticipantsModel::showsHowWellAClockIsKnown()
+void TestParticipantsModel::forgetsTheObjectsOfWhoLeft()
 {
     Table table;
-    table.node.linkReports = {
-        {FakeSessionNode::kTrainee, LinkState::Connected, {}, microseconds{240}, {}}};
+    QVERIFY(!table.model.oldestSample_ms());
+    table.node.reports = {{ObjectId{1}, milliseconds{12}, 0.03, 1.26}};
+    table.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
     table.deliver();
-    QCOMPARE(table.cell(kTraineeRow, Column::Clock), QStringLiteral("0.2"));
-    QCOMPARE(table.cell(kObserverRow, Column::Clock), kNoValue);
+    for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
+        QCOMPARE(table.cell(kTraineeRow, column), kNoValue);
+    QVERIFY(!table.model.oldestSample_ms());
 }
 
 void TestParticipantsModel::speaksEachCell()
@@ -152,8 +154,8 @@ void TestParticipantsModel::speaksEachCell()
     };
     QCOMPARE(spoken(kTraineeRow, Column::Name), QStringLiteral("Name: Tom"));
     QCOMPARE(spoken(kInstructorRow, Column::State), QStringLiteral("State: here"));
-    QCOMPARE(spoken(kTraineeRow, Column::Age), QStringLiteral("Age, ms: 12"));
-    QCOMPARE(spoken(kObserverRow, Column::Age), QStringLiteral("Age, ms: unknown"));
+    QCOMPARE(spoken(kTraineeRow, Column::Age), QStringLiteral("Age: 12 ms"));
+    QCOMPARE(spoken(kObserverRow, Column::Age), QStringLiteral("Age: unknown"));
 }
 
 void TestParticipantsModel::addsWhoComesInAndKeepsWhoLeft()

@@ -101,7 +101,7 @@ QString SharedObjectModel::ownerText() const
     const auto state = m_session.node().state();
     const QString owner = nameOf(*state, object->owner);
     QString text = isOwn()                            ? tr("● you")
-                   : isPresent(*state, object->owner) ? tr("▲ %1").arg(owner)
+                   : isPresent(*state, object->owner) ? tr("◆ %1").arg(owner)
                                                       : tr("○ %1, who left").arg(owner);
     const auto travelling = underWay(object->id);
     if (const auto* handed =

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] QString obstacle() const;
     [[nodiscard]] bool isInstructor() const; ///< so may take what is not theirs
     [[nodiscard]] bool isOwn() const;
-    /// Whose it is, with a shape: "▲ Tom".
+    /// Whose it is, with a shape: "◆ Tom".
     [[nodiscard]] QString ownerText() const;
     /// Who asks for it: "Tom asks for it"; empty when nobody does.
     [[nodiscard]] QString wishText() const;

@@ -52,7 +52,7 @@ bool isOfUse(const ToolStatus& tool)
 QString toolText(const ToolStatus& tool)
 {
     return QStringLiteral("%1 %2\n     %3")
-        .arg(tool.isVisible ? QStringLiteral("▲") : QStringLiteral("■"), tool.name, tool.text);
+        .arg(tool.isVisible ? QStringLiteral("✓") : QStringLiteral("▲"), tool.name, tool.text);
 }
 
 void keepPlaceWhenHidden(QWidget& widget)
@@ -141,7 +141,7 @@ void RegistrationWindow::refresh()
     m_scene->refresh();
     m_ui->instruction->setText(m_registration.instruction());
     const QString problem = m_registration.problem();
-    m_ui->problem->setText(problem.isEmpty() ? QString{} : QStringLiteral("■ ") + problem);
+    m_ui->problem->setText(problem.isEmpty() ? QString{} : QStringLiteral("▲ ") + problem);
     m_ui->place->setVisible(m_registration.step() == SiteStep::Verify);
     if (!m_registration.nextLandmark()) // what is marked is what a click would move
         m_ui->landmarks->clearSelection();
@@ -267,7 +267,7 @@ void RegistrationWindow::refreshStylus()
                                        .arg(stylus->nearestLandmark)
                                        .arg(stylus->surface_mm, 0, 'f', 1)
                                        .arg(stylus->nearestSurface)
-                                 : tr("■ The stylus is out of view"));
+                                 : tr("▲ The stylus is out of view"));
 }
 
 } // namespace carina

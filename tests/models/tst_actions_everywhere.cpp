@@ -29,7 +29,7 @@ struct Console {
     [[nodiscard]] QStringList told() const
     {
         QString owner = object.ownerText();
-        owner.remove(0, 2); // ● or ▲
+        owner.remove(0, 2); // ● or ◆
         return {model.motionText(), model.placeText(), object.wishText(), owner};
     }
 };

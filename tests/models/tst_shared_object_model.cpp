@@ -111,7 +111,7 @@ void TestSharedObjectModel::saysWhoCanDoNothing()
 void TestSharedObjectModel::saysWhoseItIs()
 {
     Seat seat{FakeSessionNode::kInstructor};
-    QCOMPARE(seat.model.ownerText(), QStringLiteral("▲ Tom"));
+    QCOMPARE(seat.model.ownerText(), QStringLiteral("◆ Tom"));
     QVERIFY(!seat.model.isOwn());
     seat.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
     QCOMPARE(seat.model.ownerText(), QStringLiteral("○ Tom, who left"));
@@ -215,7 +215,7 @@ void TestSharedObjectModel::offersNothingTwiceWhileTheHostIsAway()
     QVERIFY(seat.model.heirs().empty());
     QVERIFY(!seat.model.canAsk());
     seat.node.hostComesBack();
-    QCOMPARE(seat.model.ownerText(), QStringLiteral("▲ Ina"));
+    QCOMPARE(seat.model.ownerText(), QStringLiteral("◆ Ina"));
     seat.node.hostGoesAway();
     seat.model.ask();
     QVERIFY(!seat.model.canAsk());
@@ -234,7 +234,7 @@ void TestSharedObjectModel::losesToWhoeverWasFirst()
                      FakeSessionNode::kTrainee);
     seat.node.hostComesBack();
     QCOMPARE(seat.node.refusal()->code, Errc::OwnerChanged);
-    QCOMPARE(seat.model.ownerText(), QStringLiteral("▲ Tess"));
+    QCOMPARE(seat.model.ownerText(), QStringLiteral("◆ Tess"));
     QVERIFY(seat.model.canTakeOver());
 }
 

@@ -153,7 +153,7 @@ void TestActionsPanel::givesItToWhomIsChosen()
     desk.choose("heir", 1); // after Ina
     desk.button("handOver").click();
     desk.deliver();
-    QCOMPARE(desk.words("owner"), QStringLiteral("▲ Tess"));
+    QCOMPARE(desk.words("owner"), QStringLiteral("◆ Tess"));
     QVERIFY(!desk.button("handOver").isEnabled() && !desk.button("begin").isEnabled());
 }
 

@@ -19,7 +19,7 @@ struct LoggedFrame {
     LocalTime local{};
     SessionTime session{};              ///< the session time that was drawn
     int level = 0;                      ///< level of detail of the lungs
-    std::array<float, 2> amplitude{};   ///< of the right and the left lung, as given to the shader
+    std::array<float, 2> amplitude{};   ///< of the diaphragm at the right and the left lung
     std::optional<RigidTransform> X_AE; ///< the tube as drawn
     std::optional<Duration> sampleAge;  ///< of the newest sample of the tube behind it
     std::array<double, 2> volume_ml{};  ///< right and left lung, from the vertices drawn

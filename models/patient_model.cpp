@@ -15,9 +15,9 @@ bool movesWithMandible(const AnatomyPart& part)
                || part.name.find("lower jaw") != std::string::npos);
 }
 
-std::shared_ptr<const DeformableMesh> stillMesh(TriangleMesh mesh)
+std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh)
 {
-    return std::make_shared<const DeformableMesh>(DeformableMesh{std::move(mesh), {}, {}, {}});
+    return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
 AnatomyPart withoutMeshes(const AnatomyPart& part)
@@ -55,11 +55,11 @@ void PatientModel::addAnatomy(std::vector<AnatomyPart> parts)
             surface.body = SurfaceBody::Mandible;
         if (!lungSide(part.role))
             for (TriangleMesh& level : part.levels)
-                surface.levels.push_back(stillMesh(std::move(level)));
+                surface.levels.push_back(shared(std::move(level)));
         m_surfaces.push_back(std::move(surface));
     }
     for (const BreathingPart& breathing : m_lungs->parts())
-        for (const DeformableMesh& level : breathing.levels)
+        for (const TriangleMesh& level : breathing.levels)
             m_surfaces[breathing.index].levels.emplace_back(m_lungs, &level);
 }
 
@@ -69,7 +69,7 @@ void PatientModel::addTube()
         m_surfaces.push_back({.name = piece.name,
                               .description = {.name = piece.name, .conceptId = {}, .levels = {}},
                               .body = SurfaceBody::Tube,
-                              .levels = {stillMesh(std::move(piece.mesh))}});
+                              .levels = {shared(std::move(piece.mesh))}});
     m_tube.pieces.clear(); // they are surfaces now
 }
 

@@ -2,7 +2,6 @@
 
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/tube.h"
-#include "engine/geometry/deformable_mesh.h"
 #include "engine/lungs/lung_pair.h"
 
 #include <memory>
@@ -25,7 +24,7 @@ struct PatientSurface {
     AnatomyPart description; ///< role and concept; without meshes
     SurfaceBody body = SurfaceBody::Anatomy;
     /// Finest first. Shared with the lungs, whose volumes are those of these very meshes.
-    std::vector<std::shared_ptr<const DeformableMesh>> levels;
+    std::vector<std::shared_ptr<const TriangleMesh>> levels;
 };
 
 /// A patient ready to be drawn: the surfaces, the lungs that move some of them, and the tube.

@@ -90,7 +90,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     if (station != state->stations().end()) {
         const Volume inspired = station->second.breathing.inspiredAt(t);
         // A volume that these lungs cannot take is drawn as rest rather than as a torn surface.
-        moment.amplitudes = m_lungs.amplitudes(inspired, level).value_or(LungAmplitudes{});
+        moment.pose = m_lungs.pose(inspired, level).value_or(ChestPose{});
     }
     moment.tube = m_poses.at(ObjectKind::Tube, t);
     moment.jaw = m_poses.at(ObjectKind::Jaw, t);

@@ -27,7 +27,7 @@ struct ObjectPoses {
 /// Everything of a station that moves, at one session time.
 struct StationMoment {
     SessionTime time{};
-    LungAmplitudes amplitudes;
+    ChestPose pose;                     ///< of the chest
     std::optional<PoseSample> tube;     ///< X_AE; nothing while never seen
     std::optional<PoseSample> jaw;      ///< X_AJ
     std::optional<PoseSample> head;     ///< X_AH
@@ -47,7 +47,7 @@ public:
     StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                 ObjectPoses poses);
 
-    /// The station at a time, with amplitudes for one level of detail.
+    /// The station at a time, with the pose of the chest for one level of detail.
     [[nodiscard]] StationMoment at(SessionTime t, std::size_t level) const;
 
     /// The station when a frame is lit, told on this machine's clock; before the session clock is

@@ -8,7 +8,7 @@ namespace carina
 SurfaceFinder::SurfaceFinder(const PatientModel& patient)
 {
     for (const PatientSurface& surface : patient.surfaces()) {
-        const TriangleMesh& finest = surface.levels.front()->rest;
+        const TriangleMesh& finest = *surface.levels.front();
         if (surface.body != SurfaceBody::Tube)
             m_surfaces.push_back({&surface.name, &finest, boundsOf(finest)});
     }

@@ -71,7 +71,7 @@ void RegistrationScene::addMarkers()
 {
     std::vector<ScenePart> parts = sceneParts(m_registration.patient());
     const auto add = [&](std::string body, const QColor& color,
-                         std::shared_ptr<const DeformableMesh> mesh) {
+                         std::shared_ptr<const TriangleMesh> mesh) {
         parts.push_back({.name = body,
                          .id = static_cast<std::uint16_t>(parts.size() + 1),
                          .group = MaterialGroup::Tool,
@@ -97,7 +97,8 @@ void RegistrationScene::addMarkers()
 
 SceneFrame RegistrationScene::frameAt(LocalTime time) const
 {
-    SceneFrame frame = sceneFrame({}); // at rest, mouth closed
+    SceneFrame frame =
+        sceneFrame({}, m_registration.patient().lungs().field()); // at rest, mouth closed
     for (std::size_t i = 0; i < m_landmarks.size(); ++i)
         frame.bodies[bodyOf(markerOf(m_landmarks[i], time), i)] =
             RigidTransform::translation(m_landmarks[i].p_AQ);

@@ -49,12 +49,12 @@ bool isFramed(const PatientSurface& surface)
 Appearance tubeAppearance(const std::string& piece)
 {
     if (piece == "Depth marks")
-        return {MaterialGroup::Tool, {28, 32, 44}, AmplitudeChannel::None};
+        return {MaterialGroup::Tool, {28, 32, 44}};
     if (piece == "Cuff")
-        return {MaterialGroup::Tool, {112, 176, 216}, AmplitudeChannel::None};
+        return {MaterialGroup::Tool, {112, 176, 216}};
     if (piece == "Connector")
-        return {MaterialGroup::Tool, {238, 240, 242}, AmplitudeChannel::None};
-    return {MaterialGroup::Tool, {214, 226, 150}, AmplitudeChannel::None};
+        return {MaterialGroup::Tool, {238, 240, 242}};
+    return {MaterialGroup::Tool, {214, 226, 150}};
 }
 
 /// Where something with the pose X_VF in the patient is drawn while the patient is at X_AV.
@@ -77,7 +77,7 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                          .id = static_cast<std::uint16_t>(parts.size() + 1),
                          .group = look.group,
                          .color = look.color,
-                         .channel = look.channel,
+                         .region = regionOf(surface.description.role),
                          .body = bodyName(surface.body),
                          .framed = isFramed(surface),
                          .levels = surface.levels});
@@ -85,11 +85,13 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
     return parts;
 }
 
-SceneFrame sceneFrame(const StationMoment& moment)
+SceneFrame sceneFrame(const StationMoment& moment, const ChestField& field)
 {
     SceneFrame frame;
     frame.time = moment.time;
-    frame.amplitude = {double{moment.amplitudes.right}, double{moment.amplitudes.left}};
+    frame.chest.field = field;
+    for (std::size_t region = 0; region < kChestRegions; ++region)
+        frame.chest.motion[region] = motionOf(static_cast<ChestRegion>(region), moment.pose, field);
     const ActedPose patient = moment.patient ? moment.patient->acted : ActedPose{};
     frame.bodies[kPatient] = inPatient(patient, {});
     // Without a chin probe in view the mouth is drawn closed.

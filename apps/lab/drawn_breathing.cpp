@@ -14,13 +14,12 @@ namespace
 
 using Volumes = std::array<Volume, 2>; // right, left
 
-std::size_t indexOf(Side side) { return side == Side::Right ? 0 : 1; }
-
 Volume total(const Volumes& volumes) { return volumes[0] + volumes[1]; }
 
 /// One closed part on the graphics card, and the triangles between its vertices.
 struct DrawnPart {
     std::size_t lung = 0; // as indexOf
+    ChestRegion region = ChestRegion::Still;
     const std::vector<Triangle>* triangles = nullptr;
     DrawnVertices vertices;
 };
@@ -45,21 +44,21 @@ Result<std::vector<DrawnPart>> upload(const LungPair& lungs, std::size_t level)
 {
     std::vector<DrawnPart> parts;
     for (const BreathingPart& part : lungs.parts()) {
-        const DeformableMesh& mesh = levelOf(part, level);
+        const TriangleMesh& mesh = levelOf(part, level);
         Result<DrawnVertices> vertices = DrawnVertices::of(mesh);
         if (!vertices)
             return tl::unexpected(vertices.error());
-        parts.push_back({indexOf(part.side), &mesh.rest.triangles, std::move(*vertices)});
+        parts.push_back({indexOf(part.side), part.region, &mesh.triangles, std::move(*vertices)});
     }
     return parts;
 }
 
-Result<Volumes> volumesDrawn(std::vector<DrawnPart>& parts, const LungAmplitudes& amplitudes)
+Result<Volumes> volumesDrawn(std::vector<DrawnPart>& parts, const ChestField& field,
+                             const ChestPose& pose)
 {
     Volumes sums;
     for (DrawnPart& part : parts) {
-        const auto drawn =
-            part.vertices.positions(part.lung == 0 ? amplitudes.right : amplitudes.left);
+        const auto drawn = part.vertices.positions(field, motionOf(part.region, pose, field));
         if (!drawn)
             return tl::unexpected(drawn.error());
         sums[part.lung].si += enclosedVolume(*drawn, *part.triangles);
@@ -79,8 +78,8 @@ DrawnLevel undrawn(const LungPair& lungs, std::size_t level, const Volumes& rest
     result.level = level;
     for (const BreathingPart& part : lungs.parts()) {
         DrawnLung& lung = result.lungs[indexOf(part.side)];
-        lung.vertices += levelOf(part, level).rest.positions.size();
-        lung.triangles += levelOf(part, level).rest.triangles.size();
+        lung.vertices += levelOf(part, level).positions.size();
+        lung.triangles += levelOf(part, level).triangles.size();
     }
     for (std::size_t lung = 0; lung < rest.size(); ++lung)
         result.lungs[lung].restVolume = rest[lung];
@@ -94,7 +93,7 @@ Result<DrawnLevel> drawLevel(const LungPair& lungs, std::size_t level, const Vol
     auto parts = upload(lungs, level);
     if (!parts)
         return tl::unexpected(parts.error());
-    const auto rest = volumesDrawn(*parts, {});
+    const auto rest = volumesDrawn(*parts, lungs.field(), {});
     if (!rest)
         return tl::unexpected(rest.error());
     DrawnLevel result = undrawn(lungs, level, *rest);
@@ -105,10 +104,9 @@ Result<DrawnLevel> drawLevel(const LungPair& lungs, std::size_t level, const Vol
     for (; result.frames <= frames; ++result.frames) {
         const Volume inspired = inspiredVolume(trial.pattern, breaths - std::floor(breaths));
         breaths += trial.pattern.rate.si / kFramesPerSecond;
-        const auto drawn =
-            lungs.amplitudes(inspired, level).and_then([&](const LungAmplitudes& amplitudes) {
-                return volumesDrawn(*parts, amplitudes);
-            });
+        const auto drawn = lungs.pose(inspired, level).and_then([&](const ChestPose& pose) {
+            return volumesDrawn(*parts, lungs.field(), pose);
+        });
         if (!drawn)
             return tl::unexpected(drawn.error());
         for (std::size_t lung = 0; lung < frc.size(); ++lung) {
@@ -136,7 +134,7 @@ Result<DrawnBreathing> drawBreathing(const Anatomy& anatomy, const BreathingTria
         return fail(Errc::OutOfRange, anatomy.name + " has levels 0 to "
                                           + std::to_string(lungs->levelCount() - 1) + ".");
     const auto frc = upload(*lungs, 0).and_then(
-        [](std::vector<DrawnPart> parts) { return volumesDrawn(parts, {}); });
+        [&](std::vector<DrawnPart> parts) { return volumesDrawn(parts, lungs->field(), {}); });
     if (!frc)
         return tl::unexpected(frc.error());
     DrawnBreathing drawn{total(*frc), {}};

@@ -22,7 +22,7 @@ struct BreathingTrial {
 struct DrawnLung {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
-    Volume restVolume;   ///< at amplitude 0
+    Volume restVolume;   ///< in the pose at rest
     Volume largestError; ///< largest distance of the volume drawn from the volume commanded
 };
 

@@ -10,7 +10,7 @@ LandmarkCatalogue landmarksOf(const viewer::ChosenPatient& patient)
     std::vector<Bone> bones;
     for (const PatientSurface& surface : patient.model->surfaces())
         if (surface.description.role == PartRole::Rib)
-            bones.push_back({surface.name, surface.levels.front()->rest.positions});
+            bones.push_back({surface.name, surface.levels.front()->positions});
     const std::string& anatomy = patient.model->contentHash();
     return boneLandmarks(bones, anatomy)
         .value_or(ribCageCatalogue(patient.dimensions.height, anatomy));

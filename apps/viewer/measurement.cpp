@@ -28,7 +28,8 @@ LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
     entry.local = machineTime(drawn.lit);
     entry.session = drawn.frame.time;
     entry.level = drawn.level;
-    entry.amplitude = {moment.amplitudes.right, moment.amplitudes.left};
+    for (std::size_t lung = 0; lung < entry.amplitude.size(); ++lung)
+        entry.amplitude[lung] = static_cast<float>(moment.pose.lungs[lung].diaphragm);
     if (moment.tube && moment.tube->validity != Validity::Lost)
         entry.X_AE = moment.tube->X_FO;
     entry.sampleAge = moment.sampleAge;
@@ -45,7 +46,7 @@ bool isInPlace(const LoggedFrame& frame, const TubeShape& tube)
 }
 
 /// The finest of the surface's own levels that a level of the scene shows.
-const DeformableMesh& shownLevel(const PatientSurface& surface, int level)
+const TriangleMesh& shownLevel(const PatientSurface& surface, int level)
 {
     return *surface.levels[std::min(std::size_t(level), surface.levels.size() - 1)];
 }
@@ -54,7 +55,7 @@ qint64 trianglesAt(const PatientModel& patient, int level)
 {
     qint64 count = 0;
     for (const PatientSurface& surface : patient.surfaces())
-        count += qint64(shownLevel(surface, level).rest.triangles.size());
+        count += qint64(shownLevel(surface, level).triangles.size());
     return count;
 }
 
@@ -85,6 +86,7 @@ void Measurement::startAfresh()
 void Measurement::logFrame(const DrawnFrame& drawn, const StationMoment& moment)
 {
     m_frames.push_back(logged(drawn, moment));
+    m_poses.push_back(moment.pose);
     if (m_overlay && drawn.frame.eyes && !drawn.frame.eyes->empty() && moment.head)
         m_overlay->add(moment.head->X_FO, moment.time + (drawn.swapped + kHalfRefresh - drawn.lit));
     if (!isInPlace(m_frames.back(), m_scene.patient().tube())) {
@@ -116,8 +118,11 @@ Result<void> Measurement::measureVolumes()
             continue;
         const std::size_t lung = *side == Side::Right ? 0 : 1;
         std::map<int, DrawnVertices> readers; // one for each level that was drawn
-        for (LoggedFrame& frame : m_frames) {
-            const DeformableMesh& mesh = shownLevel(surface, frame.level);
+        const ChestRegion region = regionOf(surface.description.role);
+        const ChestField& field = m_scene.patient().lungs().field();
+        for (std::size_t n = 0; n < m_frames.size(); ++n) {
+            LoggedFrame& frame = m_frames[n];
+            const TriangleMesh& mesh = shownLevel(surface, frame.level);
             auto reader = readers.find(frame.level);
             if (reader == readers.end()) {
                 auto made = DrawnVertices::of(mesh);
@@ -125,10 +130,10 @@ Result<void> Measurement::measureVolumes()
                     return tl::unexpected(made.error());
                 reader = readers.emplace(frame.level, std::move(*made)).first;
             }
-            auto positions = reader->second.positions(frame.amplitude[lung]);
+            auto positions = reader->second.positions(field, motionOf(region, m_poses[n], field));
             if (!positions)
                 return tl::unexpected(positions.error());
-            const TriangleMesh drawn{std::move(*positions), {}, mesh.rest.triangles};
+            const TriangleMesh drawn{std::move(*positions), {}, mesh.triangles};
             frame.volume_ml[lung] += inMillilitres(cubicMetres(signedVolume(drawn)));
         }
     }

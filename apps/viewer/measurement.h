@@ -44,6 +44,7 @@ private:
     QWidget& m_window;
     StationScene& m_scene;
     std::vector<LoggedFrame> m_frames;
+    std::vector<ChestPose> m_poses; ///< of the chest, as drawn in each of them
     std::optional<SeenOverlay> m_overlay;
     std::optional<LocalTime> m_inPlaceSince; ///< the tube, without a break until the latest frame
     bool m_pictureDue = false;               ///< of this stay in place

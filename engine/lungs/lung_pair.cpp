@@ -2,19 +2,21 @@
 
 #include "engine/core/expects.h"
 #include "engine/geometry/mesh_winding.h"
-#include "engine/lungs/displacement_mode.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
 namespace
 {
 
-std::size_t indexOf(Side side) { return side == Side::Right ? 0 : 1; }
+using Lung = std::vector<const AnatomyPart*>;
+
+constexpr std::array kSides{Side::Right, Side::Left};
 
 /// The vertex of a lung nearest to the carina, the origin of A.
-Vec3 nearestToCarina(const std::vector<const AnatomyPart*>& lung)
+Vec3 nearestToCarina(const Lung& lung)
 {
     Vec3f nearest = lung.front()->levels.front().positions.front();
     for (const AnatomyPart* part : lung) {
@@ -26,17 +28,39 @@ Vec3 nearestToCarina(const std::vector<const AnatomyPart*>& lung)
     return nearest.cast<double>();
 }
 
-DisplacementMode modeOf(const std::vector<const AnatomyPart*>& lung, Side side)
+Box boxOf(const Lung& lung)
 {
     Box box_A;
     for (const AnatomyPart* part : lung)
         box_A.include(boundsOf(part->levels.front()));
-    return {box_A, side, nearestToCarina(lung)};
+    return box_A;
 }
 
-std::vector<const AnatomyPart*> partsOf(const Anatomy& anatomy, Side side)
+Vec3 mirrored(const Vec3& p_A) { return {-p_A.x(), p_A.y(), p_A.z()}; }
+
+ChestField fieldOf(const Lung& right, const Lung& left)
 {
-    std::vector<const AnatomyPart*> lung;
+    if (right.empty() && left.empty())
+        return {};
+    Box box_A;
+    for (const Lung* lung : {&right, &left}) {
+        if (!lung->empty())
+            box_A.include(boxOf(*lung));
+    }
+    const Vec3 p_A_right = nearestToCarina(right.empty() ? left : right);
+    const Vec3 p_A_left = nearestToCarina(left.empty() ? right : left);
+    if (!right.empty() && !left.empty())
+        return {box_A, p_A_right, p_A_left};
+    Box both_A = box_A;
+    both_A.include(mirrored(box_A.min));
+    both_A.include(mirrored(box_A.max));
+    return right.empty() ? ChestField{both_A, mirrored(p_A_left), p_A_left}
+                         : ChestField{both_A, p_A_right, mirrored(p_A_right)};
+}
+
+Lung partsOf(const Anatomy& anatomy, Side side)
+{
+    Lung lung;
     for (const AnatomyPart& part : anatomy.parts) {
         if (lungSide(part.role) == side)
             lung.push_back(&part);
@@ -54,28 +78,47 @@ Result<void> checkClosed(const AnatomyPart& part)
     return {};
 }
 
+/// The pose in which one number of a lung's is 1: the modes of its volume tensor, in their order.
+constexpr VolumeTensor::Amplitudes modesOf(const LungPose& lung, double shift)
+{
+    return {lung.diaphragm, lung.ribs, lung.gravity, lung.collapse, shift};
+}
+
+ChestPose poseOfMode(std::size_t mode)
+{
+    ChestPose pose;
+    const auto unit = [mode](std::size_t k) { return mode == k ? 1.0 : 0.0; };
+    pose.lungs.fill({unit(0), unit(1), unit(2), unit(3)});
+    pose.mediastinalShift = unit(4);
+    return pose;
+}
+
+VolumeTensor::Fields fieldsOf(const TriangleMesh& mesh, ChestRegion region, const ChestField& field)
+{
+    VolumeTensor::Fields fields;
+    for (std::size_t mode = 0; mode < VolumeTensor::kModes; ++mode) {
+        const ChestMotion motion = motionOf(region, poseOfMode(mode), field);
+        for (const Vec3f& p_A : mesh.positions)
+            fields[mode].push_back(field.at(p_A.cast<double>(), motion).d_A);
+    }
+    return fields;
+}
+
 } // namespace
 
 Result<LungPair> LungPair::of(const Anatomy& anatomy)
 {
     LungPair pair;
-    for (const Side side : {Side::Right, Side::Left}) {
-        const std::vector<const AnatomyPart*> lung = partsOf(anatomy, side);
-        for (const AnatomyPart* part : lung) {
+    const std::array lungs{partsOf(anatomy, Side::Right), partsOf(anatomy, Side::Left)};
+    for (const Side side : kSides) {
+        for (const AnatomyPart* part : lungs[indexOf(side)]) {
             if (const Result<void> closed = checkClosed(*part); !closed)
                 return tl::unexpected(closed.error());
-        }
-        if (lung.empty())
-            continue;
-        const DisplacementMode mode = modeOf(lung, side);
-        for (const AnatomyPart* part : lung) {
-            BreathingPart& breathing = pair.m_parts.emplace_back();
-            breathing.index = static_cast<std::size_t>(part - anatomy.parts.data());
-            breathing.side = side;
-            for (const TriangleMesh& level : part->levels)
-                breathing.levels.push_back(makeDeformable(level, mode));
+            pair.m_parts.push_back({static_cast<std::size_t>(part - anatomy.parts.data()), side,
+                                    regionOf(part->role), part->levels});
         }
     }
+    pair.m_field = fieldOf(lungs[0], lungs[1]);
     pair.sumVolumes();
     return pair;
 }
@@ -85,16 +128,18 @@ void LungPair::sumVolumes()
     std::size_t levels = 0;
     for (const BreathingPart& part : m_parts)
         levels = std::max(levels, part.levels.size());
-    m_cubics.resize(levels);
+    m_volumes.resize(levels);
     for (const BreathingPart& part : m_parts) {
-        for (std::size_t level = 0; level < levels; ++level)
-            m_cubics[level][indexOf(part.side)] += volumeCubic(levelOf(part, level));
+        for (std::size_t level = 0; level < levels; ++level) {
+            const TriangleMesh& mesh = levelOf(part, level);
+            m_volumes[level][indexOf(part.side)].add(mesh, fieldsOf(mesh, part.region, m_field));
+        }
     }
 }
 
 Volume LungPair::restVolume(Side side) const
 {
-    return m_cubics.empty() ? Volume{} : m_cubics.front()[indexOf(side)].at(0.0);
+    return m_volumes.empty() ? Volume{} : m_volumes.front()[indexOf(side)].along({}, {}).at(0.0);
 }
 
 Volume LungPair::volumeWith(Volume inspired, Side side) const
@@ -106,44 +151,41 @@ Volume LungPair::volumeWith(Volume inspired, Side side) const
     return rest + (rest / both) * inspired;
 }
 
-Result<LungAmplitudes> LungPair::amplitudes(Volume inspired, std::size_t level) const
+Result<ChestPose> LungPair::pose(const std::array<LungDemand, 2>& demands, double mediastinalShift,
+                                 std::size_t level) const
 {
-    if (m_cubics.empty())
-        return LungAmplitudes{};
-    CARINA_EXPECTS(level < m_cubics.size());
-    std::array<float, 2> amplitude{};
-    for (const Side side : {Side::Right, Side::Left}) {
-        const VolumeCubic& cubic = m_cubics[level][indexOf(side)];
-        if (cubic.at(0.0).si == 0.0)
+    if (m_volumes.empty())
+        return ChestPose{};
+    CARINA_EXPECTS(level < m_volumes.size());
+    ChestPose pose;
+    pose.mediastinalShift = mediastinalShift;
+    for (const Side side : kSides) {
+        if (restVolume(side).si == 0.0)
             continue;
-        const Result<double> s = amplitudeFor(cubic, volumeWith(inspired, side), 0.0);
+        const auto& [volume, given, along, nearest] = demands[indexOf(side)];
+        const double shiftInto = side == Side::Left ? mediastinalShift : -mediastinalShift;
+        const auto range = amplitudesWithin(given, along, shiftInto);
+        if (!range)
+            return fail(Errc::VolumeUnreachable, "a lung cannot be deformed as asked");
+        const VolumeCubic cubic = m_volumes[level][indexOf(side)].along(
+            modesOf(given, mediastinalShift), modesOf(along, 0.0));
+        const Result<double> s = amplitudeFor(cubic, volume, nearest, *range);
         if (!s)
             return tl::unexpected(s.error());
-        amplitude[indexOf(side)] = static_cast<float>(*s);
+        pose.lungs[indexOf(side)] = given + *s * along;
     }
-    return LungAmplitudes{amplitude[0], amplitude[1]};
+    return pose;
 }
 
-Box LungPair::bounds(Side side) const
+Result<ChestPose> LungPair::pose(Volume inspired, std::size_t level) const
 {
-    // Vertices move along straight lines, so the ends of the range bound all of it.
-    Box box_A;
-    for (const BreathingPart& part : m_parts) {
-        if (part.side != side)
-            continue;
-        for (const DeformableMesh& mesh : part.levels) {
-            for (std::size_t i = 0; i < mesh.rest.positions.size(); ++i) {
-                const Vec3 x0 = mesh.rest.positions[i].cast<double>();
-                const Vec3 d = mesh.displacement[i].cast<double>();
-                box_A.include(Vec3{x0 + kLeastAmplitude * d});
-                box_A.include(Vec3{x0 + kGreatestAmplitude * d});
-            }
-        }
-    }
-    return box_A;
+    std::array<LungDemand, 2> demands;
+    for (const Side side : kSides)
+        demands[indexOf(side)].volume = volumeWith(inspired, side);
+    return pose(demands, 0.0, level);
 }
 
-const DeformableMesh& levelOf(const BreathingPart& part, std::size_t level)
+const TriangleMesh& levelOf(const BreathingPart& part, std::size_t level)
 {
     return part.levels[std::min(level, part.levels.size() - 1)];
 }

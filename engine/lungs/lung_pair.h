@@ -3,8 +3,8 @@
 #include "engine/anatomy/anatomy.h"
 #include "engine/core/result.h"
 #include "engine/core/units.h"
-#include "engine/geometry/deformable_mesh.h"
-#include "engine/lungs/volume_cubic.h"
+#include "engine/lungs/chest_pose.h"
+#include "engine/lungs/volume_tensor.h"
 
 #include <array>
 
@@ -15,23 +15,25 @@ namespace carina
 struct BreathingPart {
     std::size_t index = 0; ///< of the part in Anatomy::parts
     Side side = Side::Right;
-    std::vector<DeformableMesh> levels; ///< as many as the part has, finest first
+    ChestRegion region = ChestRegion::Still;
+    std::vector<TriangleMesh> levels; ///< as many as the part has, finest first
 };
 
-/// What the vertex shader needs at one moment.
-struct LungAmplitudes {
-    float right = 0.0F;
-    float left = 0.0F;
+/// What is asked of one lung.
+struct LungDemand {
+    Volume volume;                 ///< to enclose
+    LungPose given;                ///< what is known of its pose
+    LungPose along = kQuietBreath; ///< what is added to it, as often as the volume takes
+    double nearest = 0.0;          ///< of several amounts that would do, the one nearest to this
 };
 
 /// Both lungs of a patient, which can be drawn with any volume asked for.
 ///
 /// The volume of a lung is the sum of its closed parts. At rest, in the finest level, it is the
 /// functional residual capacity (FRC) of this patient; a coarser level is drawn with the same
-/// volume as the finest, at an amplitude of its own. Inspired gas divides between the lungs as
-/// their volumes at rest do. The hilum of a lung is taken where the lung comes nearest to the
-/// carina. A patient with one lung breathes with that one; one without lungs has no parts, and
-/// amplitudes of 0.
+/// volume as the finest, in a pose of its own. The hilum of a lung is taken where the lung comes
+/// nearest to the carina. A patient with one lung breathes with that one, in a chest that is as
+/// wide on the other side; one without lungs has no parts, and stays at rest.
 class LungPair
 {
 public:
@@ -42,34 +44,39 @@ public:
     [[nodiscard]] static Result<LungPair> of(const Anatomy& anatomy);
 
     [[nodiscard]] const std::vector<BreathingPart>& parts() const { return m_parts; }
+    /// How everything in this chest moves in a pose.
+    [[nodiscard]] const ChestField& field() const { return m_field; }
     /// Levels of detail of the part that has most; a part with fewer is drawn at its coarsest.
-    [[nodiscard]] std::size_t levelCount() const { return m_cubics.size(); }
+    [[nodiscard]] std::size_t levelCount() const { return m_volumes.size(); }
 
     /// Volume at functional residual capacity.
     [[nodiscard]] Volume restVolume(Side side) const;
-    /// Volume of one lung once `inspired` was drawn into both together.
+    /// Volume of one lung once `inspired` was drawn into both together, which divide it as they
+    /// divide the volume at rest.
     [[nodiscard]] Volume volumeWith(Volume inspired, Side side) const;
 
-    /// The amplitudes that give both lungs their volumes, a pure function of its arguments: of
-    /// several that would, the one nearest to rest.
+    /// The pose that gives both lungs the volumes asked for, a pure function of its arguments.
     ///
+    /// @param demands right, left; of a lung that is not there it is ignored
     /// @returns VolumeUnreachable when a lung cannot be deformed that far; NotFinite for NaN, inf.
     /// @pre level < levelCount(), or there are no lungs.
-    [[nodiscard]] Result<LungAmplitudes> amplitudes(Volume inspired, std::size_t level) const;
+    [[nodiscard]] Result<ChestPose> pose(const std::array<LungDemand, 2>& demands,
+                                         double mediastinalShift, std::size_t level) const;
 
-    /// Everything the lung's vertices reach at any amplitude, for culling; empty without a lung.
-    [[nodiscard]] Box bounds(Side side) const;
+    /// The same in quiet breathing: both lungs with their share of the gas inspired.
+    [[nodiscard]] Result<ChestPose> pose(Volume inspired, std::size_t level) const;
 
 private:
-    using PerSide = std::array<VolumeCubic, 2>; ///< right, left
+    using PerSide = std::array<VolumeTensor, 2>; ///< right, left
 
     void sumVolumes();
 
     std::vector<BreathingPart> m_parts;
-    std::vector<PerSide> m_cubics; ///< one per level of detail
+    ChestField m_field;
+    std::vector<PerSide> m_volumes; ///< one per level of detail
 };
 
 /// The level of a part that is drawn at level `level` of the patient.
-[[nodiscard]] const DeformableMesh& levelOf(const BreathingPart& part, std::size_t level);
+[[nodiscard]] const TriangleMesh& levelOf(const BreathingPart& part, std::size_t level);
 
 } // namespace carina

@@ -1,6 +1,6 @@
 #include "engine/lungs/volume_cubic.h"
 
-#include "engine/lungs/displacement_mode.h"
+#include "engine/core/expects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +11,16 @@ namespace carina
 namespace
 {
 
-double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
-
 /// The two turning points of the cubic, in order, moved to the nearest end of the range where they
 /// lie outside it: between neighbours of (least, first, second, greatest) V only rises or falls.
-std::array<double, 2> turningPoints(const VolumeCubic& cubic)
+std::array<double, 2> turningPoints(const VolumeCubic& cubic, const AmplitudeRange& range)
 {
     // 3 c3 s^2 + 2 c2 s + c1 = 0 without the difference of two nearly equal numbers.
     const double discriminant = cubic.c[2] * cubic.c[2] - 3.0 * cubic.c[3] * cubic.c[1];
     const double q = -(cubic.c[2] + std::copysign(std::sqrt(discriminant), cubic.c[2]));
     std::array<double, 2> points{q / (3.0 * cubic.c[3]), cubic.c[1] / q};
     for (double& point : points) {
-        point = std::isnan(point) ? kLeastAmplitude
-                                  : std::clamp(point, kLeastAmplitude, kGreatestAmplitude);
+        point = std::isnan(point) ? range.least : std::clamp(point, range.least, range.greatest);
     }
     std::ranges::sort(points);
     return points;
@@ -56,44 +53,15 @@ Volume VolumeCubic::at(double s) const
     return cubicMetres(c[0] + s * (c[1] + s * (c[2] + s * c[3])));
 }
 
-VolumeCubic& VolumeCubic::operator+=(const VolumeCubic& other)
+Result<double> amplitudeFor(const VolumeCubic& cubic, Volume volume, double nearest,
+                            const AmplitudeRange& range)
 {
-    for (std::size_t k = 0; k < c.size(); ++k)
-        c[k] += other.c[k];
-    return *this;
-}
-
-VolumeCubic volumeCubic(const DeformableMesh& mesh)
-{
-    VolumeCubic cubic;
-    if (mesh.rest.empty())
-        return cubic;
-    const Vec3 origin = mesh.rest.positions.front().cast<double>();
-    std::array<Vec3, 3> x;
-    std::array<Vec3, 3> d;
-    for (const Triangle& triangle : mesh.rest.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            x[k] = mesh.rest.positions[triangle[k]].cast<double>() - origin;
-            d[k] = mesh.displacement[triangle[k]].cast<double>();
-        }
-        cubic.c[0] += determinant(x[0], x[1], x[2]);
-        cubic.c[1] += determinant(d[0], x[1], x[2]) + determinant(x[0], d[1], x[2])
-                      + determinant(x[0], x[1], d[2]);
-        cubic.c[2] += determinant(x[0], d[1], d[2]) + determinant(d[0], x[1], d[2])
-                      + determinant(d[0], d[1], x[2]);
-        cubic.c[3] += determinant(d[0], d[1], d[2]);
-    }
-    for (double& coefficient : cubic.c)
-        coefficient /= 6.0;
-    return cubic;
-}
-
-Result<double> amplitudeFor(const VolumeCubic& cubic, Volume volume, double nearest)
-{
+    CARINA_EXPECTS(std::isfinite(range.least) && std::isfinite(range.greatest)
+                   && range.least <= range.greatest);
     if (!std::isfinite(volume.si) || !std::isfinite(nearest))
         return fail(Errc::NotFinite, "the volume asked of a lung is not a number");
-    const auto [first, second] = turningPoints(cubic);
-    const std::array ends{kLeastAmplitude, first, second, kGreatestAmplitude};
+    const auto [first, second] = turningPoints(cubic, range);
+    const std::array ends{range.least, first, second, range.greatest};
     std::optional<double> best;
     for (std::size_t piece = 0; piece + 1 < ends.size(); ++piece) {
         const auto s = crossing(cubic, volume, ends[piece], ends[piece + 1]);

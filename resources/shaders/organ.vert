@@ -1,39 +1,127 @@
 #version 330 core
 
-// The one vertex shader of everything made of organs: breathing parts, and still ones, whose
-// displacement and normal terms are zero or absent (which reads as zero).
+// The one vertex shader of everything made of organs. What breathes is moved by the field of the
+// chest, written out in engine/geometry/chest_formula.h and worked out on the processor by
+// engine/geometry/moved_vertex.h; the names here are theirs. Nothing is uploaded while it breathes
+// but two matrices.
 
 in vec3 vertexPosition;
 in vec3 vertexNormal;
-in vec3 displacement;    // d, metres at amplitude 1
-in vec3 normalLinear;    // n1
-in vec3 normalQuadratic; // n2
 in vec3 vertexColor;
 in float partId;
 
 uniform mat4 modelMatrix;
 uniform mat4 mvp;
 uniform mat3 modelNormalMatrix;
-uniform float amplitude; // s
+uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; left hilum
+uniform mat4 motion; // columns: descent, forward, flare, lift; bulkBack, bulkDown, shrink, shift;
+                     // of the right lung, then of the left
 
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 color;
 flat out float part;
 
-// x(s) = x0 + s d, and the normal that belongs to it, n(s) ~ n0 + s n1 + s^2 n2.
-// engine/geometry/deformable_mesh.cpp computes the same on the CPU.
-void deform(float s, out vec3 position, out vec3 normal)
+const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
+const float kBeyond = 0.2;
+
+// Each gives a value and its slope.
+vec2 step3(float x)
 {
-    position = vertexPosition + s * displacement;
-    normal = normalize(vertexNormal + s * (normalLinear + s * normalQuadratic));
+    float t = clamp(x, 0.0, 1.0);
+    return vec2(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t));
+}
+
+vec2 bulge(float x)
+{
+    float t = clamp(x, 0.0, 1.0);
+    float b = 4.0 * t * (1.0 - t);
+    return vec2(b * b, 8.0 * b * (1.0 - 2.0 * t));
+}
+
+// A product of functions of v and of h: its value, and its slopes along v and h.
+vec3 profile(vec2 along_v, vec2 along_h)
+{
+    return vec3(along_v.x * along_h.x, along_v.y * along_h.x, along_v.x * along_h.y);
+}
+
+// The displacement at q = (u, v, h), and as its rows the slopes of each component.
+void chestValue(vec3 q, out vec3 f, out vec3 slope_u, out vec3 slope_v, out vec3 slope_h)
+{
+    vec3 right = chest[2].xyz;
+    vec3 span = chest[3].xyz - right;
+    vec2 left = step3((q.x - right.x) / span.x);
+    left.y /= span.x;
+    vec3 offset = q - (right + left.x * span);
+    vec3 curveSlope = left.y * span;
+    float beyond = max(q.x - chest[3].x, 0.0) - max(right.x - q.x, 0.0);
+    vec3 pull = kStiffness * vec3(beyond, offset.yz);
+    float near = 1.0 / (1.0 + dot(pull, vec3(beyond, offset.yz)));
+    float away = 1.0 - near * near;
+    vec3 awaySlope = 4.0 * near * near * near
+                     * vec3(pull.x - pull.y * curveSlope.y - pull.z * curveSlope.z, pull.yz);
+
+    vec4 c0 = motion[0] + left.x * (motion[2] - motion[0]);
+    vec4 c1 = motion[1] + left.x * (motion[3] - motion[1]);
+    vec4 slope0 = left.y * (motion[2] - motion[0]);
+    vec4 slope1 = left.y * (motion[3] - motion[1]);
+
+    float perDepth = 1.0 / (1.0 + 2.0 * kBeyond);
+    vec2 back = step3((q.y + kBeyond) * perDepth) * vec2(1.0, perDepth);
+    vec2 upper = step3(2.0 * q.z) * vec2(1.0, 2.0);
+    float frontShare = chest[0].w;
+    vec3 base = profile(vec2(frontShare, 0.0) + (1.0 - frontShare) * back, step3(q.z));
+    vec3 ribs = profile(vec2(1.0, 0.0) - back, upper);
+    vec3 bulk = profile(bulge(q.y), bulge(q.z));
+
+    vec3 outward = c0.z * q.x * ribs;
+    vec3 backward = c0.y * ribs + c1.x * bulk;
+    vec3 down = c0.x * base + c0.w * ribs + c1.y * bulk;
+    float outward_u = (c0.z + slope0.z * q.x) * ribs.x;
+    float backward_u = slope0.y * ribs.x + slope1.x * bulk.x;
+    float down_u = slope0.x * base.x + slope0.w * ribs.x + slope1.y * bulk.x;
+    f = away * vec3(outward.x, backward.x, down.x);
+    slope_u = awaySlope * outward.x + away * vec3(outward_u, outward.yz);
+    slope_v = awaySlope * backward.x + away * vec3(backward_u, backward.yz);
+    slope_h = awaySlope * down.x + away * vec3(down_u, down.yz);
+
+    float inside = clamp(1.0 - q.x * q.x, 0.0, 1.0);
+    f.x += c1.w * inside * inside * upper.x;
+    slope_u.x += (slope1.w * inside - 4.0 * c1.w * q.x) * inside * upper.x;
+    slope_u.z += c1.w * inside * inside * upper.y;
+
+    vec3 along_u = c1.z * curveSlope - slope1.z * offset;
+    f -= c1.z * offset;
+    slope_u.x += along_u.x - c1.z;
+    slope_v.xy += vec2(along_u.y, -c1.z);
+    slope_h.xz += vec2(along_u.z, -c1.z);
+}
+
+void deform(out vec3 position, out vec3 normal)
+{
+    position = vertexPosition;
+    normal = vertexNormal;
+    if (motion == mat4(0.0))
+        return;
+    vec3 perMetre = chest[1].xyz;
+    vec3 f;
+    vec3 a;
+    vec3 b;
+    vec3 c;
+    chestValue((position - chest[0].xyz) * perMetre, f, a, b, c);
+    position += f / perMetre;
+    a.x += 1.0;
+    b.y += 1.0;
+    c.z += 1.0;
+    vec3 n = normal / perMetre;
+    normal = normalize(perMetre * vec3(dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n)));
 }
 
 void main()
 {
     vec3 position;
     vec3 normal;
-    deform(amplitude, position, normal);
+    deform(position, normal);
 
     worldPosition = vec3(modelMatrix * vec4(position, 1.0));
     worldNormal = normalize(modelNormalMatrix * normal);

@@ -92,12 +92,13 @@ void TestStationView::breathesAtTheTimeOfLight()
     const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
     // 19 breaths a minute unless somebody says otherwise: a breath takes 60 / 19 s.
     const Duration breath = fromSeconds(60.0 / 19.0);
-    const float start = view.at(kNow + std::chrono::seconds{1}, 0).amplitudes.right;
-    const float later =
-        view.at(kNow + std::chrono::seconds{1} + milliseconds{40}, 0).amplitudes.right;
-    const float again = view.at(kNow + std::chrono::seconds{1} + breath, 0).amplitudes.right;
-    QVERIFY(std::abs(later - start) > 1e-3F);
-    QVERIFY(std::abs(again - start) < 1e-5F);
+    const double start = view.at(kNow + std::chrono::seconds{1}, 0).pose.lungs[0].diaphragm;
+    const double later =
+        view.at(kNow + std::chrono::seconds{1} + milliseconds{40}, 0).pose.lungs[0].diaphragm;
+    const double again =
+        view.at(kNow + std::chrono::seconds{1} + breath, 0).pose.lungs[0].diaphragm;
+    QVERIFY(std::abs(later - start) > 1e-3);
+    QVERIFY(std::abs(again - start) < 1e-5);
 }
 
 void TestStationView::showsRestBeforeTheClockIsSet()
@@ -109,8 +110,7 @@ void TestStationView::showsRestBeforeTheClockIsSet()
     const StationMoment moment = view.litAt(kLit, 0);
     QVERIFY(moment.time == SessionTime{});
     QVERIFY(!moment.tube && !moment.jaw && !moment.head && !moment.sampleAge);
-    QCOMPARE(moment.amplitudes.right, 0.0F);
-    QCOMPARE(moment.amplitudes.left, 0.0F);
+    QCOMPARE(moment.pose, ChestPose{});
 }
 
 void TestStationView::showsThePatientAsActionsHaveItAtTheTimeOfLight()

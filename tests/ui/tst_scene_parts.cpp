@@ -14,7 +14,7 @@ class TestSceneParts : public QObject
 private Q_SLOTS:
     void drawsThePatientInItsPlaceUntilItIsActedOn()
     {
-        const SceneFrame frame = sceneFrame({});
+        const SceneFrame frame = sceneFrame({}, ChestField{});
         QCOMPARE(drawnAt(frame, "patient", kPoint), kPoint);
         QCOMPARE(drawnAt(frame, "mandible", kPoint), kPoint);
         QVERIFY(!frame.bodies.contains("tube"));
@@ -32,7 +32,7 @@ private Q_SLOTS:
         moment.jaw->validity = Validity::Tracked;
         moment.tube.emplace().X_FO = RigidTransform::translation({0.5, 0.0, 0.0});
         moment.tube->validity = Validity::Tracked;
-        const SceneFrame frame = sceneFrame(moment);
+        const SceneFrame frame = sceneFrame(moment, ChestField{});
         const auto moved = [](const Vec3& p) {
             return Vec3{2.0 * -p.y(), 2.0 * p.x(), 2.0 * p.z() + 1.0};
         };

@@ -13,14 +13,6 @@ namespace
 constexpr QColor kIvory{232, 220, 192};
 constexpr QColor kCartilage{178, 208, 222};
 
-AmplitudeChannel channelOf(PartRole role)
-{
-    const std::optional<Side> side = lungSide(role);
-    if (!side)
-        return AmplitudeChannel::None;
-    return *side == Side::Right ? AmplitudeChannel::RightLung : AmplitudeChannel::LeftLung;
-}
-
 QColor vesselColor(std::string name)
 {
     std::transform(name.begin(), name.end(), name.begin(),
@@ -36,56 +28,55 @@ QColor vesselColor(std::string name)
 
 Appearance appearanceOf(const AnatomyPart& part)
 {
-    const AmplitudeChannel channel = channelOf(part.role);
     switch (part.role) {
     case PartRole::Trachea:
     case PartRole::RightMainBronchus:
     case PartRole::LeftMainBronchus:
-        return {MaterialGroup::Airway, kCartilage, channel};
+        return {MaterialGroup::Airway, kCartilage};
     case PartRole::BronchialTree:
-        return {MaterialGroup::SoftTissue, {186, 200, 206}, channel};
+        return {MaterialGroup::SoftTissue, {186, 200, 206}};
     case PartRole::Larynx:
-        return {MaterialGroup::Airway, {196, 214, 208}, channel};
+        return {MaterialGroup::Airway, {196, 214, 208}};
     case PartRole::Epiglottis:
-        return {MaterialGroup::SoftTissue, {226, 178, 150}, channel};
+        return {MaterialGroup::SoftTissue, {226, 178, 150}};
     case PartRole::RightUpperLobe:
     case PartRole::LeftUpperLobe:
-        return {MaterialGroup::Lung, {226, 158, 158}, channel};
+        return {MaterialGroup::Lung, {226, 158, 158}};
     case PartRole::RightMiddleLobe:
-        return {MaterialGroup::Lung, {232, 176, 160}, channel};
+        return {MaterialGroup::Lung, {232, 176, 160}};
     case PartRole::RightLowerLobe:
     case PartRole::LeftLowerLobe:
-        return {MaterialGroup::Lung, {208, 140, 150}, channel};
+        return {MaterialGroup::Lung, {208, 140, 150}};
     case PartRole::RightLung:
     case PartRole::LeftLung:
-        return {MaterialGroup::Lung, {224, 156, 158}, channel};
+        return {MaterialGroup::Lung, {224, 156, 158}};
     case PartRole::Diaphragm:
-        return {MaterialGroup::Veil, {150, 84, 78}, channel};
+        return {MaterialGroup::Veil, {150, 84, 78}};
     case PartRole::Mandible:
-        return {MaterialGroup::Bone, {236, 224, 196}, channel};
+        return {MaterialGroup::Bone, {236, 224, 196}};
     case PartRole::Tooth:
-        return {MaterialGroup::Bone, {246, 242, 228}, channel};
+        return {MaterialGroup::Bone, {246, 242, 228}};
     case PartRole::Skull:
     case PartRole::Spine:
-        return {MaterialGroup::Bone, {214, 202, 176}, channel};
+        return {MaterialGroup::Bone, {214, 202, 176}};
     case PartRole::Rib:
-        return {MaterialGroup::Veil, kIvory, channel};
+        return {MaterialGroup::Veil, kIvory};
     case PartRole::Tongue:
-        return {MaterialGroup::SoftTissue, {202, 112, 112}, channel};
+        return {MaterialGroup::SoftTissue, {202, 112, 112}};
     case PartRole::Pharynx:
-        return {MaterialGroup::Airway, {216, 150, 138}, channel};
+        return {MaterialGroup::Airway, {216, 150, 138}};
     case PartRole::Oesophagus:
-        return {MaterialGroup::Veil, {186, 132, 104}, channel};
+        return {MaterialGroup::Veil, {186, 132, 104}};
     case PartRole::Heart:
-        return {MaterialGroup::Veil, {164, 68, 66}, channel};
+        return {MaterialGroup::Veil, {164, 68, 66}};
     case PartRole::Vessel:
-        return {MaterialGroup::Veil, vesselColor(part.name), channel};
+        return {MaterialGroup::Veil, vesselColor(part.name)};
     case PartRole::Muscle:
-        return {MaterialGroup::Veil, {160, 82, 76}, channel};
+        return {MaterialGroup::Veil, {160, 82, 76}};
     case PartRole::Skin:
-        return {MaterialGroup::Skin, {222, 186, 164}, channel};
+        return {MaterialGroup::Skin, {222, 186, 164}};
     case PartRole::Other:
-        return {MaterialGroup::SoftTissue, {168, 160, 152}, channel};
+        return {MaterialGroup::SoftTissue, {168, 160, 152}};
     }
     return {};
 }

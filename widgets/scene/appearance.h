@@ -11,7 +11,6 @@ namespace carina
 struct Appearance {
     MaterialGroup group = MaterialGroup::SoftTissue;
     QColor color;
-    AmplitudeChannel channel = AmplitudeChannel::None; ///< of the lung that it belongs to
 };
 
 /// The usual colours of anatomical atlases, muted: bones ivory, cartilage pale blue, lungs pink and

@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "resources/resources.h"
+#include "widgets/scene/chest_uniforms.h"
 
 #include <QMatrix4x4>
 #include <QOffscreenSurface>
@@ -75,8 +76,9 @@ public:
     ~Card();
     Q_DISABLE_COPY_MOVE(Card)
 
-    Result<void> start(const DeformableMesh& mesh);
-    Result<std::vector<Vec3f>> draw(float amplitude, std::size_t captured);
+    Result<void> start(const TriangleMesh& mesh);
+    Result<std::vector<Vec3f>> draw(const ChestField& field, const ChestMotion& motion,
+                                    std::size_t captured);
 
 private:
     struct Objects {
@@ -88,7 +90,7 @@ private:
 
     Result<void> link();
     void upload(const char* attribute, const std::vector<Vec3f>& values);
-    void runShader(float amplitude);
+    void runShader(const ChestField& field, const ChestMotion& motion);
 
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
@@ -104,7 +106,7 @@ DrawnVertices::Card::~Card()
     m_objects.reset();
 }
 
-Result<void> DrawnVertices::Card::start(const DeformableMesh& mesh)
+Result<void> DrawnVertices::Card::start(const TriangleMesh& mesh)
 {
     m_surface.setFormat(coreProfile());
     m_surface.create();
@@ -118,14 +120,11 @@ Result<void> DrawnVertices::Card::start(const DeformableMesh& mesh)
     if (const Result<void> linked = link(); !linked)
         return linked;
 
-    m_vertexCount = mesh.rest.positions.size();
+    m_vertexCount = mesh.positions.size();
     m_objects->vertexArray.create();
     const QOpenGLVertexArrayObject::Binder bound{&m_objects->vertexArray};
-    upload("vertexPosition", mesh.rest.positions);
-    upload("vertexNormal", mesh.rest.normals);
-    upload("displacement", mesh.displacement);
-    upload("normalLinear", mesh.normalLinear);
-    upload("normalQuadratic", mesh.normalQuadratic);
+    upload("vertexPosition", mesh.positions);
+    upload("vertexNormal", mesh.normals);
     for (QOpenGLBuffer& output : m_objects->outputs) {
         output.create();
         output.bind();
@@ -157,7 +156,7 @@ void DrawnVertices::Card::upload(const char* attribute, const std::vector<Vec3f>
     m_objects->program.setAttributeBuffer(attribute, GL_FLOAT, 0, 3);
 }
 
-void DrawnVertices::Card::runShader(float amplitude)
+void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& motion)
 {
     QOpenGLShaderProgram& program = m_objects->program;
     QOpenGLExtraFunctions& gl = *m_context.extraFunctions();
@@ -166,7 +165,8 @@ void DrawnVertices::Card::runShader(float amplitude)
     program.setUniformValue("modelMatrix", QMatrix4x4{});
     program.setUniformValue("mvp", QMatrix4x4{});
     program.setUniformValue("modelNormalMatrix", QMatrix3x3{});
-    program.setUniformValue("amplitude", amplitude);
+    program.setUniformValue("chest", chestUniform(field));
+    program.setUniformValue("motion", motionUniform(motion));
     for (std::size_t k = 0; k < kCaptured.size(); ++k) {
         gl.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(k),
                             m_objects->outputs[k].bufferId());
@@ -181,12 +181,13 @@ void DrawnVertices::Card::runShader(float amplitude)
     program.release();
 }
 
-Result<std::vector<Vec3f>> DrawnVertices::Card::draw(float amplitude, std::size_t captured)
+Result<std::vector<Vec3f>>
+DrawnVertices::Card::draw(const ChestField& field, const ChestMotion& motion, std::size_t captured)
 {
     const CurrentFor current{m_context, m_surface};
     if (!current)
         return fail(Errc::NoGraphics, "the OpenGL context was lost");
-    runShader(amplitude);
+    runShader(field, motion);
     std::vector<Vec3f> values(m_vertexCount);
     QOpenGLBuffer& output = m_objects->outputs[captured];
     output.bind();
@@ -202,23 +203,25 @@ DrawnVertices::DrawnVertices(DrawnVertices&&) noexcept = default;
 DrawnVertices& DrawnVertices::operator=(DrawnVertices&&) noexcept = default;
 DrawnVertices::~DrawnVertices() = default;
 
-Result<DrawnVertices> DrawnVertices::of(const DeformableMesh& mesh)
+Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh)
 {
-    CARINA_EXPECTS(!mesh.rest.positions.empty());
+    CARINA_EXPECTS(!mesh.positions.empty());
     auto card = std::make_unique<Card>();
     if (const Result<void> started = card->start(mesh); !started)
         return tl::unexpected(started.error());
     return DrawnVertices{std::move(card)};
 }
 
-Result<std::vector<Vec3f>> DrawnVertices::positions(float amplitude)
+Result<std::vector<Vec3f>> DrawnVertices::positions(const ChestField& field,
+                                                    const ChestMotion& motion)
 {
-    return m_card->draw(amplitude, kPositions);
+    return m_card->draw(field, motion, kPositions);
 }
 
-Result<std::vector<Vec3f>> DrawnVertices::normals(float amplitude)
+Result<std::vector<Vec3f>> DrawnVertices::normals(const ChestField& field,
+                                                  const ChestMotion& motion)
 {
-    return m_card->draw(amplitude, kNormals);
+    return m_card->draw(field, motion, kNormals);
 }
 
 } // namespace carina

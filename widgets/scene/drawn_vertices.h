@@ -1,14 +1,14 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/geometry/deformable_mesh.h"
+#include "engine/geometry/chest_field.h"
 
 #include <memory>
 
 namespace carina
 {
 
-/// Where the graphics card puts the vertices of one deformable mesh, to measure what is drawn.
+/// Where the graphics card puts the vertices of one mesh, to measure what is drawn.
 ///
 /// Runs resources/shaders/organ.vert, the shader that draws every organ, over the mesh's own
 /// buffers in an OpenGL 3.3 context of its own and captures its outputs by transform feedback. The
@@ -19,7 +19,7 @@ class DrawnVertices
 public:
     /// @returns NoGraphics where there is no OpenGL 3.3 core context or the shader does not run.
     /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
-    [[nodiscard]] static Result<DrawnVertices> of(const DeformableMesh& mesh);
+    [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh);
 
     DrawnVertices(DrawnVertices&&) noexcept;
     DrawnVertices& operator=(DrawnVertices&&) noexcept;
@@ -28,9 +28,11 @@ public:
     /// One position per vertex, in the order of the mesh, metres.
     ///
     /// @returns NoGraphics when the context is lost.
-    [[nodiscard]] Result<std::vector<Vec3f>> positions(float amplitude);
+    [[nodiscard]] Result<std::vector<Vec3f>> positions(const ChestField& field,
+                                                       const ChestMotion& motion);
     /// One unit normal per vertex, likewise.
-    [[nodiscard]] Result<std::vector<Vec3f>> normals(float amplitude);
+    [[nodiscard]] Result<std::vector<Vec3f>> normals(const ChestField& field,
+                                                     const ChestMotion& motion);
 
 private:
     class Card;

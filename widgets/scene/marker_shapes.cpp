@@ -16,17 +16,16 @@ constexpr int kBallBands = 16;
 constexpr double kTip = 0.02; ///< radius of a pointed end, of the largest radius
 
 /// Rings along z, from a height on.
-std::shared_ptr<const DeformableMesh> turned(double from, double until,
-                                             const std::vector<Ring>& rings)
+std::shared_ptr<const TriangleMesh> turned(double from, double until,
+                                           const std::vector<Ring>& rings)
 {
     const std::array ends{Vec3{0.0, 0.0, from}, Vec3{0.0, 0.0, until}};
-    return std::make_shared<const DeformableMesh>(
-        DeformableMesh{sweptSurface(sweptLine(ends), rings), {}, {}, {}});
+    return std::make_shared<const TriangleMesh>(sweptSurface(sweptLine(ends), rings));
 }
 
 } // namespace
 
-std::shared_ptr<const DeformableMesh> ballMarker(Length radius)
+std::shared_ptr<const TriangleMesh> ballMarker(Length radius)
 {
     const double r = radius.si;
     std::vector<Ring> rings;
@@ -37,13 +36,13 @@ std::shared_ptr<const DeformableMesh> ballMarker(Length radius)
     return turned(-r, r, rings);
 }
 
-std::shared_ptr<const DeformableMesh> diamondMarker(Length radius)
+std::shared_ptr<const TriangleMesh> diamondMarker(Length radius)
 {
     const double r = radius.si;
     return turned(-r, r, {{0.0, kTip * r}, {r, r}, {2.0 * r, kTip * r}});
 }
 
-std::shared_ptr<const DeformableMesh> pointerMarker(Length length, Length radius)
+std::shared_ptr<const TriangleMesh> pointerMarker(Length length, Length radius)
 {
     return turned(0.0, length.si, {{0.0, kTip * radius.si}, {length.si, radius.si}});
 }

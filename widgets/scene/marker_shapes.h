@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/units.h"
-#include "engine/geometry/deformable_mesh.h"
+#include "engine/geometry/triangle_mesh.h"
 
 #include <memory>
 
@@ -11,10 +11,10 @@ namespace carina
 /// Shapes that mark places in a scene, closed and with normals, in a frame F of their own.
 
 /// A ball about the origin.
-[[nodiscard]] std::shared_ptr<const DeformableMesh> ballMarker(Length radius);
+[[nodiscard]] std::shared_ptr<const TriangleMesh> ballMarker(Length radius);
 /// Two cones base to base about the origin, their tips along z, as high as they are wide.
-[[nodiscard]] std::shared_ptr<const DeformableMesh> diamondMarker(Length radius);
+[[nodiscard]] std::shared_ptr<const TriangleMesh> diamondMarker(Length radius);
 /// A slim cone with its tip at the origin, that widens along +z.
-[[nodiscard]] std::shared_ptr<const DeformableMesh> pointerMarker(Length length, Length radius);
+[[nodiscard]] std::shared_ptr<const TriangleMesh> pointerMarker(Length length, Length radius);
 
 } // namespace carina

@@ -11,24 +11,15 @@ namespace carina
 namespace
 {
 
-void appendPart(MergedSurface& surface, const ScenePart& part, const DeformableMesh& mesh)
+void appendPart(MergedSurface& surface, const ScenePart& part, const TriangleMesh& mesh)
 {
-    const std::size_t count = mesh.rest.positions.size();
-    const bool breathes = part.channel != AmplitudeChannel::None;
-    CARINA_EXPECTS(mesh.rest.normals.size() == count);
-    CARINA_EXPECTS(!breathes
-                   || (mesh.displacement.size() == count && mesh.normalLinear.size() == count
-                       && mesh.normalQuadratic.size() == count));
+    CARINA_EXPECTS(mesh.normals.size() == mesh.positions.size());
     const auto first = static_cast<std::uint32_t>(surface.vertices.size());
     const Vec3f color{part.color.redF(), part.color.greenF(), part.color.blueF()};
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         surface.vertices.push_back(
-            {mesh.rest.positions[i], mesh.rest.normals[i], color, static_cast<float>(part.id)});
-        if (breathes)
-            surface.moving.push_back(
-                {mesh.displacement[i], mesh.normalLinear[i], mesh.normalQuadratic[i]});
-    }
-    for (const Triangle& t : mesh.rest.triangles)
+            {mesh.positions[i], mesh.normals[i], color, static_cast<float>(part.id)});
+    for (const Triangle& t : mesh.triangles)
         surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
@@ -51,7 +42,7 @@ std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts)
         const int own = static_cast<int>(part.levels.size());
         for (int level = 0; level < own; ++level) {
             const int last = level + 1 == own ? levels - 1 : level;
-            const SurfaceKey key{part.group, part.channel, part.body, level, last};
+            const SurfaceKey key{part.group, part.region, part.body, level, last};
             MergedSurface& surface = merged[key];
             surface.key = key;
             appendPart(surface, part, *part.levels[static_cast<std::size_t>(level)]);
@@ -68,8 +59,7 @@ std::vector<std::size_t> trianglesPerLevel(std::span<const ScenePart> parts)
     std::vector<std::size_t> counts(static_cast<std::size_t>(levelCount(parts)), 0);
     for (std::size_t level = 0; level < counts.size(); ++level)
         for (const ScenePart& part : parts)
-            counts[level] +=
-                part.levels[std::min(level, part.levels.size() - 1)]->rest.triangles.size();
+            counts[level] += part.levels[std::min(level, part.levels.size() - 1)]->triangles.size();
     return counts;
 }
 

@@ -12,10 +12,10 @@
 namespace carina
 {
 
-/// What can be drawn in one go: equal material, amplitude, body and levels of detail.
+/// What can be drawn in one go: equal material, region, body and levels of detail.
 struct SurfaceKey {
     MaterialGroup group = MaterialGroup::Bone;
-    AmplitudeChannel channel = AmplitudeChannel::None;
+    ChestRegion region = ChestRegion::Still;
     std::string body;
     int firstLevel = 0; ///< drawn in the levels of detail firstLevel ..
     int lastLevel = 0;  ///< .. to lastLevel, both included
@@ -24,25 +24,17 @@ struct SurfaceKey {
 };
 
 /// A corner of a surface as resources/shaders/organ.vert reads it.
-struct StillVertex {
+struct SurfaceVertex {
     Vec3f position;
     Vec3f normal;
     Vec3f color; ///< sRGB, 0 to 1
     float partId;
 };
 
-/// What a breathing corner has besides.
-struct MovingTerms {
-    Vec3f displacement;
-    Vec3f normalLinear;
-    Vec3f normalQuadratic;
-};
-
 /// Several parts in one pair of buffers: one draw.
 struct MergedSurface {
     SurfaceKey key;
-    std::vector<StillVertex> vertices;
-    std::vector<MovingTerms> moving; ///< as many as vertices, or none where nothing breathes
+    std::vector<SurfaceVertex> vertices;
     std::vector<Triangle> triangles;
 };
 
@@ -52,8 +44,7 @@ struct MergedSurface {
 /// The parts, merged. A part with fewer levels of detail than the scene is drawn in its coarsest in
 /// all further ones, and is stored once for them.
 ///
-/// @pre each part has a level; each mesh has normals, and a displacement if its channel is not
-/// None.
+/// @pre each part has a level; each mesh has normals.
 [[nodiscard]] std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts);
 
 /// Triangles that are drawn in each level of detail.

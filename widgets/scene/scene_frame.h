@@ -1,7 +1,9 @@
 #pragma once
 
+#include "engine/anatomy/chest_region.h"
 #include "engine/core/session_time.h"
 #include "engine/display/eye_picture.h"
+#include "engine/geometry/chest_field.h"
 #include "engine/geometry/rigid_transform.h"
 
 #include <array>
@@ -27,12 +29,23 @@ struct PlacedBody {
     }
 };
 
+/// The chest in one pose: what moves each of its regions, for the level of detail that was asked
+/// for. Nothing moves by default.
+struct BreathingChest {
+    ChestField field;
+    std::array<ChestMotion, kChestRegions> motion{}; ///< by ChestRegion
+
+    [[nodiscard]] const ChestMotion& of(ChestRegion region) const
+    {
+        return motion[static_cast<std::size_t>(region)];
+    }
+};
+
 /// Everything that moves in a scene, at one time.
 struct SceneFrame {
     SessionTime time{}; ///< for which this holds
 
-    /// Of the right and the left lung, dimensionless, for the level of detail that was asked for.
-    std::array<double, 2> amplitude{};
+    BreathingChest chest;
 
     /// Each moving body's place, by name. A body that is not in here is not drawn: lost
     /// is never an identity.

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/geometry/deformable_mesh.h"
+#include "engine/anatomy/chest_region.h"
+#include "engine/geometry/triangle_mesh.h"
 
 #include <QColor>
 
@@ -34,16 +35,13 @@ inline constexpr int kLayers = 5;
     return std::max(0, static_cast<int>(group) - static_cast<int>(MaterialGroup::Tool));
 }
 
-/// Which amplitude of a SceneFrame moves a surface.
-enum class AmplitudeChannel : std::uint8_t { None, RightLung, LeftLung };
-
 /// One surface of a scene.
 struct ScenePart {
     std::string name;     ///< as shown: "Trachea"
     std::uint16_t id = 0; ///< what visiblePixels() counts it under; unique in the scene
     MaterialGroup group = MaterialGroup::SoftTissue;
     QColor color;
-    AmplitudeChannel channel = AmplitudeChannel::None;
+    ChestRegion region = ChestRegion::Still; ///< how it breathes; for surfaces given in A
 
     /// Empty for a part that is fixed in A, with meshes given in A; else the moving body that it is
     /// fixed to, such as "tube" or "jaw", with meshes given in that body's frame.
@@ -51,9 +49,9 @@ struct ScenePart {
     /// Whether a view preset makes sure to show it whole. Not for a body that comes and goes.
     bool framed = true;
 
-    /// At least one level of detail, finest first, each with normals; without displacement where
-    /// the channel is None. Shared with whoever works out volumes from the very same meshes.
-    std::vector<std::shared_ptr<const DeformableMesh>> levels;
+    /// At least one level of detail, finest first, each with normals. Shared with whoever works out
+    /// volumes from the very same meshes.
+    std::vector<std::shared_ptr<const TriangleMesh>> levels;
 };
 
 } // namespace carina

@@ -29,7 +29,7 @@ Box boundsToFrame(std::span<const ScenePart> parts)
     Box framed;
     Box all;
     for (const ScenePart& part : parts) {
-        const Box bounds = boundsOf(part.levels.back()->rest);
+        const Box bounds = boundsOf(*part.levels.back());
         all.include(bounds);
         if (part.framed)
             framed.include(bounds);

@@ -1,5 +1,7 @@
 #include "widgets/scene/surface_entity.h"
 
+#include "widgets/scene/chest_uniforms.h"
+
 #include <Qt3DCore/QAttribute>
 #include <Qt3DCore/QBuffer>
 #include <Qt3DCore/QEntity>
@@ -18,8 +20,7 @@ namespace carina
 namespace
 {
 
-static_assert(sizeof(StillVertex) == 10 * sizeof(float));
-static_assert(sizeof(MovingTerms) == 9 * sizeof(float));
+static_assert(sizeof(SurfaceVertex) == 10 * sizeof(float));
 static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
 
 template <class T> Qt3DCore::QBuffer* bufferOf(const std::vector<T>& values)
@@ -65,25 +66,17 @@ Qt3DRender::QGeometryRenderer* rendererOf(const MergedSurface& surface)
 {
     auto* geometry = new Qt3DCore::QGeometry;
     const std::size_t count = surface.vertices.size();
-    Qt3DCore::QBuffer* still = bufferOf(surface.vertices);
-    for (const Column& column : {Column{"vertexPosition", offsetof(StillVertex, position), 3},
-                                 Column{"vertexNormal", offsetof(StillVertex, normal), 3},
-                                 Column{"vertexColor", offsetof(StillVertex, color), 3},
-                                 Column{"partId", offsetof(StillVertex, partId), 1}})
-        addColumn(geometry, still, column, sizeof(StillVertex), count);
-    if (!surface.moving.empty()) {
-        Qt3DCore::QBuffer* moving = bufferOf(surface.moving);
-        for (const Column& column :
-             {Column{"displacement", offsetof(MovingTerms, displacement), 3},
-              Column{"normalLinear", offsetof(MovingTerms, normalLinear), 3},
-              Column{"normalQuadratic", offsetof(MovingTerms, normalQuadratic), 3}})
-            addColumn(geometry, moving, column, sizeof(MovingTerms), count);
-    }
+    Qt3DCore::QBuffer* vertices = bufferOf(surface.vertices);
+    for (const Column& column : {Column{"vertexPosition", offsetof(SurfaceVertex, position), 3},
+                                 Column{"vertexNormal", offsetof(SurfaceVertex, normal), 3},
+                                 Column{"vertexColor", offsetof(SurfaceVertex, color), 3},
+                                 Column{"partId", offsetof(SurfaceVertex, partId), 1}})
+        addColumn(geometry, vertices, column, sizeof(SurfaceVertex), count);
     addIndices(geometry, surface.triangles);
 
     // Explicit bounds spare Qt 3D a scan of all positions. Nothing is culled by them.
     Box bounds;
-    for (const StillVertex& vertex : surface.vertices)
+    for (const SurfaceVertex& vertex : surface.vertices)
         bounds.include(Vec3(vertex.position.cast<double>()));
     auto* renderer = new Qt3DRender::QGeometryRenderer;
     renderer->setGeometry(geometry);
@@ -102,13 +95,13 @@ SurfaceEntity::SurfaceEntity(const MergedSurface& surface, Qt3DRender::QEffect* 
     : m_key(surface.key),
       m_entity(std::make_unique<Qt3DCore::QEntity>(parent)),
       m_X_AF(new Qt3DCore::QTransform),
-      m_amplitude(new Qt3DRender::QParameter)
+      m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
+      m_motion(new Qt3DRender::QParameter(QStringLiteral("motion"), motionUniform({})))
 {
     auto* material = new Qt3DRender::QMaterial;
     material->setEffect(effect);
-    m_amplitude->setName(QStringLiteral("amplitude"));
-    m_amplitude->setValue(0.0F);
-    material->addParameter(m_amplitude);
+    material->addParameter(m_chest);
+    material->addParameter(m_motion);
     m_entity->addComponent(rendererOf(surface));
     m_entity->addComponent(m_X_AF);
     m_entity->addComponent(material);
@@ -132,9 +125,9 @@ void SurfaceEntity::apply(const SceneFrame& frame, int level)
             m_X_AF->setScale(static_cast<float>(body->second.scale));
         }
     }
-    if (m_key.channel != AmplitudeChannel::None) {
-        const std::size_t lung = m_key.channel == AmplitudeChannel::RightLung ? 0 : 1;
-        m_amplitude->setValue(static_cast<float>(frame.amplitude[lung]));
+    if (m_key.region != ChestRegion::Still) {
+        m_chest->setValue(chestUniform(frame.chest.field));
+        m_motion->setValue(motionUniform(frame.chest.of(m_key.region)));
     }
     m_entity->setEnabled(shown);
 }

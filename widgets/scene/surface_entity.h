@@ -19,7 +19,7 @@ class QParameter;
 namespace carina
 {
 
-/// One merged surface in Qt 3D's scene: its buffers, the place of its body and its amplitude.
+/// One merged surface in Qt 3D's scene: its buffers, the place of its body and how it breathes.
 class SurfaceEntity
 {
 public:
@@ -38,7 +38,8 @@ private:
     SurfaceKey m_key;
     std::unique_ptr<Qt3DCore::QEntity> m_entity;
     Qt3DCore::QTransform* m_X_AF;
-    Qt3DRender::QParameter* m_amplitude;
+    Qt3DRender::QParameter* m_chest;
+    Qt3DRender::QParameter* m_motion;
 };
 
 } // namespace carina

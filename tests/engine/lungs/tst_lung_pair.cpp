@@ -1,8 +1,9 @@
-#include "engine/lungs/displacement_mode.h"
 #include "engine/lungs/lung_pair.h"
 #include "tests/engine/lungs/lung_like_mesh.h"
 
 #include <QTest>
+
+#include <algorithm>
 
 using namespace carina;
 
@@ -40,12 +41,13 @@ Anatomy patient()
 }
 
 /// Volume of one lung as its deformed vertices enclose it.
-double drawnVolume_ml(const LungPair& lungs, Side side, std::size_t level, float amplitude)
+double drawnVolume_ml(const LungPair& lungs, Side side, std::size_t level, const ChestPose& pose)
 {
     double volume = 0.0;
     for (const BreathingPart& part : lungs.parts()) {
         if (part.side == side)
-            volume += test::volumeByColumns(deformed(levelOf(part, level), amplitude));
+            volume += test::volumeByColumns(deformed(levelOf(part, level), lungs.field(),
+                                                     motionOf(part.region, pose, lungs.field())));
     }
     return 1e6 * volume;
 }
@@ -68,7 +70,9 @@ private Q_SLOTS:
     void namesAPartThatIsOpen();
     void breathesWithTheOneLungThereIs();
     void hasNothingToBreatheWithWithoutLungs();
-    void boundsEverythingThatIsDrawn();
+    void drawsVolumesInAnyPoseThatIsGiven_data();
+    void drawsVolumesInAnyPoseThatIsGiven();
+    void refusesPosesOutsideTheRange();
     void holdsTheHilumStill();
 };
 
@@ -95,7 +99,7 @@ void TestLungPair::restsAtTheVolumeOfItsFinestLevel()
     for (const Side side : {Side::Right, Side::Left}) {
         const double rest_ml = inMillilitres(lungs.restVolume(side));
         QVERIFY(rest_ml > 500.0);
-        QVERIFY(std::abs(rest_ml - drawnVolume_ml(lungs, side, 0, 0.0F)) < kTolerance_ml);
+        QVERIFY(std::abs(rest_ml - drawnVolume_ml(lungs, side, 0, {})) < kTolerance_ml);
     }
 }
 
@@ -116,10 +120,10 @@ void TestLungPair::drawsTheVolumeAskedForAtEveryLevel()
     const Volume inspired = millilitres(inspired_ml);
     double both_ml = 0.0;
     for (std::size_t level = 0; level < lungs.levelCount(); ++level) {
-        const Result<LungAmplitudes> s = lungs.amplitudes(inspired, level);
-        QVERIFY(s.has_value());
-        const double right_ml = drawnVolume_ml(lungs, Side::Right, level, s->right);
-        const double left_ml = drawnVolume_ml(lungs, Side::Left, level, s->left);
+        const Result<ChestPose> pose = lungs.pose(inspired, level);
+        QVERIFY(pose.has_value());
+        const double right_ml = drawnVolume_ml(lungs, Side::Right, level, *pose);
+        const double left_ml = drawnVolume_ml(lungs, Side::Left, level, *pose);
         QVERIFY(std::abs(right_ml - inMillilitres(lungs.volumeWith(inspired, Side::Right)))
                 < kTolerance_ml);
         QVERIFY(std::abs(left_ml - inMillilitres(lungs.volumeWith(inspired, Side::Left)))
@@ -145,18 +149,18 @@ void TestLungPair::dividesGasAsTheLungsDivideTheVolumeAtRest()
 void TestLungPair::isAtRestWithoutInspiredGas()
 {
     const LungPair lungs = LungPair::of(patient()).value();
-    const LungAmplitudes s = lungs.amplitudes(Volume{}, 0).value();
-    QVERIFY(std::abs(s.right) < 1e-9F);
-    QVERIFY(std::abs(s.left) < 1e-9F);
+    const ChestPose pose = lungs.pose(Volume{}, 0).value();
+    QVERIFY(std::abs(pose.lungs[0].diaphragm) < 1e-9);
+    QVERIFY(std::abs(pose.lungs[1].diaphragm) < 1e-9);
 }
 
 void TestLungPair::reachesNoVolumeBeyondWhatAnatomyAllows()
 {
     const LungPair lungs = LungPair::of(patient()).value();
     for (const double inspired_ml : {20000.0, -20000.0}) {
-        const Result<LungAmplitudes> s = lungs.amplitudes(millilitres(inspired_ml), 0);
-        QVERIFY(!s);
-        QCOMPARE(s.error().code, Errc::VolumeUnreachable);
+        const Result<ChestPose> pose = lungs.pose(millilitres(inspired_ml), 0);
+        QVERIFY(!pose);
+        QCOMPARE(pose.error().code, Errc::VolumeUnreachable);
     }
 }
 
@@ -193,12 +197,11 @@ void TestLungPair::breathesWithTheOneLungThereIs()
     anatomy.parts.resize(2);
     const LungPair lungs = LungPair::of(anatomy).value();
     QCOMPARE(lungs.restVolume(Side::Left).si, 0.0);
-    const LungAmplitudes s = lungs.amplitudes(millilitres(100.0), 0).value();
-    QCOMPARE(s.left, 0.0F);
-    const double gain_ml = drawnVolume_ml(lungs, Side::Right, 0, s.right)
-                           - drawnVolume_ml(lungs, Side::Right, 0, 0.0F);
+    const ChestPose pose = lungs.pose(millilitres(100.0), 0).value();
+    QCOMPARE(pose.lungs[1], LungPose{});
+    const double gain_ml =
+        drawnVolume_ml(lungs, Side::Right, 0, pose) - drawnVolume_ml(lungs, Side::Right, 0, {});
     QVERIFY(std::abs(gain_ml - 100.0) < kTolerance_ml);
-    QVERIFY(lungs.bounds(Side::Left).empty());
 }
 
 void TestLungPair::hasNothingToBreatheWithWithoutLungs()
@@ -208,37 +211,78 @@ void TestLungPair::hasNothingToBreatheWithWithoutLungs()
     QCOMPARE(lungs.levelCount(), std::size_t(0));
     QCOMPARE(lungs.restVolume(Side::Right).si, 0.0);
     QCOMPARE(lungs.volumeWith(millilitres(300.0), Side::Left).si, 0.0);
-    const LungAmplitudes s = lungs.amplitudes(millilitres(300.0), 0).value();
-    QCOMPARE(s.right, 0.0F);
-    QCOMPARE(s.left, 0.0F);
+    const ChestPose pose = lungs.pose(millilitres(300.0), 0).value();
+    QCOMPARE(pose, ChestPose{});
 }
 
-void TestLungPair::boundsEverythingThatIsDrawn()
+void TestLungPair::drawsVolumesInAnyPoseThatIsGiven_data()
 {
+    QTest::addColumn<LungPose>("given");
+    QTest::addColumn<LungPose>("along");
+    QTest::addColumn<double>("shift");
+    QTest::addColumn<double>("inspired_ml");
+    constexpr LungPose kDown{.diaphragm = 1.0};
+    QTest::newRow("by the diaphragm alone") << LungPose{} << kDown << 0.0 << 150.0;
+    QTest::newRow("with ribs as given") << LungPose{.ribs = 2.0} << kDown << 0.0 << 300.0;
+    QTest::newRow("face down") << LungPose{.gravity = -1.5} << kDown << 0.0 << 100.0;
+    QTest::newRow("with air trapped") << LungPose{.collapse = -0.05} << kDown << 0.0 << 850.0;
+    QTest::newRow("collapsed") << LungPose{.ribs = 0.2} << LungPose{.collapse = 1.0} << 0.0
+                               << -900.0;
+    QTest::newRow("beside a shifted heart") << LungPose{.ribs = 0.5} << kDown << 0.1 << 100.0;
+}
+
+void TestLungPair::drawsVolumesInAnyPoseThatIsGiven()
+{
+    QFETCH(LungPose, given);
+    QFETCH(LungPose, along);
+    QFETCH(double, shift);
+    QFETCH(double, inspired_ml);
     const LungPair lungs = LungPair::of(patient()).value();
-    for (const BreathingPart& part : lungs.parts()) {
-        const Box bounds_A = lungs.bounds(part.side);
-        for (const DeformableMesh& mesh : part.levels) {
-            for (const double s : {kLeastAmplitude, 0.0, 2.0, kGreatestAmplitude}) {
-                Box drawn_A = boundsOf(deformed(mesh, float(s)));
-                const Vec3 slack = Vec3::Constant(1e-7);
-                QVERIFY((drawn_A.min.array() >= (bounds_A.min - slack).array()).all());
-                QVERIFY((drawn_A.max.array() <= (bounds_A.max + slack).array()).all());
-            }
-        }
+    std::array<LungDemand, 2> demands;
+    for (const Side side : {Side::Right, Side::Left})
+        demands[indexOf(side)] = {lungs.volumeWith(millilitres(inspired_ml), side), given, along};
+    const Result<ChestPose> pose = lungs.pose(demands, shift, 1);
+    QVERIFY2(pose.has_value(), pose ? "" : pose.error().detail.c_str());
+    QCOMPARE(pose->mediastinalShift, shift);
+    QVERIFY(rangeTaken(*pose) <= 1.0);
+    for (const Side side : {Side::Right, Side::Left}) {
+        const double drawn_ml = drawnVolume_ml(lungs, side, 1, *pose);
+        QVERIFY(std::abs(drawn_ml - inMillilitres(demands[indexOf(side)].volume)) < kTolerance_ml);
+        const LungPose& lung = pose->lungs[indexOf(side)];
+        QCOMPARE(lung.ribs, given.ribs);
+        QCOMPARE(lung.gravity, given.gravity);
+        if (along.collapse == 0.0)
+            QCOMPARE(lung.collapse, given.collapse);
+        else
+            QCOMPARE(lung.diaphragm, given.diaphragm);
     }
 }
 
+void TestLungPair::refusesPosesOutsideTheRange()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    std::array<LungDemand, 2> demands;
+    for (const Side side : {Side::Right, Side::Left})
+        demands[indexOf(side)].volume = lungs.restVolume(side);
+    demands[1].given.ribs = 9.0;
+    QCOMPARE(lungs.pose(demands, 0.0, 0).error().code, Errc::VolumeUnreachable);
+    demands[1].given.ribs = 0.0;
+    QVERIFY(lungs.pose(demands, 0.0, 0).has_value());
+    QCOMPARE(lungs.pose(demands, 0.3, 0).error().code, Errc::VolumeUnreachable);
+    demands[0].volume.si = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(lungs.pose(demands, 0.0, 0).error().code, Errc::NotFinite);
+}
+
+// The vertex nearest to the carina, in the deepest breath there is.
 void TestLungPair::holdsTheHilumStill()
 {
+    constexpr double kStill_m = 5e-4;
     const LungPair lungs = LungPair::of(patient()).value();
-    const DeformableMesh& left = lungs.parts()[2].levels.front();
-    std::size_t hilum = 0;
-    for (std::size_t i = 1; i < left.rest.positions.size(); ++i) {
-        if (left.rest.positions[i].norm() < left.rest.positions[hilum].norm())
-            hilum = i;
-    }
-    QCOMPARE(left.displacement[hilum].norm(), 0.0F);
+    const ChestPose pose{{8.0 * kQuietBreath, 8.0 * kQuietBreath}};
+    const std::vector<Vec3f>& left = lungs.parts()[2].levels.front().positions;
+    const Vec3f& hilum = *std::ranges::min_element(left, {}, &Vec3f::squaredNorm);
+    const ChestMotion motion = motionOf(ChestRegion::LeftUpperLung, pose, lungs.field());
+    QVERIFY(lungs.field().at(hilum.cast<double>(), motion).d_A.norm() < kStill_m);
 }
 
 QTEST_APPLESS_MAIN(TestLungPair)

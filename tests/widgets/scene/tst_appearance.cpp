@@ -22,8 +22,8 @@ class TestAppearance : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void breathesLungsWithTheirOwnSide_data();
-    void breathesLungsWithTheirOwnSide();
+    void showsLungsAsLungs_data();
+    void showsLungsAsLungs();
     void givesEachRoleAColour();
     void showsTheTubeThroughWhatItGoesInto_data();
     void showsTheTubeThroughWhatItGoesInto();
@@ -31,27 +31,26 @@ private Q_SLOTS:
     void drawsOpaqueFirstAndSkinLast();
 };
 
-void TestAppearance::breathesLungsWithTheirOwnSide_data()
+void TestAppearance::showsLungsAsLungs_data()
 {
     QTest::addColumn<PartRole>("role");
-    QTest::addColumn<AmplitudeChannel>("channel");
-    QTest::newRow("right upper lobe") << PartRole::RightUpperLobe << AmplitudeChannel::RightLung;
-    QTest::newRow("right middle lobe") << PartRole::RightMiddleLobe << AmplitudeChannel::RightLung;
-    QTest::newRow("right lower lobe") << PartRole::RightLowerLobe << AmplitudeChannel::RightLung;
-    QTest::newRow("right lung") << PartRole::RightLung << AmplitudeChannel::RightLung;
-    QTest::newRow("left upper lobe") << PartRole::LeftUpperLobe << AmplitudeChannel::LeftLung;
-    QTest::newRow("left lower lobe") << PartRole::LeftLowerLobe << AmplitudeChannel::LeftLung;
-    QTest::newRow("left lung") << PartRole::LeftLung << AmplitudeChannel::LeftLung;
-    QTest::newRow("right main bronchus") << PartRole::RightMainBronchus << AmplitudeChannel::None;
-    QTest::newRow("rib") << PartRole::Rib << AmplitudeChannel::None;
+    QTest::addColumn<bool>("lung");
+    QTest::newRow("right upper lobe") << PartRole::RightUpperLobe << true;
+    QTest::newRow("right middle lobe") << PartRole::RightMiddleLobe << true;
+    QTest::newRow("right lower lobe") << PartRole::RightLowerLobe << true;
+    QTest::newRow("right lung") << PartRole::RightLung << true;
+    QTest::newRow("left upper lobe") << PartRole::LeftUpperLobe << true;
+    QTest::newRow("left lower lobe") << PartRole::LeftLowerLobe << true;
+    QTest::newRow("left lung") << PartRole::LeftLung << true;
+    QTest::newRow("right main bronchus") << PartRole::RightMainBronchus << false;
+    QTest::newRow("rib") << PartRole::Rib << false;
 }
 
-void TestAppearance::breathesLungsWithTheirOwnSide()
+void TestAppearance::showsLungsAsLungs()
 {
     QFETCH(PartRole, role);
-    QFETCH(AmplitudeChannel, channel);
-    QCOMPARE(of(role).channel, channel);
-    QCOMPARE(of(role).group == MaterialGroup::Lung, channel != AmplitudeChannel::None);
+    QFETCH(bool, lung);
+    QCOMPARE(of(role).group == MaterialGroup::Lung, lung);
 }
 
 void TestAppearance::givesEachRoleAColour()

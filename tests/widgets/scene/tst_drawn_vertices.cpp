@@ -12,8 +12,8 @@ using namespace carina;
 namespace
 {
 
-/// One rounding of a coordinate of up to a quarter metre, in single precision.
-constexpr double kPositionTolerance_m = 3e-8;
+/// Two roundings of a coordinate of up to a quarter metre, in single precision.
+constexpr double kPositionTolerance_m = 6e-8;
 constexpr double kNormalTolerance = 1e-6;
 constexpr double kVolumeTolerance_ml = 0.1;
 
@@ -47,24 +47,31 @@ private Q_SLOTS:
 
 void TestDrawnVertices::drawsAsTheReferenceDeforms_data()
 {
-    QTest::addColumn<float>("amplitude");
-    QTest::newRow("below rest") << -1.0F;
-    QTest::newRow("half a breath") << 0.5F;
-    QTest::newRow("an odd share") << 1.2345678F;
-    QTest::newRow("a deep breath") << 7.0F;
+    QTest::addColumn<ChestRegion>("region");
+    QTest::addColumn<ChestPose>("pose");
+    const auto both = [](const LungPose& lung) { return ChestPose{{lung, lung}, 0.0}; };
+    QTest::newRow("below rest") << ChestRegion::RightUpperLung << both(-1.0 * kQuietBreath);
+    QTest::newRow("an odd share") << ChestRegion::LeftLowerLung << both(1.2345678 * kQuietBreath);
+    QTest::newRow("a deep breath") << ChestRegion::RightLowerLung << both(7.0 * kQuietBreath);
+    const ChestPose unlike{{LungPose{1.0, 0.5, 0.3, 0.2}, LungPose{3.0, 1.0, -0.2, 0.1}}, 0.1};
+    QTest::newRow("two lungs") << ChestRegion::Bronchi << unlike;
+    QTest::newRow("ribs") << ChestRegion::Wall << unlike;
+    QTest::newRow("heart") << ChestRegion::Mediastinum << unlike;
 }
 
 void TestDrawnVertices::drawsAsTheReferenceDeforms()
 {
-    QFETCH(float, amplitude);
+    QFETCH(ChestRegion, region);
+    QFETCH(ChestPose, pose);
     const LungPair lungs = LungPair::of(patient()).value();
+    const ChestMotion motion = motionOf(region, pose, lungs.field());
     for (const BreathingPart& part : lungs.parts()) {
-        const DeformableMesh& mesh = part.levels.front();
+        const TriangleMesh& mesh = part.levels.front();
         Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
         QVERIFY2(drawn.has_value(), drawn ? "" : drawn.error().detail.c_str());
-        const TriangleMesh reference = deformed(mesh, amplitude);
-        const std::vector<Vec3f> positions = drawn->positions(amplitude).value();
-        const std::vector<Vec3f> normals = drawn->normals(amplitude).value();
+        const TriangleMesh reference = deformed(mesh, lungs.field(), motion);
+        const std::vector<Vec3f> positions = drawn->positions(lungs.field(), motion).value();
+        const std::vector<Vec3f> normals = drawn->normals(lungs.field(), motion).value();
         QCOMPARE(positions.size(), reference.positions.size());
         QCOMPARE(normals.size(), reference.normals.size());
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -78,10 +85,10 @@ void TestDrawnVertices::drawsAsTheReferenceDeforms()
 void TestDrawnVertices::leavesRestExactlyAsItIs()
 {
     const LungPair lungs = LungPair::of(patient()).value();
-    const DeformableMesh& mesh = lungs.parts().front().levels.front();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
     Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
     QVERIFY(drawn.has_value());
-    QVERIFY(drawn->positions(0.0F).value() == mesh.rest.positions);
+    QVERIFY(drawn->positions(lungs.field(), {}).value() == mesh.positions);
 }
 
 // Two breaths of a child of 12 years, 19 per minute and 280 ml, at 60 frames per second.
@@ -91,15 +98,16 @@ void TestDrawnVertices::followsTheCommandedVolume()
     const LungPair lungs = LungPair::of(patient()).value();
     for (std::size_t level = 0; level < lungs.levelCount(); ++level) {
         for (const BreathingPart& part : lungs.parts()) {
-            TriangleMesh surface = levelOf(part, level).rest;
-            Result<DrawnVertices> drawn = DrawnVertices::of(levelOf(part, level));
+            TriangleMesh surface = levelOf(part, level);
+            Result<DrawnVertices> drawn = DrawnVertices::of(surface);
             QVERIFY(drawn.has_value());
             for (int frame = 0; frame <= 379; ++frame) {
                 const double breaths = frame / 60.0 * pattern.rate.si;
                 const Volume inspired = inspiredVolume(pattern, breaths - std::floor(breaths));
-                const LungAmplitudes s = lungs.amplitudes(inspired, level).value();
+                const ChestPose pose = lungs.pose(inspired, level).value();
                 surface.positions =
-                    drawn->positions(part.side == Side::Right ? s.right : s.left).value();
+                    drawn->positions(lungs.field(), motionOf(part.region, pose, lungs.field()))
+                        .value();
                 const double error_ml = 1e6 * test::volumeByColumns(surface)
                                         - inMillilitres(lungs.volumeWith(inspired, part.side));
                 QVERIFY(std::abs(error_ml) < kVolumeTolerance_ml);
@@ -119,28 +127,30 @@ void TestDrawnVertices::leavesTheContextThatWasCurrent()
         Result<DrawnVertices> drawn = DrawnVertices::of(lungs.parts().front().levels.back());
         QVERIFY(drawn.has_value());
         QCOMPARE(QOpenGLContext::currentContext(), &viewer);
-        QVERIFY(drawn->positions(1.0F).has_value());
+        QVERIFY(drawn->positions(lungs.field(), {}).has_value());
         QCOMPARE(QOpenGLContext::currentContext(), &viewer);
     }
     QCOMPARE(QOpenGLContext::currentContext(), &viewer);
     viewer.doneCurrent();
     const LungPair lungs = LungPair::of(patient()).value();
-    QVERIFY(DrawnVertices::of(lungs.parts().front().levels.back())->positions(1.0F).has_value());
+    QVERIFY(DrawnVertices::of(lungs.parts().front().levels.back())
+                ->positions(lungs.field(), {})
+                .has_value());
     QVERIFY(QOpenGLContext::currentContext() == nullptr);
 }
 
 void TestDrawnVertices::movesWithItsUploadedMesh()
 {
     const LungPair lungs = LungPair::of(patient()).value();
-    const DeformableMesh& right = lungs.parts()[0].levels.back();
-    const DeformableMesh& left = lungs.parts()[1].levels.back();
+    const TriangleMesh& right = lungs.parts()[0].levels.back();
+    const TriangleMesh& left = lungs.parts()[1].levels.back();
     std::vector<DrawnVertices> both;
     both.push_back(DrawnVertices::of(right).value());
     both.push_back(DrawnVertices::of(left).value());
-    QVERIFY(both[0].positions(0.0F).value() == right.rest.positions);
-    QVERIFY(both[1].positions(0.0F).value() == left.rest.positions);
+    QVERIFY(both[0].positions(lungs.field(), {}).value() == right.positions);
+    QVERIFY(both[1].positions(lungs.field(), {}).value() == left.positions);
     both[0] = std::move(both[1]);
-    QVERIFY(both[0].positions(0.0F).value() == left.rest.positions);
+    QVERIFY(both[0].positions(lungs.field(), {}).value() == left.positions);
 }
 
 QTEST_MAIN(TestDrawnVertices)

@@ -16,8 +16,6 @@ constexpr double kVolumeTolerance = 0.03;
 constexpr double kSize = 1e-6; ///< metres, of a coordinate
 constexpr double kRadius = 0.006;
 
-double volumeOf(const DeformableMesh& mesh) { return signedVolume(mesh.rest); }
-
 bool isNear(double value, double expected)
 {
     return std::abs(value / expected - 1.0) < kVolumeTolerance;
@@ -39,8 +37,8 @@ private Q_SLOTS:
 void TestMarkerShapes::makesABall()
 {
     const auto ball = ballMarker(metres(kRadius));
-    QVERIFY(isNear(volumeOf(*ball), 4.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3)));
-    const Box bounds = boundsOf(ball->rest);
+    QVERIFY(isNear(signedVolume(*ball), 4.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3)));
+    const Box bounds = boundsOf(*ball);
     QVERIFY((bounds.max - Vec3::Constant(kRadius)).norm() < kSize);
     QVERIFY((bounds.min + Vec3::Constant(kRadius)).norm() < kSize);
 }
@@ -48,10 +46,10 @@ void TestMarkerShapes::makesABall()
 void TestMarkerShapes::makesADiamond()
 {
     const auto diamond = diamondMarker(metres(kRadius));
-    QVERIFY(isNear(volumeOf(*diamond), 2.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3)));
-    for (const Vec3f& p : diamond->rest.positions)
+    QVERIFY(isNear(signedVolume(*diamond), 2.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3)));
+    for (const Vec3f& p : diamond->positions)
         QVERIFY(std::hypot(p.x(), p.y()) + std::abs(p.z()) < kRadius * (1.0 + kVolumeTolerance));
-    const Box bounds = boundsOf(diamond->rest);
+    const Box bounds = boundsOf(*diamond);
     QVERIFY((bounds.max - Vec3::Constant(kRadius)).norm() < kSize);
     QVERIFY((bounds.min + Vec3::Constant(kRadius)).norm() < kSize);
 }
@@ -60,8 +58,8 @@ void TestMarkerShapes::makesAPointer()
 {
     constexpr double kLength = 0.1;
     const auto pointer = pointerMarker(metres(kLength), metres(kRadius));
-    QVERIFY(isNear(volumeOf(*pointer), std::numbers::pi / 3.0 * kRadius * kRadius * kLength));
-    const Box bounds = boundsOf(pointer->rest);
+    QVERIFY(isNear(signedVolume(*pointer), std::numbers::pi / 3.0 * kRadius * kRadius * kLength));
+    const Box bounds = boundsOf(*pointer);
     QVERIFY(std::abs(bounds.min.z()) < kSize); // the tip
     QVERIFY(std::abs(bounds.max.z() - kLength) < kSize);
 }
@@ -70,7 +68,7 @@ void TestMarkerShapes::givesEveryVertexANormal()
 {
     for (const auto& marker : {ballMarker(metres(kRadius)), diamondMarker(metres(kRadius)),
                                pointerMarker(metres(0.1), metres(kRadius))})
-        QCOMPARE(marker->rest.normals.size(), marker->rest.positions.size());
+        QCOMPARE(marker->normals.size(), marker->positions.size());
 }
 
 QTEST_GUILESS_MAIN(TestMarkerShapes)

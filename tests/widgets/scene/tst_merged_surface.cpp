@@ -9,20 +9,17 @@ namespace
 {
 
 /// One triangle, moved by an offset along x, so that corners can be told apart.
-std::shared_ptr<const DeformableMesh> triangle(float x)
+std::shared_ptr<const TriangleMesh> triangle(float x)
 {
-    auto mesh = std::make_shared<DeformableMesh>();
-    mesh->rest.positions = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
-    mesh->rest.normals.assign(3, Vec3f(0, 0, 1));
-    mesh->rest.triangles = {{0, 1, 2}};
-    mesh->displacement.assign(3, Vec3f(0, x, 0));
-    mesh->normalLinear.assign(3, Vec3f(0, 0, 2));
-    mesh->normalQuadratic.assign(3, Vec3f(0, 0, 3));
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->positions = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
+    mesh->normals.assign(3, Vec3f(0, 0, 1));
+    mesh->triangles = {{0, 1, 2}};
     return mesh;
 }
 
 ScenePart part(std::uint16_t id, MaterialGroup group,
-               std::vector<std::shared_ptr<const DeformableMesh>> levels)
+               std::vector<std::shared_ptr<const TriangleMesh>> levels)
 {
     ScenePart made;
     made.id = id;
@@ -42,7 +39,6 @@ private Q_SLOTS:
     void drawsLikePartsInOneGo();
     void keepsUnlikePartsApart_data();
     void keepsUnlikePartsApart();
-    void keepsHowBreathingCornersMove();
     void storesACoarsestLevelOnceForAllFurtherLevels();
     void countsTheTrianglesOfEachLevel();
     void hasOneLevelOfNothing();
@@ -55,9 +51,8 @@ void TestMergedSurface::drawsLikePartsInOneGo()
     const std::vector<MergedSurface> surfaces = mergedSurfaces(parts);
     QCOMPARE(surfaces.size(), std::size_t{1});
     const MergedSurface& surface = surfaces.front();
-    QCOMPARE(surface.key, (SurfaceKey{MaterialGroup::Bone, AmplitudeChannel::None, "", 0, 0}));
+    QCOMPARE(surface.key, (SurfaceKey{MaterialGroup::Bone, ChestRegion::Still, "", 0, 0}));
     QCOMPARE(surface.vertices.size(), std::size_t{6});
-    QVERIFY(surface.moving.empty());
     QVERIFY(surface.triangles == (std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}));
     QCOMPARE(surface.vertices[2].partId, 7.0F);
     QCOMPARE(surface.vertices[3].partId, 300.0F);
@@ -69,38 +64,23 @@ void TestMergedSurface::drawsLikePartsInOneGo()
 void TestMergedSurface::keepsUnlikePartsApart_data()
 {
     QTest::addColumn<MaterialGroup>("group");
-    QTest::addColumn<AmplitudeChannel>("channel");
+    QTest::addColumn<ChestRegion>("region");
     QTest::addColumn<QString>("body");
-    QTest::newRow("material") << MaterialGroup::Skin << AmplitudeChannel::None << "";
-    QTest::newRow("amplitude") << MaterialGroup::Lung << AmplitudeChannel::LeftLung << "";
-    QTest::newRow("body") << MaterialGroup::Lung << AmplitudeChannel::None << "tube";
+    QTest::newRow("material") << MaterialGroup::Skin << ChestRegion::Still << "";
+    QTest::newRow("region") << MaterialGroup::Lung << ChestRegion::LeftUpperLung << "";
+    QTest::newRow("body") << MaterialGroup::Lung << ChestRegion::Still << "tube";
 }
 
 void TestMergedSurface::keepsUnlikePartsApart()
 {
     QFETCH(MaterialGroup, group);
-    QFETCH(AmplitudeChannel, channel);
+    QFETCH(ChestRegion, region);
     QFETCH(QString, body);
     ScenePart other = part(2, group, {triangle(0)});
-    other.channel = channel;
+    other.region = region;
     other.body = body.toStdString();
     const std::vector parts{part(1, MaterialGroup::Lung, {triangle(0)}), other};
     QCOMPARE(mergedSurfaces(parts).size(), std::size_t{2});
-}
-
-void TestMergedSurface::keepsHowBreathingCornersMove()
-{
-    ScenePart first = part(1, MaterialGroup::Lung, {triangle(4)});
-    first.channel = AmplitudeChannel::RightLung;
-    ScenePart second = part(2, MaterialGroup::Lung, {triangle(8)});
-    second.channel = AmplitudeChannel::RightLung;
-    const std::vector<MergedSurface> surfaces = mergedSurfaces(std::vector{first, second});
-    QCOMPARE(surfaces.size(), std::size_t{1});
-    QCOMPARE(surfaces.front().moving.size(), std::size_t{6});
-    QVERIFY(surfaces.front().moving[0].displacement == Vec3f(0, 4, 0));
-    QVERIFY(surfaces.front().moving[5].displacement == Vec3f(0, 8, 0));
-    QVERIFY(surfaces.front().moving[5].normalLinear == Vec3f(0, 0, 2));
-    QVERIFY(surfaces.front().moving[5].normalQuadratic == Vec3f(0, 0, 3));
 }
 
 void TestMergedSurface::storesACoarsestLevelOnceForAllFurtherLevels()
@@ -124,7 +104,7 @@ void TestMergedSurface::storesACoarsestLevelOnceForAllFurtherLevels()
 void TestMergedSurface::countsTheTrianglesOfEachLevel()
 {
     const auto fine = test::sphere(Vec3::Zero(), 0.1);
-    const std::size_t many = fine->rest.triangles.size();
+    const std::size_t many = fine->triangles.size();
     const std::vector parts{part(1, MaterialGroup::Bone, {fine, triangle(0)}),
                             part(2, MaterialGroup::Lung, {fine})};
     QCOMPARE(trianglesPerLevel(parts), (std::vector<std::size_t>{2 * many, 1 + many}));

@@ -24,10 +24,7 @@ private Q_SLOTS:
 
 void TestNoGraphics::saysThatNothingCanBeDrawn()
 {
-    DeformableMesh mesh;
-    mesh.rest = test::lungLikeMesh(Vec3::Zero(), Vec3::Constant(0.1), 4, 8);
-    mesh.displacement.resize(mesh.rest.positions.size(), Vec3f::Zero());
-    mesh.normalLinear = mesh.normalQuadratic = mesh.displacement;
+    const TriangleMesh mesh = test::lungLikeMesh(Vec3::Zero(), Vec3::Constant(0.1), 4, 8);
     const Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
     QVERIFY(!drawn);
     QCOMPARE(drawn.error().code, Errc::NoGraphics);

@@ -33,7 +33,7 @@ private Q_SLOTS:
     void showsThePoseOfTheVerySameFrame();
     void reportsWhatItDrew();
     void showsATubeInsideATranslucentTrachea();
-    void movesTheSilhouetteWithTheAmplitude();
+    void movesTheSilhouetteWithTheChest();
     void asksForTheLevelThatItDraws();
     void drawsTwoViewsAtOnce();
     void replacesItsParts();
@@ -114,7 +114,7 @@ void TestSceneView::reportsWhatItDrew()
         shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)}, [&](int, LocalTime) {
             SceneFrame frame = frontFrame();
             frame.time = SessionTime{std::chrono::milliseconds{++asked}};
-            frame.amplitude = {0.25, -0.5};
+            frame.chest.motion[1].right.descent = 0.25;
             return frame;
         });
     view->onFrameDrawn([&](const DrawnFrame& drawn) { log.push_back(drawn); });
@@ -122,7 +122,7 @@ void TestSceneView::reportsWhatItDrew()
     for (std::size_t i = 0; i < log.size(); ++i) {
         QCOMPARE(log[i].frame.time.time_since_epoch().count(),
                  static_cast<std::int64_t>(i + 1) * 1'000'000);
-        QCOMPARE(log[i].frame.amplitude, (std::array{0.25, -0.5}));
+        QCOMPARE(log[i].frame.chest.of(ChestRegion::RightUpperLung).right.descent, 0.25);
         QCOMPARE(log[i].level, 0);
         QVERIFY(log[i].asked < log[i].swapped);
         QVERIFY(i == 0 || log[i - 1].swapped <= log[i].asked);
@@ -150,22 +150,18 @@ void TestSceneView::showsATubeInsideATranslucentTrachea()
     QVERIFY(wall.blue() > 40); // and the wall itself is seen over black
 }
 
-void TestSceneView::movesTheSilhouetteWithTheAmplitude()
+void TestSceneView::movesTheSilhouetteWithTheChest()
 {
     ScenePart lung = spherePart(1, MaterialGroup::Lung, Vec3::Zero(), 0.1);
-    lung.channel = AmplitudeChannel::RightLung;
-    lung.levels = {sphere(Vec3::Zero(), 0.1, 0.05)};
-    double amplitude = 0.0;
-    const auto view = shownView({lung}, [&](int, LocalTime) {
-        SceneFrame frame = frontFrame();
-        frame.amplitude[0] = amplitude;
-        return frame;
-    });
-    // A place just outside the sphere at rest and inside it at amplitude 1.
-    const QPoint place(static_cast<int>((0.5 + offCentre(0.125)) * kWidth), kHeight / 2);
+    lung.region = ChestRegion::LeftLowerLung;
+    SceneFrame shown = frontFrame();
+    shown.chest.field = wideChest();
+    const auto view = shownView({lung}, [&](int, LocalTime) { return shown; });
+    // The sphere's centre goes from 0 to 0.4 (1 - 1.5) = -0.2.
+    const QPoint place(static_cast<int>((0.5 + offCentre(-0.2)) * kWidth), kHeight / 2);
     QVERIFY(draws(*view, 3));
     QCOMPARE(view->picture().pixelColor(place), QColor(Qt::black));
-    amplitude = 1.0;
+    shown.chest.motion[static_cast<std::size_t>(ChestRegion::LeftLowerLung)] = scaledBy(1.5);
     QVERIFY(draws(*view, 1));
     QVERIFY(view->picture().pixelColor(place).red() > 40);
 }

@@ -46,7 +46,7 @@ private Q_SLOTS:
     void hidesTheFartherOfOneTranslucentGroup();
     void countsNothingOfABodyThatIsNotThere();
     void placesABodyAtItsPose();
-    void growsEachLungByItsOwnAmplitude();
+    void growsEachRegionByItsOwnMotion();
     void countsInTheSizeOfTheWindow();
     void isZeroForAllWhileNotShown();
 };
@@ -152,16 +152,17 @@ void TestVisiblePixels::placesABodyAtItsPose()
     QVERIFY(close(pixels[1], discPixels(0.1, kDistance + 1.0)));
 }
 
-void TestVisiblePixels::growsEachLungByItsOwnAmplitude()
+void TestVisiblePixels::growsEachRegionByItsOwnMotion()
 {
-    ScenePart right = spherePart(1, MaterialGroup::Lung, Vec3::Zero(), 0.1);
-    right.levels = {sphere(Vec3::Zero(), 0.1, 0.05)};
-    right.channel = AmplitudeChannel::RightLung;
-    ScenePart left = right;
-    left.id = 2;
-    left.channel = AmplitudeChannel::LeftLung;
+    // Both come to lie in the middle of the picture: 0.4 + k (x - 0.4) = 0.
+    ScenePart right = spherePart(1, MaterialGroup::Lung, {0.2, 0.0, 0.0}, 0.1);
+    right.region = ChestRegion::RightUpperLung;
+    ScenePart left = spherePart(2, MaterialGroup::Lung, {-0.4, 0.0, 0.0}, 0.1);
+    left.region = ChestRegion::LeftUpperLung;
     SceneFrame frame = frontFrame();
-    frame.amplitude = {2.0, -1.0};
+    frame.chest.field = wideChest();
+    frame.chest.motion[static_cast<std::size_t>(ChestRegion::RightUpperLung)] = scaledBy(2.0);
+    frame.chest.motion[static_cast<std::size_t>(ChestRegion::LeftUpperLung)] = scaledBy(0.5);
     auto pixels = countedIn({right}, frame);
     QVERIFY(close(pixels[1], discPixels(0.2, kDistance)));
     pixels = countedIn({left}, frame);

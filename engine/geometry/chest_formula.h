@@ -1,0 +1,272 @@
+#pragma once
+
+#include <algorithm>
+
+namespace carina
+{
+
+/// The closed form behind ChestField, for any number type: double where it is worked out, float
+/// where vertices are moved, intervals where it is proved. resources/shaders/organ.vert has it a
+/// second time, for the graphics card.
+
+/// A place or a displacement in shares of the chest, or a derivative along them.
+template <class T> struct Shares {
+    T u; ///< -1 at the right wall, 0 in the middle, 1 at the left wall
+    T v; ///< 0 in front, 1 at the back
+    T h; ///< 0 at the apex of the lungs, 1 at their base
+
+    friend Shares operator+(const Shares& a, const Shares& b)
+    {
+        return {a.u + b.u, a.v + b.v, a.h + b.h};
+    }
+    friend Shares operator-(const Shares& a, const Shares& b)
+    {
+        return {a.u - b.u, a.v - b.v, a.h - b.h};
+    }
+    friend Shares operator*(const T& k, const Shares& a) { return {k * a.u, k * a.v, k * a.h}; }
+};
+
+/// What the formula is told of a chest.
+template <class T> struct ChestFrame {
+    Shares<T> origin{};     ///< u = v = h = 0, in A along x, y and z, metres
+    Shares<T> perMetre{};   ///< shares per metre along x, y and z of A; the last is negative
+    Shares<T> rightHilum{}; ///< u below 0
+    Shares<T> leftHilum{};  ///< u above 0
+    T frontShare{};         ///< how far the diaphragm descends in front, of the back
+};
+
+/// How far each term of the field goes. Each moves along one axis only, but for the last but one.
+template <class T> struct ChestTerms {
+    T descent{};  ///< h: the base goes down, furthest at the back
+    T forward{};  ///< v: the front goes forward (negative)
+    T flare{};    ///< u: the front goes away from the middle
+    T lift{};     ///< h: the front goes up (negative)
+    T bulkBack{}; ///< v: the inside goes to the back
+    T bulkDown{}; ///< h: the inside goes down
+    T shrink{};   ///< everything goes towards the hilum
+    T shift{};    ///< u: what lies between the lungs goes to the left
+
+    friend bool operator==(const ChestTerms&, const ChestTerms&) = default;
+};
+
+/// The terms of what belongs to the right and to the left lung. In between, the two go over into
+/// each other from one hilum to the other.
+template <class T> struct ChestCoefficients {
+    ChestTerms<T> right;
+    ChestTerms<T> left;
+};
+
+/// A displacement, and the derivatives of each of its components.
+template <class T> struct ChestValue {
+    Shares<T> f;
+    Shares<T> slope_u; ///< of f.u along u, v and h
+    Shares<T> slope_v;
+    Shares<T> slope_h;
+};
+
+namespace formula
+{
+
+/// 1 / radius^2 of what hardly moves around a hilum, in shares.
+inline constexpr Shares<double> kStiffness{16.0, 6.25, 16.0};
+/// How far in front of the chest and behind it the diaphragm still descends unevenly, in shares.
+inline constexpr double kBeyond = 0.2;
+
+template <class T> struct Smooth {
+    T value;
+    T slope;
+};
+
+template <class T> T clamped(const T& x)
+{
+    using std::max;
+    using std::min;
+    return min(max(x, T(0)), T(1));
+}
+
+/// t^2 (3 - 2 t), held outside 0 .. 1.
+template <class T> Smooth<T> step(const T& x)
+{
+    const T t = clamped(x);
+    return {t * t * (T(3) - T(2) * t), T(6) * t * (T(1) - t)};
+}
+
+/// (4 t (1 - t))^2, nothing outside 0 .. 1.
+template <class T> Smooth<T> bulge(const T& x)
+{
+    const T t = clamped(x);
+    const T b = T(4) * t * (T(1) - t);
+    return {b * b, T(8) * b * (T(1) - T(2) * t)};
+}
+
+/// A function of v and h.
+template <class T> struct Profile {
+    T value;
+    T v;
+    T h;
+
+    friend Profile operator+(const Profile& a, const Profile& b)
+    {
+        return {a.value + b.value, a.v + b.v, a.h + b.h};
+    }
+    friend Profile operator*(const T& k, const Profile& a)
+    {
+        return {k * a.value, k * a.v, k * a.h};
+    }
+};
+
+template <class T> Profile<T> product(const Smooth<T>& along_v, const Smooth<T>& along_h)
+{
+    return {along_v.value * along_h.value, along_v.slope * along_h.value,
+            along_v.value * along_h.slope};
+}
+
+/// Where a place lies to the curve that joins the hila.
+template <class T> struct Anchor {
+    Smooth<T> left;       ///< 0 from the right hilum on, 1 from the left one on; slope along u
+    Shares<T> offset;     ///< from the curve
+    Shares<T> curveSlope; ///< of the curve, along u
+    T away;               ///< 1 - 1 / (1 + rho)^2: 0 on the curve, 1 far from it
+    Shares<T> slope;      ///< of away
+};
+
+template <class T, class S>
+[[gnu::always_inline]] inline Anchor<T> anchor(const ChestFrame<S>& frame, const Shares<T>& q)
+{
+    using std::max;
+    const Shares<T> right{T(frame.rightHilum.u), T(frame.rightHilum.v), T(frame.rightHilum.h)};
+    const Shares<T> left{T(frame.leftHilum.u), T(frame.leftHilum.v), T(frame.leftHilum.h)};
+    const Shares<T> span = left - right;
+    const T perSpan = T(1) / span.u;
+    Anchor<T> a;
+    a.left = step<T>((q.u - right.u) * perSpan);
+    a.left.slope = a.left.slope * perSpan;
+    a.offset = q - (right + a.left.value * span);
+    a.curveSlope = a.left.slope * span;
+    const T beyond = max(q.u - left.u, T(0)) - max(right.u - q.u, T(0));
+    const T pull_u = T(kStiffness.u) * beyond;
+    const T pull_v = T(kStiffness.v) * a.offset.v;
+    const T pull_h = T(kStiffness.h) * a.offset.h;
+    const T near = T(1) / (T(1) + pull_u * beyond + pull_v * a.offset.v + pull_h * a.offset.h);
+    const T near2 = near * near;
+    a.away = T(1) - near2;
+    a.slope =
+        (T(4) * near2 * near)
+        * Shares<T>{pull_u - pull_v * a.curveSlope.v - pull_h * a.curveSlope.h, pull_v, pull_h};
+    return a;
+}
+
+/// The terms at a place between the lungs, and how they change along u.
+template <bool kBothSides, class T, class S>
+[[gnu::always_inline]] inline void mix(const ChestCoefficients<S>& terms, const Smooth<T>& left,
+                                       ChestTerms<T>& c, ChestTerms<T>& slope)
+{
+    const auto one = [&](S ChestTerms<S>::*from, T ChestTerms<T>::*to) {
+        c.*to = T(terms.right.*from);
+        slope.*to = T(0);
+        if constexpr (kBothSides) {
+            c.*to = c.*to + left.value * T(terms.left.*from - terms.right.*from);
+            slope.*to = left.slope * T(terms.left.*from - terms.right.*from);
+        }
+    };
+    one(&ChestTerms<S>::descent, &ChestTerms<T>::descent);
+    one(&ChestTerms<S>::forward, &ChestTerms<T>::forward);
+    one(&ChestTerms<S>::flare, &ChestTerms<T>::flare);
+    one(&ChestTerms<S>::lift, &ChestTerms<T>::lift);
+    one(&ChestTerms<S>::bulkBack, &ChestTerms<T>::bulkBack);
+    one(&ChestTerms<S>::bulkDown, &ChestTerms<T>::bulkDown);
+    one(&ChestTerms<S>::shrink, &ChestTerms<T>::shrink);
+    one(&ChestTerms<S>::shift, &ChestTerms<T>::shift);
+}
+
+/// a * f for a function `a` of place and f = (value, its slopes).
+template <class T>
+[[gnu::always_inline]] inline Shares<T> slopeOfProduct(const Anchor<T>& a, const Profile<T>& f,
+                                                       const T& f_u)
+{
+    return {a.slope.u * f.value + a.away * f_u, a.slope.v * f.value + a.away * f.v,
+            a.slope.h * f.value + a.away * f.h};
+}
+
+/// The terms that are anchored at the hila.
+template <bool kBothSides, class T>
+[[gnu::always_inline]] inline ChestValue<T> anchored(const Anchor<T>& a, const T& frontShare,
+                                                     const ChestTerms<T>& c,
+                                                     const ChestTerms<T>& slope, const Shares<T>& q)
+{
+    constexpr double kPerDepth = 1.0 / (1.0 + 2.0 * kBeyond);
+    const Smooth<T> back = step<T>((q.v + T(kBeyond)) * T(kPerDepth));
+    const Smooth<T> upper = step<T>(T(2) * q.h);
+    const T backSlope = back.slope * T(kPerDepth);
+    const T behind = T(1) - frontShare;
+    const Profile<T> base =
+        product<T>({frontShare + behind * back.value, behind * backSlope}, step<T>(q.h));
+    const Profile<T> ribs =
+        product<T>({T(1) - back.value, -backSlope}, {upper.value, T(2) * upper.slope});
+    const Profile<T> bulk = product<T>(bulge<T>(q.v), bulge<T>(q.h));
+    const Profile<T> out = (c.flare * q.u) * ribs;
+    const Profile<T> backward = c.forward * ribs + c.bulkBack * bulk;
+    const Profile<T> down = c.descent * base + c.lift * ribs + c.bulkDown * bulk;
+    T out_u = c.flare * ribs.value;
+    T backward_u = T(0);
+    T down_u = T(0);
+    if constexpr (kBothSides) {
+        out_u = out_u + slope.flare * q.u * ribs.value;
+        backward_u = slope.forward * ribs.value + slope.bulkBack * bulk.value;
+        down_u = slope.descent * base.value + slope.lift * ribs.value + slope.bulkDown * bulk.value;
+    }
+    return {{a.away * out.value, a.away * backward.value, a.away * down.value},
+            slopeOfProduct(a, out, out_u),
+            slopeOfProduct(a, backward, backward_u),
+            slopeOfProduct(a, down, down_u)};
+}
+
+/// Adds the shift of what lies between the lungs, the less the nearer to the apex.
+template <class T>
+[[gnu::always_inline]] inline void addShift(const T& c, const T& slope, const Shares<T>& q,
+                                            ChestValue<T>& sum)
+{
+    const T inside = clamped<T>(T(1) - q.u * q.u);
+    const T inside2 = inside * inside;
+    const Smooth<T> upper = step<T>(T(2) * q.h);
+    sum.f.u = sum.f.u + c * inside2 * upper.value;
+    sum.slope_u.u = sum.slope_u.u + (slope * inside2 - T(4) * c * q.u * inside) * upper.value;
+    sum.slope_u.h = sum.slope_u.h + T(2) * c * inside2 * upper.slope;
+}
+
+/// Adds what shrinks everything towards the hila.
+template <class T>
+[[gnu::always_inline]] inline void addShrink(const T& c, const T& slope, const Anchor<T>& a,
+                                             ChestValue<T>& sum)
+{
+    const Shares<T> along_u = c * a.curveSlope - slope * a.offset;
+    sum.f = sum.f - c * a.offset;
+    sum.slope_u.u = sum.slope_u.u + along_u.u - c;
+    sum.slope_v.u = sum.slope_v.u + along_u.v;
+    sum.slope_h.u = sum.slope_h.u + along_u.h;
+    sum.slope_v.v = sum.slope_v.v - c;
+    sum.slope_h.h = sum.slope_h.h - c;
+}
+
+} // namespace formula
+
+/// The displacement at a place.
+/// @tparam kBothSides false where `right` and `left` are the same: fewer operations, same result
+/// @tparam kAll false where nothing shrinks or shifts, likewise
+template <bool kBothSides = true, bool kAll = true, class T, class S>
+[[gnu::always_inline]] inline ChestValue<T>
+chestValue(const ChestFrame<S>& frame, const ChestCoefficients<S>& terms, const Shares<T>& q)
+{
+    const formula::Anchor<T> a = formula::anchor<T>(frame, q);
+    ChestTerms<T> c;
+    ChestTerms<T> slope;
+    formula::mix<kBothSides, T>(terms, a.left, c, slope);
+    ChestValue<T> sum = formula::anchored<kBothSides, T>(a, T(frame.frontShare), c, slope, q);
+    if constexpr (kAll) {
+        formula::addShift<T>(c.shift, slope.shift, q, sum);
+        formula::addShrink<T>(c.shrink, slope.shrink, a, sum);
+    }
+    return sum;
+}
+
+} // namespace carina

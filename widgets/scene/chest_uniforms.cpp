@@ -1,0 +1,37 @@
+#include "widgets/scene/chest_uniforms.h"
+
+#include <QVector4D>
+
+namespace carina
+{
+namespace
+{
+
+QVector4D column(const Shares<float>& s, float last = 0.0F) { return {s.u, s.v, s.h, last}; }
+
+} // namespace
+
+QMatrix4x4 chestUniform(const ChestField& field)
+{
+    const ChestFrame<float> frame = inSingle(field.frame());
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.origin, frame.frontShare));
+    uniform.setColumn(1, column(frame.perMetre));
+    uniform.setColumn(2, column(frame.rightHilum));
+    uniform.setColumn(3, column(frame.leftHilum));
+    return uniform;
+}
+
+QMatrix4x4 motionUniform(const ChestMotion& motion)
+{
+    const ChestCoefficients<float> c = inSingle(motion);
+    QMatrix4x4 uniform;
+    int next = 0;
+    for (const ChestTerms<float>& side : {c.right, c.left}) {
+        uniform.setColumn(next++, {side.descent, side.forward, side.flare, side.lift});
+        uniform.setColumn(next++, {side.bulkBack, side.bulkDown, side.shrink, side.shift});
+    }
+    return uniform;
+}
+
+} // namespace carina

@@ -2,6 +2,7 @@
 #include "apps/lab/breathe_command.h"
 #include "apps/lab/carry_command.h"
 #include "apps/lab/command.h"
+#include "apps/lab/deform_command.h"
 #include "apps/lab/drawing_application.h"
 #include "apps/lab/drift_command.h"
 #include "apps/lab/drift_node_command.h"
@@ -20,10 +21,10 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(), breatheCommand(),   carryCommand(),
-                                driftCommand(),   driftNodeCommand(), figuresCommand(),
-                                fitCommand(),     handshakeCommand(), pivotCommand(),
-                                renderCommand(),  summaryCommand(),   trackCommand()};
+    static const std::array all{
+        anatomyCommand(),   breatheCommand(), carryCommand(), deformCommand(),    driftCommand(),
+        driftNodeCommand(), figuresCommand(), fitCommand(),   handshakeCommand(), pivotCommand(),
+        renderCommand(),    summaryCommand(), trackCommand()};
     return all;
 }
 

@@ -1,0 +1,156 @@
+#include "apps/lab/deform_command.h"
+
+#include "apps/lab/landmark_motion.h"
+
+#include <QCommandLineParser>
+#include <QDir>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace carina::lab
+{
+namespace
+{
+
+constexpr std::string_view kDeformHelp =
+    R"(deform --landmarks FILE [--fit DIR] | --fit DIR
+    Moves landmarks of a person's lungs at the end of expiration by the field that moves every lung
+    here, and compares them with where they were at the end of inspiration. The field is told their
+    bounding box, and one amplitude, which is fitted.
+    --landmarks FILE    CSV with columns ee_x_mm, ee_y_mm, ee_z_mm (end of expiration) and ei_x_mm,
+                        ei_y_mm, ei_z_mm (end of inspiration), z towards the feet, as of DIR-Lab
+    --fit DIR           with FILE: fits the three constants of a breath to the landmark files of DIR
+                        that hold other landmarks than FILE, instead of using the built-in ones;
+                        alone: does so for each file in turn, and for all together
+    schema              "carina.deform/1"
+    landmarks           how many
+    amplitude           of the breath; 1 lowers the base by 7.5 % of the lungs' height
+    mean_motion_mm      mean length of the landmarks' motion
+    mean_residual_mm    mean distance of where they were from where the field takes them
+    max_residual_mm     the greatest
+    ratio               mean_residual_mm / mean_motion_mm
+    constants           "front_share", "ribs", "gravity", and "fitted_to", the files, empty for the
+                        built-in ones
+    cases               with --fit alone: the above for each file, fitted to the others, and "file"
+    left_out            with --fit: files of DIR that hold no landmarks
+)";
+
+/// The landmark files of a folder.
+struct LandmarkFolder {
+    std::vector<LandmarkCase> cases;
+    QJsonArray leftOut;
+};
+
+Result<LandmarkFolder> readFolder(const QString& path)
+{
+    LandmarkFolder folder;
+    const QDir dir{path};
+    for (const QString& name : dir.entryList({QStringLiteral("*.csv")}, QDir::Files, QDir::Name)) {
+        auto landmarks = readLandmarkCase(dir.filePath(name));
+        if (landmarks)
+            folder.cases.push_back(std::move(*landmarks));
+        else
+            folder.leftOut.append(name);
+    }
+    if (folder.cases.empty())
+        return fail(Errc::FileNotFound, path.toStdString() + " holds no file with landmarks.");
+    return folder;
+}
+
+QJsonObject describe(const BreathingConstants& constants, const std::vector<LandmarkCase>& fittedTo)
+{
+    QJsonArray files;
+    for (const LandmarkCase& landmarks : fittedTo)
+        files.append(landmarks.name);
+    return {{QStringLiteral("front_share"), constants.frontShare},
+            {QStringLiteral("ribs"), constants.breath.ribs},
+            {QStringLiteral("gravity"), constants.breath.gravity},
+            {QStringLiteral("fitted_to"), files}};
+}
+
+QJsonObject describe(const LandmarkCase& landmarks, const BreathingConstants& constants)
+{
+    const LandmarkResiduals residuals = residualsOf(landmarks, constants);
+    return {{QStringLiteral("landmarks"), qint64(landmarks.p_A_exhaled.size())},
+            {QStringLiteral("amplitude"), residuals.amplitude},
+            {QStringLiteral("mean_motion_mm"), residuals.meanMotion_mm},
+            {QStringLiteral("mean_residual_mm"), residuals.meanResidual_mm},
+            {QStringLiteral("max_residual_mm"), residuals.maxResidual_mm},
+            {QStringLiteral("ratio"), residuals.ratio()}};
+}
+
+/// How the field does on landmarks when its constants know only the others.
+Result<QJsonObject> describeLeftOut(const LandmarkCase& landmarks, std::vector<LandmarkCase> others)
+{
+    std::erase(others, landmarks);
+    if (others.empty())
+        return fail(Errc::TooFewLandmarks, "deform needs landmarks of somebody else to fit to.");
+    const BreathingConstants constants = fitConstants(others);
+    QJsonObject object = describe(landmarks, constants);
+    object.insert(QStringLiteral("constants"), describe(constants, others));
+    return object;
+}
+
+Result<QJsonObject> deformOne(const QString& file, const QString& folder)
+{
+    const auto landmarks = readLandmarkCase(file);
+    if (!landmarks)
+        return tl::unexpected(landmarks.error());
+    if (folder.isEmpty()) {
+        QJsonObject object = describe(*landmarks, BreathingConstants{});
+        object.insert(QStringLiteral("constants"), describe(BreathingConstants{}, {}));
+        return object;
+    }
+    const auto others = readFolder(folder);
+    if (!others)
+        return tl::unexpected(others.error());
+    return describeLeftOut(*landmarks, others->cases).map([&](QJsonObject object) {
+        object.insert(QStringLiteral("left_out"), others->leftOut);
+        return object;
+    });
+}
+
+Result<QJsonObject> deformEach(const QString& path)
+{
+    const auto folder = readFolder(path);
+    if (!folder)
+        return tl::unexpected(folder.error());
+    QJsonArray cases;
+    for (const LandmarkCase& landmarks : folder->cases) {
+        auto object = describeLeftOut(landmarks, folder->cases);
+        if (!object)
+            return object;
+        object->insert(QStringLiteral("file"), landmarks.name);
+        cases.append(*object);
+    }
+    return QJsonObject{
+        {QStringLiteral("cases"), cases},
+        {QStringLiteral("constants"), describe(fitConstants(folder->cases), folder->cases)},
+        {QStringLiteral("left_out"), folder->leftOut}};
+}
+
+Result<QJsonObject> runDeform(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    for (const char* flag : {"landmarks", "fit"}) {
+        const QString name = QString::fromLatin1(flag);
+        parser.addOption(QCommandLineOption{name, {}, name});
+    }
+    const bool understood = parser.parse(QStringList{QStringLiteral("deform")} + arguments);
+    const QString file = parser.value(QStringLiteral("landmarks"));
+    const QString folder = parser.value(QStringLiteral("fit"));
+    if (!understood || !parser.positionalArguments().isEmpty()
+        || (file.isEmpty() && folder.isEmpty()))
+        return fail(Errc::OutOfRange, "deform needs --landmarks FILE, --fit DIR, or both.");
+    auto object = file.isEmpty() ? deformEach(folder) : deformOne(file, folder);
+    if (object)
+        object->insert(QStringLiteral("schema"), QStringLiteral("carina.deform/1"));
+    return object;
+}
+
+} // namespace
+
+Command deformCommand() { return {"deform", kDeformHelp, runDeform}; }
+
+} // namespace carina::lab

@@ -1,6 +1,8 @@
 #include "apps/lab/deform_command.h"
 
+#include "apps/lab/fissures.h"
 #include "apps/lab/landmark_motion.h"
+#include "engine/io/anatomy_set.h"
 
 #include <QCommandLineParser>
 #include <QDir>
@@ -14,7 +16,7 @@ namespace
 {
 
 constexpr std::string_view kDeformHelp =
-    R"(deform --landmarks FILE [--fit DIR] | --fit DIR
+    R"(deform --landmarks FILE [--fit DIR] | --fit DIR | --fissures DIR [--inspired-ml V]
     Moves landmarks of a person's lungs at the end of expiration by the field that moves every lung
     here, and compares them with where they were at the end of inspiration. The field is told their
     bounding box, and one amplitude, which is fitted.
@@ -23,6 +25,8 @@ constexpr std::string_view kDeformHelp =
     --fit DIR           with FILE: fits the three constants of a breath to the landmark files of DIR
                         that hold other landmarks than FILE, instead of using the built-in ones;
                         alone: does so for each file in turn, and for all together
+    --fissures DIR      instead: how the lobes of the anatomy set in DIR keep together once V ml
+                        (500) were inspired
     schema              "carina.deform/1"
     landmarks           how many
     amplitude           of the breath; 1 lowers the base by 7.5 % of the lungs' height
@@ -34,6 +38,11 @@ constexpr std::string_view kDeformHelp =
                         built-in ones
     cases               with --fit alone: the above for each file, fitted to the others, and "file"
     left_out            with --fit: files of DIR that hold no landmarks
+    fissures            with --fissures: for each lower lobe and another one of its lung "lower" and
+                        "upper", their names, "points" of the lower lobe at the fissure, and by how
+                        much they move along the other lobe ("mean_slide_mm"), come away from it
+                        ("max_gap_mm") and enter it ("max_overlap_mm")
+    inspired_ml         with --fissures: V
 )";
 
 /// The landmark files of a folder.
@@ -130,20 +139,53 @@ Result<QJsonObject> deformEach(const QString& path)
         {QStringLiteral("left_out"), folder->leftOut}};
 }
 
+Result<QJsonObject> deformLobes(const QString& folder, const QString& inspired_ml)
+{
+    bool isNumber = true;
+    const double volume_ml = inspired_ml.isEmpty() ? 500.0 : inspired_ml.toDouble(&isNumber);
+    if (!isNumber)
+        return fail(Errc::OutOfRange, "deform needs --inspired-ml with a number.");
+    const auto loaded = loadAnatomySet(folder.toStdString(), AnatomyCache::defaultFolder());
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    const Anatomy& anatomy = loaded->set.anatomy;
+    const auto lungs = LungPair::of(anatomy);
+    if (!lungs)
+        return tl::unexpected(lungs.error());
+    const auto pose = lungs->pose(millilitres(volume_ml), 0);
+    if (!pose)
+        return tl::unexpected(pose.error());
+    QJsonArray fissures;
+    for (const FissureFit& fit : fissuresOf(anatomy, *lungs, *pose))
+        fissures.append(QJsonObject{{QStringLiteral("lower"), QString::fromStdString(fit.lower)},
+                                    {QStringLiteral("upper"), QString::fromStdString(fit.upper)},
+                                    {QStringLiteral("points"), qint64(fit.points)},
+                                    {QStringLiteral("mean_slide_mm"), fit.meanSlide_mm},
+                                    {QStringLiteral("max_gap_mm"), fit.gap_mm},
+                                    {QStringLiteral("max_overlap_mm"), fit.overlap_mm}});
+    return QJsonObject{{QStringLiteral("fissures"), fissures},
+                       {QStringLiteral("inspired_ml"), volume_ml}};
+}
+
 Result<QJsonObject> runDeform(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    for (const char* flag : {"landmarks", "fit"}) {
+    for (const char* flag : {"landmarks", "fit", "fissures", "inspired-ml"}) {
         const QString name = QString::fromLatin1(flag);
         parser.addOption(QCommandLineOption{name, {}, name});
     }
     const bool understood = parser.parse(QStringList{QStringLiteral("deform")} + arguments);
     const QString file = parser.value(QStringLiteral("landmarks"));
     const QString folder = parser.value(QStringLiteral("fit"));
+    const QString anatomy = parser.value(QStringLiteral("fissures"));
+    const bool hasLandmarks = !file.isEmpty() || !folder.isEmpty();
     if (!understood || !parser.positionalArguments().isEmpty()
-        || (file.isEmpty() && folder.isEmpty()))
-        return fail(Errc::OutOfRange, "deform needs --landmarks FILE, --fit DIR, or both.");
-    auto object = file.isEmpty() ? deformEach(folder) : deformOne(file, folder);
+        || hasLandmarks == !anatomy.isEmpty())
+        return fail(Errc::OutOfRange,
+                    "deform needs --landmarks FILE, --fit DIR or both, or --fissures DIR.");
+    auto object = !hasLandmarks ? deformLobes(anatomy, parser.value(QStringLiteral("inspired-ml")))
+                  : file.isEmpty() ? deformEach(folder)
+                                   : deformOne(file, folder);
     if (object)
         object->insert(QStringLiteral("schema"), QStringLiteral("carina.deform/1"));
     return object;

@@ -15,10 +15,10 @@ constexpr double kForward = 0.018;
 constexpr double kFlare = 0.018; // of which half is left at the side
 constexpr double kLift = 0.018;
 constexpr double kSag = 0.04;
-constexpr double kSlide = 0.008;
-/// The oblique fissure runs forward and down, about as far one way as the other.
-constexpr double kSlideForward = 0.67;
-constexpr double kSlideDown = 0.74;
+constexpr double kSlide = 0.002;
+/// Along the oblique fissure from behind, in the middle plane of a lung.
+constexpr double kSlideForward = 0.8;
+constexpr double kSlideDown = 0.6;
 
 /// Half width and depth of the chest in units of the lungs' height.
 struct Proportions {

@@ -59,8 +59,8 @@ struct ChestPose {
 /// - Diaphragm and bronchi go with the lungs, and the diaphragm stays where a lung collapses.
 /// - The wall goes forward and outward with the lungs beneath, and upward besides, while the lungs
 ///   slide down along it.
-/// - Lower lobes slide along the oblique fissure, forward and down, by 0.8 % of the lungs' height
-///   (2 mm in an adult) in the middle of the lung at diaphragm 1.
+/// - Lower lobes slide along the oblique fissure, forward and down, by 0.2 % of the lungs' height
+///   (0.5 mm in an adult) in the middle of the lung at diaphragm 1.
 /// - The mediastinum shifts, and otherwise stays.
 [[nodiscard]] ChestMotion motionOf(ChestRegion region, const ChestPose& pose,
                                    const ChestField& field);

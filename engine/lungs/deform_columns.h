@@ -18,8 +18,8 @@ struct VertexColumns {
 
 [[nodiscard]] VertexColumns columnsOf(const TriangleMesh& mesh);
 
-/// What deformed() does, for many vertices and on all processors: the same numbers to the last bit
-/// or two. `moved` gets the length of `rest`; where it has it already, nothing is allocated.
+/// What deformed() does, for many vertices and on all processors: the same numbers but
+/// for rounding. `moved` gets the length of `rest`; where it has it already, nothing is allocated.
 /// @pre both columns of `rest` are of one length.
 void deformColumns(const VertexColumns& rest, const ChestField& field, const ChestMotion& motion,
                    VertexColumns& moved);

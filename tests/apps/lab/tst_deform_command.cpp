@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -19,6 +20,7 @@ namespace
 {
 
 constexpr double kGreatestRatio = 0.46; ///< of residual to motion, when other people were fitted to
+constexpr double kGreatestGap_mm = 1.0;
 constexpr double kTolerance_mm = 0.006; ///< figures of cases.csv are rounded to 0.01
 
 /// How somebody breathes, in the words of docs/deformation.md.
@@ -100,6 +102,8 @@ private Q_SLOTS:
     void refusesWhatItCannotUse();
     void followsTheLungsOfPeople_data();
     void followsTheLungsOfPeople();
+    void keepsRealLobesTogether_data();
+    void keepsRealLobesTogether();
 
 private:
     QString write(const char* name, const QByteArray& text)
@@ -228,6 +232,35 @@ void TestDeformCommand::followsTheLungsOfPeople()
              qPrintable(QString::number(number(found, "ratio"))));
     const QJsonObject constants = found.value(QStringLiteral("constants")).toObject();
     QCOMPARE(constants.value(QStringLiteral("fitted_to")).toArray().size(), 4);
+}
+
+void TestDeformCommand::keepsRealLobesTogether_data()
+{
+    QTest::addColumn<QString>("inspired_ml");
+    QTest::newRow("a breath") << QStringLiteral("540");
+    QTest::newRow("two breaths") << QStringLiteral("1000");
+}
+
+void TestDeformCommand::keepsRealLobesTogether()
+{
+    const auto folder = test::testData("anatomy/lungs");
+    if (!folder)
+        QSKIP("the real lungs are not here");
+    QFETCH(QString, inspired_ml);
+    const QJsonObject found =
+        deformWith({QStringLiteral("--fissures"), QString::fromStdString(folder->string()),
+                    QStringLiteral("--inspired-ml"), inspired_ml})
+            .value();
+    const QJsonArray fissures = found.value(QStringLiteral("fissures")).toArray();
+    QCOMPARE(fissures.size(), 3); // right lower to upper and middle lobe, left lower to upper
+    for (const auto& fissure : fissures) {
+        const QJsonObject fit = fissure.toObject();
+        QVERIFY(number(fit, "points") > 50.0);
+        QVERIFY(number(fit, "mean_slide_mm") > 0.05);
+        QVERIFY2(number(fit, "max_gap_mm") < kGreatestGap_mm
+                     && number(fit, "max_overlap_mm") < kGreatestGap_mm,
+                 QJsonDocument{fit}.toJson().constData());
+    }
 }
 
 } // namespace carina::lab

@@ -1,15 +1,14 @@
 #include "engine/geometry/mesh_repair.h"
 #include "engine/geometry/mesh_weld.h"
 #include "engine/geometry/mesh_winding.h"
+#include "tests/engine/geometry/plain_obj.h"
 #include "tests/support/test_data.h"
 
 #include <QTest>
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 namespace carina
 {
@@ -18,25 +17,6 @@ namespace
 
 constexpr Length kTolerance = millimetres(0.01);
 constexpr double kVolumeTolerance = 0.003; // share: columns of 1 mm, and what lies over a hole
-
-/// Reads nothing but `v` and `f` lines with plain indices.
-TriangleMesh plainObj(const std::filesystem::path& file)
-{
-    TriangleMesh mesh;
-    std::ifstream stream{file};
-    for (std::string line; std::getline(stream, line);) {
-        std::istringstream words{line};
-        std::string key;
-        words >> key;
-        Vec3f p;
-        Triangle t{};
-        if (key == "v" && words >> p.x() >> p.y() >> p.z())
-            mesh.positions.push_back(1e-3F * p);
-        else if (key == "f" && words >> t[0] >> t[1] >> t[2])
-            mesh.triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
-    }
-    return mesh;
-}
 
 /// Volume of a surface that may have holes, m^3, as columns along y, 1 mm apart, between the places
 /// where they enter and leave it; a column that passes through a hole counts as the one before it.
@@ -102,8 +82,8 @@ private Q_SLOTS:
         if (!folder)
             QSKIP("the real lungs are not here");
         QFETCH(int, edgesAtHoles);
-        const TriangleMesh open =
-            welded(plainObj(*folder / (std::string{QTest::currentDataTag()} + ".obj")), kTolerance);
+        const TriangleMesh open = welded(
+            test::plainObj(*folder / (std::string{QTest::currentDataTag()} + ".obj")), kTolerance);
         QVERIFY(!isClosed(open));
         std::size_t rim = 0;
         for (const BoundaryLoop& loop : boundaryLoops(open))

@@ -3,16 +3,16 @@
 #include "engine/geometry/surface_query.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace carina::lab
 {
 namespace
 {
 
-/// Beyond this the other lobe is no longer beside a vertex: it has left the fissure's rim.
-constexpr double kLost_m = 6e-3;
+/// How much longer the way along the normal may be than the shortest one: at the rim of a fissure
+/// the normal turns away from it.
+constexpr double kAskew = 1.2;
+constexpr double kFlat_m = 5e-5; ///< where both are next to nothing
 
 bool isLower(const BreathingPart& part)
 {
@@ -21,15 +21,24 @@ bool isLower(const BreathingPart& part)
 
 Vec3 at(const std::vector<Vec3f>& vectors, std::size_t i) { return vectors[i].cast<double>(); }
 
-/// Distance from a place to a surface along the normal there; negative where it lies inside.
-std::optional<double> distanceAlong(const Vec3& normal, const Vec3& p_A,
-                                    const TriangleMesh& surface)
+/// Whether a surface that lies near a place with this normal lies behind it: they overlap.
+bool isBehind(const TriangleMesh& surface, const Vec3& p_A, const Vec3& normal)
 {
-    const double ahead = rayHit(surface, p_A, normal).value_or(kLost_m);
-    const double behind = rayHit(surface, p_A, -normal).value_or(kLost_m);
-    if (std::min(ahead, behind) >= kLost_m)
-        return std::nullopt;
-    return ahead <= behind ? ahead : -behind;
+    const auto ahead = rayHit(surface, p_A, normal);
+    const auto behind = rayHit(surface, p_A, -normal);
+    return behind && (!ahead || *behind < *ahead);
+}
+
+/// Whether a vertex of the lower lobe lies at the fissure: the upper one is near, and its normal
+/// points there.
+bool isAtFissure(const TriangleMesh& surface, const Vec3& p_A, const Vec3& normal)
+{
+    const double distance = distanceTo(surface, p_A);
+    if (distance > kFissure.si)
+        return false;
+    const double reach = kAskew * distance + kFlat_m;
+    return rayHit(surface, p_A, normal).value_or(1.0) <= reach
+           || rayHit(surface, p_A, -normal).value_or(1.0) <= reach;
 }
 
 struct MovingLobe {
@@ -50,20 +59,25 @@ FissureFit fitOf(const MovingLobe& lower, const MovingLobe& upper, const ChestFi
     const Box near = boundsOf(upper.rest);
     for (std::size_t i = 0; i < lower.rest.positions.size(); ++i) {
         const Vec3 p_A = at(lower.rest.positions, i);
-        if (distanceTo(near, p_A) > kFissure.si)
+        const Vec3 normal = at(lower.rest.normals, i);
+        if (distanceTo(near, p_A) > kFissure.si || !isAtFissure(upper.rest, p_A, normal))
             continue;
-        const auto before = distanceAlong(at(lower.rest.normals, i), p_A, upper.rest);
-        if (!before || std::abs(*before) > kFissure.si)
-            continue;
-        const auto after =
-            distanceAlong(at(lower.moved.normals, i), at(lower.moved.positions, i), upper.moved);
-        if (!after)
-            continue;
+        const double slide =
+            (field.at(p_A, lower.motion).d_A - field.at(p_A, upper.motion).d_A).norm();
+        const Vec3 moved_A = at(lower.moved.positions, i);
+        const bool overlapped = isBehind(upper.rest, p_A, normal);
+        const double before = distanceTo(upper.rest, p_A);
+        const double after = distanceTo(upper.moved, moved_A);
+        // A distance changes by no more than what moves: a side far from 0 is not left.
+        const bool overlaps = before + after > slide
+                                  ? overlapped
+                                  : isBehind(upper.moved, moved_A, at(lower.moved.normals, i));
+        const double change_mm =
+            1e3 * ((overlaps ? -after : after) - (overlapped ? -before : before));
         ++fit.points;
-        fit.gap_mm = std::max(fit.gap_mm, 1e3 * (*after - *before));
-        fit.overlap_mm = std::max(fit.overlap_mm, 1e3 * (*before - *after));
-        fit.meanSlide_mm +=
-            1e3 * (field.at(p_A, lower.motion).d_A - field.at(p_A, upper.motion).d_A).norm();
+        fit.gap_mm = std::max(fit.gap_mm, change_mm);
+        fit.overlap_mm = std::max(fit.overlap_mm, -change_mm);
+        fit.meanSlide_mm += 1e3 * slide;
     }
     if (fit.points > 0)
         fit.meanSlide_mm /= double(fit.points);

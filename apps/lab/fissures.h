@@ -20,8 +20,9 @@ struct FissureFit {
 };
 
 /// Each lower lobe against the other lobes of its lung, in the finest level. A vertex is at the
-/// fissure where along its normal the other lobe is within kFissure at rest; what counts is how
-/// that distance changes, since lobes of an anatomy do not fit to better than that themselves.
+/// fissure where at rest the other lobe is within kFissure and its normal points there, not past
+/// it. What counts is how the distance changes, since lobes of an anatomy do not fit to better than
+/// that themselves.
 [[nodiscard]] std::vector<FissureFit> fissuresOf(const Anatomy& anatomy, const LungPair& lungs,
                                                  const ChestPose& pose);
 

@@ -121,6 +121,8 @@ void TestChestPose::movesTheDiaphragmWithTheLungsAbove()
                 < kSame_m);
     const ChestPose collapsed{{LungPose{.collapse = 0.3}, LungPose{}}, 0.0};
     QCOMPARE(moved_mm(ChestRegion::Diaphragm, collapsed, kDome).norm(), 0.0);
+    const ChestPose leftCollapsed{{LungPose{}, LungPose{.collapse = 0.3}}, 0.0};
+    QCOMPARE(moved_mm(ChestRegion::Diaphragm, leftCollapsed, {0.07, 0.0, -0.09}).norm(), 0.0);
 }
 
 void TestChestPose::movesTheBronchiWithTheLungsAround()

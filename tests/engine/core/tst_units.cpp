@@ -22,6 +22,11 @@ private Q_SLOTS:
         QTest::newRow("degrees") << degrees(180.0).si << std::numbers::pi;
         QTest::newRow("cubic metres") << cubicMetres(0.003).si << 0.003;
         QTest::newRow("millilitres") << millilitres(280.0).si << 280e-6;
+        QTest::newRow("litres") << litres(2.5).si << 0.0025;
+        QTest::newRow("cmH2O") << cmH2O(10.0).si << 980.665;
+        QTest::newRow("litres per second") << litresPerSecond(0.5).si << 0.0005;
+        QTest::newRow("litres per cmH2O") << litresPerCmH2O(0.0980665).si << 1e-6;
+        QTest::newRow("cmH2O seconds per litre") << cmH2OSecondsPerLitre(2.0).si << 196133.0;
         QTest::newRow("hertz") << hertz(60.0).si << 60.0;
         QTest::newRow("per minute") << perMinute(30.0).si << 0.5;
     }
@@ -37,6 +42,11 @@ private Q_SLOTS:
         QCOMPARE(inDegrees(degrees(37.0)), 37.0);
         QCOMPARE(inMillilitres(millilitres(540.0)), 540.0);
         QCOMPARE(inPerMinute(perMinute(19.0)), 19.0);
+        QCOMPARE(inLitres(litres(2.31)), 2.31);
+        QCOMPARE(inCmH2O(cmH2O(11.3)), 11.3);
+        QCOMPARE(inLitresPerSecond(litresPerSecond(0.6)), 0.6);
+        QCOMPARE(inLitresPerCmH2O(litresPerCmH2O(0.1)), 0.1);
+        QCOMPARE(inCmH2OSecondsPerLitre(cmH2OSecondsPerLitre(1.575)), 1.575);
     }
 
     void addsScalesAndCompares()

@@ -10,6 +10,8 @@ struct BreathingPattern {
     Frequency rate = perMinute(19.0);
     Volume tidalVolume = millilitres(280.0);
     double inspiratoryFraction = 0.41; ///< inspiration's share of the breath, 0.1 to 0.9
+
+    friend bool operator==(const BreathingPattern&, const BreathingPattern&) = default;
 };
 
 /// Gas above functional residual capacity at a phase of the breath (0 at the start of inspiration,

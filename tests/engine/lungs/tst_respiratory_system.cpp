@@ -1,0 +1,231 @@
+#include "engine/lungs/respiratory_system.h"
+
+#include "tests/engine/lungs/within.h"
+
+#include <numbers>
+
+using namespace carina;
+
+namespace
+{
+
+constexpr double kTolerance_l = 1e-9;
+
+PatientBuild adult() { return {metres(1.75), 77.0, 40.0, Sex::Male}; }
+PatientBuild child() { return {metres(1.50), 40.0, 12.0, Sex::Female}; }
+
+/// What a small pressure at the opening adds to both sides at rest.
+double complianceAtRest(const RespiratorySystem& system)
+{
+    double sum = 0.0;
+    for (const LungMechanics& lung : system.lungs) {
+        const double ofLung = inLitresPerCmH2O(lung.curve.complianceAt(lung.wallVolume));
+        const double ofWall = inLitresPerCmH2O(lung.wall);
+        sum += 1.0 / (1.0 / ofLung + 1.0 / ofWall);
+    }
+    return sum;
+}
+
+double resistanceOf(const RespiratorySystem& system)
+{
+    const double bronchi = system.lungs[0].bronchi.si + system.lungs[1].bronchi.si;
+    return inCmH2OSecondsPerLitre({system.upperLaminar.si + 1.0 / bronchi});
+}
+
+/// Pressure that a tube alone takes at 1 L/s.
+double lossAt1LitrePerSecond(double diameter_mm)
+{
+    RespiratorySystem system = healthySystem(adult());
+    intubate(system, millimetres(diameter_mm));
+    return inCmH2O({system.upperLaminar.si * 1e-3 + system.upperTurbulent * 1e-6});
+}
+
+} // namespace
+
+class TestRespiratorySystem : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasTheVolumesOfTheTable_data();
+    void hasTheVolumesOfTheTable();
+    void fatAddsNoLung();
+    void hasThePublishedComplianceAtRest();
+    void restsWithARecoilOf5AndHoldsItsCapacity();
+    void hasTheResistanceOfTheTable();
+    void narrowsWithYouth();
+    void breathesQuietlyAsTheTableSays_data();
+    void breathesQuietlyAsTheTableSays();
+    void replacesTheUpperAirwayByATube();
+    void losesMoreInANarrowTube();
+    void approachesATargetByAShare();
+};
+
+void TestRespiratorySystem::hasTheVolumesOfTheTable_data()
+{
+    QTest::addColumn<double>("weight_kg");
+    QTest::addColumn<double>("height_m");
+    QTest::addColumn<double>("residual_l");
+    QTest::addColumn<double>("rest_l");
+    QTest::addColumn<double>("capacity_l");
+    QTest::newRow("adult") << 77.0 << 1.75 << 1.232 << 2.31 << 6.16;
+    QTest::newRow("12 years") << 40.0 << 1.50 << 0.64 << 1.2 << 3.2;
+}
+
+void TestRespiratorySystem::hasTheVolumesOfTheTable()
+{
+    QFETCH(const double, weight_kg);
+    QFETCH(const double, height_m);
+    QFETCH(const double, residual_l);
+    QFETCH(const double, rest_l);
+    QFETCH(const double, capacity_l);
+    const PatientBuild build{metres(height_m), weight_kg, 30.0, Sex::Female};
+    const LungVolumes volumes = lungVolumesOf(build);
+    VERIFY_WITHIN(inLitres(volumes.residual), residual_l, kTolerance_l);
+    VERIFY_WITHIN(inLitres(volumes.functionalResidual), rest_l, kTolerance_l);
+    VERIFY_WITHIN(inLitres(volumes.totalCapacity), capacity_l, kTolerance_l);
+    const RespiratorySystem system = healthySystem(build);
+    VERIFY_WITHIN(inLitres(system.lungs[0].wallVolume), 0.525 * rest_l, kTolerance_l);
+    VERIFY_WITHIN(inLitres(system.lungs[1].wallVolume), 0.475 * rest_l, kTolerance_l);
+}
+
+void TestRespiratorySystem::fatAddsNoLung()
+{
+    const PatientBuild lean{metres(1.75), 26.0 * 1.75 * 1.75, 40.0, Sex::Male};
+    PatientBuild obese = lean;
+    obese.weightInKilograms = 127.0;
+    QVERIFY(healthySystem(obese) == healthySystem(lean));
+    obese.weightInKilograms = lean.weightInKilograms - 1.0;
+    QVERIFY(!(healthySystem(obese) == healthySystem(lean)));
+}
+
+/// The system of an adult 0.1, of a child of 12 about 0.05 L/cmH2O; the right side of an adult
+/// 0.05.
+void TestRespiratorySystem::hasThePublishedComplianceAtRest()
+{
+    VERIFY_WITHIN(complianceAtRest(healthySystem(adult())), 0.1, 1e-9);
+    VERIFY_WITHIN(complianceAtRest(healthySystem(child())), 0.1 * 40.0 / 77.0, 1e-9);
+    VERIFY_WITHIN(complianceAtRest(healthySystem(child())), 0.05, 0.005);
+}
+
+void TestRespiratorySystem::restsWithARecoilOf5AndHoldsItsCapacity()
+{
+    for (const PatientBuild& build : {adult(), child()}) {
+        const RespiratorySystem system = healthySystem(build);
+        Volume capacity;
+        for (const LungMechanics& lung : system.lungs) {
+            VERIFY_WITHIN(inCmH2O(lung.curve.pressureAt(lung.wallVolume)), 5.0, 1e-9);
+            QCOMPARE(lung.wallRecoil, cmH2O(5.0));
+            VERIFY_WITHIN(lung.curve.floor / lung.wallVolume, 0.25, 1e-12);
+            capacity = capacity + lung.curve.floor + lung.curve.span;
+        }
+        VERIFY_WITHIN(inLitres(capacity), 0.08 * build.weightInKilograms, kTolerance_l);
+    }
+}
+
+/// 1.125 above the carina and 0.45 cmH2O s/L in all bronchi; each lung has its share of them.
+void TestRespiratorySystem::hasTheResistanceOfTheTable()
+{
+    const RespiratorySystem system = healthySystem(adult());
+    VERIFY_WITHIN(inCmH2OSecondsPerLitre(system.upperLaminar), 1.125, 1e-12);
+    QCOMPARE(system.upperTurbulent, 0.0);
+    VERIFY_WITHIN(resistanceOf(system), 1.575, 1e-12);
+    VERIFY_WITHIN(system.lungs[0].bronchi.si / system.lungs[1].bronchi.si, 0.525 / 0.475, 1e-12);
+}
+
+/// In proportion 13 at 2 years to 3 at 18, and about 5 at 12.
+void TestRespiratorySystem::narrowsWithYouth()
+{
+    const auto ratioAt = [](double years) {
+        PatientBuild build = adult();
+        build.ageInYears = years;
+        return resistanceOf(healthySystem(build)) / 1.575;
+    };
+    VERIFY_WITHIN(ratioAt(2.0), 13.0 / 3.0, 1e-9);
+    VERIFY_WITHIN(ratioAt(12.0), 5.0 / 3.0, 0.1);
+    VERIFY_WITHIN(ratioAt(10.0), std::sqrt(13.0 / 3.0), 1e-9);
+    VERIFY_WITHIN(ratioAt(18.0), 1.0, 1e-12);
+    VERIFY_WITHIN(ratioAt(80.0), 1.0, 1e-12);
+}
+
+void TestRespiratorySystem::breathesQuietlyAsTheTableSays_data()
+{
+    QTest::addColumn<double>("years");
+    QTest::addColumn<double>("weight_kg");
+    QTest::addColumn<double>("rate_perMin");
+    QTest::addColumn<double>("tidalVolume_ml");
+    QTest::addColumn<double>("fraction");
+    QTest::newRow("adult") << 40.0 << 77.0 << 16.0 << 539.0 << 0.375;
+    QTest::newRow("12 years") << 12.0 << 40.0 << 19.0 << 280.0 << 0.4125;
+    QTest::newRow("small child") << 2.0 << 12.0 << 24.0 << 84.0 << 0.475;
+}
+
+void TestRespiratorySystem::breathesQuietlyAsTheTableSays()
+{
+    QFETCH(const double, years);
+    QFETCH(const double, weight_kg);
+    QFETCH(const double, rate_perMin);
+    QFETCH(const double, tidalVolume_ml);
+    QFETCH(const double, fraction);
+    const BreathingPattern quiet = restingPattern({metres(1.75), weight_kg, years, Sex::Male});
+    VERIFY_WITHIN(inPerMinute(quiet.rate), rate_perMin, 1e-9);
+    VERIFY_WITHIN(inMillilitres(quiet.tidalVolume), tidalVolume_ml, 1e-9);
+    VERIFY_WITHIN(quiet.inspiratoryFraction, fraction, 1e-12);
+}
+
+/// Laminar as Poiseuille says, 8 mu L / (pi r^4) with 18.5 uPa s; half the dead space is left.
+void TestRespiratorySystem::replacesTheUpperAirwayByATube()
+{
+    const RespiratorySystem before = healthySystem(adult());
+    RespiratorySystem system = before;
+    intubate(system, millimetres(8.0));
+    QVERIFY(system.lungs == before.lungs);
+    VERIFY_WITHIN(system.upperLaminar.si,
+                  8.0 * 1.85e-5 * 0.3 / (std::numbers::pi * std::pow(0.004, 4)), 1.0);
+    VERIFY_WITHIN(inMillilitres(before.anatomicalDeadSpace), 2.2 * 77.0, 1e-9);
+    VERIFY_WITHIN(inMillilitres(system.anatomicalDeadSpace), 1.1 * 77.0, 1e-9);
+}
+
+/// Darcy's law with Blasius' friction 0.316 / Re^0.25 of a smooth tube, and 1.5 heads for its ends:
+/// about 7 cmH2O at 1 L/s through 8 mm.
+void TestRespiratorySystem::losesMoreInANarrowTube()
+{
+    for (const double diameter_mm : {8.0, 6.5, 4.0}) {
+        const double d = 1e-3 * diameter_mm;
+        const double speed = 1e-3 / (std::numbers::pi / 4.0 * d * d);
+        const double reynolds = 1.2 * speed * d / 1.85e-5;
+        const double head = 0.5 * 1.2 * speed * speed;
+        const double turbulent = (0.316 * std::pow(reynolds, -0.25) * 0.3 / d + 1.5) * head;
+        const double laminar = 32.0 * 1.85e-5 * 0.3 * speed / (d * d);
+        VERIFY_WITHIN(lossAt1LitrePerSecond(diameter_mm), (turbulent + laminar) / 98.0665, 1e-9);
+    }
+    VERIFY_WITHIN(lossAt1LitrePerSecond(8.0), 7.0, 0.5);
+}
+
+void TestRespiratorySystem::approachesATargetByAShare()
+{
+    RespiratorySystem system = healthySystem(adult());
+    const RespiratorySystem from = system;
+    RespiratorySystem target = healthySystem(child());
+    intubate(target, millimetres(6.5));
+    target.effort = 0.5;
+    target.lungs[1].valve = {1e-9};
+    target.lungs[1].uptake = hertz(0.1);
+    approach(system, target, 0.25);
+    VERIFY_WITHIN(system.effort, 0.875, 1e-12);
+    VERIFY_WITHIN(system.lungs[1].valve.si, 0.25e-9, 1e-20);
+    VERIFY_WITHIN(system.lungs[1].uptake.si, 0.025, 1e-12);
+    VERIFY_WITHIN(inLitres(system.lungs[0].wallVolume),
+                  0.75 * inLitres(from.lungs[0].wallVolume)
+                      + 0.25 * inLitres(target.lungs[0].wallVolume),
+                  1e-12);
+    approach(system, target, 1.0);
+    QVERIFY2(system.lungs[0].curve.width == target.lungs[0].curve.width, "curve");
+    const RespiratorySystem arrived = target;
+    RespiratorySystem still = arrived;
+    approach(still, arrived, 0.001);
+    QVERIFY(still == arrived); // what has arrived stays, bit for bit
+}
+
+QTEST_APPLESS_MAIN(TestRespiratorySystem)
+#include "tst_respiratory_system.moc"

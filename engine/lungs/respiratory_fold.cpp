@@ -1,0 +1,187 @@
+#include "engine/lungs/respiratory_fold.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+/// Mean alveolar pressure, each lung counting by its bronchi: what the airway comes to when closed.
+Pressure occluded(const RespiratorySystem& system, const ChestMoment& moment)
+{
+    const double right = system.lungs[0].bronchi.si;
+    const double left = system.lungs[1].bronchi.si;
+    if (right + left == 0.0)
+        return {};
+    return {(right * moment.alveolar[0].si + left * moment.alveolar[1].si) / (right + left)};
+}
+
+/// Share of the gas that reaches alveoli where blood is: what is breathed spreads evenly over the
+/// gas of both lungs, of which the alveolar dead space is a part.
+double perfusedShare(const RespiratorySystem& system, const ChestContent& content)
+{
+    const Volume gas = content[0].gas + content[1].gas;
+    const Volume dead = system.lungs[0].alveolarDeadSpace + system.lungs[1].alveolarDeadSpace;
+    return std::max(0.0, 1.0 - dead / gas);
+}
+
+} // namespace
+
+RespiratorySystem systemOf(const RespiratorySettings& settings)
+{
+    RespiratorySystem system = healthySystem(settings.build);
+    if (settings.tube.si > 0.0)
+        intubate(system, settings.tube);
+    return afflicted(system, settings.condition);
+}
+
+RespiratoryFold::RespiratoryFold(const RespiratorySettings& settings)
+    : m_clock{settings.pattern.rate}
+{
+    set(settings);
+    m_state.system = m_target;
+    m_state.content = restingContent(m_target);
+    m_moment = chestMoment(m_state.system, m_state.content, {}, m_state.opening);
+    beginBreath();
+}
+
+RespiratoryFold::RespiratoryFold(const RespiratorySettings& settings,
+                                 const RespiratoryState& checkpoint)
+    : m_state{checkpoint}, m_clock{checkpoint.clock}
+{
+    set(settings);
+    m_moment = chestMoment(m_state.system, m_state.content, m_state.muscle, m_state.opening);
+}
+
+void RespiratoryFold::set(const RespiratorySettings& settings)
+{
+    m_settings = settings;
+    m_target = systemOf(settings);
+    m_healthy = healthySystem(settings.build);
+}
+
+RespiratoryState RespiratoryFold::state() const
+{
+    RespiratoryState state = m_state;
+    state.clock = m_clock.state();
+    return state;
+}
+
+bool RespiratoryFold::isVentilated() const
+{
+    return m_settings.ventilator.mode != VentilationMode::Spontaneous;
+}
+
+Pressure RespiratoryFold::muscleAt(double breaths) const
+{
+    const double share =
+        muscleShare(breaths - std::floor(breaths), m_state.breath.inspiratoryFraction);
+    return share * m_state.system.effort * m_state.effort;
+}
+
+bool RespiratoryFold::ventilatorBegins() const
+{
+    const VentilatorTiming timing =
+        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+    const std::int64_t since = m_state.ventilator.sinceBreath;
+    const auto listening =
+        timing.inspiration + static_cast<std::int64_t>(kTriggerDelay / kRespiratoryStep);
+    const VolumeFlow trigger = m_settings.ventilator.trigger;
+    const bool asked = trigger.si > 0.0 && since >= listening && m_moment.airwayFlow > trigger;
+    return asked || since >= timing.breath;
+}
+
+/// The breath that ends is summed up, and the settings hold for the one that begins.
+void RespiratoryFold::beginBreath()
+{
+    const ChestContent& content = m_state.content;
+    BreathTally& tally = m_state.tally;
+    if (tally.steps > 0) {
+        BreathFigures& last = m_state.last;
+        last.tidalVolume = tally.inspired;
+        last.tidalVolumeOfLung = {tally.most[0] - tally.least[0], tally.most[1] - tally.least[1]};
+        last.rate = {1.0 / (static_cast<double>(tally.steps) * kRespiratoryStep)};
+        last.peak = tally.peak;
+        last.plateau = tally.plateau;
+        last.endExpiratory = occluded(m_state.system, m_moment);
+        last.autoPeep = last.endExpiratory - m_state.opening.pressure;
+        const Volume fresh =
+            std::max(Volume{}, tally.inspired - m_state.system.anatomicalDeadSpace);
+        last.alveolarVentilation = {perfusedShare(m_state.system, content) * fresh.si
+                                    * last.rate.si};
+    }
+    const std::array<Volume, 2> gas{content[0].gas, content[1].gas};
+    tally = {0, {}, gas, gas, m_moment.opening, {}};
+    m_state.breath = m_settings.pattern;
+    const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
+    m_state.effort = own * effortFor(m_healthy, m_settings.pattern.tidalVolume);
+    m_state.ventilator.sinceBreath = 0;
+}
+
+void RespiratoryFold::step()
+{
+    approach(m_state.system, m_target, kRespiratoryStep / kChangeTime);
+    if (isVentilated() && ventilatorBegins())
+        beginBreath();
+    const double before = m_clock.state().breaths;
+    m_clock.advance(isVentilated() ? m_settings.ventilator.ownRate : m_settings.pattern.rate,
+                    kRespiratoryStep);
+    const double after = m_clock.state().breaths;
+    const std::array<Pressure, 3> muscle{m_state.muscle, muscleAt(0.5 * (before + after)),
+                                         muscleAt(after)};
+    m_state.opening = openingNow();
+    const ChestContent content =
+        advanced(m_state.system, m_state.content, muscle, m_state.opening, kRespiratoryStep);
+    m_state.muscle = muscle[2];
+    m_moment = chestMoment(m_state.system, content, m_state.muscle, m_state.opening);
+    tally(content);
+    m_state.content = content;
+    ++m_state.steps;
+    ++m_state.ventilator.sinceBreath;
+    if (!isVentilated() && std::floor(after) > std::floor(before))
+        beginBreath();
+}
+
+AirwayOpening RespiratoryFold::openingNow() const
+{
+    if (!isVentilated())
+        return AirwayOpening::at({});
+    const VentilatorTiming timing =
+        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+    return ventilatorOpening(m_settings.ventilator, timing, m_state.breath.tidalVolume,
+                             m_state.ventilator, kRespiratoryStep);
+}
+
+bool RespiratoryFold::inspires() const
+{
+    if (!isVentilated())
+        return m_clock.phase() <= m_state.breath.inspiratoryFraction;
+    const VentilatorTiming timing =
+        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+    return m_state.ventilator.sinceBreath < timing.inspiration;
+}
+
+/// Counts a step that ends with these contents into the present breath.
+void RespiratoryFold::tally(const ChestContent& content)
+{
+    BreathTally& tally = m_state.tally;
+    double gained = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const LungContent& before = m_state.content[i];
+        const double lost =
+            m_moment.uptake[i].si + m_state.system.lungs[i].relief.si * content[i].trapped.si;
+        gained += (content[i].gas - before.gas + content[i].trapped - before.trapped).si
+                  + lost * kRespiratoryStep;
+        tally.least[i] = std::min(tally.least[i], content[i].gas);
+        tally.most[i] = std::max(tally.most[i], content[i].gas);
+    }
+    tally.inspired.si += std::max(0.0, gained);
+    tally.peak = std::max(tally.peak, m_moment.opening);
+    if (inspires())
+        tally.plateau = m_moment.carina;
+    ++tally.steps;
+}
+
+} // namespace carina

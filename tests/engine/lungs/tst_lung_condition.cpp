@@ -1,0 +1,321 @@
+#include "engine/lungs/lung_condition.h"
+
+#include "engine/lungs/respiratory_fold.h"
+#include "tests/engine/lungs/within.h"
+
+#include <array>
+
+using namespace carina;
+
+namespace
+{
+
+constexpr double kSeverities[] = {0.1, 0.3, 0.6, 0.9, 1.0};
+constexpr std::array kKinds{
+    ConditionKind::Normal,
+    ConditionKind::Ards,
+    ConditionKind::Copd,
+    ConditionKind::Asthma,
+    ConditionKind::SimplePneumothorax,
+    ConditionKind::TensionPneumothorax,
+    ConditionKind::Atelectasis,
+    ConditionKind::MainstemIntubation,
+    ConditionKind::Obstruction,
+    ConditionKind::StiffChest,
+};
+
+RespiratorySystem healthy() { return healthySystem({}); }
+
+RespiratorySystem with(ConditionKind kind, double severity,
+                       ConditionSide side = ConditionSide::Both)
+{
+    return afflicted(healthy(), {kind, severity, side});
+}
+
+double lungCompliance(const LungMechanics& lung, Volume at)
+{
+    return inLitresPerCmH2O(lung.curve.complianceAt(at));
+}
+
+double bronchialResistance(const RespiratorySystem& system)
+{
+    return inCmH2OSecondsPerLitre(
+        {1.0 / (system.lungs[0].bronchi.si + system.lungs[1].bronchi.si)});
+}
+
+Volume restOf(const RespiratorySystem& system)
+{
+    const ChestContent content = restingContent(system);
+    return content[0].gas + content[1].gas;
+}
+
+} // namespace
+
+class TestLungCondition : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void isHealthyAtNoSeverity();
+    void leavesTheOtherSideAlone();
+    void stiffensArdsByTheTable_data();
+    void stiffensArdsByTheTable();
+    void shrinksTheLungsOfArds();
+    void narrowsCopdByTheTable_data();
+    void narrowsCopdByTheTable();
+    void hyperinflatesCopd();
+    void narrowsTheAirwayOfAsthmaFiveToFifteenTimes();
+    void collapsesAPneumothoraxToAQuarter_data();
+    void collapsesAPneumothoraxToAQuarter();
+    void bringsThePleuraToThePressureOfTheRoom();
+    void opensATearForATension();
+    void shutsOffAnAtelectasis();
+    void givesAllToTheSideOfTheTube();
+    void closesABronchusWholly();
+    void narrowsTheTrachea();
+    void stiffensTheChest();
+    void tiresTheMuscles();
+};
+
+void TestLungCondition::isHealthyAtNoSeverity()
+{
+    for (const ConditionKind kind : kKinds) {
+        const auto side =
+            kind == ConditionKind::MainstemIntubation ? ConditionSide::Right : ConditionSide::Both;
+        const RespiratorySystem system = with(kind, 0.0, side);
+        const Volume rest = restOf(system);
+        VERIFY_WITHIN(inLitres(rest), 2.31, 1e-6);
+        VERIFY_WITHIN(bronchialResistance(system), 0.45, 1e-9);
+        VERIFY_WITHIN(lungCompliance(system.lungs[1], system.lungs[1].wallVolume), 0.2 * 0.475,
+                      1e-9);
+        QCOMPARE(system.upperTurbulent, 0.0);
+        QCOMPARE(system.effort, 1.0);
+    }
+    QVERIFY(with(ConditionKind::Normal, 1.0) == healthy());
+}
+
+void TestLungCondition::leavesTheOtherSideAlone()
+{
+    for (const ConditionKind kind : kKinds) {
+        if (kind == ConditionKind::MainstemIntubation)
+            continue;
+        QVERIFY(with(kind, 0.7, ConditionSide::Right).lungs[1] == healthy().lungs[1]);
+        QVERIFY(with(kind, 0.7, ConditionSide::Left).lungs[0] == healthy().lungs[0]);
+        if (kind == ConditionKind::Normal)
+            continue;
+        QVERIFY(!(with(kind, 0.7, ConditionSide::Right).lungs[0] == healthy().lungs[0]));
+        QVERIFY(!(with(kind, 0.7, ConditionSide::Left).lungs[1] == healthy().lungs[1]));
+    }
+}
+
+void TestLungCondition::stiffensArdsByTheTable_data()
+{
+    QTest::addColumn<double>("severity");
+    QTest::addColumn<double>("compliance"); // both lungs, of 0.2
+    QTest::addColumn<double>("deadSpace_l");
+    QTest::newRow("mild") << 0.3 << 0.14 << 0.0;
+    QTest::newRow("moderate") << 0.6 << 0.10 << 0.03;
+    QTest::newRow("severe") << 0.9 << 0.08 << 0.15;
+    QTest::newRow("between") << 0.45 << 0.12 << 0.015;
+    QTest::newRow("worst") << 1.0 << 0.2 * (0.4 - 0.1 / 3.0) << 0.19;
+}
+
+void TestLungCondition::stiffensArdsByTheTable()
+{
+    QFETCH(const double, severity);
+    QFETCH(const double, compliance);
+    QFETCH(const double, deadSpace_l);
+    const RespiratorySystem system = with(ConditionKind::Ards, severity);
+    const ChestContent rest = restingContent(system);
+    double sum = 0.0;
+    double dead_l = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        sum += lungCompliance(system.lungs[i], rest[i].gas);
+        dead_l += inLitres(system.lungs[i].alveolarDeadSpace);
+    }
+    VERIFY_WITHIN(sum, compliance, 1e-6);
+    VERIFY_WITHIN(dead_l, deadSpace_l, 1e-9);
+    VERIFY_WITHIN(bronchialResistance(system), 0.45, 1e-9);
+}
+
+void TestLungCondition::shrinksTheLungsOfArds()
+{
+    Volume rest = restOf(healthy());
+    for (const double severity : kSeverities) {
+        const RespiratorySystem system = with(ConditionKind::Ards, severity);
+        QVERIFY(restOf(system) < rest);
+        rest = restOf(system);
+        VERIFY_WITHIN(inCmH2O(system.lungs[0].limbSpread), 4.0 * (1.0 + severity), 1e-9);
+        QVERIFY(system.lungs[0].wall == healthy().lungs[0].wall);
+    }
+}
+
+void TestLungCondition::narrowsCopdByTheTable_data()
+{
+    QTest::addColumn<double>("severity");
+    QTest::addColumn<double>("resistance");
+    QTest::addColumn<double>("compliance");
+    QTest::addColumn<double>("deadSpace_l");
+    QTest::newRow("mild") << 0.3 << 0.85 << 0.2 << 0.3;
+    QTest::newRow("moderate") << 0.6 << 1.7 << 0.22 << 0.6;
+    QTest::newRow("severe") << 0.9 << 2.4 << 0.28 << 0.9;
+}
+
+void TestLungCondition::narrowsCopdByTheTable()
+{
+    QFETCH(const double, severity);
+    QFETCH(const double, resistance);
+    QFETCH(const double, compliance);
+    QFETCH(const double, deadSpace_l);
+    const RespiratorySystem system = with(ConditionKind::Copd, severity);
+    VERIFY_WITHIN(bronchialResistance(system), resistance, 1e-9);
+    double sum = 0.0;
+    double dead_l = 0.0;
+    for (const LungMechanics& lung : system.lungs) {
+        sum += lungCompliance(lung, lung.wallVolume);
+        dead_l += inLitres(lung.alveolarDeadSpace);
+    }
+    VERIFY_WITHIN(sum, compliance, 1e-9);
+    VERIFY_WITHIN(dead_l, deadSpace_l, 1e-9);
+}
+
+/// Severe: resting volume 177, capacity 140 %, and less recoil.
+void TestLungCondition::hyperinflatesCopd()
+{
+    const RespiratorySystem system = with(ConditionKind::Copd, 0.9);
+    VERIFY_WITHIN(inLitres(restOf(system)), 1.77 * 2.31, 1e-6);
+    Volume capacity;
+    for (const LungMechanics& lung : system.lungs)
+        capacity = capacity + lung.curve.floor + lung.curve.span;
+    VERIFY_WITHIN(inLitres(capacity), 1.40 * 6.16, 1e-9);
+    VERIFY_WITHIN(inCmH2O(system.lungs[0].wallRecoil), 2.75, 1e-9);
+    VERIFY_WITHIN(system.lungs[0].curve.floor / healthy().lungs[0].curve.floor, 2.42, 1e-9);
+}
+
+/// Of 1.575 cmH2O s/L above and below the carina.
+void TestLungCondition::narrowsTheAirwayOfAsthmaFiveToFifteenTimes()
+{
+    const auto factorAt = [](double severity) {
+        return (1.125 + bronchialResistance(with(ConditionKind::Asthma, severity))) / 1.575;
+    };
+    VERIFY_WITHIN(factorAt(2.0 / 7.0), 5.0, 1e-9);
+    VERIFY_WITHIN(factorAt(1.0), 15.0, 1e-9);
+    QVERIFY(with(ConditionKind::Asthma, 1.0).lungs[0].curve == healthy().lungs[0].curve);
+}
+
+void TestLungCondition::collapsesAPneumothoraxToAQuarter_data()
+{
+    QTest::addColumn<double>("severity");
+    QTest::newRow("small") << 0.2;
+    QTest::newRow("half") << 0.5;
+    QTest::newRow("large") << 0.8;
+    QTest::newRow("whole") << 1.0;
+}
+
+/// The lung rests at FRC less what the gas displaces, down to a quarter; within 3 % of FRC, as the
+/// mediastinum gives way along a curve and not along its tangent.
+void TestLungCondition::collapsesAPneumothoraxToAQuarter()
+{
+    QFETCH(const double, severity);
+    const double expected = std::max(0.25, 1.0 - 0.75 * severity);
+    const RespiratorySystem right =
+        with(ConditionKind::SimplePneumothorax, severity, ConditionSide::Right);
+    const ChestContent rest = restingContent(right);
+    VERIFY_WITHIN(rest[0].gas / healthy().lungs[0].wallVolume, expected, 0.03);
+    QVERIFY(rest[0].gas >= 0.25 * healthy().lungs[0].wallVolume);
+    QVERIFY(rest[1].gas / healthy().lungs[1].wallVolume > 0.85);
+    const RespiratorySystem both = with(ConditionKind::SimplePneumothorax, severity);
+    const ChestContent restOfBoth = restingContent(both);
+    for (std::size_t i = 0; i < 2; ++i)
+        VERIFY_WITHIN(restOfBoth[i].gas / healthy().lungs[i].wallVolume, expected, 0.02);
+}
+
+void TestLungCondition::bringsThePleuraToThePressureOfTheRoom()
+{
+    for (const double severity : kSeverities) {
+        const RespiratorySystem system = with(ConditionKind::SimplePneumothorax, severity);
+        const ChestMoment moment = chestMoment(system, restingContent(system), {}, {});
+        VERIFY_WITHIN(inCmH2O(moment.pleural[0]), -5.0 * (1.0 - severity), 0.25);
+    }
+}
+
+void TestLungCondition::opensATearForATension()
+{
+    const RespiratorySystem system =
+        with(ConditionKind::TensionPneumothorax, 0.5, ConditionSide::Left);
+    VERIFY_WITHIN(system.lungs[1].wall.si / system.lungs[1].valve.si, 80.0, 1e-9); // s
+    QCOMPARE(system.lungs[1].relief.si, 0.0);
+    QCOMPARE(system.lungs[0].valve.si, 0.0);
+    QVERIFY(system.lungs[0].relief.si > 0.0);
+    QVERIFY(system.lungs[1].curve == healthy().lungs[1].curve);
+}
+
+void TestLungCondition::shutsOffAnAtelectasis()
+{
+    const RespiratorySystem system = with(ConditionKind::Atelectasis, 1.0, ConditionSide::Left);
+    const LungMechanics before = healthy().lungs[1];
+    const LungMechanics lung = system.lungs[1];
+    VERIFY_WITHIN(lung.curve.span / before.curve.span, 0.1, 1e-12);
+    VERIFY_WITHIN(lung.bronchi.si / before.bronchi.si, 0.1, 1e-12);
+    const ChestMoment moment = chestMoment(system, restingContent(system), {}, {});
+    QVERIFY(moment.mediastinum.si > 0.0); // the right side gives way to the left
+    QVERIFY(inCmH2O(moment.pleural[1]) < -6.0);
+}
+
+void TestLungCondition::givesAllToTheSideOfTheTube()
+{
+    const RespiratorySystem right =
+        with(ConditionKind::MainstemIntubation, 1.0, ConditionSide::Right);
+    QVERIFY(right.lungs[0] == healthy().lungs[0]);
+    QCOMPARE(right.lungs[1].bronchi.si, 0.0);
+    VERIFY_WITHIN(right.lungs[1].uptake.si * 180.0, 1.0, 1e-12);
+    VERIFY_WITHIN(right.lungs[1].uptakeEnd / healthy().lungs[1].wallVolume, 0.45, 1e-12);
+    const RespiratorySystem left =
+        with(ConditionKind::MainstemIntubation, 0.5, ConditionSide::Left);
+    QVERIFY(left.lungs[1] == healthy().lungs[1]);
+    VERIFY_WITHIN(left.lungs[0].bronchi.si / healthy().lungs[0].bronchi.si, 0.25, 1e-12);
+}
+
+void TestLungCondition::closesABronchusWholly()
+{
+    QCOMPARE(with(ConditionKind::Obstruction, 1.0, ConditionSide::Left).lungs[1].bronchi.si, 0.0);
+    VERIFY_WITHIN(with(ConditionKind::Obstruction, 0.5, ConditionSide::Left).lungs[1].bronchi.si
+                      / healthy().lungs[1].bronchi.si,
+                  0.25, 1e-12);
+}
+
+/// Borda and Carnot: a jet through a share o of 2 cm2 loses rho/2 (Q/A (1/o - 1))^2. At 1 L/s and a
+/// tenth open that is 1215 Pa.
+void TestLungCondition::narrowsTheTrachea()
+{
+    const RespiratorySystem system = with(ConditionKind::Obstruction, 0.9);
+    VERIFY_WITHIN(system.upperTurbulent * 1e-6, 1215.0, 1e-6);
+    QVERIFY(system.lungs == healthy().lungs);
+    VERIFY_WITHIN(with(ConditionKind::Obstruction, 1.0).upperTurbulent * 1e-6,
+                  1215.0 / 81.0 * 99.0 * 99.0, 1e-6);
+}
+
+void TestLungCondition::stiffensTheChest()
+{
+    const RespiratorySystem system = with(ConditionKind::StiffChest, 1.0);
+    for (std::size_t i = 0; i < 2; ++i) {
+        VERIFY_WITHIN(system.lungs[i].wall.si / healthy().lungs[i].wall.si, 0.2, 1e-12);
+        QVERIFY(system.lungs[i].curve == healthy().lungs[i].curve);
+    }
+    VERIFY_WITHIN(inLitres(restOf(system)), 2.31, 1e-6);
+}
+
+/// So that a share of the tidal volume is left that the table says: quasi-statically, in series
+/// with a wall as compliant as a healthy lung.
+void TestLungCondition::tiresTheMuscles()
+{
+    const double volumeLeft = with(ConditionKind::Ards, 0.9).effort * 2.0 / (1.0 + 1.0 / 0.4);
+    VERIFY_WITHIN(volumeLeft, 0.28, 1e-9);
+    VERIFY_WITHIN(with(ConditionKind::Copd, 0.6).effort * 2.0 / (1.0 + 1.0 / 1.1), 0.76, 1e-9);
+    VERIFY_WITHIN(with(ConditionKind::Ards, 0.9, ConditionSide::Left).effort,
+                  0.5 * (1.0 + with(ConditionKind::Ards, 0.9).effort), 1e-12);
+    QCOMPARE(with(ConditionKind::Asthma, 0.9).effort, 1.0);
+}
+
+QTEST_APPLESS_MAIN(TestLungCondition)
+#include "tst_lung_condition.moc"

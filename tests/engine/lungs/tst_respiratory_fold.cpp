@@ -3,9 +3,6 @@
 #include "tests/engine/lungs/within.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
-#include <vector>
 
 using namespace carina;
 
@@ -56,9 +53,6 @@ private Q_SLOTS:
     void keepsAlveolarPressureWithinThePublishedSwing();
     void sumsUpABreathOfAVentilator();
     void countsBothDeadSpaces();
-    void isTheSameBitForBit();
-    void goesOnFromACheckpointBitForBit_data();
-    void goesOnFromACheckpointBitForBit();
     void takesATidalVolumeWithTheNextBreath();
     void comesToAConditionWithoutAJump();
     void followsTheBreathsOfTheManikin();
@@ -156,72 +150,6 @@ void TestRespiratoryFold::countsBothDeadSpaces()
     const double dead_ml = 900.0; // of a patient who rests at 2.31 L
     VERIFY_WITHIN(fold.lastBreath().alveolarVentilation.si * 6e4,
                   expected * (1.0 - dead_ml / gas_ml(fold)), 0.02);
-}
-
-namespace
-{
-
-/// An hour of a hard life in a minute: settings change and breaths are heard.
-RespiratorySettings settingsAt(int second)
-{
-    RespiratorySettings settings = second < 20 ? quiet() : ventilated();
-    if (second >= 10)
-        settings.condition = {ConditionKind::TensionPneumothorax, 0.8, ConditionSide::Left};
-    if (second >= 40)
-        settings.condition = {ConditionKind::Asthma, 0.4, ConditionSide::Both};
-    settings.ventilator.ownEffort = 0.3;
-    settings.ventilator.ownRate = perMinute(19.0);
-    settings.ventilator.trigger = litresPerSecond(0.03);
-    return settings;
-}
-
-void live(RespiratoryFold& fold, int fromStep, int toStep)
-{
-    for (int i = fromStep; i < toStep; ++i) {
-        if (i % kSecond == 0)
-            fold.set(settingsAt(i / kSecond));
-        if (i % 1717 == 0 && i / kSecond < 30)
-            fold.trigger(0.01);
-        fold.step();
-    }
-}
-
-} // namespace
-
-void TestRespiratoryFold::isTheSameBitForBit()
-{
-    RespiratoryFold first{settingsAt(0)};
-    RespiratoryFold second{settingsAt(0)};
-    live(first, 0, 60 * kSecond);
-    live(second, 0, 60 * kSecond);
-    QVERIFY(first.state() == second.state());
-    QVERIFY(first.moment().airwayFlow == second.moment().airwayFlow);
-    QCOMPARE(first.state().steps, std::int64_t{60 * kSecond});
-}
-
-void TestRespiratoryFold::goesOnFromACheckpointBitForBit_data()
-{
-    QTest::addColumn<int>("step");
-    QTest::newRow("before anything") << 0;
-    QTest::newRow("in a breath") << 4321;
-    QTest::newRow("with trapped gas") << 19 * kSecond + 77;
-    QTest::newRow("under the ventilator") << 33 * kSecond;
-}
-
-void TestRespiratoryFold::goesOnFromACheckpointBitForBit()
-{
-    QFETCH(const int, step);
-    RespiratoryFold whole{settingsAt(0)};
-    live(whole, 0, step);
-    RespiratoryFold restored{whole.settings(), whole.state()};
-    QVERIFY(restored.moment().airwayFlow == whole.moment().airwayFlow);
-    for (int second = step / kSecond + 1; second <= 45; ++second) {
-        const int from = std::max(step, (second - 1) * kSecond);
-        live(whole, from, second * kSecond);
-        live(restored, from, second * kSecond);
-        QVERIFY(restored.state() == whole.state());
-        QVERIFY(restored.moment().alveolar == whole.moment().alveolar);
-    }
 }
 
 /// The breath under way is not changed.

@@ -1,0 +1,169 @@
+#include "apps/lab/mechanics_table.h"
+
+#include "engine/lungs/chest_shape.h"
+#include "engine/lungs/respiratory_fold.h"
+
+#include <QJsonArray>
+
+#include <array>
+
+namespace carina::lab
+{
+namespace
+{
+
+constexpr double kSeconds = 60.0;
+
+struct TabledCondition {
+    const char* name;
+    ConditionKind kind;
+    ConditionSide side;
+};
+
+constexpr std::array kTabled{
+    TabledCondition{"normal", ConditionKind::Normal, ConditionSide::Both},
+    TabledCondition{"ards", ConditionKind::Ards, ConditionSide::Both},
+    TabledCondition{"copd", ConditionKind::Copd, ConditionSide::Both},
+    TabledCondition{"asthma", ConditionKind::Asthma, ConditionSide::Both},
+    TabledCondition{"simple_pneumothorax", ConditionKind::SimplePneumothorax, ConditionSide::Right},
+    TabledCondition{"tension_pneumothorax", ConditionKind::TensionPneumothorax,
+                    ConditionSide::Right},
+    TabledCondition{"atelectasis", ConditionKind::Atelectasis, ConditionSide::Right},
+    TabledCondition{"mainstem_intubation", ConditionKind::MainstemIntubation, ConditionSide::Right},
+    TabledCondition{"obstruction", ConditionKind::Obstruction, ConditionSide::Both},
+    TabledCondition{"stiff_chest", ConditionKind::StiffChest, ConditionSide::Both},
+};
+
+const char* sideName(ConditionSide side)
+{
+    switch (side) {
+    case ConditionSide::Right:
+        return "right";
+    case ConditionSide::Left:
+        return "left";
+    case ConditionSide::Both:
+        break;
+    }
+    return "both";
+}
+
+Length tubeFor(const PatientBuild& build)
+{
+    return millimetres(build.ageInYears < 16.0 ? 6.5 : 8.0);
+}
+
+RespiratorySettings tabledSettings(const PatientBuild& build, const LungCondition& condition,
+                                   VentilationMode mode)
+{
+    RespiratorySettings settings;
+    settings.build = build;
+    settings.condition = condition;
+    settings.pattern = restingPattern(build);
+    settings.ventilator.mode = mode;
+    settings.ventilator.pressureLimit = cmH2O(60.0);
+    if (mode != VentilationMode::Spontaneous)
+        settings.tube = tubeFor(build);
+    return settings;
+}
+
+/// A push on both sides at rest: lung and wall in series, right and left beside each other.
+Compliance complianceAtRest(const RespiratorySystem& system)
+{
+    const ChestContent rest = restingContent(system);
+    Compliance sum;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const LungMechanics& lung = system.lungs[i];
+        sum.si += 1.0 / (1.0 / lung.curve.complianceAt(rest[i].gas).si + 1.0 / lung.wall.si);
+    }
+    return sum;
+}
+
+QJsonObject describeBreaths(const RespiratorySettings& settings)
+{
+    RespiratoryFold fold{settings};
+    const auto steps = static_cast<int>(kSeconds / kRespiratoryStep);
+    for (int i = 0; i < steps; ++i)
+        fold.step();
+    const BreathFigures& breath = fold.lastBreath();
+    const ChestShape shape =
+        chestShape(settings.build, fold.system(), fold.content(), fold.moment());
+    const auto ml = [](Volume volume) { return inMillilitres(volume); };
+    return {
+        {QStringLiteral("tidal_volume_ml"), ml(breath.tidalVolume)},
+        {QStringLiteral("tidal_volume_right_ml"), ml(breath.tidalVolumeOfLung[0])},
+        {QStringLiteral("tidal_volume_left_ml"), ml(breath.tidalVolumeOfLung[1])},
+        {QStringLiteral("peak_cmh2o"), inCmH2O(breath.peak)},
+        {QStringLiteral("plateau_cmh2o"), inCmH2O(breath.plateau)},
+        {QStringLiteral("auto_peep_cmh2o"), inCmH2O(breath.autoPeep)},
+        {QStringLiteral("alveolar_ventilation_l_per_min"),
+         60.0 * inLitresPerSecond(breath.alveolarVentilation)},
+        {QStringLiteral("right_lung_ml"), ml(fold.content()[0].gas)},
+        {QStringLiteral("left_lung_ml"), ml(fold.content()[1].gas)},
+        {QStringLiteral("right_pleura_cmh2o"), inCmH2O(fold.moment().pleural[0])},
+        {QStringLiteral("left_pleura_cmh2o"), inCmH2O(fold.moment().pleural[1])},
+        {QStringLiteral("mediastinal_shift_mm"), inMillimetres(shape.mediastinalShift)},
+    };
+}
+
+QJsonObject describeCondition(const PatientBuild& build, const TabledCondition& tabled,
+                              double severity)
+{
+    const LungCondition condition{tabled.kind, severity, tabled.side};
+    const RespiratorySystem system = afflicted(healthySystem(build), condition);
+    const ChestContent rest = restingContent(system);
+    return {
+        {QStringLiteral("condition"), QString::fromLatin1(tabled.name)},
+        {QStringLiteral("severity"), severity},
+        {QStringLiteral("side"), QString::fromLatin1(sideName(tabled.side))},
+        {QStringLiteral("rest_volume_ml"), inMillilitres(rest[0].gas + rest[1].gas)},
+        {QStringLiteral("compliance_ml_per_cmh2o"),
+         1e3 * inLitresPerCmH2O(complianceAtRest(system))},
+        {QStringLiteral("spontaneous"),
+         describeBreaths(tabledSettings(build, condition, VentilationMode::Spontaneous))},
+        {QStringLiteral("volume_control"),
+         describeBreaths(tabledSettings(build, condition, VentilationMode::VolumeControl))},
+    };
+}
+
+QJsonObject describePatient(const PatientBuild& build)
+{
+    const LungVolumes volumes = lungVolumesOf(build);
+    const RespiratorySystem system = healthySystem(build);
+    const double bronchi = system.lungs[0].bronchi.si + system.lungs[1].bronchi.si;
+    const BreathingPattern quiet = restingPattern(build);
+    return {
+        {QStringLiteral("height_mm"), inMillimetres(build.height)},
+        {QStringLiteral("weight_kg"), build.weightInKilograms},
+        {QStringLiteral("age_years"), build.ageInYears},
+        {QStringLiteral("rv_ml"), inMillilitres(volumes.residual)},
+        {QStringLiteral("frc_ml"), inMillilitres(volumes.functionalResidual)},
+        {QStringLiteral("tlc_ml"), inMillilitres(volumes.totalCapacity)},
+        {QStringLiteral("compliance_ml_per_cmh2o"),
+         1e3 * inLitresPerCmH2O(complianceAtRest(system))},
+        {QStringLiteral("resistance_cmh2o_s_per_l"),
+         inCmH2OSecondsPerLitre({system.upperLaminar.si + 1.0 / bronchi})},
+        {QStringLiteral("rate_per_min"), inPerMinute(quiet.rate)},
+        {QStringLiteral("tidal_volume_ml"), inMillilitres(quiet.tidalVolume)},
+        {QStringLiteral("inspiratory_fraction"), quiet.inspiratoryFraction},
+    };
+}
+
+} // namespace
+
+QJsonObject mechanicsTable(const PatientBuild& build)
+{
+    QJsonArray conditions;
+    for (const TabledCondition& tabled : kTabled) {
+        if (tabled.kind == ConditionKind::Normal) {
+            conditions.append(describeCondition(build, tabled, 0.0));
+            continue;
+        }
+        for (const double severity : {0.3, 0.6, 0.9})
+            conditions.append(describeCondition(build, tabled, severity));
+    }
+    return {{QStringLiteral("patient"), describePatient(build)},
+            {QStringLiteral("seconds"), kSeconds},
+            {QStringLiteral("conditions"), conditions}};
+}
+
+} // namespace carina::lab

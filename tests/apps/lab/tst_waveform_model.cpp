@@ -1,77 +1,19 @@
 #include "apps/lab/waveform_model.h"
 
+#include "tests/apps/lab/synthetic_breaths.h"
 #include "tests/support/test_data.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
-#include <random>
 
 namespace carina::lab
 {
+
+using namespace test;
+
 namespace
 {
-
-constexpr double kRate_hz = 100.0;
-constexpr double kFlow_lPerS = 0.5;
-constexpr int kShut = 5; // samples
-
-/// A ventilator and a lung P = P0 + R Q + V/C, breath by breath in closed form: a steady flow for a
-/// time in, then out through a valve, V(t) = Ve + (V0 - Ve) e^(-t/tau) with tau = (R + Rv) C.
-struct SyntheticBreaths {
-    double baseline = 12.0;   // cmH2O
-    double resistance = 8.0;  // cmH2O s/L
-    double compliance = 0.03; // L/cmH2O
-    double valve = 14.0;      // cmH2O
-    double valveResistance = 10.0;
-    double noise = 0.0;
-
-    RecordedWaveform waveform{kRate_hz, {}, {}};
-    std::vector<double> flow_lPerS{};
-    std::mt19937 random{7};
-
-    void sample(double pressure, double flow)
-    {
-        std::normal_distribution<double> error{0.0, 1.0};
-        waveform.pressure_cmH2O.push_back(pressure + noise * error(random));
-        flow_lPerS.push_back(flow);
-    }
-    /// Samples are of the middle of their time.
-    void breathe(double inspired_s, double expired_s)
-    {
-        const double step = 1.0 / kRate_hz;
-        for (int i = 0; i < std::lround(inspired_s * kRate_hz); ++i)
-            sample(baseline + resistance * kFlow_lPerS
-                       + (i + 0.5) * step * kFlow_lPerS / compliance,
-                   kFlow_lPerS);
-        const double full = inspired_s * kFlow_lPerS;
-        const double left = (valve - baseline) * compliance;
-        const double tau = (resistance + valveResistance) * compliance;
-        for (int i = 0; i < std::lround(expired_s * kRate_hz); ++i) {
-            const double flow = -(full - left) / tau * std::exp(-(i + 0.5) * step / tau);
-            sample(valve - valveResistance * flow, flow);
-        }
-        // The valve shuts, and what is left leaks out unseen.
-        for (int i = 0; i < kShut; ++i)
-            sample(baseline, 0.0);
-    }
-    void open(double seconds)
-    {
-        for (int i = 0; i < std::lround(seconds * kRate_hz); ++i)
-            sample(5.0, 0.0);
-    }
-};
-
-SyntheticBreaths someBreaths(int count, double noise = 0.0)
-{
-    SyntheticBreaths breaths;
-    breaths.noise = noise;
-    breaths.sample(12.0, 0.0);
-    for (int i = 0; i < count; ++i)
-        breaths.breathe(0.8 + 0.02 * i, 1.5);
-    return breaths;
-}
 
 Result<WaveformModel> modelled(const RecordedWaveform& waveform, double flow_lPerS = kFlow_lPerS)
 {
@@ -96,15 +38,6 @@ QString textOf(const WaveformModel& model)
         .arg(inCmH2OSecondsPerLitre(valve.resistance));
 }
 
-QString written(const QTemporaryDir& folder, const QByteArray& text)
-{
-    const QString name = folder.filePath(QStringLiteral("waveform.csv"));
-    QFile file{name};
-    if (file.open(QIODevice::WriteOnly))
-        file.write(text);
-    return name;
-}
-
 } // namespace
 
 class TestWaveformModel : public QObject
@@ -112,12 +45,6 @@ class TestWaveformModel : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void readsPressureAndFlow();
-    void readsAFileWithoutFlow();
-    void refusesABrokenFile_data();
-    void refusesABrokenFile();
-    void tellsInspirationFromExpiration();
-    void leavesOutAnOpenTube();
     void findsTheLungFromRecordedFlow();
     void findsLungAndValveFromPressureAlone();
     void findsTheTimeConstantWhateverTheFlow();
@@ -127,92 +54,6 @@ private Q_SLOTS:
     void followsTheRecordedTestLung_data();
     void followsTheRecordedTestLung();
 };
-
-void TestWaveformModel::readsPressureAndFlow()
-{
-    const QTemporaryDir folder;
-    const auto waveform = readWaveform(
-        written(folder, "#samplerate,50\npressure,flow,true_pip\n10.5,30,20\n11,-6.0,20\n\n"));
-    QVERIFY(waveform.has_value());
-    QCOMPARE(waveform->rate_hz, 50.0);
-    QCOMPARE(waveform->pressure_cmH2O, (std::vector<double>{10.5, 11.0}));
-    QCOMPARE(waveform->flow_lPerS, (std::vector<double>{0.5, -0.1}));
-}
-
-void TestWaveformModel::readsAFileWithoutFlow()
-{
-    const QTemporaryDir folder;
-    const auto waveform =
-        readWaveform(written(folder, "#samplerate,100\r\npressure,flow\r\n10.5,\r\n11,\r\n"));
-    QVERIFY(waveform.has_value());
-    QCOMPARE(waveform->pressure_cmH2O.size(), std::size_t{2});
-    QVERIFY(waveform->flow_lPerS.empty());
-}
-
-void TestWaveformModel::refusesABrokenFile_data()
-{
-    QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<QByteArray>("named");
-    const auto row = [](const char* name, const char* text, const char* named) {
-        QTest::newRow(name) << QByteArray{text} << QByteArray{named};
-    };
-    row("empty", "", "#samplerate,HZ");
-    row("no rate", "pressure,flow\n1,2\n", "#samplerate,HZ");
-    row("no pressure", "#samplerate,50\nflow\n1\n", "pressure,flow");
-    row("slow", "#samplerate,9\npressure,flow\n1,2\n", "below 10 Hz");
-    row("rate no number", "#samplerate,fast\npressure,flow\n1,2\n", "below 10 Hz");
-    row("word", "#samplerate,50\npressure,flow\n1,2\nhigh,2\n", "line 4: \"high\"");
-    row("not finite", "#samplerate,50\npressure,flow\nnan,2\n", "line 3: \"nan\"");
-    row("flow no number", "#samplerate,50\npressure,flow\n1,x\n", "line 3: \"x\"");
-    row("flow at times", "#samplerate,50\npressure,flow\n1,2\n1,\n", "some lines only");
-    row("no samples", "#samplerate,50\npressure,flow\n", "no samples");
-}
-
-void TestWaveformModel::refusesABrokenFile()
-{
-    QFETCH(const QByteArray, text);
-    QFETCH(const QByteArray, named);
-    const QTemporaryDir folder;
-    const auto waveform = readWaveform(written(folder, text));
-    QVERIFY(!waveform);
-    QCOMPARE(waveform.error().code, Errc::FileMalformed);
-    const QByteArray detail = QByteArray::fromStdString(waveform.error().detail);
-    QVERIFY2(detail.contains(named) && detail.contains("waveform.csv"), detail.constData());
-    QCOMPARE(readWaveform(folder.filePath(QStringLiteral("none"))).error().code,
-             Errc::FileNotFound);
-}
-
-/// Each of ten breaths is found at its very samples.
-void TestWaveformModel::tellsInspirationFromExpiration()
-{
-    const SyntheticBreaths breaths = someBreaths(10, 0.3);
-    const auto found = breathsOf(breathParts(breaths.waveform));
-    QCOMPARE(found.size(), std::size_t{10});
-    std::size_t begin = 1;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        QCOMPARE(found[i].begin, begin);
-        QCOMPARE(found[i].expiration, begin + 80 + 2 * i);
-        begin += 80 + 2 * i + 150 + kShut;
-        QCOMPARE(found[i].end, begin);
-    }
-}
-
-void TestWaveformModel::leavesOutAnOpenTube()
-{
-    SyntheticBreaths breaths = someBreaths(10);
-    const std::size_t closed = breaths.waveform.pressure_cmH2O.size();
-    breaths.open(1.0);
-    breaths.sample(30.0, 0.0); // touched
-    breaths.open(1.0);
-    const std::size_t again = breaths.waveform.pressure_cmH2O.size();
-    for (int i = 0; i < 3; ++i)
-        breaths.breathe(0.8, 1.5);
-    const auto parts = breathParts(breaths.waveform);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        QCOMPARE(parts[i] == BreathPart::Disconnected, i >= closed && i < again + 6); // 60 ms
-    // The breath before the opening is cut short, that after it has no beginning.
-    QCOMPARE(breathsOf(parts).size(), std::size_t{9 + 2});
-}
 
 void TestWaveformModel::findsTheLungFromRecordedFlow()
 {
@@ -308,7 +149,7 @@ void TestWaveformModel::followsTheRecordedTestLung()
     QFETCH(const QString, file);
     QFETCH(const int, breaths);
     QFETCH(const double, rms_cmH2O);
-    const auto path = test::testData("waveforms/testlung/" + file.toStdString() + ".csv");
+    const auto path = carina::test::testData("waveforms/testlung/" + file.toStdString() + ".csv");
     if (!path)
         QSKIP("no recorded waveforms here");
     const auto waveform = readWaveform(QString::fromStdString(path->string()));

@@ -57,6 +57,12 @@ BreathingPattern BreathingTimeline::settingsAt(SessionTime t) const
     return {m_rate.at(t), m_tidalVolume.at(t), m_inspiratoryFraction.at(t)};
 }
 
+SessionTime BreathingTimeline::changeAfter(SessionTime t) const
+{
+    return std::min({m_rate.changeAfter(t), m_tidalVolume.changeAfter(t),
+                     m_inspiratoryFraction.changeAfter(t), m_running.changeAfter(t)});
+}
+
 double BreathingTimeline::breathsAt(SessionTime t) const
 {
     return Breaths{m_speed.integral(t)}.count();

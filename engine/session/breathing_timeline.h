@@ -28,6 +28,10 @@ public:
 
     /// The settings in force at t (what a console shows).
     [[nodiscard]] BreathingPattern settingsAt(SessionTime t) const;
+    [[nodiscard]] bool runsAt(SessionTime t) const { return m_running.at(t); }
+    /// The first change of a setting or of running after t; the end of all time where there is
+    /// none.
+    [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
     /// Breaths since the start, whole and part.
     [[nodiscard]] double breathsAt(SessionTime t) const;
     /// Gas above functional residual capacity at t, both lungs together.

@@ -1,9 +1,11 @@
 #include "engine/session/fact_codec.h"
 
 #include "engine/core/expects.h"
+#include "engine/session/fact_fields.h"
 #include "engine/session/fact_rules.h"
 #include "engine/session/utf8.h"
 #include "engine/sync/byte_buffer.h"
+#include "engine/sync/wire_quantities.h"
 
 #include <array>
 #include <cmath>
@@ -18,47 +20,10 @@ namespace carina
 namespace
 {
 
-// The fields of each fact, in the order in which they are written.
-template <class Body> constexpr std::tuple<> kFields;
-template <>
-constexpr std::tuple kFields<fact::SessionCreated>{&fact::SessionCreated::name,
-                                                   &fact::SessionCreated::sessionId};
-template <> constexpr std::tuple kFields<fact::PhaseChanged>{&fact::PhaseChanged::phase};
-template <> constexpr std::tuple kFields<fact::StationAdded>{&fact::StationAdded::name};
-template <>
-constexpr std::tuple kFields<fact::ParticipantJoined>{&fact::ParticipantJoined::participant,
-                                                      &fact::ParticipantJoined::role,
-                                                      &fact::ParticipantJoined::name};
-template <>
-constexpr std::tuple kFields<fact::ParticipantLeft>{&fact::ParticipantLeft::participant};
-template <>
-constexpr std::tuple kFields<fact::ObjectShared>{
-    &fact::ObjectShared::object, &fact::ObjectShared::owner, &fact::ObjectShared::kind,
-    &fact::ObjectShared::name};
-template <>
-constexpr std::tuple kFields<fact::AnatomyChosen>{&fact::AnatomyChosen::contentHash,
-                                                  &fact::AnatomyChosen::name};
-template <> constexpr std::tuple kFields<fact::BreathingRateSet>{&fact::BreathingRateSet::rate};
-template <> constexpr std::tuple kFields<fact::TidalVolumeSet>{&fact::TidalVolumeSet::tidalVolume};
-template <>
-constexpr std::tuple kFields<fact::InspiratoryFractionSet>{&fact::InspiratoryFractionSet::fraction};
-
-template <>
-constexpr std::tuple kFields<fact::ObjectHandedOver>{&fact::ObjectHandedOver::object,
-                                                     &fact::ObjectHandedOver::owner,
-                                                     &fact::ObjectHandedOver::epoch};
-
-template <>
-constexpr std::tuple kFields<fact::ObjectWanted>{&fact::ObjectWanted::object,
-                                                 &fact::ObjectWanted::wanted};
-
-template <class Enum> constexpr Enum kLastEnumerator{};
-template <> constexpr SessionPhase kLastEnumerator<SessionPhase> = SessionPhase::Ended;
-template <> constexpr Role kLastEnumerator<Role> = Role::Observer;
-template <> constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Patient;
-
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
+template <class T>
+concept OfFields = (std::tuple_size_v<std::remove_cvref_t<decltype(kFields<T>)>> > 0);
 
 // One pair of overloads per type of field.
 
@@ -84,6 +49,12 @@ template <class Tag, class Number> void getField(ByteReader& in, Id<Tag, Number>
 
 void putField(ByteWriter& out, std::uint16_t number) { out.number(number); }
 void getField(ByteReader& in, std::uint16_t& number) { number = in.number<std::uint16_t>(); }
+
+void putField(ByteWriter& out, std::int64_t number) { out.number(number); }
+void getField(ByteReader& in, std::int64_t& number) { number = in.number<std::int64_t>(); }
+
+void putField(ByteWriter& out, SessionTime time) { writeWireTime(out, time.time_since_epoch()); }
+void getField(ByteReader& in, SessionTime& time) { time = SessionTime{readWireTime(in)}; }
 
 void putField(ByteWriter& out, bool flag) { out.number(std::uint8_t{flag}); }
 void getField(ByteReader& in, bool& flag)
@@ -122,11 +93,35 @@ void getField(ByteReader& in, std::string& text)
     in.require(isUtf8(text), "UTF-8");
 }
 
+// What is made of parts has them one after the other.
+template <OfFields Whole> void putField(ByteWriter& out, const Whole& whole);
+template <OfFields Whole> void getField(ByteReader& in, Whole& whole);
+
+template <class Part> void putField(ByteWriter& out, const std::array<Part, 2>& pair)
+{
+    for (const Part& part : pair)
+        putField(out, part);
+}
+template <class Part> void getField(ByteReader& in, std::array<Part, 2>& pair)
+{
+    for (Part& part : pair)
+        getField(in, part);
+}
+
+template <OfFields Whole> void putField(ByteWriter& out, const Whole& whole)
+{
+    std::apply([&](auto... field) { (putField(out, whole.*field), ...); }, kFields<Whole>);
+}
+template <OfFields Whole> void getField(ByteReader& in, Whole& whole)
+{
+    std::apply([&](auto... field) { (getField(in, whole.*field), ...); }, kFields<Whole>);
+}
+
 template <class Body> FactBody readBodyOf(ByteReader& in)
 {
-    static_assert(std::tuple_size_v<decltype(kFields<Body>)> > 0, "name its fields above");
+    static_assert(OfFields<Body>, "name its fields in fact_fields.h");
     Body body;
-    std::apply([&](auto... field) { (getField(in, body.*field), ...); }, kFields<Body>);
+    getField(in, body);
     return body;
 }
 
@@ -145,11 +140,7 @@ std::vector<std::byte> encodeBody(const FactBody& body)
     std::vector<std::byte> bytes;
     ByteWriter out{bytes};
     out.number(static_cast<std::uint8_t>(body.index() + 1));
-    std::visit(
-        [&]<class Body>(const Body& fields) {
-            std::apply([&](auto... field) { (putField(out, fields.*field), ...); }, kFields<Body>);
-        },
-        body);
+    std::visit([&out](const auto& fields) { putField(out, fields); }, body);
     return bytes;
 }
 

@@ -1,10 +1,9 @@
 #include "engine/session/fact_rules.h"
 
+#include "engine/session/number_check.h"
+#include "engine/session/respiration_rules.h"
 #include "engine/session/utf8.h"
 
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <initializer_list>
 #include <string>
 
@@ -13,25 +12,6 @@ namespace carina
 
 namespace
 {
-
-std::string inWords(double number)
-{
-    std::array<char, 32> text{};
-    const auto written =
-        std::to_chars(text.begin(), text.end(), number, std::chars_format::general, 6);
-    return {text.begin(), written.ptr};
-}
-
-Result<void> checkNumber(const char* what, double value, double lowest, double highest,
-                         const char* unit)
-{
-    if (!std::isfinite(value))
-        return fail(Errc::NotFinite, what);
-    if (value < lowest || value > highest)
-        return fail(Errc::OutOfRange, std::string{what} + " " + inWords(value) + unit + " ("
-                                          + inWords(lowest) + " to " + inWords(highest) + ")");
-    return {};
-}
 
 Result<void> checkTexts(std::initializer_list<const std::string*> texts)
 {
@@ -79,6 +59,10 @@ struct BodyCheck {
     {
         return checkNumber("inspiratory fraction", f.fraction, kShortestInspiration,
                            kLongestInspiration, "");
+    }
+    template <class Fact> Result<void> operator()(const Fact& f) const
+    {
+        return checkRespiration(f);
     }
 };
 

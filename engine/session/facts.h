@@ -3,6 +3,7 @@
 #include "engine/core/ids.h"
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
+#include "engine/session/respiration_facts.h"
 
 #include <cstdint>
 #include <optional>
@@ -114,7 +115,9 @@ using FactBody =
     std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
                  fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
                  fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
-                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted>;
+                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+                 fact::PatientBuildSet, fact::LungConditionSet, fact::VentilatorSet,
+                 fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint>;
 
 /// The object whose ownership a fact is about, if it is about one.
 [[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)

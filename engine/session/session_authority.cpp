@@ -28,6 +28,11 @@ bool takesEffectLater(const FactBody& body)
                                  [](const fact::BreathingRateSet&) { return true; },
                                  [](const fact::TidalVolumeSet&) { return true; },
                                  [](const fact::InspiratoryFractionSet&) { return true; },
+                                 [](const fact::PatientBuildSet&) { return true; },
+                                 [](const fact::LungConditionSet&) { return true; },
+                                 [](const fact::VentilatorSet&) { return true; },
+                                 [](const fact::TubePlaced&) { return true; },
+                                 [](const fact::ManikinBreathed&) { return true; },
                                  [](const auto&) { return false; }},
                       body);
 }
@@ -115,8 +120,8 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
         body);
 }
 
-/// What a trainee or an observer may do: come, go, and (a trainee) share what is their own and ask
-/// for what is not.
+/// What a trainee or an observer may do: come, go, and (a trainee) share what is their own, ask for
+/// what is not, and say how the manikin and the patient of their station breathe.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, const FactBody& body)
 {
     return std::visit(
@@ -133,6 +138,8 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, co
                               && state.objects().at(f.object).owner == author.id;
                    },
                    [&](const fact::ObjectWanted&) { return author.role == Role::Trainee; },
+                   [&](const fact::ManikinBreathed&) { return author.role == Role::Trainee; },
+                   [&](const fact::RespirationCheckpoint&) { return author.role == Role::Trainee; },
                    [](const auto&) { return false; }},
         body);
 }

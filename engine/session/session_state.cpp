@@ -102,6 +102,36 @@ struct SessionState::Applier {
         if (Station* station = ofFact())
             station->breathing.setInspiratoryFraction(around.effect, body.fraction);
     }
+    void operator()(const fact::PatientBuildSet& body) const
+    {
+        if (Station* station = ofFact())
+            station->respiration.setBuild(around.effect, body.build);
+    }
+    void operator()(const fact::LungConditionSet& body) const
+    {
+        if (Station* station = ofFact())
+            station->respiration.setCondition(around.effect, body.condition);
+    }
+    void operator()(const fact::VentilatorSet& body) const
+    {
+        if (Station* station = ofFact())
+            station->respiration.setVentilator(around.effect, body.settings);
+    }
+    void operator()(const fact::TubePlaced& body) const
+    {
+        if (Station* station = ofFact())
+            station->respiration.setTube(around.effect, body.innerDiameter);
+    }
+    void operator()(const fact::ManikinBreathed& body) const
+    {
+        if (Station* station = ofFact())
+            station->respiration.addBreath({around.effect, body.began});
+    }
+    void operator()(const fact::RespirationCheckpoint& body) const
+    {
+        if (Station* station = ofFact())
+            station->respiration.addCheckpoint({body.at, body.state});
+    }
 
     static void own(SharedObject& object, ParticipantId owner)
     {

@@ -3,6 +3,7 @@
 #include "engine/session/breathing_timeline.h"
 #include "engine/session/facts.h"
 #include "engine/session/parameter_timeline.h"
+#include "engine/session/respiration_timeline.h"
 
 #include <map>
 #include <string>
@@ -35,6 +36,7 @@ struct Station {
     std::string anatomyHash;
     std::string anatomyName;
     BreathingTimeline breathing;
+    RespirationTimeline respiration;
 };
 
 /// Everything that follows from the facts so far, at any node. A value: copied to whoever draws.

@@ -50,6 +50,11 @@ fact::ParticipantJoined joinAs(const SessionState& state, ParticipantId id)
     return {{}, known->second.role, known->second.name};
 }
 
+fact::RespirationCheckpoint sampleCheckpoint()
+{
+    return {SessionTime{}, RespiratoryFold{RespiratorySettings{}}.state()};
+}
+
 } // namespace
 
 void TestSessionPermissions::permitsByRole_data()
@@ -73,6 +78,12 @@ void TestSessionPermissions::permitsByRole_data()
     row("sets the tidal volume", "yynnnn",
         [](auto) { return fact::TidalVolumeSet{millilitres(400.0)}; });
     row("sets the fraction", "yynnnn", [](auto) { return fact::InspiratoryFractionSet{0.3}; });
+    row("sets the condition", "yynnnn", [](auto) { return fact::LungConditionSet{}; });
+    row("sets the ventilator", "yynnnn", [](auto) { return fact::VentilatorSet{}; });
+    row("sets the patient", "yynnnn", [](auto) { return fact::PatientBuildSet{}; });
+    row("places the tube", "yynnnn", [](auto) { return fact::TubePlaced{}; });
+    row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{}; });
+    row("leaves a checkpoint", "yyynnn", [](auto) { return sampleCheckpoint(); });
     row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
     row("comes back", "yyyyny", [&](auto id) { return joinAs(state, id); });
     row("comes back under its number", "nyyynn", [&](ParticipantId id) {
@@ -172,6 +183,8 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "session ended");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "session ended");
+    row("condition", fact::LungConditionSet{}, "session ended");
+    row("breath", fact::ManikinBreathed{}, "session ended");
 }
 
 void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd()
@@ -226,6 +239,7 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "out of range");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "out of range");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "out of range");
+    row("condition", fact::LungConditionSet{}, "fine", "out of range");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine", "fine");
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/session/session_state.h"
+
+namespace carina
+{
+
+/// Breathes the patient of a station along the session: a RespiratoryFold that takes every setting,
+/// pause and breath of the manikin at its effect time. Its steps follow each other from the first
+/// moment the session runs, and after a pause from the moment it goes on, so that every node that
+/// knows the facts up to a time has the same state then, bit for bit.
+class RespirationRun
+{
+public:
+    /// Stands where the last checkpoint at or before t has it, else before the first breath.
+    RespirationRun(const Station& station, SessionTime t);
+
+    /// Breathes on up to the last whole step at or before t. `station` is the same one, with facts
+    /// that came since.
+    void advanceTo(const Station& station, SessionTime t);
+
+    /// The end of the last step.
+    [[nodiscard]] SessionTime at() const { return m_at; }
+    [[nodiscard]] const RespiratoryFold& fold() const { return m_fold; }
+    /// For those who join later: to be put into the log.
+    [[nodiscard]] fact::RespirationCheckpoint checkpoint() const;
+
+private:
+    void hear(const Station& station);
+
+    SessionTime m_at;
+    std::size_t m_heard = 0; ///< breaths of the manikin
+    RespiratoryFold m_fold;
+};
+
+/// The station puts a checkpoint into the log that often.
+inline constexpr Duration kCheckpointEvery = std::chrono::seconds{10};
+
+} // namespace carina

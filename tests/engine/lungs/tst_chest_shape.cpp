@@ -34,9 +34,11 @@ private Q_SLOTS:
     void descendsNoFurtherThanMeasured();
     void movesAsQuietBreathingDoes();
     void flattensTheDiaphragmOfEmphysema();
+    void followsTheWallWhereTheMediastinumGaveWay();
     void showsTheGasBesideALung();
     void shiftsAwayFromATension();
     void shiftsTowardsAnAtelectasis();
+    void shiftsFurtherInASmallerChest();
     void sharesTheWorkByTheSex();
 };
 
@@ -97,6 +99,23 @@ void TestChestShape::flattensTheDiaphragmOfEmphysema()
     VERIFY_WITHIN(inMillimetres(shape.lungs[1].diaphragmDescent), 0.77 * 2.31 * 16.6, 0.01);
 }
 
+/// A relaxed wall stands out by its compliance times the pleural pressure above that at rest.
+void TestChestShape::followsTheWallWhereTheMediastinumGaveWay()
+{
+    const RespiratorySystem system =
+        afflicted(healthySystem({}), {ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left});
+    const ChestContent rest = restingContent(system);
+    const ChestMoment moment = chestMoment(system, rest, {}, {});
+    const ChestShape shape = chestShape({}, system, rest, moment);
+    QVERIFY(moment.mediastinum.si < 0.0);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double share = i == 0 ? 0.525 : 0.475;
+        const double out_l = 0.2 * (inCmH2O(moment.pleural[i]) + 5.0); // both sides alike
+        VERIFY_WITHIN(inLitresPerCmH2O(system.lungs[i].wall), 0.2 * share, 1e-9);
+        VERIFY_WITHIN(inMillimetres(shape.lungs[i].diaphragmDescent), 16.6 * out_l, kTolerance_mm);
+    }
+}
+
 void TestChestShape::showsTheGasBesideALung()
 {
     const LungCondition condition{ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left};
@@ -138,6 +157,20 @@ void TestChestShape::shiftsTowardsAnAtelectasis()
         inMillimetres(
             shapeAtRest({ConditionKind::Atelectasis, 1.0, ConditionSide::Right}).mediastinalShift)
         < -5.0);
+}
+
+/// 200 cm2 in an adult of 77 kg; of a child of 40 kg (40/77)^(2/3) of it.
+void TestChestShape::shiftsFurtherInASmallerChest()
+{
+    const PatientBuild child{metres(1.5), 40.0, 12.0, Sex::Male};
+    for (const PatientBuild& build : {PatientBuild{}, child}) {
+        const RespiratorySystem system = healthySystem(build);
+        ChestMoment moment;
+        moment.mediastinum = litres(0.2);
+        const double area_m2 = 0.02 * std::pow(build.weightInKilograms / 77.0, 2.0 / 3.0);
+        VERIFY_WITHIN(chestShape(build, system, restingContent(system), moment).mediastinalShift.si,
+                      0.2e-3 / area_m2, 1e-9);
+    }
 }
 
 void TestChestShape::sharesTheWorkByTheSex()

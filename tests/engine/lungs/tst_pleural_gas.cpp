@@ -97,6 +97,9 @@ void TestPleuralGas::letsGasIntoThePleuraAndNotBack()
     const ChestMoment tense = chestMoment(system, content, {}, openTo(0.0));
     QVERIFY(tense.pleural[0] > tense.carina);
     QCOMPARE(tense.intoPleura[0].si, 0.0);
+    RespiratorySystem whole = system;
+    whole.lungs[0].valve = {};
+    QCOMPARE(tense.carina, chestMoment(whole, content, {}, openTo(0.0)).carina);
     QCOMPARE(held(system, content, openTo(0.0), 500, kStep)[0].trapped, content[0].trapped);
 }
 

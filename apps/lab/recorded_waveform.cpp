@@ -31,6 +31,22 @@ std::size_t switchSamples(const RecordedWaveform& waveform)
     return std::max<std::size_t>(1, std::size_t(kSwitchTime * waveform.rate_hz + 0.5));
 }
 
+Result<void> addSample(const QByteArray& pressure, const QByteArray& flow, const std::string& place,
+                       RecordedWaveform& waveform)
+{
+    const auto p = waveformNumber(pressure, place);
+    if (!p)
+        return tl::unexpected(p.error());
+    waveform.pressure_cmH2O.push_back(*p);
+    if (flow.isEmpty())
+        return {};
+    const auto q = waveformNumber(flow, place);
+    if (!q)
+        return tl::unexpected(q.error());
+    waveform.flow_lPerS.push_back(*q / 60.0);
+    return {};
+}
+
 /// Median; the values are reordered.
 double medianOf(std::vector<double> values)
 {
@@ -133,17 +149,10 @@ Result<RecordedWaveform> readWaveform(const QString& file)
         const QList<QByteArray> fields = lines[line].trimmed().split(',');
         if (fields.size() == 1 && fields[0].isEmpty())
             continue;
-        const std::string place = waveformLine(name, line);
-        const auto p = waveformNumber(fields.value(pressure), place);
-        if (!p)
-            return tl::unexpected(p.error());
-        if (const QByteArray field = fields.value(flow); !field.isEmpty()) {
-            const auto q = waveformNumber(field, place);
-            if (!q)
-                return tl::unexpected(q.error());
-            waveform.flow_lPerS.push_back(*q / 60.0);
-        }
-        waveform.pressure_cmH2O.push_back(*p);
+        const Result<void> added = addSample(fields.value(pressure), fields.value(flow),
+                                             waveformLine(name, line), waveform);
+        if (!added)
+            return tl::unexpected(added.error());
     }
     const std::size_t flows = waveform.flow_lPerS.size();
     if (flows != 0 && flows != waveform.pressure_cmH2O.size())

@@ -32,6 +32,9 @@ double perfusedShare(const RespiratorySystem& system, const ChestContent& conten
 RespiratorySystem systemOf(const RespiratorySettings& settings)
 {
     RespiratorySystem system = healthySystem(settings.build);
+    const VentilatorSettings& ventilator = settings.ventilator;
+    if (ventilator.mode != VentilationMode::Spontaneous && ventilator.ownEffort == 0.0)
+        relax(system);
     if (settings.tube.si > 0.0)
         intubate(system, settings.tube);
     return afflicted(system, settings.condition);

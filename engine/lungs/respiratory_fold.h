@@ -23,7 +23,8 @@ struct RespiratorySettings {
     friend bool operator==(const RespiratorySettings&, const RespiratorySettings&) = default;
 };
 
-/// The patient's lungs, chest and airway as the settings make them.
+/// The patient's lungs, chest and airway as the settings make them; relaxed where a ventilator
+/// alone breathes.
 [[nodiscard]] RespiratorySystem systemOf(const RespiratorySettings& settings);
 
 /// What one whole breath came to.

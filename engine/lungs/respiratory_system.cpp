@@ -128,6 +128,21 @@ BreathingPattern restingPattern(const PatientBuild& build)
             0.0125 * (perMin + 4.0) + 0.125};
 }
 
+void relax(RespiratorySystem& system)
+{
+    constexpr double kRest = 25.0 / 30.0;
+    constexpr double kCompliance = 0.4;
+    for (LungMechanics& lung : system.lungs) {
+        const Compliance before = lung.curve.complianceAt(lung.wallVolume);
+        const Volume lost = (1.0 - kRest) * lung.wallVolume;
+        lung.wallVolume = lung.wallVolume - lost;
+        lung.wallRecoil = lung.wallRecoil + Pressure{lost.si / lung.wall.si};
+        lung.curve =
+            PressureVolumeCurve::through(lung.curve.floor, lung.curve.floor + lung.curve.span,
+                                         lung.wallVolume, lung.wallRecoil, kCompliance * before);
+    }
+}
+
 void intubate(RespiratorySystem& system, Length innerDiameter)
 {
     CARINA_EXPECTS(innerDiameter.si > 0.0);

@@ -82,6 +82,11 @@ inline constexpr double kLeastOpenShare = 0.05;
 /// between and beyond; inspiration's share 0.0125 (f + 4) + 0.125 (Pulse).
 [[nodiscard]] BreathingPattern restingPattern(const PatientBuild& build);
 
+/// What a ventilator meets in a patient who does not breathe: the resting volume falls to 25 of 30
+/// ml/kg along the wall's line, as in anaesthesia, and each lung has 0.4 of its compliance there
+/// (Pulse, lung under a ventilator), which leaves the system 50 to 80 ml/cmH2O in an adult.
+void relax(RespiratorySystem& system);
+
 /// Puts a tracheal tube of an inner diameter in place of the airway above the carina: Poiseuille's
 /// flow for K1 (128 mu L / (pi d^4)), and for K2 the loss of turbulent flow in a smooth tube at 1
 /// L/s (Blasius) with 1.5 velocity heads for connector and ends; 300 mm long. The tube halves the

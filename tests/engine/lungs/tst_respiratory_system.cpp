@@ -56,6 +56,7 @@ private Q_SLOTS:
     void narrowsWithYouth();
     void breathesQuietlyAsTheTableSays_data();
     void breathesQuietlyAsTheTableSays();
+    void relaxesToWhatAVentilatorMeets();
     void replacesTheUpperAirwayByATube();
     void losesMoreInANarrowTube();
     void approachesATargetByAShare();
@@ -171,6 +172,29 @@ void TestRespiratorySystem::breathesQuietlyAsTheTableSays()
     VERIFY_WITHIN(inPerMinute(quiet.rate), rate_perMin, 1e-9);
     VERIFY_WITHIN(inMillilitres(quiet.tidalVolume), tidalVolume_ml, 1e-9);
     VERIFY_WITHIN(quiet.inspiratoryFraction, fraction, 1e-12);
+}
+
+/// 25 ml/kg, the wall on its line, and in an adult 2 x 0.04 and 0.2 L/cmH2O in series: 57 ml/cmH2O,
+/// within the 50 to 80 that are seen.
+void TestRespiratorySystem::relaxesToWhatAVentilatorMeets()
+{
+    const RespiratorySystem before = healthySystem(adult());
+    RespiratorySystem system = before;
+    relax(system);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const LungMechanics& lung = system.lungs[i];
+        const LungMechanics& awake = before.lungs[i];
+        const double share = i == 0 ? 0.525 : 0.475;
+        VERIFY_WITHIN(inLitres(lung.wallVolume), share * 0.025 * 77.0, kTolerance_l);
+        VERIFY_WITHIN(inCmH2O(lung.wallRecoil),
+                      5.0 + inLitres(awake.wallVolume - lung.wallVolume) / (0.2 * share), 1e-9);
+        VERIFY_WITHIN(inCmH2O(lung.curve.pressureAt(lung.wallVolume)), inCmH2O(lung.wallRecoil),
+                      1e-9);
+        QCOMPARE(lung.curve.floor, awake.curve.floor);
+        VERIFY_WITHIN(inLitres(lung.curve.span), inLitres(awake.curve.span), kTolerance_l);
+        QCOMPARE(lung.wall, awake.wall);
+    }
+    VERIFY_WITHIN(complianceAtRest(system), 1.0 / (1.0 / 0.08 + 1.0 / 0.2), 1e-9);
 }
 
 /// Laminar as Poiseuille says, 8 mu L / (pi r^4) with 18.5 uPa s; half the dead space is left.

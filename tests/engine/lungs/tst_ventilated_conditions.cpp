@@ -35,7 +35,8 @@ BreathFigures under(VentilationMode mode, const LungCondition& condition)
 
 LungCondition condition(ConditionKind kind, double severity)
 {
-    const bool oneSided = kind == ConditionKind::MainstemIntubation;
+    const bool oneSided =
+        kind == ConditionKind::MainstemIntubation || kind == ConditionKind::SimplePneumothorax;
     return {kind, severity, oneSided ? ConditionSide::Right : ConditionSide::Both};
 }
 
@@ -102,7 +103,7 @@ void TestVentilatedConditions::changesThePressuresInTheRightDirection()
         if (direction == 1)
             QVERIFY2(rise > kClear_cmH2O && of(worst) > of(severe), what);
         else
-            QVERIFY2(std::abs(rise) < 1.0, what);
+            QVERIFY2(rise > -2.0 && rise < 1.0, what);
     };
     check("peak", resistive, [](const BreathFigures& b) { return inCmH2O(b.peak - b.plateau); });
     check("plateau", plateau, [](const BreathFigures& b) { return inCmH2O(b.plateau); });
@@ -207,7 +208,7 @@ void TestVentilatedConditions::keepsAQuarterOfATensePneumothorax()
     QFETCH(const int, mode);
     RespiratoryFold fold{settingsWith(
         VentilationMode(mode), {ConditionKind::TensionPneumothorax, 1.0, ConditionSide::Left})};
-    const Volume quarter = 0.25 * fold.system().lungs[1].wallVolume;
+    const Volume quarter = 0.25 * healthySystem({}).lungs[1].wallVolume;
     for (int i = 0; i < 5 * kMinute; ++i) {
         fold.step();
         QVERIFY(fold.content()[1].gas > quarter);

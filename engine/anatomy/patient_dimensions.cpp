@@ -21,7 +21,8 @@ PatientDimensions adult()
 {
     PatientDimensions d;
     d.height = centimetres(175.0);
-    d.weightInKilograms = 77.0;                  // Pulse's standard patient
+    d.weightInKilograms = 77.0; // Pulse's standard patient
+    d.ageInYears = 40.0;
     d.cordsToCarina = centimetres(12.7);         // 12.7 (1.6) cm, Caucasian adults (BJA 2006)
     d.tracheaLength = centimetres(10.1);         // men (Kumari 2019)
     d.tracheaSagittal = millimetres(17.1);       // men, MRI (KJA 1993)
@@ -50,6 +51,7 @@ PatientDimensions twelveYears()
     PatientDimensions d = grown;
     d.height = centimetres(150.0);
     d.weightInKilograms = 40.0;
+    d.ageInYears = 12.0;
     // Airway lengths go with the 1.3th power of height (exponents 1.22 to 1.37, ARRD 1985).
     const double growth = std::pow(d.height / grown.height, 1.3);
     d.cordsToCarina = growth * grown.cordsToCarina;

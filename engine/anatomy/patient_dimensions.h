@@ -21,6 +21,7 @@ struct MainBronchusDimensions {
 struct PatientDimensions {
     Length height;
     double weightInKilograms = 0.0;
+    double ageInYears = 0.0;
     Length cordsToCarina;
     Length tracheaLength;   ///< lower border of the cricoid to the carina
     Length tracheaSagittal; ///< front to back, mean of rings and gaps

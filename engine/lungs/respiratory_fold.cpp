@@ -119,7 +119,9 @@ void RespiratoryFold::beginBreath()
     tally = {0, {}, gas, gas, m_moment.opening, {}};
     m_state.breath = m_settings.pattern;
     const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
-    m_state.effort = own * effortFor(m_healthy, m_settings.pattern.tidalVolume);
+    const BreathingPattern& pattern = m_settings.pattern;
+    m_state.effort =
+        (own / arrivedShare(m_healthy, pattern)) * effortFor(m_healthy, pattern.tidalVolume);
     m_state.ventilator.sinceBreath = 0;
 }
 

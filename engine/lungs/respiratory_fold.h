@@ -91,6 +91,8 @@ public:
     void trigger(double secondsAgo) { m_clock.trigger(secondsAgo); }
     void step();
 
+    /// It took a step, or one before its checkpoint did.
+    [[nodiscard]] bool hasBegun() const { return m_state.steps > 0; }
     [[nodiscard]] const RespiratorySettings& settings() const { return m_settings; }
     [[nodiscard]] RespiratoryState state() const;
     /// At the end of the last step.
@@ -98,6 +100,8 @@ public:
     [[nodiscard]] const ChestContent& content() const { return m_state.content; }
     [[nodiscard]] const RespiratorySystem& system() const { return m_state.system; }
     [[nodiscard]] const BreathFigures& lastBreath() const { return m_state.last; }
+    /// Of the breath that is going on.
+    [[nodiscard]] const BreathTally& breath() const { return m_state.tally; }
     [[nodiscard]] Pressure muscle() const { return m_state.muscle; }
 
 private:

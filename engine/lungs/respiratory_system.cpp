@@ -37,12 +37,14 @@ double leanWeight(const PatientBuild& build)
     return std::min(build.weightInKilograms, kLeanBodyMassIndex * height_m * height_m);
 }
 
-/// Resistance at an age over that at 18: the total at 4 Hz falls from 13 cmH2O s/L at 2 years to 3
-/// at 18 (Pediatr Pulmonol 1985;1:134), taken as a geometric fall.
-double growthOfResistance(double years)
+/// Resistance at an age over an adult's: the total at 4 Hz falls from 13 cmH2O s/L at 2 years to 3
+/// at 18 (Pediatr Pulmonol 1985;1:134), taken as a geometric fall that goes on to the adult's.
+double narrownessAt(double years)
 {
-    const double left = (18.0 - std::clamp(years, 2.0, 18.0)) / 16.0;
-    return std::pow(13.0 / 3.0, left);
+    const Resistance adult = kUpperAirway + kBothBronchi;
+    const Resistance atAge =
+        cmH2OSecondsPerLitre(13.0 * std::pow(3.0 / 13.0, (years - 2.0) / 16.0));
+    return std::max(1.0, atAge / adult);
 }
 
 LungMechanics healthyLung(const LungVolumes& both, double share, double size, double narrowness)
@@ -98,6 +100,13 @@ void eachFigure(RespiratorySystem& a, const RespiratorySystem& b, Visit visit)
 
 } // namespace
 
+PatientBuild buildOf(const PatientDimensions& dimensions)
+{
+    constexpr double kAlikeUntil = 14.0; // years
+    return {dimensions.height, dimensions.weightInKilograms, dimensions.ageInYears,
+            dimensions.ageInYears < kAlikeUntil ? Sex::Female : Sex::Male};
+}
+
 LungVolumes lungVolumesOf(const PatientBuild& build)
 {
     const Volume perKilogram = millilitres(leanWeight(build));
@@ -110,7 +119,7 @@ RespiratorySystem healthySystem(const PatientBuild& build)
     CARINA_EXPECTS(build.ageInYears >= 2.0);
     const LungVolumes volumes = lungVolumesOf(build);
     const double size = leanWeight(build) / kStandardWeight;
-    const double narrowness = growthOfResistance(build.ageInYears);
+    const double narrowness = narrownessAt(build.ageInYears);
     RespiratorySystem system;
     system.lungs = {healthyLung(volumes, kRightShare, size, narrowness),
                     healthyLung(volumes, 1.0 - kRightShare, size, narrowness)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
+#include "engine/anatomy/patient_dimensions.h"
 #include "engine/core/units.h"
 #include "engine/lungs/breathing_pattern.h"
 #include "engine/lungs/pressure_volume_curve.h"
@@ -23,6 +24,10 @@ struct PatientBuild {
 
     friend bool operator==(const PatientBuild&, const PatientBuild&) = default;
 };
+
+/// Of a built-in patient. Its adult has a man's figures; a child's are a boy's and a girl's, who is
+/// taken for a girl.
+[[nodiscard]] PatientBuild buildOf(const PatientDimensions& dimensions);
 
 /// Volumes of both lungs together.
 struct LungVolumes {

@@ -47,6 +47,24 @@ Pressure effortFor(const RespiratorySystem& system, Volume tidalVolume)
     return elastic + Pressure{taken.si / lung.wall.si} + loop;
 }
 
+double arrivedShare(const RespiratorySystem& system, const BreathingPattern& pattern)
+{
+    double compliance = 0.0;
+    double bronchi = 0.0;
+    for (const LungMechanics& lung : system.lungs) {
+        compliance +=
+            1.0 / (1.0 / lung.curve.complianceAt(lung.wallVolume).si + 1.0 / lung.wall.si);
+        bronchi += lung.bronchi.si;
+    }
+    const double tau = (system.upperLaminar.si + 1.0 / bronchi) * compliance;
+    const double inspiration = pattern.inspiratoryFraction / pattern.rate.si;
+    const double rise = kRiseShare * inspiration;
+    const double lag = std::numbers::pi * tau / rise; // w tau
+    const double behind =
+        (1.0 + std::exp(-rise / tau)) * lag * lag / (2.0 * (1.0 + lag * lag)); // as it is reached
+    return 1.0 - behind * std::exp(-(inspiration - rise) / tau);
+}
+
 VentilatorTiming ventilatorTiming(const VentilatorSettings& settings,
                                   const BreathingPattern& pattern, double step)
 {

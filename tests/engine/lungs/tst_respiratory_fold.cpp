@@ -100,11 +100,13 @@ void TestRespiratoryFold::breathesAtTheRateThatWasSet()
     }
 }
 
-/// In quiet breathing -1.8 to +1.8 cmH2O in the alveoli (Otis), and flow there and back.
+/// In quiet breathing -1.8 to +1.8 cmH2O in an adult's alveoli (Otis), and flow there and back. A
+/// child of 12 breathes half the gas in nine tenths of the time through 3.3 times the resistance.
 void TestRespiratoryFold::keepsAlveolarPressureWithinThePublishedSwing()
 {
-    for (const PatientBuild& build : {PatientBuild{}, twelveYears()}) {
-        RespiratoryFold fold{quiet(build)};
+    for (const bool isChild : {false, true}) {
+        const double limit = isChild ? 1.8 * 3.3 * 0.52 / 0.9 : 1.8;
+        RespiratoryFold fold{quiet(isChild ? twelveYears() : PatientBuild{})};
         double least = 0.0;
         double most = 0.0;
         for (int i = 0; i < 20 * kSecond; ++i) {
@@ -112,8 +114,8 @@ void TestRespiratoryFold::keepsAlveolarPressureWithinThePublishedSwing()
             least = std::min(least, inCmH2O(fold.moment().alveolar[0]));
             most = std::max(most, inCmH2O(fold.moment().alveolar[0]));
         }
-        QVERIFY2(least > -1.8 && least < -0.5, qPrintable(QString::number(least)));
-        QVERIFY2(most < 1.8 && most > 0.5, qPrintable(QString::number(most)));
+        QVERIFY2(least > -limit && least < -0.5, qPrintable(QString::number(least)));
+        QVERIFY2(most < limit && most > 0.5, qPrintable(QString::number(most)));
     }
 }
 

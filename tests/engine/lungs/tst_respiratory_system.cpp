@@ -52,6 +52,7 @@ private Q_SLOTS:
     void fatAddsNoLung();
     void hasThePublishedComplianceAtRest();
     void restsWithARecoilOf5AndHoldsItsCapacity();
+    void takesTheBuildOfABuiltinPatient();
     void hasTheResistanceOfTheTable();
     void narrowsWithYouth();
     void breathesQuietlyAsTheTableSays_data();
@@ -124,6 +125,13 @@ void TestRespiratorySystem::restsWithARecoilOf5AndHoldsItsCapacity()
     }
 }
 
+void TestRespiratorySystem::takesTheBuildOfABuiltinPatient()
+{
+    QVERIFY(buildOf(dimensionsOf(BuiltinPatient::Adult)) == PatientBuild{});
+    QVERIFY(buildOf(dimensionsOf(BuiltinPatient::TwelveYears))
+            == (PatientBuild{metres(1.5), 40.0, 12.0, Sex::Female}));
+}
+
 /// 1.125 above the carina and 0.45 cmH2O s/L in all bronchi; each lung has its share of them.
 void TestRespiratorySystem::hasTheResistanceOfTheTable()
 {
@@ -134,19 +142,21 @@ void TestRespiratorySystem::hasTheResistanceOfTheTable()
     VERIFY_WITHIN(system.lungs[0].bronchi.si / system.lungs[1].bronchi.si, 0.525 / 0.475, 1e-12);
 }
 
-/// In proportion 13 at 2 years to 3 at 18, and about 5 at 12.
+/// 13 cmH2O s/L at 2 years, 3 at 18, about 5 at 12, and never less than the table's adult.
 void TestRespiratorySystem::narrowsWithYouth()
 {
-    const auto ratioAt = [](double years) {
+    const auto resistanceAt = [](double years) {
         PatientBuild build = adult();
         build.ageInYears = years;
-        return resistanceOf(healthySystem(build)) / 1.575;
+        return resistanceOf(healthySystem(build));
     };
-    VERIFY_WITHIN(ratioAt(2.0), 13.0 / 3.0, 1e-9);
-    VERIFY_WITHIN(ratioAt(12.0), 5.0 / 3.0, 0.1);
-    VERIFY_WITHIN(ratioAt(10.0), std::sqrt(13.0 / 3.0), 1e-9);
-    VERIFY_WITHIN(ratioAt(18.0), 1.0, 1e-12);
-    VERIFY_WITHIN(ratioAt(80.0), 1.0, 1e-12);
+    VERIFY_WITHIN(resistanceAt(2.0), 13.0, 1e-9);
+    VERIFY_WITHIN(resistanceAt(10.0), std::sqrt(13.0 * 3.0), 1e-9);
+    VERIFY_WITHIN(resistanceAt(12.0), 5.0, 0.25);
+    VERIFY_WITHIN(resistanceAt(18.0), 3.0, 1e-9);
+    VERIFY_WITHIN(resistanceAt(25.0), 1.582, 0.005);
+    VERIFY_WITHIN(resistanceAt(26.0), 1.575, 1e-12);
+    VERIFY_WITHIN(resistanceAt(80.0), 1.575, 1e-12);
 }
 
 void TestRespiratorySystem::breathesQuietlyAsTheTableSays_data()

@@ -64,6 +64,7 @@ private Q_SLOTS:
     void musclesPullByHalfSines();
     void musclesRelaxByTheEndOfALongInspiration();
     void findsTheEffortForATidalVolume();
+    void losesToTheAirwayWhatABreathHasNoTimeFor();
     void dividesABreathIntoSteps();
     void deliversTheVolumeAtConstantFlow();
     void showsResistanceAndComplianceAtTheOpening();
@@ -104,6 +105,29 @@ void TestVentilation::findsTheEffortForATidalVolume()
     VERIFY_WITHIN(inCmH2O(effortFor(system, litres(0.5))), 10.0 + 4.0 * std::tanh(0.125),
                   kPressureTolerance_cmH2O);
     QCOMPARE(effortFor(system, {}).si, 0.0);
+}
+
+/// Against the equation tau V' + V = muscle C, integrated here in small steps.
+void TestVentilation::losesToTheAirwayWhatABreathHasNoTimeFor()
+{
+    for (const double rate_perMin : {8.0, 19.0, 40.0}) {
+        for (const double years : {40.0, 12.0, 2.0}) {
+            const RespiratorySystem system = healthySystem({metres(1.5), 40.0, years, Sex::Male});
+            const BreathingPattern pattern{perMinute(rate_perMin), millilitres(280.0), 0.4};
+            const double bronchi = system.lungs[0].bronchi.si + system.lungs[1].bronchi.si;
+            // 0.1 L/cmH2O for 77 kg.
+            const double tau = inCmH2OSecondsPerLitre({system.upperLaminar.si + 1.0 / bronchi})
+                               * 0.1 * 40.0 / 77.0;
+            constexpr int kSteps = 100'000;
+            const double inspiration = 0.4 * 60.0 / rate_perMin;
+            double volume = 0.0; // of what the muscle would hold
+            for (int i = 0; i < kSteps; ++i) {
+                const double phase = 0.4 * (i + 0.5) / kSteps;
+                volume += (muscleShare(phase, 0.4) - volume) * inspiration / kSteps / tau;
+            }
+            VERIFY_WITHIN(arrivedShare(system, pattern), volume, 1e-4);
+        }
+    }
 }
 
 void TestVentilation::dividesABreathIntoSteps()

@@ -24,8 +24,9 @@ ChestShape chestShape(const PatientBuild& build, const RespiratorySystem& system
         const Volume outside = system.lungs[i].pleuralGas + content[i].trapped;
         const Volume held = content[i].gas + outside;
         const Volume given = (i == 0 ? 1.0 : -1.0) * moment.mediastinum;
-        const double more_l = inLitres(held - given - ofSide) * (rest / ofSide);
-        shape.lungs[i] = {content[i].gas, outside / held,
+        const Volume room = held - given;
+        const double more_l = inLitres(room - ofSide) * (rest / ofSide);
+        shape.lungs[i] = {content[i].gas, ofSide, room, outside / held,
                           std::min(kGreatestDescent, more_l * kDescentPerLitre)};
     }
     const double area = kMediastinalArea * std::pow(rest / kAdultRest, 2.0 / 3.0);

@@ -9,7 +9,9 @@ namespace carina
 
 /// What a lung and its side of the chest look like at one moment.
 struct LungShape {
-    Volume gas; ///< in the lung
+    Volume gas;     ///< in the lung
+    Volume healthy; ///< in the lung at rest in health
+    Volume room;    ///< that the wall of its side makes for gas, were the mediastinum in its place
     double collapse =
         0.0; ///< share of the side's gas that is in the pleura: 0 where the lung fills it
     Length diaphragmDescent; ///< of the dome, below where it rests in health

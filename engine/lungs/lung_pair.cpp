@@ -151,6 +151,14 @@ Volume LungPair::volumeWith(Volume inspired, Side side) const
     return rest + (rest / both) * inspired;
 }
 
+VolumeCubic LungPair::volumeAlong(Side side, std::size_t level, const LungPose& given,
+                                  const LungPose& along, double mediastinalShift) const
+{
+    CARINA_EXPECTS(level < m_volumes.size());
+    return m_volumes[level][indexOf(side)].along(modesOf(given, mediastinalShift),
+                                                 modesOf(along, 0.0));
+}
+
 Result<ChestPose> LungPair::pose(const std::array<LungDemand, 2>& demands, double mediastinalShift,
                                  std::size_t level) const
 {
@@ -167,8 +175,7 @@ Result<ChestPose> LungPair::pose(const std::array<LungDemand, 2>& demands, doubl
         const auto range = amplitudesWithin(given, along, shiftInto);
         if (!range)
             return fail(Errc::VolumeUnreachable, "a lung cannot be deformed as asked");
-        const VolumeCubic cubic = m_volumes[level][indexOf(side)].along(
-            modesOf(given, mediastinalShift), modesOf(along, 0.0));
+        const VolumeCubic cubic = volumeAlong(side, level, given, along, mediastinalShift);
         const Result<double> s = amplitudeFor(cubic, volume, nearest, *range);
         if (!s)
             return tl::unexpected(s.error());

@@ -55,6 +55,12 @@ public:
     /// divide the volume at rest.
     [[nodiscard]] Volume volumeWith(Volume inspired, Side side) const;
 
+    /// The volume of a lung in the poses given + s along, in a level of detail, in a chest whose
+    /// mediastinum is shifted.
+    /// @pre level < levelCount().
+    [[nodiscard]] VolumeCubic volumeAlong(Side side, std::size_t level, const LungPose& given,
+                                          const LungPose& along, double mediastinalShift) const;
+
     /// The pose that gives both lungs the volumes asked for, a pure function of its arguments.
     ///
     /// @param demands right, left; of a lung that is not there it is ignored

@@ -18,7 +18,7 @@ BreathingPattern patternAt(const SessionNode& node, StationId stationId, Session
 {
     const auto state = node.state();
     const auto station = state->stations().find(stationId);
-    return station != state->stations().end() ? station->second.breathing.settingsAt(t)
+    return station != state->stations().end() ? station->second.respiration.settingsAt(t).pattern
                                               : BreathingPattern{};
 }
 

@@ -1,5 +1,6 @@
 #include "models/station_view.h"
 
+#include "engine/lungs/chest_drawing.h"
 #include "models/shared_patient.h"
 
 namespace carina
@@ -88,9 +89,9 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     const auto state = m_node.state();
     const auto station = state->stations().find(m_station);
     if (station != state->stations().end()) {
-        const Volume inspired = station->second.breathing.inspiredAt(t);
-        // A volume that these lungs cannot take is drawn as rest rather than as a torn surface.
-        moment.pose = m_lungs.pose(inspired, level).value_or(ChestPose{});
+        moment.breathing = m_breathing.at(station->second.respiration, t).shape();
+        moment.exaggeration = m_exaggeration;
+        moment.pose = exaggerated(drawnPose(m_lungs, moment.breathing, level), m_exaggeration);
     }
     moment.tube = m_poses.at(ObjectKind::Tube, t);
     moment.jaw = m_poses.at(ObjectKind::Jaw, t);

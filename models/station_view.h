@@ -2,6 +2,7 @@
 
 #include "engine/lungs/lung_pair.h"
 #include "engine/net/session_node.h"
+#include "engine/session/respiration_follower.h"
 #include "engine/session/station_tracking.h"
 
 #include <functional>
@@ -27,7 +28,9 @@ struct ObjectPoses {
 /// Everything of a station that moves, at one session time.
 struct StationMoment {
     SessionTime time{};
-    ChestPose pose;                     ///< of the chest
+    ChestShape breathing;               ///< as the mechanics have it
+    ChestPose pose;                     ///< of the chest, which shows that
+    double exaggeration = 1.0;          ///< of the pose: at any other it shows more than is true
     std::optional<PoseSample> tube;     ///< X_AE; nothing while never seen
     std::optional<PoseSample> jaw;      ///< X_AJ
     std::optional<PoseSample> head;     ///< X_AH
@@ -39,13 +42,17 @@ struct StationMoment {
 [[nodiscard]] bool isAway(const StationMoment& moment);
 
 /// One station as a viewer draws it: a pure function of the facts, the poses, the actions and a
-/// time.
+/// time. All calls come from one thread.
 class StationView
 {
 public:
     /// @pre all three outlive the view.
     StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                 ObjectPoses poses);
+
+    /// Draws every departure of the chest from rest this many times as large, as far as it goes.
+    /// 1 unless somebody asks; whoever shows it has to say so.
+    void exaggerate(double factor) { m_exaggeration = factor; }
 
     /// The station at a time, with the pose of the chest for one level of detail.
     [[nodiscard]] StationMoment at(SessionTime t, std::size_t level) const;
@@ -59,6 +66,8 @@ private:
     StationId m_station;
     const LungPair& m_lungs;
     ObjectPoses m_poses;
+    double m_exaggeration = 1.0;
+    mutable RespirationFollower m_breathing; ///< what it keeps only makes it quick
 };
 
 } // namespace carina

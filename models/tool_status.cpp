@@ -27,6 +27,8 @@ QString toolName(const TrackedTool& tool)
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Stylus"));
     case ToolRole::Manikin:
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Manikin"));
+    case ToolRole::Chest:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Chest marker"));
     case ToolRole::Other:
         break;
     }

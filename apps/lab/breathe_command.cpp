@@ -1,5 +1,7 @@
 #include "apps/lab/breathe_command.h"
 
+#include "apps/lab/condition_names.h"
+#include "apps/lab/condition_sweep.h"
 #include "apps/lab/drawn_breathing.h"
 #include "engine/anatomy/builtin_patient.h"
 #include "engine/io/anatomy_set.h"
@@ -16,14 +18,16 @@ namespace
 {
 
 constexpr std::array<const char*, 2> kLungNames{"right", "left"};
+const QString kEveryCondition = QStringLiteral("every-condition");
 
 void addFlags(QCommandLineParser& parser)
 {
-    for (const char* flag :
-         {"rate-per-min", "tidal-volume-ml", "seconds", "anatomy", "patient", "level"}) {
+    for (const char* flag : {"rate-per-min", "tidal-volume-ml", "seconds", "anatomy", "patient",
+                             "level", "condition", "severity", "side", "ventilator"}) {
         const QString name = QString::fromLatin1(flag);
         parser.addOption(QCommandLineOption{name, {}, name});
     }
+    parser.addOption(QCommandLineOption{kEveryCondition});
 }
 
 /// The number given for a flag, between two bounds.
@@ -43,53 +47,114 @@ Result<double> numberOf(const QCommandLineParser& parser, const char* flag, doub
     return number;
 }
 
-Result<BreathingTrial> trialOf(const QCommandLineParser& parser)
+/// Who is drawn, and what size of a patient breathes.
+struct Subject {
+    Anatomy anatomy;
+    PatientBuild build;
+};
+
+Result<std::optional<std::size_t>> levelOption(const QCommandLineParser& parser)
 {
-    const auto rate = numberOf(parser, "rate-per-min", 1.0, 120.0);
+    if (!parser.isSet(QStringLiteral("level")))
+        return std::nullopt;
+    return numberOf(parser, "level", 0.0, 99.0)
+        .and_then([](double level) -> Result<std::optional<std::size_t>> {
+            if (level != std::floor(level))
+                return fail(Errc::OutOfRange, "breathe needs --level with a whole number.");
+            return static_cast<std::size_t>(level);
+        });
+}
+
+template <class Kind>
+Result<Kind> namedOption(const QCommandLineParser& parser, const char* flag,
+                         std::optional<Kind> (*named)(std::string_view))
+{
+    const QString name = parser.value(QString::fromLatin1(flag));
+    if (!parser.isSet(QString::fromLatin1(flag)))
+        return Kind{};
+    const auto kind = named(name.toStdString());
+    if (!kind)
+        return fail(Errc::OutOfRange,
+                    std::string{"breathe knows no --"} + flag + " " + name.toStdString() + ".");
+    return *kind;
+}
+
+std::optional<VentilationMode> modeNamed(std::string_view name)
+{
+    if (name == "volume")
+        return VentilationMode::VolumeControl;
+    if (name == "pressure")
+        return VentilationMode::PressureControl;
+    return std::nullopt;
+}
+
+Result<LungCondition> conditionOf(const QCommandLineParser& parser)
+{
+    const auto kind = namedOption(parser, "condition", conditionNamed);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    const auto side = namedOption(parser, "side", sideNamed);
+    if (!side)
+        return tl::unexpected(side.error());
+    const auto severity = parser.isSet(QStringLiteral("severity"))
+                              ? numberOf(parser, "severity", 0.0, 1.0)
+                              : Result<double>{0.6};
+    if (!severity)
+        return tl::unexpected(severity.error());
+    if (*kind == ConditionKind::MainstemIntubation && *side == ConditionSide::Both)
+        return fail(Errc::OutOfRange, "breathe needs --side for a tube in a main bronchus.");
+    return LungCondition{*kind, *kind == ConditionKind::Normal ? 0.0 : *severity, *side};
+}
+
+Result<BreathingTrial> trialOf(const QCommandLineParser& parser, const PatientBuild& build)
+{
+    const auto rate = numberOf(parser, "rate-per-min", 4.0, 60.0);
     if (!rate)
         return tl::unexpected(rate.error());
-    const auto tidalVolume_ml = numberOf(parser, "tidal-volume-ml", 1.0, 5000.0);
+    const auto tidalVolume_ml = numberOf(parser, "tidal-volume-ml", 20.0, 2000.0);
     if (!tidalVolume_ml)
         return tl::unexpected(tidalVolume_ml.error());
     const auto seconds = numberOf(parser, "seconds", 0.1, 3600.0);
     if (!seconds)
         return tl::unexpected(seconds.error());
+    const auto condition = conditionOf(parser);
+    if (!condition)
+        return tl::unexpected(condition.error());
+    const auto mode = namedOption(parser, "ventilator", modeNamed);
+    if (!mode)
+        return tl::unexpected(mode.error());
     BreathingTrial trial;
-    trial.pattern.rate = perMinute(*rate);
-    trial.pattern.tidalVolume = millilitres(*tidalVolume_ml);
+    trial.settings.build = build;
+    trial.settings.condition = *condition;
+    trial.settings.pattern.rate = perMinute(*rate);
+    trial.settings.pattern.tidalVolume = millilitres(*tidalVolume_ml);
+    trial.settings.ventilator.mode = *mode;
     trial.seconds = *seconds;
-    if (parser.isSet(QStringLiteral("level"))) {
-        const auto level = numberOf(parser, "level", 0.0, 99.0);
-        if (!level)
-            return tl::unexpected(level.error());
-        if (*level != std::floor(*level))
-            return fail(Errc::OutOfRange, "breathe needs --level with a whole number.");
-        trial.level = static_cast<std::size_t>(*level);
-    }
     return trial;
 }
 
-Result<Anatomy> anatomyOf(const QCommandLineParser& parser)
+Result<Subject> subjectOf(const QCommandLineParser& parser)
 {
     const QString patient = parser.value(QStringLiteral("patient"));
+    const auto builtin = [](BuiltinPatient of) {
+        return builtinPatient(of).map([of](Anatomy&& anatomy) {
+            return Subject{std::move(anatomy), buildOf(dimensionsOf(of))};
+        });
+    };
     if (parser.isSet(QStringLiteral("anatomy"))) {
         if (!patient.isEmpty())
             return fail(Errc::OutOfRange, "breathe takes --anatomy or --patient, not both.");
         return loadAnatomySet(parser.value(QStringLiteral("anatomy")).toStdString(),
                               AnatomyCache::defaultFolder())
-            .map([](LoadedSet&& loaded) { return std::move(loaded.set.anatomy); });
+            .map([](LoadedSet&& loaded) {
+                return Subject{std::move(loaded.set.anatomy), PatientBuild{}};
+            });
     }
     if (patient == QStringLiteral("adult"))
-        return builtinPatient(BuiltinPatient::Adult);
+        return builtin(BuiltinPatient::Adult);
     if (patient.isEmpty() || patient == QStringLiteral("child"))
-        return builtinPatient(BuiltinPatient::TwelveYears);
+        return builtin(BuiltinPatient::TwelveYears);
     return fail(Errc::OutOfRange, "breathe knows --patient adult and --patient child.");
-}
-
-double largestError_ml(const DrawnLevel& level)
-{
-    return inMillilitres(
-        std::max({level.largestError, level.lungs[0].largestError, level.lungs[1].largestError}));
 }
 
 QJsonObject describeLung(const std::vector<DrawnLevel>& levels, std::size_t lung)
@@ -98,13 +163,14 @@ QJsonObject describeLung(const std::vector<DrawnLevel>& levels, std::size_t lung
     double largest_ml = 0.0;
     for (const DrawnLevel& level : levels) {
         const DrawnLung& drawn = level.lungs[lung];
-        largest_ml = std::max(largest_ml, inMillilitres(drawn.largestError));
-        described.append(QJsonObject{
-            {QStringLiteral("level"), qint64(level.level)},
-            {QStringLiteral("vertices"), qint64(drawn.vertices)},
-            {QStringLiteral("triangles"), qint64(drawn.triangles)},
-            {QStringLiteral("rest_volume_ml"), inMillilitres(drawn.restVolume)},
-            {QStringLiteral("max_volume_error_ml"), inMillilitres(drawn.largestError)}});
+        const double error_ml = inMillilitres(level.trials.front().errors.lungs[lung]);
+        largest_ml = std::max(largest_ml, error_ml);
+        described.append(
+            QJsonObject{{QStringLiteral("level"), qint64(level.level)},
+                        {QStringLiteral("vertices"), qint64(drawn.vertices)},
+                        {QStringLiteral("triangles"), qint64(drawn.triangles)},
+                        {QStringLiteral("rest_volume_ml"), inMillilitres(drawn.restVolume)},
+                        {QStringLiteral("max_volume_error_ml"), error_ml}});
     }
     return {
         {QStringLiteral("max_volume_error_ml"), largest_ml},
@@ -119,25 +185,49 @@ QJsonObject describeBreathing(const Anatomy& anatomy, const BreathingTrial& tria
     QJsonObject lungs;
     double largest_ml = 0.0;
     for (const DrawnLevel& level : drawn.levels) {
-        largest_ml = std::max(largest_ml, largestError_ml(level));
-        described.append(QJsonObject{
-            {QStringLiteral("level"), qint64(level.level)},
-            {QStringLiteral("frames"), qint64(level.frames)},
-            {QStringLiteral("tidal_volume_drawn_ml"), inMillilitres(level.tidalVolume)},
-            {QStringLiteral("max_volume_error_ml"), inMillilitres(level.largestError)}});
+        const DrawnTrial& of = level.trials.front();
+        largest_ml = std::max(largest_ml, inMillilitres(of.errors.largest()));
+        described.append(
+            QJsonObject{{QStringLiteral("level"), qint64(level.level)},
+                        {QStringLiteral("frames"), qint64(of.frames)},
+                        {QStringLiteral("tidal_volume_drawn_ml"), inMillilitres(of.tidalVolume)},
+                        {QStringLiteral("max_volume_error_ml"), inMillilitres(of.errors.both)}});
     }
     for (std::size_t lung = 0; lung < kLungNames.size(); ++lung)
         lungs[QLatin1StringView{kLungNames[lung]}] = describeLung(drawn.levels, lung);
+    const BreathingPattern& pattern = trial.settings.pattern;
     return {{QStringLiteral("schema"), QStringLiteral("carina.breathe/1")},
             {QStringLiteral("anatomy"), QString::fromStdString(anatomy.name)},
-            {QStringLiteral("rate_per_min"), inPerMinute(trial.pattern.rate)},
-            {QStringLiteral("tidal_volume_ml"), inMillilitres(trial.pattern.tidalVolume)},
+            {QStringLiteral("rate_per_min"), inPerMinute(pattern.rate)},
+            {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
             {QStringLiteral("seconds"), trial.seconds},
-            {QStringLiteral("frames_per_second"), kFramesPerSecond},
+            {QStringLiteral("frames_per_second"), trial.framesPerSecond},
             {QStringLiteral("frc_ml"), inMillilitres(drawn.functionalResidualCapacity)},
             {QStringLiteral("max_volume_error_ml"), largest_ml},
             {QStringLiteral("levels"), described},
             {QStringLiteral("lungs"), lungs}};
+}
+
+Result<QJsonObject> breathe(const QCommandLineParser& parser)
+{
+    const auto level = levelOption(parser);
+    if (!level)
+        return tl::unexpected(level.error());
+    const bool sweeps = parser.isSet(kEveryCondition);
+    // What is wrong with the rest is to be told before a set is read.
+    const auto trial = sweeps ? Result<BreathingTrial>{} : trialOf(parser, {});
+    if (!trial)
+        return tl::unexpected(trial.error());
+    auto subject = subjectOf(parser);
+    if (!subject)
+        return tl::unexpected(subject.error());
+    if (sweeps)
+        return sweepConditions(subject->anatomy, subject->build, *level);
+    BreathingTrial of = *trial;
+    of.settings.build = subject->build;
+    return drawBreathing(subject->anatomy, {&of, 1}, *level).map([&](const DrawnBreathing& drawn) {
+        return describeBreathing(subject->anatomy, of, drawn);
+    });
 }
 
 Result<QJsonObject> run(const QStringList& arguments)
@@ -148,28 +238,22 @@ Result<QJsonObject> run(const QStringList& arguments)
         || !parser.positionalArguments().isEmpty())
         return fail(Errc::OutOfRange, "breathe does not know what to do with its arguments: "
                                           + arguments.join(QLatin1Char(' ')).toStdString() + ".");
-    const auto trial = trialOf(parser);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    const auto anatomy = anatomyOf(parser);
-    if (!anatomy)
-        return tl::unexpected(anatomy.error());
-    const auto drawn = drawBreathing(*anatomy, *trial);
-    if (drawn)
-        return describeBreathing(*anatomy, *trial, *drawn);
-    if (drawn.error().code == Errc::NoGraphics)
+    auto result = breathe(parser);
+    if (!result && result.error().code == Errc::NoGraphics)
         return fail(Errc::NoGraphics, "breathe draws, and there is no OpenGL 3.3 here ("
-                                          + drawn.error().detail
+                                          + result.error().detail
                                           + "). Run it as ./carina lab breathe ...");
-    return tl::unexpected(drawn.error());
+    return result;
 }
 
 constexpr std::string_view kHelp =
     R"(breathe --rate-per-min R --tidal-volume-ml V --seconds S
+        [--condition NAME [--severity 0..1] [--side both|right|left]] [--ventilator volume|pressure]
         [--anatomy DIR | --patient adult|child] [--level N]
     Draws the lungs of an anatomy set, or of a built-in patient (child), breathing for S seconds at
-    60 frames per second, reads back where the shader put their vertices, and compares the volume
-    these enclose with the volume commanded. Every level of detail, or level N (0 is the finest).
+    60 frames per second as the respiratory mechanics have it, reads back where the shader put their
+    vertices, and compares the volume these enclose with the mechanics. Every level of detail, or
+    level N (0 is the finest). Conditions are those of `mechanics`; a severity is 0.6 unless given.
     Needs a display. schema carina.breathe/1
       anatomy                name of the anatomy drawn
       rate_per_min, tidal_volume_ml, seconds, frames_per_second
@@ -182,6 +266,15 @@ constexpr std::string_view kHelp =
       lungs                  right and left: max_volume_error_ml, rest_volume_ml (in the finest
                              level drawn), levels (per level: level, vertices, triangles,
                              rest_volume_ml, max_volume_error_ml)
+breathe --every-condition [--anatomy DIR | --patient adult|child] [--level N]
+    The same for every condition, on each side where it has one, at the severities 0.3, 0.6, 0.9 and
+    1, breathed spontaneously and by volume and pressure control at 12, 20 and 40 breaths per
+    minute: frames of one breath after a minute. schema carina.breathe.conditions/1
+      anatomy                name of the anatomy drawn
+      trials, frames         how many ways to breathe were drawn, and frames in all levels
+      max_volume_error_ml    as above, of all
+      levels                 level, max_volume_error_ml
+      conditions             condition, side, max_volume_error_ml
 )";
 
 } // namespace

@@ -1,10 +1,11 @@
 #include "apps/lab/drawn_breathing.h"
 
-#include "engine/lungs/lung_pair.h"
+#include "engine/lungs/chest_drawing.h"
 #include "widgets/scene/drawn_vertices.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace carina::lab
@@ -66,6 +67,23 @@ Result<Volumes> volumesDrawn(std::vector<DrawnPart>& parts, const ChestField& fi
     return sums;
 }
 
+/// What the mechanics give to be drawn, frame by frame.
+std::vector<ChestShape> shapesOf(const BreathingTrial& trial)
+{
+    RespiratoryFold fold{trial.settings};
+    std::vector<ChestShape> shapes;
+    const auto frames = static_cast<std::size_t>(trial.seconds * trial.framesPerSecond);
+    std::int64_t step = 0;
+    for (std::size_t frame = 0; frame <= frames; ++frame) {
+        const double time = trial.settle + static_cast<double>(frame) / trial.framesPerSecond;
+        for (; step < std::llround(time / kRespiratoryStep); ++step)
+            fold.step();
+        shapes.push_back(
+            chestShape(trial.settings.build, fold.system(), fold.content(), fold.moment()));
+    }
+    return shapes;
+}
+
 void raiseTo(Volume& largest, Volume error)
 {
     largest = std::max(largest, cubicMetres(std::abs(error.si)));
@@ -86,9 +104,45 @@ DrawnLevel undrawn(const LungPair& lungs, std::size_t level, const Volumes& rest
     return result;
 }
 
-/// Breathes through one level frame by frame; `frc` are the volumes of the lungs at rest.
+/// The lungs in one level of detail; `frc` are their volumes at rest in the finest.
+struct LevelDrawer {
+    const LungPair& lungs;
+    std::size_t level;
+    const Volumes& frc;
+    std::vector<DrawnPart> parts;
+
+    Result<DrawnTrial> draw(const std::vector<ChestShape>& shapes)
+    {
+        DrawnTrial trial;
+        Volume least = cubicMetres(std::numeric_limits<double>::infinity());
+        Volume greatest = cubicMetres(-std::numeric_limits<double>::infinity());
+        for (const ChestShape& shape : shapes) {
+            const auto drawn = volumesDrawn(parts, lungs.field(), drawnPose(lungs, shape, level));
+            if (!drawn)
+                return tl::unexpected(drawn.error());
+            compare(*drawn, shape, trial.errors);
+            least = std::min(least, total(*drawn));
+            greatest = std::max(greatest, total(*drawn));
+            ++trial.frames;
+        }
+        trial.tidalVolume = greatest - least;
+        return trial;
+    }
+
+    void compare(const Volumes& drawn, const ChestShape& shape, DrawnErrors& errors) const
+    {
+        Volumes off;
+        for (std::size_t lung = 0; lung < frc.size(); ++lung) {
+            const LungShape& commanded = shape.lungs[lung];
+            off[lung] = drawn[lung] - (frc[lung] + commanded.gas - commanded.healthy);
+            raiseTo(errors.lungs[lung], off[lung]);
+        }
+        raiseTo(errors.both, total(off));
+    }
+};
+
 Result<DrawnLevel> drawLevel(const LungPair& lungs, std::size_t level, const Volumes& frc,
-                             const BreathingTrial& trial)
+                             const std::vector<std::vector<ChestShape>>& trials)
 {
     auto parts = upload(lungs, level);
     if (!parts)
@@ -97,51 +151,41 @@ Result<DrawnLevel> drawLevel(const LungPair& lungs, std::size_t level, const Vol
     if (!rest)
         return tl::unexpected(rest.error());
     DrawnLevel result = undrawn(lungs, level, *rest);
-    Volume least = cubicMetres(std::numeric_limits<double>::infinity());
-    Volume greatest = cubicMetres(-std::numeric_limits<double>::infinity());
-    double breaths = 0.0;
-    const auto frames = static_cast<std::size_t>(trial.seconds * kFramesPerSecond);
-    for (; result.frames <= frames; ++result.frames) {
-        const Volume inspired = inspiredVolume(trial.pattern, breaths - std::floor(breaths));
-        breaths += trial.pattern.rate.si / kFramesPerSecond;
-        const auto drawn = lungs.pose(inspired, level).and_then([&](const ChestPose& pose) {
-            return volumesDrawn(*parts, lungs.field(), pose);
-        });
-        if (!drawn)
-            return tl::unexpected(drawn.error());
-        for (std::size_t lung = 0; lung < frc.size(); ++lung) {
-            const Volume commanded = frc[lung] + (frc[lung] / total(frc)) * inspired;
-            raiseTo(result.lungs[lung].largestError, (*drawn)[lung] - commanded);
-        }
-        raiseTo(result.largestError, total(*drawn) - total(frc) - inspired);
-        least = std::min(least, total(*drawn));
-        greatest = std::max(greatest, total(*drawn));
+    LevelDrawer drawer{lungs, level, frc, *std::move(parts)};
+    for (const std::vector<ChestShape>& shapes : trials) {
+        const auto trial = drawer.draw(shapes);
+        if (!trial)
+            return tl::unexpected(trial.error());
+        result.trials.push_back(*trial);
     }
-    result.tidalVolume = greatest - least;
     return result;
 }
 
 } // namespace
 
-Result<DrawnBreathing> drawBreathing(const Anatomy& anatomy, const BreathingTrial& trial)
+Volume DrawnErrors::largest() const { return std::max({lungs[0], lungs[1], both}); }
+
+Result<DrawnBreathing> drawBreathing(const Anatomy& anatomy, std::span<const BreathingTrial> trials,
+                                     std::optional<std::size_t> level)
 {
     const auto lungs = LungPair::of(anatomy);
     if (!lungs)
         return tl::unexpected(lungs.error());
     if (lungs->parts().empty())
         return fail(Errc::NothingRecognised, anatomy.name + " has no lungs.");
-    if (trial.level && *trial.level >= lungs->levelCount())
+    if (level && *level >= lungs->levelCount())
         return fail(Errc::OutOfRange, anatomy.name + " has levels 0 to "
                                           + std::to_string(lungs->levelCount() - 1) + ".");
     const auto frc = upload(*lungs, 0).and_then(
         [&](std::vector<DrawnPart> parts) { return volumesDrawn(parts, lungs->field(), {}); });
     if (!frc)
         return tl::unexpected(frc.error());
+    std::vector<std::vector<ChestShape>> shapes;
+    std::ranges::transform(trials, std::back_inserter(shapes), shapesOf);
     DrawnBreathing drawn{total(*frc), {}};
-    const std::size_t first = trial.level.value_or(0);
-    const std::size_t last = trial.level.value_or(lungs->levelCount() - 1);
-    for (std::size_t level = first; level <= last; ++level) {
-        const auto drawnLevel = drawLevel(*lungs, level, *frc, trial);
+    const std::size_t last = level.value_or(lungs->levelCount() - 1);
+    for (std::size_t drawnAt = level.value_or(0); drawnAt <= last; ++drawnAt) {
+        const auto drawnLevel = drawLevel(*lungs, drawnAt, *frc, shapes);
         if (!drawnLevel)
             return tl::unexpected(drawnLevel.error());
         drawn.levels.push_back(*drawnLevel);

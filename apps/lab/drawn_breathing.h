@@ -2,37 +2,51 @@
 
 #include "engine/anatomy/anatomy.h"
 #include "engine/core/result.h"
-#include "engine/lungs/breathing_pattern.h"
+#include "engine/lungs/respiratory_fold.h"
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace carina::lab
 {
 
-/// A patient that breathes the same breath again and again while it is drawn 60 times a second.
+/// A patient that breathes by the mechanics, and is drawn.
 struct BreathingTrial {
-    BreathingPattern pattern;
+    RespiratorySettings settings;
+    double settle = 0.0; ///< seconds breathed before the first frame
     double seconds = 60.0;
-    std::optional<std::size_t> level; ///< one level of detail; every level without
+    double framesPerSecond = 60.0;
 };
 
-/// What one lung was drawn like in one level of detail.
+/// How far the volumes drawn were from those of the mechanics, at the most.
+struct DrawnErrors {
+    std::array<Volume, 2> lungs; ///< right, left
+    Volume both;                 ///< of both lungs together
+
+    [[nodiscard]] Volume largest() const;
+};
+
+/// What one lung is in one level of detail.
 struct DrawnLung {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
-    Volume restVolume;   ///< in the pose at rest
-    Volume largestError; ///< largest distance of the volume drawn from the volume commanded
+    Volume restVolume; ///< in the pose at rest
+};
+
+/// One trial in one level of detail.
+struct DrawnTrial {
+    std::size_t frames = 0;
+    DrawnErrors errors;
+    Volume tidalVolume; ///< greatest less least volume drawn, both lungs together
 };
 
 /// What both lungs were drawn like in one level of detail.
 struct DrawnLevel {
     std::size_t level = 0;
-    std::size_t frames = 0;
     std::array<DrawnLung, 2> lungs; ///< right, left
-    Volume largestError;            ///< of both lungs together
-    Volume tidalVolume;             ///< greatest less least volume drawn, both lungs together
+    std::vector<DrawnTrial> trials; ///< in the order in which they were asked for
 };
 
 struct DrawnBreathing {
@@ -40,16 +54,17 @@ struct DrawnBreathing {
     std::vector<DrawnLevel> levels;
 };
 
-inline constexpr int kFramesPerSecond = 60;
-
-/// Draws the lungs with the shader that draws them everywhere, reads the vertices back, and
-/// compares the volume they enclose (a sum of its own, in double) with the volume commanded:
-/// the lung's volume at rest in the finest level and its share of the inspired gas.
+/// Draws the lungs with the shader that draws them everywhere, in the poses that every screen draws
+/// them in, reads the vertices back, and compares the volume they enclose (a sum of its own, in
+/// double) with the mechanics: the lung's volume at rest in the finest level, and the gas that the
+/// mechanics have in it more than at rest in health.
 ///
+/// @param level one level of detail; every level without
 /// @returns NothingRecognised when the anatomy has no lungs; OutOfRange when it has no such level;
-///          MeshNotClosed, VolumeUnreachable and NoGraphics as lungs and graphics give them.
+///          MeshNotClosed and NoGraphics as lungs and graphics give them.
 /// @pre there is a QGuiApplication.
 [[nodiscard]] Result<DrawnBreathing> drawBreathing(const Anatomy& anatomy,
-                                                   const BreathingTrial& trial);
+                                                   std::span<const BreathingTrial> trials,
+                                                   std::optional<std::size_t> level);
 
 } // namespace carina::lab

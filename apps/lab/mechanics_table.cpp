@@ -1,11 +1,10 @@
 #include "apps/lab/mechanics_table.h"
 
+#include "apps/lab/condition_names.h"
 #include "engine/lungs/chest_shape.h"
 #include "engine/lungs/respiratory_fold.h"
 
 #include <QJsonArray>
-
-#include <array>
 
 namespace carina::lab
 {
@@ -14,37 +13,9 @@ namespace
 
 constexpr double kSeconds = 60.0;
 
-struct TabledCondition {
-    const char* name;
-    ConditionKind kind;
-    ConditionSide side;
-};
-
-constexpr std::array kTabled{
-    TabledCondition{"normal", ConditionKind::Normal, ConditionSide::Both},
-    TabledCondition{"ards", ConditionKind::Ards, ConditionSide::Both},
-    TabledCondition{"copd", ConditionKind::Copd, ConditionSide::Both},
-    TabledCondition{"asthma", ConditionKind::Asthma, ConditionSide::Both},
-    TabledCondition{"simple_pneumothorax", ConditionKind::SimplePneumothorax, ConditionSide::Right},
-    TabledCondition{"tension_pneumothorax", ConditionKind::TensionPneumothorax,
-                    ConditionSide::Right},
-    TabledCondition{"atelectasis", ConditionKind::Atelectasis, ConditionSide::Right},
-    TabledCondition{"mainstem_intubation", ConditionKind::MainstemIntubation, ConditionSide::Right},
-    TabledCondition{"obstruction", ConditionKind::Obstruction, ConditionSide::Both},
-    TabledCondition{"stiff_chest", ConditionKind::StiffChest, ConditionSide::Both},
-};
-
-const char* sideName(ConditionSide side)
+QString textOf(std::string_view text)
 {
-    switch (side) {
-    case ConditionSide::Right:
-        return "right";
-    case ConditionSide::Left:
-        return "left";
-    case ConditionSide::Both:
-        break;
-    }
-    return "both";
+    return QString::fromLatin1(text.data(), qsizetype(text.size()));
 }
 
 Length tubeFor(const PatientBuild& build)
@@ -105,16 +76,17 @@ QJsonObject describeBreaths(const RespiratorySettings& settings)
     };
 }
 
-QJsonObject describeCondition(const PatientBuild& build, const TabledCondition& tabled,
+QJsonObject describeCondition(const PatientBuild& build, const NamedCondition& named,
                               double severity)
 {
-    const LungCondition condition{tabled.kind, severity, tabled.side};
+    const ConditionSide side = named.bothSides ? ConditionSide::Both : ConditionSide::Right;
+    const LungCondition condition{named.kind, severity, side};
     const RespiratorySystem system = afflicted(healthySystem(build), condition);
     const ChestContent rest = restingContent(system);
     return {
-        {QStringLiteral("condition"), QString::fromLatin1(tabled.name)},
+        {QStringLiteral("condition"), textOf(named.name)},
         {QStringLiteral("severity"), severity},
-        {QStringLiteral("side"), QString::fromLatin1(sideName(tabled.side))},
+        {QStringLiteral("side"), textOf(sideName(side))},
         {QStringLiteral("rest_volume_ml"), inMillilitres(rest[0].gas + rest[1].gas)},
         {QStringLiteral("compliance_ml_per_cmh2o"),
          1e3 * inLitresPerCmH2O(complianceAtRest(system))},
@@ -153,13 +125,13 @@ QJsonObject describePatient(const PatientBuild& build)
 QJsonObject mechanicsTable(const PatientBuild& build)
 {
     QJsonArray conditions;
-    for (const TabledCondition& tabled : kTabled) {
-        if (tabled.kind == ConditionKind::Normal) {
-            conditions.append(describeCondition(build, tabled, 0.0));
+    for (const NamedCondition& named : kNamedConditions) {
+        if (named.kind == ConditionKind::Normal) {
+            conditions.append(describeCondition(build, named, 0.0));
             continue;
         }
         for (const double severity : {0.3, 0.6, 0.9})
-            conditions.append(describeCondition(build, tabled, severity));
+            conditions.append(describeCondition(build, named, severity));
     }
     return {{QStringLiteral("patient"), describePatient(build)},
             {QStringLiteral("seconds"), kSeconds},

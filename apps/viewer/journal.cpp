@@ -72,8 +72,8 @@ void Journal::writeLine()
     const auto station = state->stations().find(m_station);
     if (shown == SessionTime{} || station == state->stations().end())
         return; // nothing of a session is on the screen yet
-    const BreathingTimeline& breathing = station->second.breathing;
-    const BreathingPattern pattern = breathing.settingsAt(shown);
+    const BreathingPattern pattern = station->second.respiration.settingsAt(shown).pattern;
+    const auto& lungs = m_scene.moment().breathing.lungs;
     const auto nanoseconds = [](auto time) { return qint64(time.time_since_epoch().count()); };
     // The frame's session time, told on the clock that all processes of this machine share.
     const SessionTime now = m_node.now().value_or(shown);
@@ -86,7 +86,8 @@ void Journal::writeLine()
         {QStringLiteral("phase"), phaseName(state->phaseAt(shown))},
         {QStringLiteral("breathing_rate_per_min"), inPerMinute(pattern.rate)},
         {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
-        {QStringLiteral("inspired_ml"), inMillilitres(breathing.inspiredAt(shown))}};
+        {QStringLiteral("right_lung_ml"), inMillilitres(lungs[0].gas)},
+        {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)}};
     addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
     m_file.flush();

@@ -14,9 +14,10 @@ namespace carina::viewer
 /// understand later what was on which screen when. Keys: local_ns (CLOCK_MONOTONIC) and session_ns
 /// of the frame shown last, facts (number of the last), session_id, anatomy
 /// (content hash of the patient drawn), phase, breathing_rate_per_min,
-/// tidal_volume_ml, inspired_ml; of the virtual patient patient_owner (a participant's number) and,
-/// once it was acted on, patient_rate (rad/s, m/s or 1/s of what goes on), patient_xyz_mm,
-/// patient_q_xyzw and patient_size, where and how large it is drawn against the anatomy frame.
+/// tidal_volume_ml, right_lung_ml and left_lung_ml (gas in each, by the mechanics); of the virtual
+/// patient patient_owner (a participant's number) and, once it was acted on, patient_rate (rad/s,
+/// m/s or 1/s of what goes on), patient_xyz_mm, patient_q_xyzw and patient_size, where and how
+/// large it is drawn against the anatomy frame.
 class Journal
 {
 public:

@@ -14,64 +14,68 @@ static_assert(kRespiratoryStep == 2e-3);
 /// Before every session.
 constexpr SessionTime kBeforeAll = SessionTime{Duration{SessionTime::min().time_since_epoch() / 4}};
 
-RespiratorySettings settingsOf(const Station& station, SessionTime t)
-{
-    return station.respiration.settingsAt(t, station.breathing.settingsAt(t));
-}
-
-SessionTime nextChange(const Station& station, SessionTime t)
-{
-    return std::min(station.respiration.changeAfter(t), station.breathing.changeAfter(t));
-}
-
-RespiratoryFold startOf(const Station& station, const RespirationState* checkpoint)
+RespiratoryFold startOf(const RespirationTimeline& timeline, const RespirationState* checkpoint)
 {
     if (checkpoint)
-        return {settingsOf(station, checkpoint->at), checkpoint->state};
-    return RespiratoryFold{settingsOf(station, kBeforeAll)};
+        return {timeline.settingsAt(checkpoint->at), checkpoint->state};
+    return RespiratoryFold{timeline.settingsAt(kBeforeAll)};
 }
 
 } // namespace
 
-RespirationRun::RespirationRun(const Station& station, SessionTime t)
-    : m_at{kBeforeAll}, m_fold{startOf(station, station.respiration.checkpointBefore(t))}
+RespirationRun::RespirationRun(const RespirationTimeline& timeline, SessionTime t)
+    : m_at{kBeforeAll}, m_fold{startOf(timeline, timeline.checkpointBefore(t))}
 {
-    const RespirationState* checkpoint = station.respiration.checkpointBefore(t);
+    const RespirationState* checkpoint = timeline.checkpointBefore(t);
     if (!checkpoint)
         return;
     m_at = checkpoint->at;
     // The last step began with all that had been heard by then.
-    const auto breaths = station.respiration.breaths();
+    const auto breaths = timeline.breaths();
     m_heard = std::size_t(std::ranges::count_if(
         breaths, [this](const HeardBreath& breath) { return breath.heard <= m_at - kFoldStep; }));
 }
 
-void RespirationRun::advanceTo(const Station& station, SessionTime t)
+void RespirationRun::advanceTo(const RespirationTimeline& timeline, SessionTime t)
 {
     while (m_at < t) {
-        const SessionTime change = nextChange(station, m_at);
-        if (!station.breathing.runsAt(m_at)) {
+        const SessionTime change = timeline.changeAfter(m_at);
+        if (!timeline.runsAt(m_at)) {
             if (change > t)
-                return;
+                return take(timeline.settingsAt(t));
             m_at = change;
             continue;
         }
-        m_fold.set(settingsOf(station, m_at));
+        take(timeline.settingsAt(m_at));
         while (m_at < change) {
             if (m_at + kFoldStep > t)
                 return;
-            hear(station);
+            hear(timeline);
             m_fold.step();
             m_at += kFoldStep;
         }
     }
 }
 
-void RespirationRun::hear(const Station& station)
+/// A patient who has not breathed yet is met as the settings have it; later a change comes in.
+void RespirationRun::take(const RespiratorySettings& settings)
 {
-    const auto breaths = station.respiration.breaths();
+    if (m_fold.hasBegun())
+        m_fold.set(settings);
+    else if (m_fold.settings() != settings)
+        m_fold = RespiratoryFold{settings};
+}
+
+void RespirationRun::hear(const RespirationTimeline& timeline)
+{
+    const auto breaths = timeline.breaths();
     for (; m_heard < breaths.size() && breaths[m_heard].heard <= m_at; ++m_heard)
         m_fold.trigger(toSeconds(m_at - breaths[m_heard].began));
+}
+
+ChestShape RespirationRun::shape() const
+{
+    return chestShape(m_fold.settings().build, m_fold.system(), m_fold.content(), m_fold.moment());
 }
 
 fact::RespirationCheckpoint RespirationRun::checkpoint() const { return {m_at, m_fold.state()}; }

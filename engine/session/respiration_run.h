@@ -1,6 +1,8 @@
 #pragma once
 
-#include "engine/session/session_state.h"
+#include "engine/lungs/chest_shape.h"
+#include "engine/session/respiration_facts.h"
+#include "engine/session/respiration_timeline.h"
 
 namespace carina
 {
@@ -8,32 +10,36 @@ namespace carina
 /// Breathes the patient of a station along the session: a RespiratoryFold that takes every setting,
 /// pause and breath of the manikin at its effect time. Its steps follow each other from the first
 /// moment the session runs, and after a pause from the moment it goes on, so that every node that
-/// knows the facts up to a time has the same state then, bit for bit.
+/// knows the facts up to a time has the same state then, bit for bit. What was decided before the
+/// first step holds from the beginning.
 class RespirationRun
 {
 public:
     /// Stands where the last checkpoint at or before t has it, else before the first breath.
-    RespirationRun(const Station& station, SessionTime t);
+    RespirationRun(const RespirationTimeline& timeline, SessionTime t);
 
-    /// Breathes on up to the last whole step at or before t. `station` is the same one, with facts
+    /// Breathes on up to the last whole step at or before t. `timeline` is the same one, with facts
     /// that came since.
-    void advanceTo(const Station& station, SessionTime t);
+    void advanceTo(const RespirationTimeline& timeline, SessionTime t);
 
     /// The end of the last step.
     [[nodiscard]] SessionTime at() const { return m_at; }
     [[nodiscard]] const RespiratoryFold& fold() const { return m_fold; }
+    /// What is to be drawn.
+    [[nodiscard]] ChestShape shape() const;
     /// For those who join later: to be put into the log.
     [[nodiscard]] fact::RespirationCheckpoint checkpoint() const;
 
 private:
-    void hear(const Station& station);
+    void take(const RespiratorySettings& settings);
+    void hear(const RespirationTimeline& timeline);
 
     SessionTime m_at;
     std::size_t m_heard = 0; ///< breaths of the manikin
     RespiratoryFold m_fold;
 };
 
-/// The station puts a checkpoint into the log that often.
+/// The host puts a checkpoint into the log that often.
 inline constexpr Duration kCheckpointEvery = std::chrono::seconds{10};
 
 } // namespace carina

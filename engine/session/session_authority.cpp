@@ -121,8 +121,9 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
 }
 
 /// What a trainee or an observer may do: come, go, and (a trainee) share what is their own, ask for
-/// what is not, and say how the manikin and the patient of their station breathe.
-bool mayDoForThemselves(const SessionState& state, const Participant& author, const FactBody& body)
+/// what is not, and say when the manikin of their station breathes.
+bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
+                        const FactBody& body)
 {
     return std::visit(
         Overloaded{[&](const fact::ParticipantJoined& f) { return f.participant == author.id; },
@@ -138,13 +139,21 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, co
                               && state.objects().at(f.object).owner == author.id;
                    },
                    [&](const fact::ObjectWanted&) { return author.role == Role::Trainee; },
-                   [&](const fact::ManikinBreathed&) { return author.role == Role::Trainee; },
-                   [&](const fact::RespirationCheckpoint&) { return author.role == Role::Trainee; },
+                   [&](const fact::ManikinBreathed&) {
+                       return author.role == Role::Trainee && author.station == station;
+                   },
                    [](const auto&) { return false; }},
         body);
 }
 
-Result<void> checkPermission(const SessionState& state, ParticipantId authorId,
+/// Nobody else creates a session or knows all that was decided by the time of a checkpoint.
+bool isOfTheHostAlone(const FactBody& body)
+{
+    return std::holds_alternative<fact::SessionCreated>(body)
+           || std::holds_alternative<fact::RespirationCheckpoint>(body);
+}
+
+Result<void> checkPermission(const SessionState& state, ParticipantId authorId, StationId station,
                              const FactBody& body)
 {
     const bool isAdmission =
@@ -154,9 +163,8 @@ Result<void> checkPermission(const SessionState& state, ParticipantId authorId,
     const auto author = state.participants().find(authorId);
     if (author == state.participants().end())
         return fail(Errc::NotPermitted, "participant " + std::to_string(authorId.value));
-    const bool creates = std::holds_alternative<fact::SessionCreated>(body);
-    const bool instructs = author->second.role == Role::Instructor && !creates;
-    if (!instructs && !mayDoForThemselves(state, author->second, body))
+    const bool instructs = author->second.role == Role::Instructor && !isOfTheHostAlone(body);
+    if (!instructs && !mayDoForThemselves(state, author->second, station, body))
         return fail(Errc::NotPermitted, author->second.name);
     return {};
 }
@@ -178,6 +186,15 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
                                      return fail(Errc::SessionEnded, state.name());
                                  }},
                       body);
+}
+
+/// Whoever is to go on from a checkpoint at the present has to find it in the past.
+Result<void> checkCheckpoint(SessionTime now, const FactBody& body)
+{
+    const auto* checkpoint = std::get_if<fact::RespirationCheckpoint>(&body);
+    if (checkpoint && checkpoint->at > now)
+        return fail(Errc::OutOfRange, "a checkpoint of what is to come");
+    return {};
 }
 
 Result<void> checkStation(const SessionState& state, StationId id, const FactBody& body)
@@ -238,11 +255,13 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
               proposal.body};
     const Result<void> verdict =
         settleIds(m_state, fact.body)
-            .and_then([&] { return checkPermission(m_state, fact.author, fact.body); })
+            .and_then(
+                [&] { return checkPermission(m_state, fact.author, fact.station, fact.body); })
             .and_then([&] { return checkMoment(m_state, fact.body); })
             .and_then([&] { return checkBody(fact.body); })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
-            .and_then([&] { return checkPhase(m_state, fact.body); });
+            .and_then([&] { return checkPhase(m_state, fact.body); })
+            .and_then([&] { return checkCheckpoint(now, fact.body); });
     if (!verdict)
         return tl::unexpected(verdict.error());
     if (takesEffectLater(fact.body))

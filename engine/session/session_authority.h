@@ -35,9 +35,10 @@ public:
     /// epoch or none.
     ///
     /// @param proposal its author decides. The host itself (0) may everything, who is not
-    ///        admitted yet (kNobody) may join, instructors may all but create the session, trainees
-    ///        may join, leave, share objects as themselves and hand these over, observers only
-    ///        join and leave, and own nothing.
+    ///        admitted yet (kNobody) may join, instructors may all but create the session and leave
+    ///        checkpoints, trainees may join, leave, share objects as themselves, hand these over
+    ///        and tell of the breaths of the manikin at their station, observers only join and
+    ///        leave, and own nothing.
     /// @returns NotPermitted where the author's role may not do this; SessionEnded after the end;
     ///          OutOfRange for a parameter outside the range a patient can have, an unknown
     ///          station, participant or object, and a phase that cannot follow the present one;

@@ -24,7 +24,7 @@ struct SessionState::Applier {
         state.m_phase.set(around.effect, body.phase);
         state.m_running.set(around.effect, running);
         for (auto& [id, station] : state.m_stations)
-            station.breathing.setRunning(around.effect, running);
+            station.respiration.setRunning(around.effect, running);
     }
     void operator()(const fact::StationAdded& body) const
     {
@@ -35,7 +35,7 @@ struct SessionState::Applier {
         if (!added)
             return;
         for (const auto& change : state.m_running.changes())
-            station.breathing.setRunning(change.from, change.value);
+            station.respiration.setRunning(change.from, change.value);
     }
     void operator()(const fact::ParticipantJoined& body) const
     {
@@ -90,17 +90,17 @@ struct SessionState::Applier {
     void operator()(const fact::BreathingRateSet& body) const
     {
         if (Station* station = ofFact())
-            station->breathing.setRate(around.effect, body.rate);
+            station->respiration.setRate(around.effect, body.rate);
     }
     void operator()(const fact::TidalVolumeSet& body) const
     {
         if (Station* station = ofFact())
-            station->breathing.setTidalVolume(around.effect, body.tidalVolume);
+            station->respiration.setTidalVolume(around.effect, body.tidalVolume);
     }
     void operator()(const fact::InspiratoryFractionSet& body) const
     {
         if (Station* station = ofFact())
-            station->breathing.setInspiratoryFraction(around.effect, body.fraction);
+            station->respiration.setInspiratoryFraction(around.effect, body.fraction);
     }
     void operator()(const fact::PatientBuildSet& body) const
     {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/session/breathing_timeline.h"
 #include "engine/session/facts.h"
 #include "engine/session/parameter_timeline.h"
 #include "engine/session/respiration_timeline.h"
@@ -35,7 +34,6 @@ struct Station {
     std::string name;
     std::string anatomyHash;
     std::string anatomyName;
-    BreathingTimeline breathing;
     RespirationTimeline respiration;
 };
 

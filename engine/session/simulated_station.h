@@ -9,7 +9,8 @@ namespace carina
 {
 
 /// A station without hardware: the simulated tracker watches a scripted pair of hands that brings
-/// the tube into this patient again and again.
+/// the tube into this patient again and again, and where the manikin breathes a marker on its
+/// chest.
 struct SimulatedStation {
     std::unique_ptr<StationTracking> tracking;
     RigidTransform X_TA;         ///< where the manikin truly lies
@@ -18,9 +19,14 @@ struct SimulatedStation {
 };
 
 /// @param registration of the manikin; without one it is registered exactly
+/// @param manikinBreathes its chest rises by kManikinRise so often; 0: it does not, and has no
+///        marker
 /// @returns what ScriptedHands::make refuses of this airway.
 [[nodiscard]] Result<SimulatedStation>
 simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
-                 const std::optional<StationRegistration>& registration = {});
+                 const std::optional<StationRegistration>& registration = {},
+                 Frequency manikinBreathes = {});
+
+inline constexpr Length kManikinRise = millimetres(12.0);
 
 } // namespace carina

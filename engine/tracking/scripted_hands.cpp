@@ -128,6 +128,7 @@ std::optional<RigidTransform> ScriptedHands::operator()(ToolRole tool, SessionTi
     case ToolRole::Stylus:
         return m_script.X_TA * RigidTransform::translation(m_script.p_A_incisors + kParkedStylus);
     case ToolRole::Manikin:
+    case ToolRole::Chest:
     case ToolRole::Other:
         break;
     }

@@ -25,7 +25,7 @@ constexpr double kOrthonormal = 5e-3;
 
 ToolRole roleOf(std::string_view name)
 {
-    constexpr std::array<std::pair<std::string_view, ToolRole>, 8> kRoles{
+    constexpr std::array<std::pair<std::string_view, ToolRole>, 9> kRoles{
         {{"Head", ToolRole::Head},
          {"Hmd", ToolRole::Head},
          {"Jaw", ToolRole::Jaw},
@@ -33,7 +33,8 @@ ToolRole roleOf(std::string_view name)
          {"Tube", ToolRole::Tube},
          {"Ett", ToolRole::Tube},
          {"Stylus", ToolRole::Stylus},
-         {"Manikin", ToolRole::Manikin}}};
+         {"Manikin", ToolRole::Manikin},
+         {"Chest", ToolRole::Chest}}};
     for (const auto& [known, role] : kRoles) {
         if (name == known)
             return role;

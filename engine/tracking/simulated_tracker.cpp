@@ -25,12 +25,17 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
       m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
 {
     CARINA_EXPECTS(m_settings.rate > hertz(0.0));
-    constexpr std::array kNames{"head", "jaw", "tube", "stylus"};
-    constexpr std::array kRoles{ToolRole::Head, ToolRole::Jaw, ToolRole::Tube, ToolRole::Stylus};
-    for (std::size_t i = 0; i < m_probes.size(); ++i) {
-        m_probes[i].role = kRoles[i];
-        m_tools.push_back({kNames[i], kRoles[i], &m_probes[i].history});
-    }
+    const auto add = [this](const char* name, ToolRole role) {
+        Probe& probe = m_probes.emplace_back();
+        probe.role = role;
+        m_tools.push_back({name, role, &probe.history});
+    };
+    add("head", ToolRole::Head);
+    add("jaw", ToolRole::Jaw);
+    add("tube", ToolRole::Tube);
+    add("stylus", ToolRole::Stylus);
+    if (m_settings.chestMarker)
+        add("chest", ToolRole::Chest);
 }
 
 SessionTime SimulatedTracker::advance(SessionTime now)

@@ -6,7 +6,6 @@
 #include "engine/tracking/tracker.h"
 #include "engine/tracking/working_volume.h"
 
-#include <array>
 #include <deque>
 #include <random>
 
@@ -36,11 +35,13 @@ struct SimulatedTrackerSettings {
     Duration latency = std::chrono::milliseconds{14}; ///< from exposure to delivery
     WorkingVolume volume;                             ///< a tool's origin outside it is lost
     std::vector<Occlusion> occlusions;
+    bool chestMarker = false; ///< there is one on the manikin's chest, too
     std::uint32_t seed = 1;
 };
 
 /// A tracker for a station without hardware: measures given true poses of a head, a jaw, a tube and
-/// a stylus with noise, occlusion and loss, on a thread of its own.
+/// a stylus, and of a chest where it has a marker, with noise, occlusion and loss, on a thread of
+/// its own.
 ///
 /// Every sample is stamped with the time of its exposure and delivered a latency later, with the
 /// velocity that a MotionFilter finds. The fit
@@ -86,7 +87,7 @@ private:
     TrueToolPose m_truth;
     std::mt19937 m_random;
     std::normal_distribution<double> m_normal;
-    std::array<Probe, 4> m_probes;
+    std::deque<Probe> m_probes;         // which stay where they are
     std::vector<TrackedTool> m_tools;   // one for each probe
     std::deque<Measurement> m_underway; // ascending in time
     std::optional<SessionTime> m_firstTick;

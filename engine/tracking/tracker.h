@@ -10,7 +10,15 @@ namespace carina
 {
 
 /// What a tracked tool is for. Its frame letter follows (H, J, E, S, ... see docs/frames.md).
-enum class ToolRole : std::uint8_t { Head, Jaw, Tube, Stylus, Manikin, Other };
+enum class ToolRole : std::uint8_t {
+    Head,
+    Jaw,
+    Tube,
+    Stylus,
+    Manikin,
+    Chest, ///< a marker on the manikin's chest, which rises as it breathes
+    Other,
+};
 
 /// One tool of a tracker: its name as the device or the site gives it, and its poses X_TO.
 struct TrackedTool {

@@ -19,7 +19,7 @@ double sessionLessLocal_ms(const QJsonObject& line)
 /// Everything in a journal's line that both programs must agree on.
 QJsonObject stateOf(QJsonObject line)
 {
-    for (const char* moving : {"local_ns", "session_ns", "inspired_ml"})
+    for (const char* moving : {"local_ns", "session_ns", "right_lung_ml", "left_lung_ml"})
         line.remove(QLatin1String{moving});
     return line;
 }

@@ -1,3 +1,4 @@
+#include "engine/lungs/chest_drawing.h"
 #include "models/station_notice.h"
 #include "models/station_view.h"
 #include "tests/engine/lungs/lung_like_mesh.h"
@@ -62,6 +63,7 @@ class TestStationView : public QObject
 private Q_SLOTS:
     void asksEverythingForTheTimeOfLight();
     void breathesAtTheTimeOfLight();
+    void exaggeratesOnlyWhereAsked();
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
     void saysThatThePatientIsAway();
@@ -90,15 +92,36 @@ void TestStationView::breathesAtTheTimeOfLight()
     node.decide(fact::PhaseChanged{SessionPhase::Running});
     const LungPair pair = lungs();
     const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
-    // 19 breaths a minute unless somebody says otherwise: a breath takes 60 / 19 s.
-    const Duration breath = fromSeconds(60.0 / 19.0);
-    const double start = view.at(kNow + std::chrono::seconds{1}, 0).pose.lungs[0].diaphragm;
-    const double later =
-        view.at(kNow + std::chrono::seconds{1} + milliseconds{40}, 0).pose.lungs[0].diaphragm;
-    const double again =
-        view.at(kNow + std::chrono::seconds{1} + breath, 0).pose.lungs[0].diaphragm;
-    QVERIFY(std::abs(later - start) > 1e-3);
-    QVERIFY(std::abs(again - start) < 1e-5);
+    const RespirationTimeline timeline =
+        node.state()->stations().at(FakeSessionNode::kStation).respiration;
+    for (const int ms : {1000, 1040, 4000, 2500}) {
+        const SessionTime t = kNow + milliseconds{ms};
+        RespirationRun run{timeline, t};
+        run.advanceTo(timeline, t);
+        const StationMoment moment = view.at(t, 0);
+        QVERIFY(moment.breathing == run.shape());
+        QCOMPARE(moment.pose, drawnPose(pair, run.shape(), 0));
+    }
+    const auto diaphragm = [&](int ms) {
+        return view.at(kNow + milliseconds{ms}, 0).pose.lungs[0].diaphragm;
+    };
+    QVERIFY(std::abs(diaphragm(1040) - diaphragm(1000)) > 1e-3);
+}
+
+void TestStationView::exaggeratesOnlyWhereAsked()
+{
+    FakeSessionNode node;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    const LungPair pair = lungs();
+    StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    const StationMoment truly = view.at(kNow + milliseconds{1200}, 0);
+    QCOMPARE(truly.exaggeration, 1.0);
+    view.exaggerate(2.0);
+    const StationMoment larger = view.at(kNow + milliseconds{1200}, 0);
+    QCOMPARE(larger.exaggeration, 2.0);
+    QVERIFY(larger.breathing == truly.breathing);
+    QCOMPARE(larger.pose, exaggerated(truly.pose, 2.0));
+    QVERIFY(larger.pose.lungs[0].diaphragm > 1.9 * truly.pose.lungs[0].diaphragm);
 }
 
 void TestStationView::showsRestBeforeTheClockIsSet()

@@ -76,7 +76,7 @@ inline double ratePerMinute(const SessionNode& node)
     const auto station = state->stations().find(kStation);
     if (station == state->stations().end())
         return 0.0;
-    return inPerMinute(station->second.breathing.settingsAt(*node.now() + 10s).rate);
+    return inPerMinute(station->second.respiration.settingsAt(*node.now() + 10s).pattern.rate);
 }
 
 inline Duration apart(const SessionNode& a, const SessionNode& b)

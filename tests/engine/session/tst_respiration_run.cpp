@@ -42,12 +42,15 @@ SessionState stateOf(const LogWriter& writer)
     return state;
 }
 
-const Station& stationOf(const SessionState& state) { return state.stations().at(kSampleStation); }
+const RespirationTimeline& timelineOf(const SessionState& state)
+{
+    return state.stations().at(kSampleStation).respiration;
+}
 
 RespirationRun ranTo(const SessionState& state, double seconds)
 {
-    RespirationRun run{stationOf(state), atSeconds(seconds)};
-    run.advanceTo(stationOf(state), atSeconds(seconds));
+    RespirationRun run{timelineOf(state), atSeconds(seconds)};
+    run.advanceTo(timelineOf(state), atSeconds(seconds));
     return run;
 }
 
@@ -134,10 +137,10 @@ void TestRespirationRun::locksToTheManikin()
 void TestRespirationRun::doesNotDependOnHowOftenItIsAsked()
 {
     const SessionState state = stateOf(eventfulSession());
-    RespirationRun often{stationOf(state), atSeconds(0.0)};
+    RespirationRun often{timelineOf(state), atSeconds(0.0)};
     for (double seconds = 0.0; seconds < 40.0; seconds += 0.0166)
-        often.advanceTo(stationOf(state), atSeconds(seconds));
-    often.advanceTo(stationOf(state), atSeconds(40.0));
+        often.advanceTo(timelineOf(state), atSeconds(seconds));
+    often.advanceTo(timelineOf(state), atSeconds(40.0));
     const RespirationRun once = ranTo(state, 40.0);
     QVERIFY(once.at() == often.at());
     QVERIFY(once.fold().state() == often.fold().state());
@@ -161,9 +164,9 @@ void TestRespirationRun::goesOnFromACheckpoint()
     const RespirationRun there = ranTo(stateOf(writer), seconds);
     writer.add(atSeconds(35.0), there.checkpoint());
     const SessionState state = stateOf(writer);
-    RespirationRun late{stationOf(state), atSeconds(38.0)};
+    RespirationRun late{timelineOf(state), atSeconds(38.0)};
     QVERIFY(late.at() == there.at());
-    late.advanceTo(stationOf(state), atSeconds(40.0));
+    late.advanceTo(timelineOf(state), atSeconds(40.0));
     const RespirationRun whole = ranTo(stateOf(eventfulSession()), 40.0);
     QVERIFY(late.at() == whole.at());
     QVERIFY(late.fold().state() == whole.fold().state());
@@ -178,7 +181,7 @@ void TestRespirationRun::doesNotBelieveOldOrFutureBreaths()
     writer.add(atSeconds(13.0), fact::ManikinBreathed{atSeconds(13.0)});
     writer.add(atSeconds(12.5), fact::ManikinBreathed{atSeconds(12.4)}); // heard out of order
     const SessionState state = stateOf(writer);
-    const auto breaths = stationOf(state).respiration.breaths();
+    const auto breaths = timelineOf(state).breaths();
     QCOMPARE(breaths.size(), std::size_t{2});
     QVERIFY(breaths[0].began == atSeconds(7.0) && breaths[0].heard == atSeconds(12.0));
     QVERIFY(breaths[1].began == atSeconds(13.0));
@@ -202,17 +205,18 @@ void TestRespirationRun::keepsCheckpointsInOrder()
 void TestRespirationRun::namesTheNextChange()
 {
     const SessionState state = stateOf(eventfulSession());
-    const Station& station = stationOf(state);
-    QVERIFY(station.respiration.changeAfter(atSeconds(0.0)) == atSeconds(1.0));
-    QVERIFY(station.respiration.changeAfter(atSeconds(1.0)) == atSeconds(25.1));
-    QVERIFY(station.respiration.changeAfter(atSeconds(25.1)) == atSeconds(28.0));
-    QVERIFY(station.respiration.changeAfter(atSeconds(28.0)) == atSeconds(30.0));
-    QVERIFY(station.respiration.changeAfter(atSeconds(30.0)) == SessionTime::max());
-    QVERIFY(station.breathing.changeAfter(atSeconds(1.0)) == atSeconds(3.0));
-    QVERIFY(station.breathing.changeAfter(atSeconds(3.0)) == atSeconds(20.5003));
-    QVERIFY(station.breathing.changeAfter(atSeconds(26.0)) == atSeconds(29.0));
-    QVERIFY(station.breathing.runsAt(atSeconds(20.5)));
-    QVERIFY(!station.breathing.runsAt(atSeconds(20.5003)));
+    const RespirationTimeline& timeline = timelineOf(state);
+    QVERIFY(timeline.changeAfter(atSeconds(0.0)) == atSeconds(1.0));
+    QVERIFY(timeline.changeAfter(atSeconds(1.0)) == atSeconds(3.0));
+    QVERIFY(timeline.changeAfter(atSeconds(20.5003)) == atSeconds(25.1));
+    QVERIFY(timeline.changeAfter(atSeconds(25.1)) == atSeconds(26.0));
+    QVERIFY(timeline.changeAfter(atSeconds(30.0)) == SessionTime::max());
+    QVERIFY(timeline.changeAfter(atSeconds(3.0)) == atSeconds(20.5003));
+    QVERIFY(timeline.changeAfter(atSeconds(26.0)) == atSeconds(28.0));
+    QVERIFY(timeline.changeAfter(atSeconds(28.0)) == atSeconds(29.0));
+    QVERIFY(timeline.changeAfter(atSeconds(29.0)) == atSeconds(30.0));
+    QVERIFY(timeline.runsAt(atSeconds(20.5)));
+    QVERIFY(!timeline.runsAt(atSeconds(20.5003)));
 }
 
 } // namespace carina::test

@@ -88,8 +88,8 @@ void TestSessionAuthority::neverLetsAnEarlierDecisionWin()
     const SessionTime second = propose(30.0, kNow + std::chrono::seconds{1}, kNear);
     QVERIFY(first == kNow + std::chrono::seconds{2});
     QVERIFY(second == first);
-    const auto& breathing = authority.state().stations().at(kSampleStation).breathing;
-    QCOMPARE(breathing.settingsAt(first).rate, perMinute(30.0));
+    const auto& respiration = authority.state().stations().at(kSampleStation).respiration;
+    QCOMPARE(respiration.settingsAt(first).pattern.rate, perMinute(30.0));
     // People are not held up by it.
     QVERIFY(judgeBy(authority, kNobody, fact::ParticipantJoined{{}, Role::Trainee, "New"})->effect
             == kNow);

@@ -21,6 +21,8 @@ private Q_SLOTS:
     void refusesValuesThatNoPatientHas();
     void knowsTheStationItIsAbout_data();
     void knowsTheStationItIsAbout();
+    void hearsOfAManikinFromThoseWhoAreAtIt();
+    void refusesACheckpointOfWhatIsToCome();
 };
 
 namespace
@@ -83,7 +85,7 @@ void TestSessionPermissions::permitsByRole_data()
     row("sets the patient", "yynnnn", [](auto) { return fact::PatientBuildSet{}; });
     row("places the tube", "yynnnn", [](auto) { return fact::TubePlaced{}; });
     row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{}; });
-    row("leaves a checkpoint", "yyynnn", [](auto) { return sampleCheckpoint(); });
+    row("leaves a checkpoint", "ynnnnn", [](auto) { return sampleCheckpoint(); });
     row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
     row("comes back", "yyyyny", [&](auto id) { return joinAs(state, id); });
     row("comes back under its number", "nyyynn", [&](ParticipantId id) {
@@ -251,6 +253,30 @@ void TestSessionPermissions::knowsTheStationItIsAbout()
     const SessionAuthority authority = sampleAuthority();
     QCOMPARE(verdict(judgeBy(authority, kSampleHost, body)), known);
     QCOMPARE(verdict(judgeBy(authority, kSampleHost, body, StationId{1})), unknown);
+}
+
+void TestSessionPermissions::hearsOfAManikinFromThoseWhoAreAtIt()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::StationAdded{"Station 2"}, StationId{1});
+    const SessionAuthority authority{writer.log()};
+    const auto heard = [&](ParticipantId author, StationId station) {
+        return verdict(judgeBy(authority, author, fact::ManikinBreathed{kNow}, station));
+    };
+    QCOMPARE(heard(kSampleTrainee, kSampleStation), QByteArray{"fine"});
+    QCOMPARE(heard(kSampleTrainee, StationId{1}), QByteArray{"not permitted"});
+    QCOMPARE(heard(kSampleInstructor, StationId{1}), QByteArray{"fine"});
+    QCOMPARE(heard(kSampleObserver, kSampleStation), QByteArray{"not permitted"});
+}
+
+void TestSessionPermissions::refusesACheckpointOfWhatIsToCome()
+{
+    fact::RespirationCheckpoint checkpoint = sampleCheckpoint();
+    checkpoint.at = kNow;
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, checkpoint)), QByteArray{"fine"});
+    checkpoint.at = kNow + Duration{1};
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, checkpoint)),
+             QByteArray{"out of range"});
 }
 
 } // namespace carina::test

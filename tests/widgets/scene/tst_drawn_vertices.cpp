@@ -1,4 +1,3 @@
-#include "engine/lungs/breathing_pattern.h"
 #include "engine/lungs/lung_pair.h"
 #include "tests/engine/lungs/lung_like_mesh.h"
 #include "widgets/scene/drawn_vertices.h"
@@ -6,6 +5,9 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QTest>
+
+#include <cmath>
+#include <numbers>
 
 using namespace carina;
 
@@ -91,10 +93,9 @@ void TestDrawnVertices::leavesRestExactlyAsItIs()
     QVERIFY(drawn->positions(lungs.field(), {}).value() == mesh.positions);
 }
 
-// Two breaths of a child of 12 years, 19 per minute and 280 ml, at 60 frames per second.
+// Two breaths of 280 ml, in 380 frames.
 void TestDrawnVertices::followsTheCommandedVolume()
 {
-    const BreathingPattern pattern;
     const LungPair lungs = LungPair::of(patient()).value();
     for (std::size_t level = 0; level < lungs.levelCount(); ++level) {
         for (const BreathingPart& part : lungs.parts()) {
@@ -102,8 +103,8 @@ void TestDrawnVertices::followsTheCommandedVolume()
             Result<DrawnVertices> drawn = DrawnVertices::of(surface);
             QVERIFY(drawn.has_value());
             for (int frame = 0; frame <= 379; ++frame) {
-                const double breaths = frame / 60.0 * pattern.rate.si;
-                const Volume inspired = inspiredVolume(pattern, breaths - std::floor(breaths));
+                const double phase = 2.0 * std::numbers::pi * frame / 190.0;
+                const Volume inspired = millilitres(140.0 * (1.0 - std::cos(phase)));
                 const ChestPose pose = lungs.pose(inspired, level).value();
                 surface.positions =
                     drawn->positions(lungs.field(), motionOf(part.region, pose, lungs.field()))

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/anatomy/anatomy.h"
+#include "engine/core/result.h"
+#include "engine/lungs/respiratory_system.h"
+
+#include <QJsonObject>
+
+#include <optional>
+
+namespace carina::lab
+{
+
+/// Draws a patient with every condition, at every severity, breathed in every way, and says how far
+/// the volumes drawn were from the mechanics. The keys are in the help of `breathe`.
+/// @returns what drawBreathing does.
+[[nodiscard]] Result<QJsonObject> sweepConditions(const Anatomy& anatomy, const PatientBuild& build,
+                                                  std::optional<std::size_t> level);
+
+} // namespace carina::lab

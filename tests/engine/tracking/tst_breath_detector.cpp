@@ -1,0 +1,110 @@
+#include "engine/tracking/breath_detector.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace carina;
+
+namespace
+{
+
+constexpr double kFrame_s = 1.0 / 60.0;
+
+SessionTime at(double seconds) { return SessionTime{fromSeconds(seconds)}; }
+
+/// A manikin's chest: up by a half sine over a third of a breath, down over the next, then at rest.
+double breathingHeight(double seconds, double rate_perMin, double motion_m)
+{
+    const double breaths = seconds * rate_perMin / 60.0;
+    const double phase = 3.0 * (breaths - std::floor(breaths));
+    if (phase >= 2.0)
+        return 0.0;
+    return 0.5 * motion_m * (1.0 - std::cos(std::numbers::pi * phase));
+}
+
+template <class Height> std::vector<double> beginnings(double seconds, Height height)
+{
+    BreathDetector detector;
+    std::vector<double> found;
+    for (double t = 0.0; t < seconds; t += kFrame_s)
+        if (const auto began = detector.add(at(t), height(t)))
+            found.push_back(toSeconds(began->time_since_epoch()));
+    return found;
+}
+
+} // namespace
+
+class TestBreathDetector : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void findsEveryBreath_data()
+    {
+        QTest::addColumn<double>("rate_perMin");
+        QTest::addColumn<double>("motion_mm");
+        QTest::addColumn<double>("noise_mm");
+        QTest::addColumn<double>("drift_mmPerS");
+        QTest::newRow("as on the bench") << 15.0 << 10.0 << 0.0 << 0.0;
+        QTest::newRow("measured") << 15.0 << 10.0 << 0.35 << 0.0;
+        QTest::newRow("slow") << 6.0 << 20.0 << 0.35 << 0.0;
+        QTest::newRow("fast") << 40.0 << 8.0 << 0.35 << 0.0;
+        QTest::newRow("while the marker slips") << 15.0 << 10.0 << 0.2 << -0.3;
+    }
+
+    /// A half sine begins with no speed: the line through two of its points leaves the ground by
+    /// 0.158 of the rise later.
+    void findsEveryBreath()
+    {
+        QFETCH(double, rate_perMin);
+        QFETCH(double, motion_mm);
+        QFETCH(double, noise_mm);
+        QFETCH(double, drift_mmPerS);
+        std::mt19937 random{7};
+        std::normal_distribution<double> noise{0.0, std::max(1e-12, noise_mm)};
+        const double breath = 60.0 / rate_perMin;
+        const double start = 0.5 * breath; // it rests at first
+        const auto found = beginnings(start + 8.4 * breath, [&](double t) {
+            return breathingHeight(t + breath - start, rate_perMin, 1e-3 * motion_mm)
+                   + 1e-3 * (noise(random) + drift_mmPerS * t);
+        });
+        QCOMPARE(found.size(), std::size_t{9});
+        const double late = 0.158 * breath / 3.0;
+        for (std::size_t i = 1; i < found.size(); ++i) { // the first tells how far it moves
+            const double expected = start + double(i) * breath + late;
+            QVERIFY2(std::abs(found[i] - expected) < 0.03 + 0.1 * breath / 3.0,
+                     qPrintable(QStringLiteral("%1 for %2").arg(found[i]).arg(expected)));
+        }
+    }
+
+    void hearsNothingInAChestThatRests()
+    {
+        std::mt19937 random{7};
+        std::normal_distribution<double> noise{0.0, 0.2e-3};
+        QVERIFY(beginnings(120.0, [&](double) { return noise(random); }).empty());
+        QVERIFY(beginnings(60.0, [](double t) { return -1e-3 * t; }).empty());
+    }
+
+    void tellsABreathOnce()
+    {
+        const auto found = beginnings(3.0, [](double t) { return t < 1.0 ? 0.0 : 0.02; });
+        QCOMPARE(found.size(), std::size_t{1});
+        QVERIFY(found[0] <= 1.0 + 2.0 * kFrame_s && found[0] >= 1.0 - kFrame_s);
+    }
+
+    void ignoresSamplesThatAreNotNew()
+    {
+        BreathDetector detector;
+        QVERIFY(!detector.add(at(1.0), 0.0));
+        QVERIFY(!detector.add(at(1.0), 0.1));
+        QVERIFY(!detector.add(at(0.9), 0.1));
+        QVERIFY(detector.add(at(1.1), 0.1).has_value());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBreathDetector)
+#include "tst_breath_detector.moc"

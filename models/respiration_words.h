@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/lungs/lung_condition.h"
+#include "engine/lungs/ventilation.h"
+
+#include <QString>
+
+#include <array>
+
+namespace carina
+{
+
+/// In the order in which people are offered them, which is that of the enumerators.
+inline constexpr std::array kConditionKinds{
+    ConditionKind::Normal,
+    ConditionKind::Ards,
+    ConditionKind::Copd,
+    ConditionKind::Asthma,
+    ConditionKind::SimplePneumothorax,
+    ConditionKind::TensionPneumothorax,
+    ConditionKind::Atelectasis,
+    ConditionKind::MainstemIntubation,
+    ConditionKind::Obstruction,
+    ConditionKind::StiffChest,
+};
+
+[[nodiscard]] QString conditionText(ConditionKind kind);
+[[nodiscard]] QString sideText(ConditionSide side);
+[[nodiscard]] QString modeText(VentilationMode mode);
+
+/// "COPD, severity 0.60, both lungs"; "Normal".
+[[nodiscard]] QString conditionText(const LungCondition& condition);
+/// "Volume control, PEEP 5 cmH2O"; "Spontaneous".
+[[nodiscard]] QString ventilatorText(const VentilatorSettings& settings);
+/// "6.5 mm tube"; "no tube".
+[[nodiscard]] QString tubeText(Length innerDiameter);
+
+} // namespace carina

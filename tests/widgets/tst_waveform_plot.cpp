@@ -1,0 +1,146 @@
+#include "widgets/waveform_plot.h"
+
+#include <QImage>
+#include <QTest>
+
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kSpan_s = 10.0;
+constexpr double kPixel = 1e-6; ///< rounding, pixels
+
+std::unique_ptr<WaveformPlot> plot(const QString& timeUnit = {})
+{
+    auto made = std::make_unique<WaveformPlot>();
+    made->resize(400, 100);
+    made->setUp(QStringLiteral("Flow"), QStringLiteral("L/min"), kSpan_s, 10.0, timeUnit);
+    return made;
+}
+
+double lastX(const WaveformPlot::Drawing& drawn) { return drawn.curves.back().last().x(); }
+
+} // namespace
+
+class TestWaveformPlot : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsNothingBeforeTheFirstValue()
+    {
+        const auto drawn = plot()->drawing();
+        QVERIFY(drawn.curves.empty());
+        QCOMPARE(drawn.bottom, 0.0);
+        QCOMPARE(drawn.top, 10.0);
+    }
+
+    void sweepsFromLeftToRight()
+    {
+        const auto shown = plot();
+        shown->add(20.0, 0.0);
+        const auto begin = shown->drawing();
+        QVERIFY(std::abs(lastX(begin) - begin.frame.left()) < kPixel);
+        shown->add(22.5, 5.0);
+        const auto later = shown->drawing();
+        QVERIFY(std::abs(lastX(later) - later.frame.left() - 0.25 * later.frame.width()) < kPixel);
+        QVERIFY(std::abs(later.now - lastX(later)) < kPixel);
+        QVERIFY(std::abs(later.curves.back().last().y() - later.frame.center().y()) < kPixel);
+        QCOMPARE(later.curves.size(), std::size_t{1});
+    }
+
+    void leavesTheLastSweepAheadBehindAGap()
+    {
+        const auto shown = plot();
+        for (double t = 0.0; t < 13.0; t += 0.1)
+            shown->add(t, 1.0);
+        const auto drawn = shown->drawing();
+        QCOMPARE(drawn.curves.size(), std::size_t{2});
+        const double ahead = drawn.curves[0].first().x();
+        QVERIFY(std::abs(drawn.curves[1].first().x() - drawn.frame.left()) < 1.0);
+        QVERIFY(ahead > drawn.now);
+        const double gap = (ahead - drawn.now) / drawn.frame.width();
+        QVERIFY2(gap > 0.03 && gap < 0.06, qPrintable(QString::number(gap)));
+    }
+
+    void movesNothingThatIsDrawn()
+    {
+        const auto shown = plot();
+        for (double t = 0.0; t < 4.0; t += 0.5)
+            shown->add(t, t);
+        const QPolygonF before = shown->drawing().curves[0];
+        shown->add(4.0, 4.0);
+        const QPolygonF after = shown->drawing().curves[0];
+        for (int i = 0; i < before.size(); ++i)
+            QCOMPARE(after[i], before[i]);
+    }
+
+    void startsAfreshAfterAGapAndAfterAStepBack()
+    {
+        const auto shown = plot();
+        shown->add(1.0, 1.0);
+        shown->add(11.1, 1.0);
+        QCOMPARE(shown->drawing().curves.size(), std::size_t{1});
+        QCOMPARE(shown->drawing().curves[0].size(), 1);
+        shown->add(11.2, 1.0);
+        QCOMPARE(shown->drawing().curves[0].size(), 2);
+        shown->add(11.2, 1.0);
+        QCOMPARE(shown->drawing().curves[0].size(), 1);
+    }
+
+    void holdsZeroAndBothExtremes()
+    {
+        const auto shown = plot();
+        shown->add(0.0, 34.0);
+        QCOMPARE(shown->drawing().top, 50.0);
+        QCOMPARE(shown->drawing().bottom, 0.0);
+        shown->add(0.1, -0.5); // less than would be seen
+        QCOMPARE(shown->drawing().bottom, 0.0);
+        shown->add(0.2, -12.0);
+        const auto drawn = shown->drawing();
+        QCOMPARE(drawn.bottom, -20.0);
+        QVERIFY(std::abs(drawn.zero - drawn.frame.top() - 50.0 / 70.0 * drawn.frame.height())
+                < kPixel);
+    }
+
+    void shrinksItsScaleOnlyAsASweepBegins()
+    {
+        const auto shown = plot();
+        shown->add(0.0, 90.0);
+        for (double t = 0.1; t < 9.95; t += 0.1) {
+            shown->add(t, 1.0);
+            QCOMPARE(shown->drawing().top, 100.0);
+        }
+        shown->add(10.0, 1.0);
+        QCOMPARE(shown->drawing().top, 10.0);
+    }
+
+    void paintsTheCurveInTheAccentColour()
+    {
+        const auto shown = plot(QStringLiteral("s"));
+        QPalette palette;
+        palette.setColor(QPalette::Base, Qt::black);
+        palette.setColor(QPalette::Text, Qt::white);
+        palette.setColor(QPalette::Mid, Qt::gray);
+        palette.setColor(QPalette::Highlight, Qt::red);
+        shown->setPalette(palette);
+        for (double t = 0.0; t < 5.0; t += 0.1)
+            shown->add(t, 5.0);
+        const QImage image = shown->grab().toImage();
+        const auto drawn = shown->drawing();
+        const QColor there = image.pixelColor(int(drawn.frame.left() + 40),
+                                              int(std::floor(drawn.frame.center().y())));
+        QVERIFY(there.red() > 200 && there.green() < 80);
+        const QColor ahead = image.pixelColor(int(drawn.frame.right() - 40),
+                                              int(std::floor(drawn.frame.center().y())));
+        QVERIFY(ahead.red() < 80);
+    }
+};
+
+} // namespace carina
+
+QTEST_MAIN(carina::TestWaveformPlot)
+#include "tst_waveform_plot.moc"

@@ -35,9 +35,10 @@ QString phaseShape(SessionPhase phase)
 } // namespace
 
 InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
+                                   RespirationModel& respiration, BreathTrace& trace,
                                    ParticipantsModel& participants, NetworkModel& network,
                                    ObjectActionModel& actions, const PatientModel& patient,
-                                   const StationView& view)
+                                   StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_participants{participants},
@@ -46,20 +47,18 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
 {
     m_ui->setupUi(this);
     m_ui->breathing->setModel(breathing);
+    m_ui->condition->setModel(respiration);
+    m_ui->waveforms->setTrace(trace);
     m_ui->participants->setModel(participants);
     m_ui->network->setModel(network);
     m_ui->invitation->show(session.node());
     m_ui->actions->setModel(actions);
-    tabifyDockWidget(m_ui->breathingDock, m_ui->actionsDock);
-    m_ui->breathingDock->raise();
-    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
-    m_ui->invitationDock->raise(); // nobody else is here yet
+    layDocks();
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
     m_ui->statusBar->addWidget(m_status, 1);
-    resizeDocks({m_ui->participantsDock, m_ui->invitationDock}, {1, kBelowShare}, Qt::Vertical);
     fillSessionBar();
-    connectViews();
+    connectViews(view);
 
     connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};
@@ -72,6 +71,18 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
 
 InstructorWindow::~InstructorWindow() = default;
 
+void InstructorWindow::layDocks()
+{
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    tabifyDockWidget(m_ui->breathingDock, m_ui->conditionDock);
+    tabifyDockWidget(m_ui->conditionDock, m_ui->actionsDock);
+    m_ui->breathingDock->raise();
+    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
+    m_ui->invitationDock->raise(); // nobody else is here yet
+    resizeDocks({m_ui->participantsDock, m_ui->invitationDock}, {1, kBelowShare}, Qt::Vertical);
+}
+
 void InstructorWindow::fillSessionBar()
 {
     m_phase->setMargin(8);
@@ -79,8 +90,9 @@ void InstructorWindow::fillSessionBar()
     QFont bold = m_phase->font(); // that of the bar
     bold.setBold(true);
     m_phase->setFont(bold);
-    const QList<QAction*> actions{m_ui->start,       m_ui->pause,          m_ui->end,
-                                  m_ui->showActions, m_ui->showInvitation, m_ui->showNetwork};
+    const QList<QAction*> actions{m_ui->start,         m_ui->pause,       m_ui->end,
+                                  m_ui->showCondition, m_ui->showActions, m_ui->showInvitation,
+                                  m_ui->showNetwork};
     m_ui->sessionBar->addActions(actions);
     for (QAction* action : actions)
         m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
@@ -93,12 +105,13 @@ void InstructorWindow::fillSessionBar()
             dock->widget()->setFocus();
         });
     };
+    raises(m_ui->showCondition, m_ui->conditionDock);
     raises(m_ui->showActions, m_ui->actionsDock);
     raises(m_ui->showInvitation, m_ui->invitationDock);
     raises(m_ui->showNetwork, m_ui->networkDock);
 }
 
-void InstructorWindow::connectViews()
+void InstructorWindow::connectViews(StationView& view)
 {
     const auto shows = [this](ViewPreset preset) {
         return [this, preset] { m_ui->scene->showFrom(preset); };
@@ -106,6 +119,8 @@ void InstructorWindow::connectViews()
     connect(m_ui->front, &QToolButton::clicked, this, shows(ViewPreset::Front));
     connect(m_ui->side, &QToolButton::clicked, this, shows(ViewPreset::Right));
     connect(m_ui->head, &QToolButton::clicked, this, shows(ViewPreset::Trainee));
+    connect(m_ui->exaggeration, &QDoubleSpinBox::valueChanged, this,
+            [&view](double factor) { view.exaggerate(factor); });
 }
 
 void InstructorWindow::endOnSecondPress()
@@ -144,6 +159,7 @@ void InstructorWindow::refreshStatus()
         tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
     m_ui->patient->setText(isAway(moment) ? tr("▲ Patient not in its place") : patient);
     m_ui->patient->setToolTip(patient);
+    m_ui->exaggerated->setText(moment.exaggeration != 1.0 ? tr("▲ larger than true") : QString{});
     const auto oldest = m_participants.oldestSample_ms();
     const QString age =
         oldest ? tr("Oldest sample %1 ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");

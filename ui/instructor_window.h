@@ -1,9 +1,11 @@
 #pragma once
 
+#include "models/breath_trace.h"
 #include "models/breathing_model.h"
 #include "models/network_model.h"
 #include "models/object_action_model.h"
 #include "models/participants_model.h"
+#include "models/respiration_model.h"
 #include "models/session_model.h"
 #include "ui/station_scene.h"
 
@@ -20,7 +22,8 @@ class InstructorWindow;
 namespace carina
 {
 
-/// The instructor's console: the session and how it runs, how the patient breathes, who takes part,
+/// The instructor's console: the session and how it runs, how the patient breathes and what ails
+/// it, the curves of its breath, who takes part,
 /// what is done to shared objects, and the patient in three dimensions.
 class InstructorWindow : public QMainWindow
 {
@@ -29,16 +32,17 @@ class InstructorWindow : public QMainWindow
 public:
     /// @pre all outlive the window.
     InstructorWindow(SessionModel& session, BreathingModel& breathing,
+                     RespirationModel& respiration, BreathTrace& trace,
                      ParticipantsModel& participants, NetworkModel& network,
-                     ObjectActionModel& actions, const PatientModel& patient,
-                     const StationView& view);
+                     ObjectActionModel& actions, const PatientModel& patient, StationView& view);
     ~InstructorWindow() override;
 
     [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
 
 private:
     void fillSessionBar();
-    void connectViews();
+    void layDocks();
+    void connectViews(StationView& view);
     void endOnSecondPress();
     void refresh();
     void refreshStatus();

@@ -8,6 +8,7 @@
 #include "engine/io/sql_fact_store.h"
 #include "engine/net/discovery/session_beacon.h"
 #include "engine/net/session_identity.h"
+#include "models/checkpoint_keeper.h"
 #include "models/shared_patient.h"
 #include "ui/instructor_window.h"
 #include "widgets/scene/graphics.h"
@@ -93,6 +94,7 @@ void introducePatient(SessionNode& node, const viewer::ChosenPatient& patient)
         return;
     node.propose(kStation,
                  fact::AnatomyChosen{patient.model->contentHash(), patient.model->name()});
+    node.propose(kStation, fact::PatientBuildSet{buildOf(patient.dimensions)});
     node.propose(kStation, fact::BreathingRateSet{patient.dimensions.breathingRate});
     node.propose(kStation, fact::TidalVolumeSet{patient.dimensions.tidalVolume});
     node.propose(kStation, fact::InspiratoryFractionSet{patient.dimensions.inspiratoryFraction});
@@ -214,9 +216,12 @@ Result<int> run(const QCommandLineParser& parser)
     NetworkModel network{session};
     SharedObjectModel object{session, kStation};
     ObjectActionModel actions{object};
-    const StationView view{**node, kStation, patient->model->lungs(), posesOf(**node, kStation)};
-    InstructorWindow window{session, breathing,       participants, network,
-                            actions, *patient->model, view};
+    RespirationModel respiration{session, kStation};
+    BreathTrace trace{session, kStation};
+    const CheckpointKeeper checkpoints{**node};
+    StationView view{**node, kStation, patient->model->lungs(), posesOf(**node, kStation)};
+    InstructorWindow window{session, breathing, respiration,     trace, participants,
+                            network, actions,   *patient->model, view};
     window.resize(options->size);
     window.show();
     const auto journal =

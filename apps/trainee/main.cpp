@@ -21,6 +21,7 @@ namespace
 {
 
 constexpr StationId kStation{0};
+const QString kManikinBreathes = QStringLiteral("manikin-breathes");
 
 void addOptions(QCommandLineParser& parser)
 {
@@ -45,6 +46,11 @@ void addOptions(QCommandLineParser& parser)
                       QApplication::translate("Trainee", "Use a simulated tracker and a scripted "
                                                          "pair of hands; without it this program "
                                                          "only watches.")});
+    parser.addOption({kManikinBreathes,
+                      QApplication::translate("Trainee", "Let the simulated manikin breathe so "
+                                                         "many times a minute; the patient "
+                                                         "breathes with it."),
+                      QStringLiteral("RATE")});
     parser.addOption({QStringLiteral("output"),
                       QApplication::translate("Trainee", "What the window is made for: screen; "
                                                          "mono or side-by-side for a headset."),
@@ -145,6 +151,23 @@ Result<viewer::Entered> enter(const Entry& entry, const viewer::MeasureOptions& 
     return viewer::Entered{*std::move(node), entry.settings.role};
 }
 
+/// What stands in for hardware; nothing for who only watches.
+Result<TraineeStation::Simulation> simulation(const QCommandLineParser& parser, Role role)
+{
+    TraineeStation::Simulation simulation;
+    simulation.tracker = parser.isSet(QStringLiteral("simulated-tracker")) && role == Role::Trainee;
+    if (!parser.isSet(kManikinBreathes))
+        return simulation;
+    bool isNumber = false;
+    const double rate = parser.value(kManikinBreathes).toDouble(&isNumber);
+    if (!isNumber
+        || !(rate >= inPerMinute(kSlowestManikin) && rate <= inPerMinute(kFastestManikin)))
+        return fail(Errc::OutOfRange,
+                    "--manikin-breathes " + parser.value(kManikinBreathes).toStdString());
+    simulation.manikinBreathes = perMinute(rate);
+    return simulation;
+}
+
 Result<int> run(const QCommandLineParser& parser)
 {
     const auto options = viewer::measureOptions(parser);
@@ -174,9 +197,10 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(entered.error());
     if (!entered->node)
         return 0;
-    const bool simulates = parser.isSet(QStringLiteral("simulated-tracker"));
-    TraineeStation station{std::move(entered->node), kStation,
-                           simulates && entered->role == Role::Trainee,
+    const auto simulated = simulation(parser, entered->role);
+    if (!simulated)
+        return tl::unexpected(simulated.error());
+    TraineeStation station{std::move(entered->node), kStation, *simulated,
                            [&parser](const PatientModel& of) -> Result<TraineeStation::Place> {
                                return viewer::siteOption(parser, of)
                                    .map([](const auto& setup) -> TraineeStation::Place {

@@ -5,14 +5,14 @@
 namespace carina
 {
 
-TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId station, bool simulates,
-                               PlaceOf placeOf)
+TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId station,
+                               const Simulation& simulation, PlaceOf placeOf)
     : m_node{std::move(node)},
       m_station{station},
-      m_simulates{simulates},
+      m_simulation{simulation},
       m_placeOf{std::move(placeOf)}
 {
-    if (m_simulates)
+    if (m_simulation.tracker)
         publish();
 }
 
@@ -20,6 +20,7 @@ TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId stat
 /// the other runs.
 TraineeStation::~TraineeStation()
 {
+    m_manikin.reset();
     if (m_laid && m_laid->tracking)
         m_laid->tracking->stop();
     m_laid.reset();
@@ -39,13 +40,18 @@ void TraineeStation::publish()
     share(ObjectKind::Tube, ToolRole::Tube, "Tube");
     share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
     share(ObjectKind::Head, ToolRole::Head, "Head");
+    m_manikin =
+        std::make_unique<ManikinBreaths>(*m_node, m_station, [this]() -> std::optional<PoseSample> {
+            const auto tracking = m_published.load();
+            return tracking ? tracking->newest(ToolRole::Chest) : std::nullopt;
+        });
 }
 
 Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                  const std::function<void()>& show)
 {
     auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr});
-    if (m_simulates)
+    if (m_simulation.tracker)
         if (const auto watched = watchHands(*next); !watched)
             return watched;
     next->view = std::make_unique<StationView>(*m_node, m_station, patient->lungs(),
@@ -69,7 +75,7 @@ Result<void> TraineeStation::watchHands(Laid& laid)
         return tl::unexpected(place.error());
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(),
-        [node = m_node.get()] { return node->now(); }, *place);
+        [node = m_node.get()] { return node->now(); }, *place, m_simulation.manikinBreathes);
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,

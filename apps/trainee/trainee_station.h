@@ -4,6 +4,7 @@
 #include "engine/net/session_node.h"
 #include "engine/session/station_tracking.h"
 #include "models/chin_probe_model.h"
+#include "models/manikin_breaths.h"
 #include "models/patient_source.h"
 #include "models/station_view.h"
 
@@ -21,9 +22,14 @@ public:
     using Place = std::optional<StationRegistration>;
     using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
 
-    /// @param simulates whether a simulated tracker and hands are used; without them it watches
-    TraineeStation(std::unique_ptr<SessionNode> node, StationId station, bool simulates,
-                   PlaceOf placeOf);
+    /// What stands in for hardware.
+    struct Simulation {
+        bool tracker = false;      ///< a simulated tracker and hands; without them it watches
+        Frequency manikinBreathes; ///< 0: it lies still
+    };
+
+    TraineeStation(std::unique_ptr<SessionNode> node, StationId station,
+                   const Simulation& simulation, PlaceOf placeOf);
     ~TraineeStation();
     TraineeStation(const TraineeStation&) = delete;
     TraineeStation& operator=(const TraineeStation&) = delete;
@@ -60,11 +66,12 @@ private:
 
     std::unique_ptr<SessionNode> m_node;
     StationId m_station;
-    bool m_simulates;
+    Simulation m_simulation;
     PlaceOf m_placeOf;
     std::function<void()> m_onLaid;
     std::unique_ptr<Laid> m_laid;
     std::atomic<std::shared_ptr<StationTracking>> m_published;
+    std::unique_ptr<ManikinBreaths> m_manikin; ///< last: asks what is above
 };
 
 } // namespace carina

@@ -1,5 +1,7 @@
 #include "engine/geometry/surface_query.h"
 
+#include "engine/geometry/triangle_query.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,18 +9,6 @@ namespace carina
 {
 namespace
 {
-
-struct Corners {
-    Vec3 a;
-    Vec3 b;
-    Vec3 c;
-};
-
-Corners cornersOf(const TriangleMesh& mesh, const Triangle& triangle)
-{
-    return {mesh.positions[triangle[0]].cast<double>(), mesh.positions[triangle[1]].cast<double>(),
-            mesh.positions[triangle[2]].cast<double>()};
-}
 
 std::optional<double> rayHit(const Corners& t, const Vec3& p_origin, const Vec3& dir)
 {
@@ -35,28 +25,6 @@ std::optional<double> rayHit(const Corners& t, const Vec3& p_origin, const Vec3&
     const double along = ac.dot(across) / determinant;
     const bool inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
     return inside && along >= 0.0 ? std::optional{along} : std::nullopt;
-}
-
-double squaredToEdge(const Vec3& p, const Vec3& from, const Vec3& to)
-{
-    const Vec3 edge = to - from;
-    const double length2 = edge.squaredNorm();
-    const double share = length2 > 0.0 ? std::clamp(edge.dot(p - from) / length2, 0.0, 1.0) : 0.0;
-    return (p - from - share * edge).squaredNorm();
-}
-
-double squaredDistance(const Corners& t, const Vec3& p)
-{
-    const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
-    const auto leftOf = [&](const Vec3& from, const Vec3& to) {
-        return normal.dot((to - from).cross(p - from)) >= 0.0;
-    };
-    if (normal.squaredNorm() > 0.0 && leftOf(t.a, t.b) && leftOf(t.b, t.c) && leftOf(t.c, t.a)) {
-        const double height = normal.dot(p - t.a);
-        return height * height / normal.squaredNorm();
-    }
-    return std::min(
-        {squaredToEdge(p, t.a, t.b), squaredToEdge(p, t.b, t.c), squaredToEdge(p, t.c, t.a)});
 }
 
 } // namespace

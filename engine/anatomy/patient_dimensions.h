@@ -1,14 +1,32 @@
 #pragma once
 
+#include "engine/core/result.h"
 #include "engine/core/units.h"
 
+#include <array>
 #include <cstdint>
 
 namespace carina
 {
 
-/// The patients that Carina makes itself.
+/// The patients that Carina makes without being told figures.
 enum class BuiltinPatient : std::uint8_t { Adult, TwelveYears };
+
+enum class Sex : std::uint8_t { Female, Male };
+enum class Habitus : std::uint8_t { Slim, Normal, Obese };
+
+/// Whom to make.
+struct PatientParameters {
+    double ageInYears = 30.0; ///< 6 to 90
+    Length height;            ///< 1.0 to 2.1 m
+    Sex sex = Sex::Male;
+    Habitus habitus = Habitus::Normal;
+
+    friend bool operator==(const PatientParameters&, const PatientParameters&) = default;
+};
+
+/// A man of 30 years and 175 cm; a boy of 12 years and 150 cm.
+[[nodiscard]] PatientParameters parametersOf(BuiltinPatient patient);
 
 /// One main bronchus: from the carina to its first lobar branch.
 struct MainBronchusDimensions {
@@ -17,7 +35,16 @@ struct MainBronchusDimensions {
     Length diameter;
 };
 
-/// The figures a built-in patient is made from.
+/// Shares of the five lobes in the volume of both lungs; their sum is 1.
+struct LobeShares {
+    double rightUpper = 0.0;
+    double rightMiddle = 0.0;
+    double rightLower = 0.0;
+    double leftUpper = 0.0;
+    double leftLower = 0.0;
+};
+
+/// The figures a patient is made from.
 struct PatientDimensions {
     Length height;
     double weightInKilograms = 0.0;
@@ -32,13 +59,19 @@ struct PatientDimensions {
     Length teethToCarina; ///< along the path of a tube
     Volume functionalResidualCapacity;
     double rightLungShare = 0.0; ///< of the functional residual capacity
+    LobeShares lobes;
+    Length fatLayer; ///< between skin and ribs
     Volume tidalVolume;
     Frequency breathingRate;
     double inspiratoryFraction = 0.0; ///< inspiration's share of a breath
     Length tubeInnerDiameter;         ///< of the tracheal tube that fits
 };
 
-/// The figures of a built-in patient; patient_dimensions.cpp gives the source of each.
+/// The figures of a patient by published formulas; patient_dimensions.cpp gives the source of each.
+/// @returns OutOfRange for an age or height that the formulas do not reach.
+[[nodiscard]] Result<PatientDimensions> dimensionsFor(const PatientParameters& parameters);
+
+/// The figures of a built-in patient.
 [[nodiscard]] PatientDimensions dimensionsOf(BuiltinPatient patient);
 
 } // namespace carina

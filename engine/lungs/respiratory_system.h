@@ -13,8 +13,6 @@
 namespace carina
 {
 
-enum class Sex : std::uint8_t { Female, Male };
-
 /// What the size of the lungs and airways is computed from.
 struct PatientBuild {
     Length height = metres(1.75);

@@ -61,7 +61,7 @@ Centreline airwayPath(const Vec3& p_A_incisors, std::span<const Vec3> down)
 Vec3 incisorsAtLength(std::span<const Vec3> down, Length incisorsToGlottis)
 {
     // The curve grows with its chord, so one length tells every other.
-    const Vec3 forwardAndUp{0.0, -0.8, 0.6};
+    const Vec3 forwardAndUp = Vec3{0.0, -3.0, 2.0}.normalized();
     const Centreline unit = overTheTongue(down[0] + forwardAndUp, down[0], upAtGlottis(down));
     return down[0] + incisorsToGlottis.si / lengthOf(unit).si * forwardAndUp;
 }

@@ -21,7 +21,8 @@ inline constexpr Length kPathInFrontOfTeeth = millimetres(100.0);
 [[nodiscard]] Centreline airwayPath(const Vec3& p_A_incisors, std::span<const Vec3> down);
 
 /// Where the incisors lie when the curve of airwayPath from them to the glottis has this length: in
-/// front of the glottis, four parts forward to three parts up.
+/// front of the glottis, three parts forward to two parts up, as in the man whose surfaces are
+/// published (BodyParts3D).
 [[nodiscard]] Vec3 incisorsAtLength(std::span<const Vec3> down, Length incisorsToGlottis);
 
 /// Finds the landmarks of an anatomy set from its surfaces. Their frame has the axes of A and any

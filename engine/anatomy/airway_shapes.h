@@ -37,6 +37,14 @@ public:
     /// A main bronchus with its lobar branches.
     [[nodiscard]] ImplicitShape bronchus(Side side) const;
 
+    /// The main bronchus of a side and its branches, in W: right the upper lobe's, the intermediate
+    /// bronchus down to the lower lobe, and the middle lobe's; left the upper lobe's, the lower
+    /// lobe's, and the lingula's.
+    [[nodiscard]] const std::array<AirwayRod, 4>& rods(Side side) const
+    {
+        return side == Side::Right ? m_right.rods : m_left.rods;
+    }
+
     /// Distance in A to the trachea and both main bronchi without lobar branches: where no lung is.
     [[nodiscard]] double outsideLungs(const Vec3& p_A) const;
 

@@ -71,7 +71,7 @@ struct AirwayLandmarks {
 struct Anatomy {
     std::string name; ///< "Adult", "12 years, 150 cm", or the folder's name
     /// Equal means the same patient: SHA-256 in hex of the files a set was made from; of a built-in
-    /// patient its name and the version of what makes it, such as "builtin-adult-1".
+    /// patient its name and the version of what makes it, such as "builtin-adult-2".
     std::string contentHash;
     std::vector<AnatomyPart> parts;
     AirwayLandmarks landmarks;

@@ -1,16 +1,29 @@
 #include "engine/anatomy/builtin_patient.h"
 
-#include "engine/anatomy/airway_path.h"
 #include "engine/anatomy/airway_shapes.h"
 #include "engine/anatomy/detail.h"
+#include "engine/anatomy/diaphragm_shape.h"
+#include "engine/anatomy/jaw_hinge.h"
 #include "engine/anatomy/larynx_shape.h"
 #include "engine/anatomy/lung_shape.h"
 #include "engine/anatomy/mandible_shape.h"
+#include "engine/anatomy/mouth_shapes.h"
+#include "engine/anatomy/pharynx_shapes.h"
+#include "engine/anatomy/rib_shapes.h"
+#include "engine/anatomy/segment_shapes.h"
+#include "engine/anatomy/skin_shape.h"
+#include "engine/anatomy/spine_shapes.h"
 #include "engine/anatomy/surface_mesher.h"
+#include "engine/anatomy/tooth_shapes.h"
 #include "engine/geometry/mesh_winding.h"
+#include "engine/geometry/surface_tree.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
+#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace carina
@@ -21,123 +34,168 @@ namespace
 
 constexpr std::array kShares{0.25, 0.0625};
 
-/// Edge of a voxel for the adult; it goes with the size of the part.
+/// How often a part is tried, and by how much finer each time.
+constexpr int kAttempts = 6;
+constexpr double kFiner = 0.03;
+
+/// Edge of a voxel for a trachea of the size of BodyPlan's man, and for his jaw.
 constexpr Length kAirwayVoxel = millimetres(1.0);
-constexpr Length kLarynxVoxel = millimetres(0.8);
-constexpr Length kMandibleVoxel = millimetres(1.2);
-constexpr Length kLungVoxel = millimetres(2.5);
+constexpr Length kMandibleVoxel = millimetres(1.9);
 
-/// The lower incisors stand this far below and behind the upper ones, in the adult: the mouth is
-/// opened.
-const Vec3 kUpperToLowerIncisors{0.0, 4e-3, -20e-3};
+/// The edge of the lower incisors of a mouth that is shut, in his millimetres from the upper ones'.
+const Vec3 kUpperToLowerIncisors{0.0, 4.0, 0.5};
 
-AnatomyPart partOf(std::string name, PartRole role, std::string conceptId,
-                   const ImplicitShape& shape, Length voxel)
+void add(std::vector<PartPlan>& all, std::vector<PartPlan> more)
 {
-    return {std::move(name), role, std::move(conceptId),
-            levelsOfDetail(meshOf(shape, voxel), kShares)};
+    all.insert(all.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
 }
 
-/// Makes each level enclose exactly this volume, by a uniform scale about a point that stays.
-void matchVolume(AnatomyPart& part, const Vec3& p_A_fixed, Volume volume)
+std::vector<PartPlan> partPlans(const BodyPlan& plan)
+{
+    const AirwaySolid airway{plan.dimensions};
+    const Length voxel = 1e3 * plan.airway * kAirwayVoxel;
+    std::vector<PartPlan> all{{"Trachea", PartRole::Trachea, "FMA7394", airway.trachea(), voxel},
+                              {"Right main bronchus", PartRole::RightMainBronchus, "FMA7395",
+                               airway.bronchus(Side::Right), voxel},
+                              {"Left main bronchus", PartRole::LeftMainBronchus, "FMA7396",
+                               airway.bronchus(Side::Left), voxel}};
+    add(all, segmentalBronchi(plan, airway));
+    add(all, larynx(plan));
+    add(all, lobes(plan, [airway](const Vec3& p_A) { return airway.outsideLungs(p_A); }));
+    add(all, mouth(plan));
+    add(all, teeth(plan));
+    const ImplicitShape jaw = mandibleShape(plan.inFace(kUpperToLowerIncisors), 1e3 * plan.face);
+    all.push_back({"Mandible", PartRole::Mandible, "FMA52748", onJaw(plan, jaw),
+                   1e3 * plan.face * kMandibleVoxel});
+    add(all, pharynxAndOesophagus(plan));
+    all.push_back(diaphragm(plan));
+    add(all, ribCage(plan));
+    add(all, spine(plan));
+    all.push_back(skin(plan));
+    return all;
+}
+
+bool meetsItself(const std::vector<TriangleMesh>& levels)
+{
+    return std::ranges::any_of(levels, [](const TriangleMesh& level) {
+        return SurfaceTree{level}.selfIntersections() > 0;
+    });
+}
+
+/// Makes each level of a lung's lobes enclose exactly this volume together, by a uniform scale
+/// about a point that stays.
+void matchVolume(std::span<AnatomyPart> lobes, const Vec3& p_A_fixed, Volume volume)
 {
     const Vec3f fixed = p_A_fixed.cast<float>();
-    for (TriangleMesh& level : part.levels) {
-        const auto scale = float(std::cbrt(volume.si / signedVolume(level)));
-        for (Vec3f& p : level.positions)
-            p = fixed + scale * (p - fixed);
+    for (std::size_t level = 0; level <= kShares.size(); ++level) {
+        double enclosed = 0.0;
+        for (const AnatomyPart& lobe : lobes)
+            enclosed += signedVolume(lobe.levels[level]);
+        const auto scale = float(std::cbrt(volume.si / enclosed));
+        for (AnatomyPart& lobe : lobes)
+            for (Vec3f& p : lobe.levels[level].positions)
+                p = fixed + scale * (p - fixed);
     }
 }
 
-/// Sizes against the adult of what has no dimension of its own.
-struct Growth {
-    double airway;
-    double lungs;
-    double face;
+void matchVolumes(const BodyPlan& plan, std::span<AnatomyPart> parts)
+{
+    const PatientDimensions& d = plan.dimensions;
+    for (const Side side : {Side::Right, Side::Left}) {
+        const auto isLobe = [side](const AnatomyPart& part) { return lungSide(part.role) == side; };
+        const auto first = std::ranges::find_if(parts, isLobe);
+        const auto last = std::find_if_not(first, parts.end(), isLobe);
+        const double share = side == Side::Right ? d.rightLungShare : 1.0 - d.rightLungShare;
+        matchVolume({first, last}, hilum(side, plan), share * d.functionalResidualCapacity);
+    }
+}
+
+/// A part in all levels. Simplifying folds a surface now and then, thin ones more often; what meets
+/// itself keeps some more triangles.
+struct Made {
+    AnatomyPart part;
+    bool isWrong = false; ///< it meets itself all the same
 };
 
-Growth growthOf(const PatientDimensions& d)
+Made surfaceOf(const PartPlan& plan, double finer)
 {
-    const PatientDimensions grown = dimensionsOf(BuiltinPatient::Adult);
-    return {d.tracheaLength / grown.tracheaLength,
-            std::cbrt(d.functionalResidualCapacity / grown.functionalResidualCapacity),
-            d.height / grown.height};
+    const TriangleMesh mesh = meshOf(plan.shape, (1.0 - finer) * plan.voxel);
+    Made made{{plan.name, plan.role, plan.conceptId, {}}};
+    for (const double more : {1.0, 1.03, 1.06, 1.09, 1.4, 1.9, 2.7, 3.8}) {
+        made.part.levels = levelsOfDetail(mesh, std::array{more * kShares[0], more * kShares[1]});
+        made.isWrong = meetsItself(made.part.levels);
+        if (!made.isWrong)
+            break;
+    }
+    return made;
 }
 
-AirwayLandmarks landmarksOf(const PatientDimensions& d)
+/// Makes parts, and those that meet themselves in their finest level a little finer once more.
+void makeParts(std::span<const PartPlan> plans, std::span<AnatomyPart> parts)
 {
-    const Vec3 up = windpipeInAnatomy().rotation() * Vec3::UnitZ();
-    AirwayLandmarks landmarks;
-    landmarks.p_A_glottis = d.cordsToCarina.si * up;
-    const std::array down{landmarks.p_A_glottis, landmarks.p_A_carina};
-    landmarks.p_A_incisors =
-        incisorsAtLength(down, metres(d.teethToCarina.si - d.cordsToCarina.si));
-    landmarks.path_A = airwayPath(landmarks.p_A_incisors, down);
-    return landmarks;
+    tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
+        Made made{{}, true};
+        for (int attempt = 0; attempt < kAttempts && made.isWrong; ++attempt)
+            made = surfaceOf(plans[i], kFiner * attempt);
+        parts[i] = std::move(made.part);
+    });
 }
 
-AnatomyPart lungOf(Side side, const PatientDimensions& d, const AirwaySolid& airway)
+/// Makes the lobes of both lungs, which are scaled together and so made anew together.
+void makeLobes(const BodyPlan& plan, std::span<const PartPlan> plans, std::span<AnatomyPart> parts)
 {
-    const Growth growth = growthOf(d);
-    const auto outside = [airway](const Vec3& p_A) { return airway.outsideLungs(p_A); };
-    const bool right = side == Side::Right;
-    AnatomyPart lung =
-        partOf(right ? "Right lung" : "Left lung", right ? PartRole::RightLung : PartRole::LeftLung,
-               right ? "FMA7309" : "FMA7310", lungShape(side, growth.lungs, outside),
-               growth.lungs * kLungVoxel);
-    const double share = right ? d.rightLungShare : 1.0 - d.rightLungShare;
-    matchVolume(lung, hilum(side, growth.lungs), share * d.functionalResidualCapacity);
-    return lung;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
+            parts[i] = surfaceOf(plans[i], kFiner * attempt).part;
+        });
+        matchVolumes(plan, parts);
+        if (std::ranges::none_of(parts,
+                                 [](const AnatomyPart& part) { return meetsItself(part.levels); }))
+            break;
+    }
 }
 
-std::vector<AnatomyPart> partsOf(const PatientDimensions& d, const AirwayLandmarks& landmarks)
+std::vector<AnatomyPart> partsOf(const BodyPlan& plan)
 {
-    const Growth growth = growthOf(d);
-    const AirwaySolid airway{d};
-    const Length airwayVoxel = growth.airway * kAirwayVoxel;
-    const Length larynxVoxel = growth.airway * kLarynxVoxel;
-    const Vec3 p_A_lowerIncisors = landmarks.p_A_incisors + growth.face * kUpperToLowerIncisors;
-    std::vector<AnatomyPart> parts;
-    parts.push_back(partOf("Trachea", PartRole::Trachea, "FMA7394", airway.trachea(), airwayVoxel));
-    parts.push_back(partOf("Right main bronchus", PartRole::RightMainBronchus, "FMA7395",
-                           airway.bronchus(Side::Right), airwayVoxel));
-    parts.push_back(partOf("Left main bronchus", PartRole::LeftMainBronchus, "FMA7396",
-                           airway.bronchus(Side::Left), airwayVoxel));
-    parts.push_back(partOf("Larynx", PartRole::Larynx, "FMA55097", larynxShape(d), larynxVoxel));
-    parts.push_back(
-        partOf("Epiglottis", PartRole::Epiglottis, "FMA55130", epiglottisShape(d), larynxVoxel));
-    parts.push_back(lungOf(Side::Right, d, airway));
-    parts.push_back(lungOf(Side::Left, d, airway));
-    parts.push_back(partOf("Mandible", PartRole::Mandible, "FMA52748",
-                           mandibleShape(p_A_lowerIncisors, growth.face),
-                           growth.face * kMandibleVoxel));
+    std::vector<PartPlan> plans = partPlans(plan);
+    const auto lobes = std::ranges::stable_partition(
+        plans, [](const PartPlan& part) { return !lungSide(part.role).has_value(); });
+    const std::size_t others = plans.size() - lobes.size();
+    std::vector<AnatomyPart> parts(plans.size());
+    makeParts({plans.data(), others}, {parts.data(), others});
+    makeLobes(plan, lobes, {parts.data() + others, lobes.size()});
     return parts;
 }
 
-std::string_view hashOf(BuiltinPatient patient)
-{
-    return patient == BuiltinPatient::Adult ? "builtin-adult-1" : "builtin-twelve-years-1";
-}
+std::string inWhole(double value) { return std::to_string(std::lround(value)); }
 
 } // namespace
+
+std::string_view builtinHash(BuiltinPatient patient)
+{
+    return patient == BuiltinPatient::Adult ? "builtin-adult-2" : "builtin-twelve-years-2";
+}
 
 std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash)
 {
     for (const BuiltinPatient patient : {BuiltinPatient::Adult, BuiltinPatient::TwelveYears})
-        if (contentHash == hashOf(patient))
+        if (contentHash == builtinHash(patient))
             return patient;
     return std::nullopt;
 }
 
-Result<Anatomy> builtinPatient(BuiltinPatient patient)
+Result<Anatomy> patientFor(const PatientParameters& parameters, Posture posture)
 {
-    const bool adult = patient == BuiltinPatient::Adult;
-    const PatientDimensions dimensions = dimensionsOf(patient);
+    const auto dimensions = dimensionsFor(parameters);
+    if (!dimensions)
+        return tl::unexpected(dimensions.error());
+    const BodyPlan plan = bodyPlanOf(*dimensions, posture);
     Anatomy anatomy;
-    anatomy.name = adult ? "Adult" : "12 years, 150 cm";
-    anatomy.contentHash = hashOf(patient);
-    anatomy.landmarks = landmarksOf(dimensions);
-    anatomy.parts = partsOf(dimensions, anatomy.landmarks);
+    anatomy.name = inWhole(parameters.ageInYears) + " years, "
+                   + inWhole(0.1 * inMillimetres(parameters.height)) + " cm";
+    anatomy.landmarks = plan.landmarks;
+    anatomy.parts = partsOf(plan);
     for (const AnatomyPart& part : anatomy.parts) {
         for (const TriangleMesh& level : part.levels) {
             if (!isClosed(level) || !(signedVolume(level) > 0.0))
@@ -145,6 +203,16 @@ Result<Anatomy> builtinPatient(BuiltinPatient patient)
         }
     }
     return anatomy;
+}
+
+Result<Anatomy> builtinPatient(BuiltinPatient patient)
+{
+    return patientFor(parametersOf(patient)).map([patient](Anatomy&& anatomy) {
+        if (patient == BuiltinPatient::Adult)
+            anatomy.name = "Adult";
+        anatomy.contentHash = builtinHash(patient);
+        return std::move(anatomy);
+    });
 }
 
 } // namespace carina

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "engine/anatomy/anatomy.h"
-#include "engine/anatomy/patient_dimensions.h"
+#include "engine/anatomy/body_plan.h"
 #include "engine/core/result.h"
 
 #include <optional>
@@ -10,17 +9,25 @@
 namespace carina
 {
 
-/// A patient made from its dimensions: trachea, main bronchi with their lobar branches, larynx,
-/// epiglottis, both lungs and mandible, each closed in each of three levels of detail (whole, a
-/// quarter, a sixteenth of the triangles). No file is read; the same build makes the same patient.
+/// A patient made by formulas: mouth with teeth, tongue and palate, pharynx, larynx with vocal
+/// cords, epiglottis, trachea with its rings, bronchi to the segments, five lobes, diaphragm, ribs,
+/// sternum, clavicles, spine, lower jaw, oesophagus and skin, each closed in each of three levels
+/// of detail (whole, a quarter, a sixteenth of the triangles). No file is read; the same build
+/// makes the same patient.
 ///
 /// Both lungs together enclose the functional residual capacity, shared as the dimensions say, in
 /// every level of detail.
 ///
-/// @returns MeshNotClosed if a surface came out open or inside out.
+/// @returns MeshNotClosed if a surface came out open or inside out; OutOfRange (see dimensionsFor).
+[[nodiscard]] Result<Anatomy> patientFor(const PatientParameters& parameters,
+                                         Posture posture = Posture::Laryngoscopy);
+
+/// The same with the figures of a built-in patient.
 [[nodiscard]] Result<Anatomy> builtinPatient(BuiltinPatient patient);
 
 /// The built-in patient with this content hash; nothing for any other.
 [[nodiscard]] std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash);
+/// And back: the name and the version of what makes it.
+[[nodiscard]] std::string_view builtinHash(BuiltinPatient patient);
 
 } // namespace carina

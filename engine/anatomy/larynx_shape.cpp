@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace carina
 {
@@ -20,8 +21,8 @@ constexpr double kTracheaTop = -26.0;
 /// A lamina of the thyroid cartilage seen from above, from the prominence to its back edge.
 std::vector<Vec2> laminaPlan()
 {
-    return cornersCut({Vec2{0.0, -21.0}, Vec2{2.5, -20.2}, Vec2{8.0, -13.0}, Vec2{14.0, -3.0},
-                       Vec2{18.0, 6.0}, Vec2{19.5, 13.0}},
+    return cornersCut({Vec2{0.0, -17.0}, Vec2{2.5, -16.2}, Vec2{8.0, -9.0}, Vec2{14.0, 0.0},
+                       Vec2{18.0, 9.0}, Vec2{19.5, 15.0}},
                       2);
 }
 
@@ -53,22 +54,23 @@ double cricoid(const Vec3& p, const Vec2& radii)
     return roundedMax(ring, slab, 2.0);
 }
 
-double cordsAndArytenoids(const Vec3& p)
+/// Of the half that p is mirrored into: towards the cord's own side.
+double cord(const Vec3& p) { return rodDistance(p, {1.2, -13.5, 0.0}, {8.0, 8.5, 0.0}, 1.3, 1.7); }
+
+double arytenoid(const Vec3& p)
 {
-    const Vec3 q{std::abs(p.x()), p.y(), p.z()};
-    const double cord = rodDistance(q, {1.2, -17.5, 0.0}, {8.5, 7.0, 0.0}, 1.3, 1.7);
-    const double arytenoid = rodDistance(q, {8.0, 8.0, -6.0}, {5.0, 10.5, 8.0}, 3.6, 1.6);
-    return roundedMin(cord, arytenoid, 2.0);
+    return rodDistance(p, {8.6, 10.6, -5.0}, {5.0, 12.5, 8.0}, 3.4, 1.6);
 }
 
-/// A leaf, folded along its middle, that leans forward.
-double epiglottis(const Vec3& p)
+/// A leaf, folded along its middle.
+double epiglottis(const Vec3& p, Posture posture)
 {
+    const bool raised = posture == Posture::Laryngoscopy;
     const double up = p.z() - 3.0;
-    const double middle = -16.5 - 0.10 * up + 0.028 * p.x() * p.x();
+    const double middle = (raised ? -12.5 - 0.10 * up : -8.0 + 0.36 * up) + 0.024 * p.x() * p.x();
     const double thickness = std::abs(p.y() - middle) / 1.2 - 1.5;
-    const double halfWidth = 2.5 + 8.5 * easedStep(0.0, 26.0, up);
-    const double top = 34.0 - 0.06 * p.x() * p.x();
+    const double halfWidth = 2.5 + 7.0 * easedStep(0.0, 20.0, up);
+    const double top = 33.0 - 0.06 * p.x() * p.x();
     const double leaf = roundedMax(std::abs(p.x()) - halfWidth, std::max(up - top, -up), 6.0);
     return roundedMax(0.8 * leaf, thickness, 1.5);
 }
@@ -100,28 +102,51 @@ struct Larynx {
     }
 };
 
-} // namespace
+constexpr Length kLarynxVoxel = millimetres(1.1);
 
-ImplicitShape larynxShape(const PatientDimensions& dimensions)
+/// A part written in this file's millimetres within a box, in A.
+PartPlan planOf(const char* name, PartRole role, const char* concept_, const Larynx& larynx,
+                const Box& box, Implicit local)
 {
-    const Larynx larynx{dimensions};
-    const Vec2 radii =
-        Vec2{0.5 * dimensions.tracheaCoronal.si, 0.5 * dimensions.tracheaSagittal.si} / larynx.unit;
-    const auto distance = [larynx, radii](const Vec3& p_A) {
-        const Vec3 p = larynx.local(p_A);
-        const double cartilages = std::min(thyroid(p), cricoid(p, radii));
-        return larynx.unit * roundedMin(cartilages, cordsAndArytenoids(p), 1.5);
+    const auto distance = [larynx, local = std::move(local)](const Vec3& p_A) {
+        return larynx.unit * local(larynx.local(p_A));
     };
-    return {larynx.bounds({-25.0, -27.0, -30.0}, {25.0, 19.0, 34.0}), distance};
+    return {name,
+            role,
+            concept_,
+            {larynx.bounds(box.min, box.max), distance},
+            1e3 * larynx.unit * kLarynxVoxel};
 }
 
-ImplicitShape epiglottisShape(const PatientDimensions& dimensions)
+PartPlan onSide(const char* name, const char* concept_, const Larynx& larynx, double sign,
+                double (*half)(const Vec3&))
 {
-    const Larynx larynx{dimensions};
-    const auto distance = [larynx](const Vec3& p_A) {
-        return larynx.unit * epiglottis(larynx.local(p_A));
-    };
-    return {larynx.bounds({-15.0, -26.0, 0.0}, {15.0, -8.0, 42.0}), distance};
+    const Box box{Vec3{sign > 0.0 ? 0.0 : -15.0, -17.0, -10.0},
+                  Vec3{sign > 0.0 ? 15.0 : 0.0, 18.0, 12.0}};
+    return planOf(name, PartRole::Larynx, concept_, larynx, box, [sign, half](const Vec3& p) {
+        return half({sign * p.x(), p.y(), p.z()});
+    });
+}
+
+} // namespace
+
+std::vector<PartPlan> larynx(const BodyPlan& plan)
+{
+    const PatientDimensions& d = plan.dimensions;
+    const Larynx larynx{d};
+    const Vec2 radii = Vec2{0.5 * d.tracheaCoronal.si, 0.5 * d.tracheaSagittal.si} / larynx.unit;
+    return {planOf("Thyroid cartilage", PartRole::Larynx, "FMA55099", larynx,
+                   {Vec3{-24, -21, -25}, Vec3{24, 20, 30}}, thyroid),
+            planOf("Cricoid cartilage", PartRole::Larynx, "FMA9615", larynx,
+                   {Vec3{-20, -18, -30}, Vec3{20, 19, 0}},
+                   [radii](const Vec3& p) { return cricoid(p, radii); }),
+            onSide("Left arytenoid cartilage", "FMA55114", larynx, 1.0, arytenoid),
+            onSide("Right arytenoid cartilage", "FMA55113", larynx, -1.0, arytenoid),
+            onSide("Left vocal ligament", "FMA55246", larynx, 1.0, cord),
+            onSide("Right vocal ligament", "FMA55245", larynx, -1.0, cord),
+            planOf("Epiglottis", PartRole::Epiglottis, "FMA55130", larynx,
+                   {Vec3{-15, -22, 0}, Vec3{15, 12, 40}},
+                   [posture = plan.posture](const Vec3& p) { return epiglottis(p, posture); })};
 }
 
 } // namespace carina

@@ -1,22 +1,22 @@
 #pragma once
 
-#include "engine/anatomy/anatomy.h"
-#include "engine/anatomy/implicit_shape.h"
+#include "engine/anatomy/body_plan.h"
+
+#include <vector>
 
 namespace carina
 {
 
-/// One lung of the built-in patient, in A: a tapering body under the ribs with its apex above the
-/// carina, hollowed from below by the dome of the diaphragm and from the middle by heart, great
-/// vessels and spine, with the fissures between its lobes as grooves. The right lung is wider, sits
-/// on the higher dome and has three lobes; the left has the cardiac notch.
+/// The five lobes of both lungs: a tapering body under the ribs, hollowed from below by the domes
+/// of the diaphragm and from the middle by heart, great vessels and spine, and cut along the
+/// fissures. The right lung is wider and sits on the higher dome; the left has the cardiac notch.
+/// Fissures lie where each lobe has its share of the lung, and lobes keep half a millimetre apart
+/// there.
 ///
-/// @param size           1 for the adult; lengths go with it
-/// @param outsideLungs   distance to what no lung may enter, in A
-[[nodiscard]] ImplicitShape lungShape(Side side, double size, Implicit outsideLungs);
+/// @param outsideLungs distance in A to what no lung may enter
+[[nodiscard]] std::vector<PartPlan> lobes(const BodyPlan& plan, const Implicit& outsideLungs);
 
-/// Where bronchus and vessels enter a lung of that size: it keeps its place when volumes are
-/// matched.
-[[nodiscard]] Vec3 hilum(Side side, double size);
+/// Where bronchus and vessels enter a lung: it keeps its place when volumes are matched. In A.
+[[nodiscard]] Vec3 hilum(Side side, const BodyPlan& plan);
 
 } // namespace carina

@@ -12,8 +12,6 @@ namespace
 /// The jaw is written in millimetres of the adult, from the edge of the lower incisors; both halves
 /// are one half mirrored.
 
-constexpr double kReach = 6.0; ///< from the middle of a tooth to its edge
-
 /// One half seen from above, from the chin to behind the condyle.
 std::vector<Vec2> jawPlan()
 {
@@ -33,28 +31,6 @@ std::array<Vec2, 19> jawOutline()
             Vec2{86.0, -34.0}, Vec2{50.0, -36.0}, Vec2{-9.0, -38.0}};
 }
 
-struct LowerTooth {
-    double along;
-    double halfWidth;
-    double halfDepth;
-};
-constexpr std::array kLowerTeeth{LowerTooth{2.7, 2.5, 2.4},  LowerTooth{8.2, 2.7, 2.6},
-                                 LowerTooth{14.6, 3.3, 3.2}, LowerTooth{21.6, 3.4, 3.4},
-                                 LowerTooth{28.8, 3.5, 3.8}, LowerTooth{37.9, 5.2, 4.8},
-                                 LowerTooth{48.9, 5.2, 4.8}};
-
-double teeth(double along, double off, double up)
-{
-    double nearest = 1e3;
-    for (const LowerTooth& tooth : kLowerTeeth) {
-        const Vec3 q{along - tooth.along, off, up + kReach};
-        const double crown =
-            ellipsoidDistance(q.cwiseAbs(), {tooth.halfWidth, tooth.halfDepth, kReach});
-        nearest = std::min(nearest, crown);
-    }
-    return nearest;
-}
-
 double jaw(const Vec3& p)
 {
     static const auto plan = jawPlan();
@@ -67,8 +43,7 @@ double jaw(const Vec3& p)
     const double chin = ellipsoidDistance(p - Vec3{0.0, -1.0, -31.0}, {15.0, 5.0, 7.0});
     const double condyle = ellipsoidDistance(
         Vec3{std::abs(p.x()) - 48.0, p.y() - 83.0, p.z() - 41.0}, {10.0, 5.0, 4.5});
-    const double whole = roundedMin(roundedMin(bone, chin, 8.0), condyle, 6.0);
-    return roundedMin(whole, teeth(at.along, at.off, p.z()), 1.5);
+    return roundedMin(roundedMin(bone, chin, 8.0), condyle, 6.0);
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 namespace carina
 {
 
-/// The lower jaw with its teeth, in A: the horseshoe of the body, the rami with coronoid and
+/// The lower jaw without its teeth, in A: the horseshoe of the body, the rami with coronoid and
 /// condylar process.
 ///
 /// @param p_A_lowerIncisors  edge of the lower incisors, in the midline

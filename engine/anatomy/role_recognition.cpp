@@ -111,6 +111,8 @@ constexpr std::array kPhraseRoles{
     both("veli palatini", PartRole::Pharynx),
     both("uvular muscle", PartRole::Pharynx),
     both("soft palate", PartRole::Pharynx),
+    both("hard palate", PartRole::Pharynx),
+    both("oral cavity", PartRole::Pharynx),
     both("esophagus", PartRole::Oesophagus),
     both("oesophagus", PartRole::Oesophagus),
     both("mandible", PartRole::Mandible),

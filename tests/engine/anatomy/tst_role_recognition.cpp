@@ -70,6 +70,8 @@ private Q_SLOTS:
         row("Tribal mask", "other");
         row("Esophagus", "oesophagus");
         row("Left genioglossus", "tongue");
+        row("Hard palate", "pharynx");
+        row("Oral cavity", "pharynx");
         row("Diaphragm", "diaphragm");
         row("", "other");
     }

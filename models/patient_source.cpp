@@ -1,7 +1,6 @@
 #include "models/patient_source.h"
 
-#include "engine/anatomy/builtin_patient.h"
-#include "engine/io/anatomy_cache.h"
+#include "engine/io/builtin_cache.h"
 #include "engine/io/carried_sets.h"
 #include "engine/io/set_hash.h"
 
@@ -21,7 +20,7 @@ Result<SharedPatientModel> patientHere(const std::string& contentHash, const std
                                        const std::filesystem::path& cacheFolder)
 {
     if (const auto builtin = builtinOfHash(contentHash))
-        return builtinPatient(*builtin).and_then(patientOf);
+        return cachedBuiltinPatient(*builtin, cacheFolder).and_then(patientOf);
     if (!isSetHash(contentHash))
         return fail(Errc::FileNotFound, contentHash);
     return AnatomyCache{cacheFolder}.load(contentHash).and_then([&](ImportedSet&& set) {

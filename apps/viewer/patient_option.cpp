@@ -1,7 +1,7 @@
 #include "apps/viewer/patient_option.h"
 
-#include "engine/anatomy/builtin_patient.h"
 #include "engine/io/anatomy_set.h"
+#include "engine/io/builtin_cache.h"
 #include "models/error_text.h"
 
 #include <QCoreApplication>
@@ -60,7 +60,8 @@ Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
                                   : builtinNamed(parser.value(kPatient));
     if (!builtin)
         return tl::unexpected(builtin.error());
-    auto anatomy = imported ? importedPatient(parser.value(kAnatomy)) : builtinPatient(*builtin);
+    auto anatomy = imported ? importedPatient(parser.value(kAnatomy))
+                            : cachedBuiltinPatient(*builtin, AnatomyCache::defaultFolder());
     if (!anatomy)
         return tl::unexpected(anatomy.error());
     auto model = patientOf(std::move(*anatomy));

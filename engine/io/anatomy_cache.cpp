@@ -54,7 +54,7 @@ Result<void> AnatomyCache::remember(const std::string& listingHash,
     return writeWholeFile(m_folder / (listingHash + ".listing"), contentHash);
 }
 
-Result<void> AnatomyCache::store(const ImportedSet& set, const std::string& listingHash) const
+Result<void> AnatomyCache::store(const ImportedSet& set) const
 {
     const std::string& hash = set.anatomy.contentHash;
     const std::vector<std::byte> bytes = encodeSet(set);
@@ -63,10 +63,13 @@ Result<void> AnatomyCache::store(const ImportedSet& set, const std::string& list
                                       {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         !written)
         return written;
-    if (auto written = writeWholeFile(m_folder / (hash + ".json"), description.toStdString());
-        !written)
-        return written;
-    return remember(listingHash, hash);
+    return writeWholeFile(m_folder / (hash + ".json"), description.toStdString());
+}
+
+Result<void> AnatomyCache::store(const ImportedSet& set, const std::string& listingHash) const
+{
+    return store(set).and_then(
+        [&]() -> Result<void> { return remember(listingHash, set.anatomy.contentHash); });
 }
 
 } // namespace carina

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] Result<ImportedSet> load(const std::string& contentHash) const;
 
     /// @returns FileUnwritable
+    [[nodiscard]] Result<void> store(const ImportedSet& set) const;
+    /// The same, and remembers the listing that it was made from.
     [[nodiscard]] Result<void> store(const ImportedSet& set, const std::string& listingHash) const;
 
     /// Remembers that files that look so hold this content.

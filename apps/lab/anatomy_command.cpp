@@ -1,8 +1,12 @@
 #include "apps/lab/anatomy_command.h"
 
+#include "apps/lab/comparison_report.h"
+#include "engine/anatomy/builtin_patient.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/anatomy_set.h"
 #include "engine/io/set_description.h"
+
+#include <QCommandLineParser>
 
 namespace carina::lab
 {
@@ -37,14 +41,33 @@ constexpr std::string_view kAnatomyHelp =
     import_s          seconds until the set was there
     from_cache        whether the files were not read anew
     cache             the file that keeps the set; null where it could not be written
+anatomy compare [--set DIR] [--patient adult|child]
+    Makes a built-in patient and looks for faults in it. With --set it is made with its mouth shut and
+    measured, and so is the patient in DIR: how far the two are apart once the set is scaled about its carina: head and airway by the distance from the vocal
+    cords to the carina, the chest by the cube root of the volume of the lungs.
+    schema            "carina.anatomy-compare/1"
+    patient           "adult" (where nothing is said) or "child"
+    generate_s        seconds it took to make
+    triangles         of all its parts at their finest
+    self_intersections  "part", "level" and "pairs" of triangles of each surface that runs through
+                      itself
+    and with --set
+    airway_scale, chest_scale
+    figures           "name" with its unit, "generated", "set" (scaled), "deviation" as difference or,
+                      where "relative", as share of the set's, "limit" and whether it is "met"
+    organs            "to_set_mm", the mean distance of the generated surface from the set's,
+                      "from_set_mm" back, and "mean_mm" of both, or of the first where "one_way": the
+                      bronchi of a set go on where those of the patient end. At most 6 mm.
+    not_in_set, not_in_patient   organs that only the other has
+    met, unmet        whether all is met, and what is not, one line for each
 )";
 
-Result<QJsonObject> describeAnatomy(const QStringList& arguments)
+Result<QJsonObject> describeSetOf(const QStringList& arguments)
 {
     const QString verb = arguments.value(0);
     const bool import = verb == QStringLiteral("import");
     if (arguments.size() != 2 || (!import && verb != QStringLiteral("list")))
-        return fail(Errc::OutOfRange, "anatomy needs \"import DIR\" or \"list DIR\".");
+        return fail(Errc::OutOfRange, "anatomy needs \"import DIR\", \"list DIR\" or \"compare\".");
     const auto begin = monotonicNow();
     const auto loaded = loadAnatomySet(arguments[1].toStdString(), AnatomyCache::defaultFolder(),
                                        {}, import ? CacheUse::Renewed : CacheUse::Allowed);
@@ -60,8 +83,73 @@ Result<QJsonObject> describeAnatomy(const QStringList& arguments)
     return object;
 }
 
+/// Which patient to make, and which set to hold it against.
+struct CompareOptions {
+    BuiltinPatient patient = BuiltinPatient::Adult;
+    QString set; ///< empty for none
+};
+
+Result<CompareOptions> compareOptions(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.addOption({QStringLiteral("set"), {}, QStringLiteral("DIR")});
+    parser.addOption(
+        {QStringLiteral("patient"), {}, QStringLiteral("NAME"), QStringLiteral("adult")});
+    const bool parsed = parser.parse(arguments); // the verb stands where a program's name would
+    const QString patient = parser.value(QStringLiteral("patient"));
+    const bool child = patient == QStringLiteral("child");
+    if (!parsed || !parser.positionalArguments().isEmpty()
+        || (!child && patient != QStringLiteral("adult")))
+        return fail(Errc::OutOfRange, "anatomy compare takes [--set DIR] [--patient adult|child].");
+    return CompareOptions{child ? BuiltinPatient::TwelveYears : BuiltinPatient::Adult,
+                          parser.value(QStringLiteral("set"))};
+}
+
+Result<QJsonObject> reportOn(const Anatomy& patient, const QString& set)
+{
+    if (set.isEmpty())
+        return QJsonObject{
+            {QStringLiteral("self_intersections"), listOf(selfIntersectionsOf(patient))}};
+    const auto loaded = loadAnatomySet(set.toStdString(), AnatomyCache::defaultFolder());
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    return compareAnatomy(patient, loaded->set.anatomy).map(reportOf);
+}
+
+Result<QJsonObject> comparePatient(const QStringList& arguments)
+{
+    const auto options = compareOptions(arguments);
+    if (!options)
+        return tl::unexpected(options.error());
+    const auto begin = monotonicNow();
+    const auto patient = patientFor(parametersOf(options->patient),
+                                    options->set.isEmpty() ? Posture::Laryngoscopy : Posture::Rest);
+    if (!patient)
+        return tl::unexpected(patient.error());
+    const Duration time = monotonicNow() - begin;
+    auto report = reportOn(*patient, options->set);
+    if (!report)
+        return report;
+    qint64 triangles = 0;
+    for (const AnatomyPart& part : patient->parts)
+        triangles += qint64(part.levels.front().triangles.size());
+    report->insert(QStringLiteral("schema"), QStringLiteral("carina.anatomy-compare/1"));
+    report->insert(QStringLiteral("patient"), options->patient == BuiltinPatient::Adult
+                                                  ? QStringLiteral("adult")
+                                                  : QStringLiteral("child"));
+    report->insert(QStringLiteral("generate_s"), toSeconds(time));
+    report->insert(QStringLiteral("triangles"), triangles);
+    return report;
+}
+
+Result<QJsonObject> runAnatomy(const QStringList& arguments)
+{
+    return arguments.value(0) == QStringLiteral("compare") ? comparePatient(arguments)
+                                                           : describeSetOf(arguments);
+}
+
 } // namespace
 
-Command anatomyCommand() { return {"anatomy", kAnatomyHelp, describeAnatomy}; }
+Command anatomyCommand() { return {"anatomy", kAnatomyHelp, runAnatomy}; }
 
 } // namespace carina::lab

@@ -241,7 +241,7 @@ void TestBuiltinPatient::mandibleIsAHorseshoeInFrontOfTheLarynx()
     // Behind the chin two halves with room between them; the jaw lies below the upper incisors and
     // its condyles above.
     const test::Section halves = test::sectionOf(
-        mandible, {Vec3{0.0, jaw.min.y() + 0.4 * jaw.size().y(), 0.0}, Vec3::UnitY()});
+        mandible, {Vec3{0.0, jaw.min.y() + 0.5 * jaw.size().y(), 0.0}, Vec3::UnitY()});
     const double nearest =
         std::abs(std::min_element(halves.points.begin(), halves.points.end(), [](auto& a, auto& b) {
                      return std::abs(a.x()) < std::abs(b.x());

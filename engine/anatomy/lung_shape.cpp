@@ -17,9 +17,9 @@ constexpr Length kLungVoxel = millimetres(3.3);
 /// Lungs are written in his millimetres from the lowest edge of his trachea, towards the lung's own
 /// side: x is positive away from the midline in both.
 
-/// Free way between an airway and the lung beside it, and between lung and diaphragm.
+/// Free way between an airway and the lung beside it, and from the middle of the diaphragm.
 constexpr double kClearance = 2.5;
-constexpr double kAboveDiaphragm = 2.5;
+constexpr double kAboveDiaphragm = 3.4;
 constexpr double kAboveDomes = -65.0; ///< height above which the diaphragm is far away
 constexpr double kHalfFissure = 0.25;
 /// Further out than surfaces are looked for.
@@ -47,8 +47,8 @@ struct Form {
 
 const Form kRight{{46, -20.5, -102},
                   {36, 8.5, 55},
-                  74,
-                  80,
+                  73,
+                  79.5,
                   2.1,
                   {-22, -38.5, -56},
                   {55.5, 50.5, 63},
@@ -58,8 +58,8 @@ const Form kRight{{46, -20.5, -102},
                   -177};
 const Form kLeft{{65, -23, -102.5},
                  {41, 11.5, 59},
-                 60,
-                 78.5,
+                 58.5,
+                 77,
                  1.8,
                  {15.5, -47.5, -75.5},
                  {61, 50, 61},
@@ -85,6 +85,31 @@ double underRibs(const Form& form, const Vec3& p)
     return (e - 1.0) * form.halfWidth;
 }
 
+/// The bodies of the thoracic vertebrae and, beside them, the tips of their transverse processes
+/// with the necks of the ribs: a place on each line and the radius there.
+struct Bone {
+    double y, z, radius;
+    double besideX, besideY;
+};
+constexpr std::array kColumn{Bone{7, 78, 18, 30, 22},      Bone{26, 11, 18, 32, 45},
+                             Bone{33, -50, 19.5, 34, 55},  Bone{24, -116, 21, 31, 50},
+                             Bone{10, -171, 22.5, 24, 39}, Bone{-4, -215, 23, 20, 28}};
+
+double column(const Vec3& p)
+{
+    constexpr double kNeck = 7.0;
+    double nearest = 1e3;
+    for (std::size_t i = 0; i + 1 < kColumn.size(); ++i) {
+        const Bone& a = kColumn[i];
+        const Bone& b = kColumn[i + 1];
+        nearest =
+            std::min({nearest, rodDistance(p, {0.0, a.y, a.z}, {0.0, b.y, b.z}, a.radius, b.radius),
+                      rodDistance(p, {a.besideX, a.besideY, a.z}, {b.besideX, b.besideY, b.z},
+                                  kNeck, kNeck)});
+    }
+    return nearest;
+}
+
 /// Everything in the middle of the chest.
 double mediastinum(const Form& form, const Vec3& p)
 {
@@ -108,6 +133,7 @@ double lungDistance(Side side, const Vec3& p)
     if (p.z() < kAboveDomes)
         d = roundedMax(d, kAboveDiaphragm - belowDiaphragm({sign * p.x(), p.y(), p.z()}), kFillet);
     d = roundedMax(d, -mediastinum(form, p), kFillet);
+    d = roundedMax(d, -column(p), kFillet);
     d = roundedMax(d, 5.0 - p.x(), kFillet);
     d = roundedMax(d, form.floor - p.z(), kFillet);
     if (side == Side::Left) // the cardiac notch

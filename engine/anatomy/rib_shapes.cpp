@@ -111,7 +111,7 @@ PartPlan rib(std::size_t i, Side side, const BodyPlan& plan)
 {
     // The first rib lies flat on the apex of the lung, the last two are slender.
     const double wide = i == 0 ? 8.0 : i >= 10 ? 6.0 : 7.4;
-    Strand strand = ribStrand(placed(ribLine(i), side, plan), wide * plan.chest, 3.9 * plan.chest);
+    Strand strand = ribStrand(placed(ribLine(i), side, plan), wide * plan.chest, 3.5 * plan.chest);
     return {sided(side, std::string{kOrdinals[i]} + " rib"), PartRole::Rib,
             fma(kRibConcepts[i][side == Side::Right ? 1 : 0]), strand.shape(),
             1e3 * plan.chest * kRibVoxel};
@@ -180,8 +180,10 @@ std::vector<Vec3> ribLine(std::size_t rib)
 {
     const RibFigures& r = kRibs[rib];
     const Vec3 head{15.0, r.headY, r.headZ};
-    const Vec3 back{0.54 * r.sideX, r.backY, r.backZ};
-    const Vec3 side{r.sideX, r.sideY, r.sideZ};
+    // Curves through few places run a little inside the rib that they stand for.
+    constexpr double kOutward = 2.0;
+    const Vec3 back{0.54 * r.sideX, r.backY + kOutward, r.backZ};
+    const Vec3 side{r.sideX + kOutward, r.sideY, r.sideZ};
     const Vec3 end = endOf(r);
     // Quarters of ellipses seen from above: the constants are those of a cubic through a quarter
     // and through 60 degrees of one.

@@ -22,7 +22,11 @@ std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh)
 
 AnatomyPart withoutMeshes(const AnatomyPart& part)
 {
-    return {.name = part.name, .role = part.role, .conceptId = part.conceptId, .levels = {}};
+    return {.name = part.name,
+            .role = part.role,
+            .conceptId = part.conceptId,
+            .levels = {},
+            .deviations = part.deviations};
 }
 
 } // namespace

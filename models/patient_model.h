@@ -21,7 +21,7 @@ enum class SurfaceBody : std::uint8_t {
 /// One surface of a patient or of the tube, as viewers draw it.
 struct PatientSurface {
     std::string name;
-    AnatomyPart description; ///< role and concept; without meshes
+    AnatomyPart description; ///< without meshes
     SurfaceBody body = SurfaceBody::Anatomy;
     /// Finest first. Shared with the lungs, whose volumes are those of these very meshes.
     std::vector<std::shared_ptr<const TriangleMesh>> levels;

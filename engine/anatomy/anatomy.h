@@ -56,6 +56,9 @@ struct AnatomyPart {
     PartRole role = PartRole::Other;
     std::string conceptId;            ///< FMA id such as "FMA7394"; empty where unknown
     std::vector<TriangleMesh> levels; ///< at least one; finest first, normals present in each
+    /// How far each level departs from the finest, metres; one each, or none where that
+    /// is not known.
+    std::vector<double> deviations{};
 };
 
 /// Points and the way of a tube that every patient has, in A, metres.

@@ -123,7 +123,10 @@ Made surfaceOf(const PartPlan& plan, double finer)
     const TriangleMesh mesh = meshOf(plan.shape, (1.0 - finer) * plan.voxel);
     Made made{{plan.name, plan.role, plan.conceptId, {}}};
     for (const double more : {1.0, 1.03, 1.06, 1.09, 1.4, 1.9, 2.7, 3.8}) {
-        made.part.levels = levelsOfDetail(mesh, std::array{more * kShares[0], more * kShares[1]});
+        LevelsOfDetail levels =
+            levelsOfDetail(mesh, std::array{more * kShares[0], more * kShares[1]});
+        made.part.levels = std::move(levels.meshes);
+        made.part.deviations = std::move(levels.deviations);
         made.isWrong = meetsItself(made.part.levels);
         if (!made.isWrong)
             break;

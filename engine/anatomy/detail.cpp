@@ -74,17 +74,25 @@ void finish(TriangleMesh& mesh)
     computeNormals(mesh);
 }
 
-TriangleMesh simplified(const TriangleMesh& mesh, std::size_t triangles)
+struct Simplified {
+    TriangleMesh mesh;
+    double deviation;
+};
+
+Simplified simplified(const TriangleMesh& mesh, std::size_t triangles)
 {
     TriangleMesh coarse;
+    float shareOfExtent = 0.0F;
     coarse.positions = mesh.positions;
     coarse.triangles.resize(mesh.triangles.size());
     const std::size_t corners = meshopt_simplify(
         cornersOf(coarse.triangles), cornersOf(mesh.triangles), 3 * mesh.triangles.size(),
         mesh.positions.front().data(), mesh.positions.size(), sizeof(Vec3f), 3 * triangles,
-        kAnyError, 0, nullptr);
+        kAnyError, 0, &shareOfExtent);
     coarse.triangles.resize(corners / 3);
-    return coarse;
+    const float extent =
+        meshopt_simplifyScale(mesh.positions.front().data(), mesh.positions.size(), sizeof(Vec3f));
+    return {std::move(coarse), double{shareOfExtent} * double{extent}};
 }
 
 /// Takes out two triangles on the same three corners that face each other: they bound nothing.
@@ -190,27 +198,31 @@ void partTouchingSheets(TriangleMesh& mesh)
 
 } // namespace
 
-std::vector<TriangleMesh> levelsOfDetail(TriangleMesh finest, std::span<const double> shares)
+LevelsOfDetail levelsOfDetail(TriangleMesh finest, std::span<const double> shares)
 {
     for (const Triangle& t : finest.triangles)
         CARINA_EXPECTS(std::max({t[0], t[1], t[2]}) < finest.positions.size());
     joinEqualPositions(finest);
     if (finest.empty())
-        return std::vector<TriangleMesh>(1 + shares.size());
+        return {std::vector<TriangleMesh>(1 + shares.size()),
+                std::vector<double>(1 + shares.size(), 0.0)};
     finish(finest);
     const std::size_t whole = finest.triangles.size();
-    std::vector<TriangleMesh> levels{std::move(finest)};
+    LevelsOfDetail levels;
+    levels.meshes.push_back(std::move(finest));
+    levels.deviations.push_back(0.0);
     double share = 1.0;
     for (const double next : shares) {
         CARINA_EXPECTS(next > 0.0 && next <= share);
         share = next;
         const auto wanted = static_cast<std::size_t>(std::lround(share * double(whole)));
-        const TriangleMesh& finer = levels.back();
-        TriangleMesh level =
+        const TriangleMesh& finer = levels.meshes.back();
+        auto [level, deviation] =
             simplified(finer, std::min(std::max(wanted, kFewestTriangles), finer.triangles.size()));
         partTouchingSheets(level);
         finish(level);
-        levels.push_back(std::move(level));
+        levels.meshes.push_back(std::move(level));
+        levels.deviations.push_back(levels.deviations.back() + deviation);
     }
     return levels;
 }

@@ -8,6 +8,14 @@
 namespace carina
 {
 
+/// One surface, finer and coarser.
+struct LevelsOfDetail {
+    std::vector<TriangleMesh> meshes; ///< finest first
+    /// How far each of them departs from the first, as the quadric errors of its collapses tell
+    /// together: the unit of the mesh; 0 for the first.
+    std::vector<double> deviations;
+};
+
 /// Levels of detail of one surface, finest first, each with normals and ordered for the vertex
 /// cache of a graphics card.
 ///
@@ -21,7 +29,6 @@ namespace carina
 ///
 /// @pre each share lies in (0, 1] and none is larger than the one before it; every corner index is
 ///      a vertex of `finest`; positions are finite.
-[[nodiscard]] std::vector<TriangleMesh> levelsOfDetail(TriangleMesh finest,
-                                                       std::span<const double> shares);
+[[nodiscard]] LevelsOfDetail levelsOfDetail(TriangleMesh finest, std::span<const double> shares);
 
 } // namespace carina

@@ -1,5 +1,6 @@
 #include "engine/io/anatomy_cache.h"
 
+#include "engine/io/mapped_file.h"
 #include "engine/io/set_codec.h"
 #include "engine/io/set_description.h"
 #include "engine/io/set_hash.h"
@@ -37,10 +38,10 @@ std::optional<std::string> AnatomyCache::contentHash(const std::string& listingH
 Result<ImportedSet> AnatomyCache::load(const std::string& contentHash) const
 {
     const std::filesystem::path file = setFile(contentHash);
-    const Result<std::string> bytes = readWholeFile(file);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
-    auto set = decodeSet(std::as_bytes(std::span{*bytes}));
+    const Result<MappedFile> mapped = MappedFile::of(file);
+    if (!mapped)
+        return tl::unexpected(mapped.error());
+    auto set = decodeSet(mapped->bytes());
     if (!set)
         return fail(set.error().code, file.string() + ": " + set.error().detail);
     if (set->anatomy.contentHash != contentHash)

@@ -2,6 +2,7 @@
 
 #include "engine/io/anatomy_cache.h"
 #include "engine/io/imported_set.h"
+#include "engine/io/set_corrections.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,12 +28,18 @@ struct LoadedSet {
 /// or hold what a cached set was made from, else by importSetFolder, and kept for the next time.
 /// Writes into the cache's folder and nowhere else.
 ///
+/// What a review corrects is kept beside the cache, as <content hash of the
+/// files>.corrections.json, and holds for the same files from then on; who has a review sees it
+/// already corrected.
+///
 /// @param cacheFolder usually AnatomyCache::defaultFolder()
 /// @param progress may be empty
+/// @param review may be empty; asked only where files are read
 /// @returns FileNotFound without such a folder; NothingRecognised; OutOfRange; Cancelled.
 [[nodiscard]] Result<LoadedSet> loadAnatomySet(const std::filesystem::path& folder,
                                                const std::filesystem::path& cacheFolder,
                                                const ImportProgress& progress = {},
-                                               CacheUse use = CacheUse::Allowed);
+                                               CacheUse use = CacheUse::Allowed,
+                                               const SetReview& review = {});
 
 } // namespace carina

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 namespace carina
@@ -15,7 +16,7 @@ namespace
 
 constexpr std::uint64_t kMagic = 0x5450414e49524143; // "CARINAPT"
 /// Raised when the layout changes, or what an import makes of the same files.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::size_t kHashBytes = 32;
 constexpr std::uint32_t kMostLevels = 16;    ///< of one part
 constexpr std::uint32_t kMostItems = 32'768; ///< of any other list; a part's number has 16 bits
@@ -69,6 +70,14 @@ void writePart(ByteWriter& writer, const AnatomyPart& part)
     writeText(writer, roleName(part.role));
     writeText(writer, part.conceptId);
     writeList(writer, part.levels, writeMesh);
+    writeList(writer, part.deviations, [](ByteWriter& to, double d) { to.real(d); });
+}
+
+double readDeviation(ByteReader& reader)
+{
+    const double deviation = reader.realDouble();
+    reader.require(deviation >= 0.0 && std::isfinite(deviation), "a deviation is a length");
+    return deviation;
 }
 
 AnatomyPart readPart(ByteReader& reader)
@@ -81,6 +90,9 @@ AnatomyPart readPart(ByteReader& reader)
     part.conceptId = readText(reader);
     part.levels = readList<TriangleMesh>(reader, kMostLevels, readMesh);
     reader.require(!part.levels.empty(), "a part has a surface");
+    part.deviations = readList<double>(reader, kMostLevels, readDeviation);
+    reader.require(part.deviations.empty() || part.deviations.size() == part.levels.size(),
+                   "a level has a deviation");
     return part;
 }
 

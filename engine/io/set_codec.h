@@ -12,11 +12,11 @@ namespace carina
 /// An imported set as bytes, the content of a cache file. Little endian:
 ///
 ///     8 bytes  "CARINAPT"
-///     u32      version of this layout and of the import, 3
+///     u32      version of this layout and of the import, 4
 ///     u64      length of the payload
 ///     32 bytes BLAKE2b-256 of the payload
-///     payload  name, content hash, unit, axes, landmarks, parts with their levels, attributions,
-///              faults and what was left out, in the encoding of mesh_codec.h
+///     payload  name, content hash, unit, axes, landmarks, parts with their levels and deviations,
+///              attributions, faults and what was left out, in the encoding of mesh_codec.h
 [[nodiscard]] std::vector<std::byte> encodeSet(const ImportedSet& set);
 
 /// The inverse.

@@ -24,7 +24,7 @@ constexpr Length kWeldTolerance = millimetres(0.01);
 constexpr double kShareOfReading = 0.6; ///< of the time that an import takes
 
 constexpr std::size_t kFewTriangles = 1000; ///< are drawn as they are, at any distance
-constexpr std::array kShares{0.25, 0.0625};
+constexpr std::array kShares{0.25, 0.0625, 0.015625};
 
 Error cancelled() { return {Errc::Cancelled, "the import was stopped"}; }
 
@@ -105,7 +105,8 @@ AnatomyPart makePart(RecognisedSurface surface)
             std::swap(t[1], t[2]);
     const std::size_t coarser = mesh.triangles.size() < kFewTriangles ? 0 : kShares.size();
     auto levels = levelsOfDetail(std::move(mesh), std::span{kShares}.first(coarser));
-    return {std::move(surface.name), surface.role, std::move(surface.conceptId), std::move(levels)};
+    return {std::move(surface.name), surface.role, std::move(surface.conceptId),
+            std::move(levels.meshes), std::move(levels.deviations)};
 }
 
 /// The parts in the axes of A, in metres, about the point p_F_origin of F.
@@ -164,9 +165,37 @@ Result<void> isUsable(const std::vector<RecognisedSurface>& surfaces, const SetF
     return fail(Errc::NothingRecognised, detail);
 }
 
+std::string keyOf(const RecognisedSurface& surface) { return surface.file + ": " + surface.name; }
+
+SetDraft draftOf(const std::vector<RecognisedSurface>& surfaces, const ImportedSet& set)
+{
+    SetDraft draft;
+    for (const RecognisedSurface& s : surfaces)
+        draft.surfaces.push_back({keyOf(s), s.role, s.mesh.triangles.size()});
+    if (const auto frame = findSetFrame(surfaces))
+        draft.frame = *frame;
+    draft.faults = set.faults;
+    return draft;
+}
+
+void correct(std::vector<RecognisedSurface>& surfaces, const SetCorrections& corrections,
+             ImportedSet& set)
+{
+    std::erase_if(surfaces, [&](RecognisedSurface& s) {
+        const auto found = corrections.roles.find(keyOf(s));
+        if (found == corrections.roles.end())
+            return false;
+        s.role = found->second.value_or(PartRole::Other);
+        if (!found->second)
+            set.leftOut.push_back(keyOf(s) + ", as asked for");
+        return !found->second;
+    });
+}
+
 } // namespace
 
-Result<ImportedSet> importSetFolder(const SetFolder& folder, const ImportProgress& progress)
+Result<ImportedSet> importSetFolder(const SetFolder& folder, const ImportProgress& progress,
+                                    const SetReview& review)
 {
     auto files = readAll(folder, progress);
     if (!files)
@@ -176,10 +205,15 @@ Result<ImportedSet> importSetFolder(const SetFolder& folder, const ImportProgres
     auto surfaces = recognise(folder, std::move(*files), set);
     if (set.anatomy.attributions.empty())
         set.anatomy.attributions = attributionsBeside(folder);
+    const auto corrections = review ? review(draftOf(surfaces, set)) : SetCorrections{};
+    if (!corrections)
+        return tl::unexpected(cancelled());
+    correct(surfaces, *corrections, set);
     if (const auto usable = isUsable(surfaces, folder, set); !usable)
         return tl::unexpected(usable.error());
-    set.leftOut = leaveOutRepeated(surfaces);
-    const auto frame = findSetFrame(surfaces);
+    addOnce(set.leftOut, leaveOutRepeated(surfaces));
+    const auto frame =
+        corrections->frame ? Result<SetFrame>{*corrections->frame} : findSetFrame(surfaces);
     if (!frame)
         return fail(frame.error().code, folder.root.string() + ": " + frame.error().detail);
     set.frame = *frame;

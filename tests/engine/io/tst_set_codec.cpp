@@ -22,7 +22,7 @@ ImportedSet smallSet()
     ImportedSet set;
     set.anatomy.name = "Adult";
     set.anatomy.contentHash = std::string(64, 'a');
-    set.anatomy.parts = {{"Trachea", PartRole::Trachea, "FMA7394", {smooth, mesh}},
+    set.anatomy.parts = {{"Trachea", PartRole::Trachea, "FMA7394", {smooth, mesh}, {0.0, 5e-4}},
                          {"Right lung", PartRole::RightLung, "", {mesh}}};
     set.anatomy.landmarks.p_A_incisors = {0.0, -0.08, 0.2};
     set.anatomy.landmarks.p_A_glottis = {0.0, -0.01, 0.12};
@@ -74,6 +74,7 @@ private Q_SLOTS:
             QVERIFY(a.role == b.role);
             QCOMPARE(a.conceptId, b.conceptId);
             QCOMPARE(a.levels.size(), b.levels.size());
+            QCOMPARE(a.deviations, b.deviations);
             for (std::size_t level = 0; level < a.levels.size(); ++level)
                 QVERIFY(same(a.levels[level], b.levels[level]));
         }
@@ -93,7 +94,7 @@ private Q_SLOTS:
     void laysTheHeaderOutAsDocumented()
     {
         const auto bytes = encodeSet(smallSet());
-        QVERIFY(std::memcmp(bytes.data(), "CARINAPT\3\0\0\0", 12) == 0);
+        QVERIFY(std::memcmp(bytes.data(), "CARINAPT\4\0\0\0", 12) == 0);
         std::uint64_t length = 0;
         std::memcpy(&length, bytes.data() + 12, sizeof length);
         QCOMPARE(length, std::uint64_t{bytes.size() - kHeaderBytes});
@@ -120,6 +121,24 @@ private Q_SLOTS:
         set.leftOut.resize(32'768);
         QVERIFY(decodeSet(encodeSet(set)).has_value());
         set.leftOut.resize(32'769);
+        QVERIFY(!decodeSet(encodeSet(set)).has_value());
+    }
+
+    void refusesDeviationsThatAreNone_data()
+    {
+        QTest::addColumn<std::vector<double>>("deviations");
+        QTest::newRow("one for two levels") << std::vector<double>{0.0};
+        QTest::newRow("negative") << std::vector<double>{0.0, -1e-9};
+        QTest::newRow("not a number") << std::vector<double>{0.0, std::nan("")};
+        QTest::newRow("infinite") << std::vector<double>{0.0,
+                                                         std::numeric_limits<double>::infinity()};
+    }
+
+    void refusesDeviationsThatAreNone()
+    {
+        ImportedSet set = smallSet();
+        QFETCH(std::vector<double>, deviations);
+        set.anatomy.parts[0].deviations = deviations;
         QVERIFY(!decodeSet(encodeSet(set)).has_value());
     }
 

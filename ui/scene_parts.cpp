@@ -54,7 +54,7 @@ Appearance tubeAppearance(const std::string& piece)
         return {MaterialGroup::Tool, {112, 176, 216}};
     if (piece == "Connector")
         return {MaterialGroup::Tool, {238, 240, 242}};
-    return {MaterialGroup::Tool, {214, 226, 150}};
+    return {MaterialGroup::Tool, {217, 225, 150}};
 }
 
 /// Where something with the pose X_VF in the patient is drawn while the patient is at X_AV.
@@ -80,7 +80,9 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                          .region = regionOf(surface.description.role),
                          .body = bodyName(surface.body),
                          .framed = isFramed(surface),
-                         .levels = surface.levels});
+                         .levels = surface.levels,
+                         .deviations = surface.description.deviations,
+                         .sharesLevel = lungSide(surface.description.role).has_value()});
     }
     return parts;
 }

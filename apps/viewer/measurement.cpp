@@ -51,14 +51,6 @@ const TriangleMesh& shownLevel(const PatientSurface& surface, int level)
     return *surface.levels[std::min(std::size_t(level), surface.levels.size() - 1)];
 }
 
-qint64 trianglesAt(const PatientModel& patient, int level)
-{
-    qint64 count = 0;
-    for (const PatientSurface& surface : patient.surfaces())
-        count += qint64(shownLevel(surface, level).triangles.size());
-    return count;
-}
-
 } // namespace
 
 Measurement::Measurement(QWidget& window, StationScene& scene) : m_window{window}, m_scene{scene}
@@ -175,7 +167,7 @@ Result<void> Measurement::write(const QDir& folder, const QString& name, const Q
     report[QStringLiteral("screenshot")] = picture;
     const int level = m_frames.empty() ? 0 : m_frames.back().level;
     report[QStringLiteral("level")] = level;
-    report[QStringLiteral("triangles")] = trianglesAt(m_scene.patient(), level);
+    report[QStringLiteral("triangles")] = qint64(m_scene.scene().triangles());
     report[QStringLiteral("visible_pixels")] = m_visiblePixels;
     if (m_overlay)
         report[QStringLiteral("overlay")] = m_overlay->report();

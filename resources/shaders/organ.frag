@@ -6,12 +6,10 @@
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec3 color; // sRGB, as colours are chosen
+flat in vec3 part; // id, region, material
 
 uniform vec3 eyePosition;
-uniform float gloss;       // strength of the highlight, 0 to 1
-uniform float opacity;     // of a surface seen face on
-uniform float rimOpacity;  // of a surface seen edge on
-uniform float rimLight;    // light added edge on
+uniform vec4 section; // as in organ.vert
 
 out vec4 fragment;
 
@@ -20,8 +18,28 @@ const vec3 kGround = vec3(0.42, 0.36, 0.34);
 const vec3 kZenith = vec3(0.0, -0.447, 0.894); // where the sky is brightest, in A
 const vec3 kLamp = vec3(-0.242, -0.644, 0.725); // what the highlight mirrors, in A
 
+const int kAirway = 3;
+
+// By MaterialGroup: strength of the highlight; opacity seen face on; opacity seen edge on; light
+// added edge on.
+const vec4 kLooks[8] = vec4[8](
+    vec4(0.20, 1.00, 1.00, 0.10), // bone
+    vec4(0.35, 1.00, 1.00, 0.12), // soft tissue
+    vec4(0.80, 1.00, 1.00, 0.35), // tool
+    vec4(0.50, 0.40, 0.95, 0.40), // airway
+    vec4(0.40, 0.60, 0.95, 0.30), // lung
+    vec4(0.10, 0.20, 0.75, 0.20), // veil
+    vec4(0.10, 0.06, 0.40, 0.10), // skin
+    vec4(0.05, 0.08, 0.55, 0.15)  // ghost
+);
+
 void main()
 {
+    int material = int(part.z);
+    vec4 look = kLooks[material];
+    // One sees into the airway always, and into other bodies where they are cut open.
+    bool seen = gl_FrontFacing || material == kAirway || section.xyz != vec3(0.0);
+
     vec3 view = normalize(eyePosition - worldPosition);
     vec3 normal = normalize(worldNormal);
     if (dot(normal, view) < 0.0)
@@ -36,8 +54,8 @@ void main()
     float aligned = dot(normal, halfway);
     float cosine2 = aligned * aligned / dot(halfway, halfway);
     float cosine8 = cosine2 * cosine2 * cosine2 * cosine2;
-    float highlight = gloss * cosine8 * cosine8 * cosine8 * cosine8;
-    vec3 shade = albedo * light + vec3(0.5 * highlight) + rimLight * edge * mix(albedo, kSky, 0.35);
+    float highlight = look.x * cosine8 * cosine8 * cosine8 * cosine8;
+    vec3 shade = albedo * light + vec3(0.5 * highlight) + look.w * edge * mix(albedo, kSky, 0.35);
 
-    fragment = vec4(sqrt(min(shade, 1.0)), mix(opacity, rimOpacity, edge));
+    fragment = vec4(sqrt(min(shade, 1.0)), seen ? mix(look.y, look.z, edge) : 0.0);
 }

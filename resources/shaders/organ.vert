@@ -3,24 +3,31 @@
 // The one vertex shader of everything made of organs. What breathes is moved by the field of the
 // chest, written out in engine/geometry/chest_formula.h and worked out on the processor by
 // engine/geometry/moved_vertex.h; the names here are theirs. Nothing is uploaded while it breathes
-// but two matrices.
+// but a matrix for each region.
 
 in vec3 vertexPosition;
 in vec3 vertexNormal;
 in vec3 vertexColor;
-in float partId;
+in vec3 vertexPart; // id, ChestRegion, MaterialGroup
 
 uniform mat4 modelMatrix;
 uniform mat4 mvp;
 uniform mat3 modelNormalMatrix;
 uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; left hilum
-uniform mat4 motion; // columns: descent, forward, flare, lift; bulkBack, bulkDown, shrink, shift;
-                     // of the right lung, then of the left
+uniform mat4 motions[9]; // by region; columns: descent, forward, flare, lift; bulkBack, bulkDown,
+                         // shrink, shift; of the right lung, then of the left
+uniform vec4 section;  // what lies where dot(xyz, p) > w, in A, is cut away; xyz 0: nothing is
+uniform float cutAway; // 1: the airway stays whole
 
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 color;
-flat out float part;
+flat out vec3 part;
+
+const float kTool = 2.0; // MaterialGroup
+const float kAirway = 3.0;
+
+mat4 motion; // of this vertex's region
 
 const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
 const float kBeyond = 0.2;
@@ -119,6 +126,7 @@ void deform(out vec3 position, out vec3 normal)
 
 void main()
 {
+    motion = motions[int(vertexPart.y)];
     vec3 position;
     vec3 normal;
     deform(position, normal);
@@ -126,6 +134,8 @@ void main()
     worldPosition = vec3(modelMatrix * vec4(position, 1.0));
     worldNormal = normalize(modelNormalMatrix * normal);
     color = vertexColor;
-    part = partId;
+    part = vertexPart;
+    bool whole = vertexPart.z == kTool || (cutAway == 1.0 && vertexPart.z == kAirway);
+    gl_ClipDistance[0] = whole ? 1.0 : section.w - dot(section.xyz, worldPosition);
     gl_Position = mvp * vec4(position, 1.0);
 }

@@ -166,7 +166,7 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.setUniformValue("mvp", QMatrix4x4{});
     program.setUniformValue("modelNormalMatrix", QMatrix3x3{});
     program.setUniformValue("chest", chestUniform(field));
-    program.setUniformValue("motion", motionUniform(motion));
+    program.setUniformValue("motions[0]", motionUniform(motion)); // of region 0, of all vertices
     for (std::size_t k = 0; k < kCaptured.size(); ++k) {
         gl.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(k),
                             m_objects->outputs[k].bufferId());

@@ -8,12 +8,13 @@
 #include <Qt3DRender/QCamera>
 #include <Qt3DRender/QCameraSelector>
 #include <Qt3DRender/QClearBuffers>
-#include <Qt3DRender/QColorMask>
+#include <Qt3DRender/QClipPlane>
 #include <Qt3DRender/QCullFace>
 #include <Qt3DRender/QDepthTest>
 #include <Qt3DRender/QFilterKey>
 #include <Qt3DRender/QNoDepthMask>
 #include <Qt3DRender/QNoDraw>
+#include <Qt3DRender/QParameter>
 #include <Qt3DRender/QRenderCapture>
 #include <Qt3DRender/QRenderPassFilter>
 #include <Qt3DRender/QRenderStateSet>
@@ -34,48 +35,27 @@ namespace
 using Qt3DRender::QFrameGraphNode;
 
 /// A branch that draws nothing but this layer, with this pass.
-Qt3DRender::QRenderPassFilter* passes(const char* key, int layer, QFrameGraphNode* parent)
+Qt3DRender::QRenderPassFilter* passes(const char* key, DrawLayer layer, QFrameGraphNode* parent)
 {
     auto* match = new Qt3DRender::QFilterKey;
     match->setName(QString::fromLatin1(key));
-    match->setValue(layer);
+    match->setValue(static_cast<int>(layer));
     auto* filter = new Qt3DRender::QRenderPassFilter(parent);
     filter->addMatch(match);
     return filter;
 }
 
-enum class Depth { Write, WriteOnly, TestOnly };
-
-/// How the fragments of a branch meet what is there already.
-Qt3DRender::QRenderStateSet* states(QFrameGraphNode* parent, Depth depth,
-                                    Qt3DRender::QCullFace::CullingMode culled)
+/// Blends what comes over what is there.
+void addBlending(Qt3DRender::QRenderStateSet* set)
 {
-    auto* set = new Qt3DRender::QRenderStateSet(parent);
-    auto* cull = new Qt3DRender::QCullFace;
-    cull->setMode(culled);
-    set->addRenderState(cull);
-    auto* test = new Qt3DRender::QDepthTest;
-    test->setDepthFunction(Qt3DRender::QDepthTest::LessOrEqual);
-    set->addRenderState(test);
-    if (depth == Depth::WriteOnly) {
-        auto* mask = new Qt3DRender::QColorMask;
-        mask->setRedMasked(false);
-        mask->setGreenMasked(false);
-        mask->setBlueMasked(false);
-        mask->setAlphaMasked(false);
-        set->addRenderState(mask);
-    }
-    if (depth == Depth::TestOnly) {
-        set->addRenderState(new Qt3DRender::QNoDepthMask);
-        auto* blend = new Qt3DRender::QBlendEquationArguments;
-        blend->setSourceRgb(Qt3DRender::QBlendEquationArguments::SourceAlpha);
-        blend->setDestinationRgb(Qt3DRender::QBlendEquationArguments::OneMinusSourceAlpha);
-        blend->setSourceAlpha(Qt3DRender::QBlendEquationArguments::Zero);
-        blend->setDestinationAlpha(Qt3DRender::QBlendEquationArguments::One);
-        set->addRenderState(blend);
-        set->addRenderState(new Qt3DRender::QBlendEquation);
-    }
-    return set;
+    set->addRenderState(new Qt3DRender::QNoDepthMask);
+    auto* blend = new Qt3DRender::QBlendEquationArguments;
+    blend->setSourceRgb(Qt3DRender::QBlendEquationArguments::SourceAlpha);
+    blend->setDestinationRgb(Qt3DRender::QBlendEquationArguments::OneMinusSourceAlpha);
+    blend->setSourceAlpha(Qt3DRender::QBlendEquationArguments::Zero);
+    blend->setDestinationAlpha(Qt3DRender::QBlendEquationArguments::One);
+    set->addRenderState(blend);
+    set->addRenderState(new Qt3DRender::QBlendEquation);
 }
 
 /// A texture of a render target, attached at a point.
@@ -112,21 +92,6 @@ Qt3DRender::QRenderCapture* captures(QFrameGraphNode* parent)
     return capture;
 }
 
-/// The branches of all layers of the picture.
-void addLayers(QFrameGraphNode* view)
-{
-    using Cull = Qt3DRender::QCullFace;
-    states(passes(kSurfacePass, 0, view), Depth::Write, Cull::NoCulling);
-    for (int layer = 1; layer < kLayers; ++layer) {
-        Qt3DRender::QRenderPassFilter* surfaces = passes(kSurfacePass, layer, view);
-        if (layer == layerOf(MaterialGroup::Airway))
-            states(surfaces, Depth::TestOnly, Cull::Front);
-        if (layer != layerOf(MaterialGroup::Veil))
-            states(surfaces, Depth::WriteOnly, Cull::Back);
-        states(surfaces, Depth::TestOnly, Cull::Back);
-    }
-}
-
 /// Pixels as shares of the window. Qt 3D rounds the shares down to pixels, and y from below:
 /// parts of a pixel keep that from missing by one.
 QRectF shareOf(const PixelRect& pixels, const QSize& window)
@@ -138,8 +103,9 @@ QRectF shareOf(const PixelRect& pixels, const QSize& window)
 } // namespace
 
 FrameGraph::FrameGraph(QWindow* window, const Cameras& cameras)
-    : m_root(new Qt3DRender::QRenderSurfaceSelector)
+    : m_root(new Qt3DRender::QRenderSurfaceSelector), m_clip(new Qt3DRender::QClipPlane(m_root))
 {
+    m_clip->setPlaneIndex(0);
     m_root->setSurface(window);
     addPicture(cameras);
     addIds(cameras);
@@ -162,12 +128,35 @@ QFrameGraphNode* FrameGraph::addView(std::size_t view, const Cameras& cameras,
     return selector;
 }
 
+/// How the fragments of a branch meet what is there already.
+Qt3DRender::QRenderStateSet* FrameGraph::addStates(QFrameGraphNode* parent, Depth depth,
+                                                   bool onlyFrontFaces)
+{
+    auto* set = new Qt3DRender::QRenderStateSet(parent);
+    auto* cull = new Qt3DRender::QCullFace;
+    cull->setMode(onlyFrontFaces ? Qt3DRender::QCullFace::Back : Qt3DRender::QCullFace::NoCulling);
+    set->addRenderState(cull);
+    auto* test = new Qt3DRender::QDepthTest;
+    test->setDepthFunction(Qt3DRender::QDepthTest::LessOrEqual);
+    set->addRenderState(test);
+    if (depth == Depth::TestOnly)
+        addBlending(set);
+    m_states.push_back(set);
+    if (onlyFrontFaces)
+        m_culling.push_back(cull);
+    return set;
+}
+
 void FrameGraph::addPicture(const Cameras& cameras)
 {
     auto* viewport = new Qt3DRender::QViewport(m_root);
     m_background = clears(viewport, Qt3DRender::QClearBuffers::ColorDepthBuffer);
-    for (std::size_t view = 0; view < cameras.size(); ++view)
-        addLayers(addView(view, cameras, viewport));
+    for (std::size_t view = 0; view < cameras.size(); ++view) {
+        QFrameGraphNode* shown = addView(view, cameras, viewport);
+        addStates(passes(kSurfacePass, DrawLayer::Closed, shown), Depth::Write, true);
+        addStates(passes(kSurfacePass, DrawLayer::Open, shown), Depth::Write, false);
+        addStates(passes(kSurfacePass, DrawLayer::Blended, shown), Depth::TestOnly, false);
+    }
     m_picture = captures(viewport);
 }
 
@@ -188,10 +177,25 @@ void FrameGraph::addIds(const Cameras& cameras)
                                     : Qt3DRender::QClearBuffers::ColorBuffer)
             ->setClearColor(QColor(0, 0, 0, 0));
         for (std::size_t view = 0; view < cameras.size(); ++view)
-            states(passes(kIdPass, layer, addView(view, cameras, viewport)), Depth::Write,
-                   layer == 0 ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
+            addIdLayer(layer, addView(view, cameras, viewport));
         m_idLayers.push_back(captures(viewport));
     }
+}
+
+void FrameGraph::addIdLayer(int layer, QFrameGraphNode* view)
+{
+    const auto add = [&](DrawLayer drawn, bool onlyFrontFaces) {
+        Qt3DRender::QRenderPassFilter* filter = passes(kIdPass, drawn, view);
+        filter->addParameter(
+            new Qt3DRender::QParameter(QStringLiteral("layer"), static_cast<float>(layer)));
+        addStates(filter, Depth::Write, onlyFrontFaces);
+    };
+    if (layer > 0) {
+        add(DrawLayer::Blended, true);
+        return;
+    }
+    add(DrawLayer::Closed, true);
+    add(DrawLayer::Open, false);
 }
 
 void FrameGraph::showView(std::size_t view, const PixelRect& pixels, const QSize& window)
@@ -209,6 +213,21 @@ void FrameGraph::hideView(std::size_t view)
 }
 
 void FrameGraph::setBackground(const QColor& color) { m_background->setClearColor(color); }
+
+void FrameGraph::setCut(bool cut)
+{
+    if (cut == m_isCut)
+        return;
+    m_isCut = cut;
+    for (Qt3DRender::QCullFace* cull : m_culling)
+        cull->setMode(cut ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
+    for (Qt3DRender::QRenderStateSet* set : m_states) {
+        if (cut)
+            set->addRenderState(m_clip);
+        else
+            set->removeRenderState(m_clip);
+    }
+}
 
 void FrameGraph::setIdsDrawn(bool drawn, const QSize& pixels)
 {

@@ -15,8 +15,11 @@ namespace Qt3DRender
 {
 class QCamera;
 class QClearBuffers;
+class QClipPlane;
+class QCullFace;
 class QFrameGraphNode;
 class QRenderCapture;
+class QRenderStateSet;
 class QRenderSurfaceSelector;
 class QSubtreeEnabler;
 class QTexture2D;
@@ -31,14 +34,12 @@ using Cameras = std::array<Qt3DRender::QCamera*, kMostEyes>;
 
 /// What Qt 3D draws each frame, in which order and into what.
 ///
-/// The picture, in each view that is shown: the opaque layer; then each translucent layer: its
-/// nearest surface into the depth buffer alone, then that nearest surface blended over what is
-/// there. A later layer is so hidden where an earlier one is nearer, whichever way one looks. The
-/// airway has its far wall blended before; the cage leaves no depth, so that all its ribs are seen,
-/// one through another.
+/// The picture, in each view that is shown: what is opaque; then what is translucent, each triangle
+/// blended over what is there, in the order of its list of corners (DrawOrder), where nothing
+/// opaque is nearer.
 ///
-/// The ids, on demand: the same layers of the same views with the same depth tests, unblended, into
-/// a texture of the picture's size, read back layer by layer.
+/// The ids, on demand, layer by layer (layerOf): what is nearest of the layer and not behind an
+/// earlier one, into a texture of the picture's size that is read back after each.
 class FrameGraph
 {
 public:
@@ -52,6 +53,9 @@ public:
     [[nodiscard]] Qt3DRender::QFrameGraphNode* root() const;
 
     void setBackground(const QColor& color);
+
+    /// Whether a section cuts bodies open from now on: then they are drawn from both sides.
+    void setCut(bool cut);
 
     /// Draws what a view's camera sees into these pixels of the window, or no more.
     void showView(std::size_t view, const PixelRect& pixels, const QSize& window);
@@ -69,13 +73,18 @@ public:
     }
 
 private:
+    enum class Depth { Write, TestOnly };
+
     /// Where the graph forks into a view.
     struct Branch {
         Qt3DRender::QSubtreeEnabler* shown;
         Qt3DRender::QViewport* part;
     };
 
+    Qt3DRender::QRenderStateSet* addStates(Qt3DRender::QFrameGraphNode* parent, Depth depth,
+                                           bool onlyFrontFaces);
     void addPicture(const Cameras& cameras);
+    void addIdLayer(int layer, Qt3DRender::QFrameGraphNode* view);
     void addIds(const Cameras& cameras);
     [[nodiscard]] Qt3DRender::QFrameGraphNode* addView(std::size_t view, const Cameras& cameras,
                                                        Qt3DRender::QFrameGraphNode* parent);
@@ -88,6 +97,10 @@ private:
     Qt3DRender::QTexture2D* m_idDepths = nullptr;
     std::vector<Qt3DRender::QRenderCapture*> m_idLayers;
     std::array<std::vector<Branch>, kMostEyes> m_views;
+    std::vector<Qt3DRender::QRenderStateSet*> m_states;
+    std::vector<Qt3DRender::QCullFace*> m_culling; ///< of those that draw front faces only
+    Qt3DRender::QClipPlane* m_clip;
+    bool m_isCut = false;
 };
 
 } // namespace carina

@@ -11,16 +11,48 @@ namespace carina
 namespace
 {
 
-void appendPart(MergedSurface& surface, const ScenePart& part, const TriangleMesh& mesh)
+void appendMesh(MergedSurface& surface, const ScenePart& part, const TriangleMesh& mesh)
 {
     CARINA_EXPECTS(mesh.normals.size() == mesh.positions.size());
     const auto first = static_cast<std::uint32_t>(surface.vertices.size());
     const Vec3f color{part.color.redF(), part.color.greenF(), part.color.blueF()};
+    const Vec3f which{static_cast<float>(part.id), static_cast<float>(part.region),
+                      static_cast<float>(part.group)};
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        surface.vertices.push_back(
-            {mesh.positions[i], mesh.normals[i], color, static_cast<float>(part.id)});
+        surface.vertices.push_back({mesh.positions[i], mesh.normals[i], color, which});
     for (const Triangle& t : mesh.triangles)
         surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
+
+void appendPart(MergedSurface& surface, const ScenePart& part, std::size_t place)
+{
+    for (std::size_t level = 0; level < part.levels.size(); ++level) {
+        const TriangleMesh& mesh = *part.levels[level];
+        surface.pieces.push_back(
+            {place, static_cast<int>(level), surface.triangles.size(), mesh.triangles.size()});
+        appendMesh(surface, part, mesh);
+    }
+}
+
+/// Makes room for all of it at once: growing would copy it several times over.
+void reserveFor(std::map<SurfaceKey, MergedSurface>& merged, std::span<const ScenePart> parts)
+{
+    struct Size {
+        std::size_t vertices = 0;
+        std::size_t triangles = 0;
+    };
+    std::map<SurfaceKey, Size> sizes;
+    for (const ScenePart& part : parts)
+        for (const auto& level : part.levels) {
+            Size& size = sizes[{drawLayerOf(part.group), part.body}];
+            size.vertices += level->positions.size();
+            size.triangles += level->triangles.size();
+        }
+    for (const auto& [key, size] : sizes) {
+        merged[key].key = key;
+        merged[key].vertices.reserve(size.vertices);
+        merged[key].triangles.reserve(size.triangles);
+    }
 }
 
 } // namespace
@@ -35,18 +67,12 @@ int levelCount(std::span<const ScenePart> parts)
 
 std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts)
 {
-    const int levels = levelCount(parts);
     std::map<SurfaceKey, MergedSurface> merged;
-    for (const ScenePart& part : parts) {
+    reserveFor(merged, parts);
+    for (std::size_t place = 0; place < parts.size(); ++place) {
+        const ScenePart& part = parts[place];
         CARINA_EXPECTS(!part.levels.empty());
-        const int own = static_cast<int>(part.levels.size());
-        for (int level = 0; level < own; ++level) {
-            const int last = level + 1 == own ? levels - 1 : level;
-            const SurfaceKey key{part.group, part.region, part.body, level, last};
-            MergedSurface& surface = merged[key];
-            surface.key = key;
-            appendPart(surface, part, *part.levels[static_cast<std::size_t>(level)]);
-        }
+        appendPart(merged[{drawLayerOf(part.group), part.body}], part, place);
     }
     std::vector<MergedSurface> surfaces;
     for (auto& [key, surface] : merged)
@@ -54,13 +80,17 @@ std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts)
     return surfaces;
 }
 
-std::vector<std::size_t> trianglesPerLevel(std::span<const ScenePart> parts)
+std::vector<Triangle> trianglesAt(std::span<const int> levels, std::span<const SurfacePiece> pieces,
+                                  std::span<const Triangle> triangles)
 {
-    std::vector<std::size_t> counts(static_cast<std::size_t>(levelCount(parts)), 0);
-    for (std::size_t level = 0; level < counts.size(); ++level)
-        for (const ScenePart& part : parts)
-            counts[level] += part.levels[std::min(level, part.levels.size() - 1)]->triangles.size();
-    return counts;
+    std::vector<Triangle> chosen;
+    for (const SurfacePiece& piece : pieces) {
+        if (levels[piece.part] != piece.level)
+            continue;
+        const auto of = triangles.subspan(piece.firstTriangle, piece.triangles);
+        chosen.insert(chosen.end(), of.begin(), of.end());
+    }
+    return chosen;
 }
 
 } // namespace carina

@@ -12,13 +12,10 @@
 namespace carina
 {
 
-/// What can be drawn in one go: equal material, region, body and levels of detail.
+/// What can be drawn in one go.
 struct SurfaceKey {
-    MaterialGroup group = MaterialGroup::Bone;
-    ChestRegion region = ChestRegion::Still;
+    DrawLayer layer = DrawLayer::Closed;
     std::string body;
-    int firstLevel = 0; ///< drawn in the levels of detail firstLevel ..
-    int lastLevel = 0;  ///< .. to lastLevel, both included
 
     friend auto operator<=>(const SurfaceKey&, const SurfaceKey&) = default;
 };
@@ -28,26 +25,37 @@ struct SurfaceVertex {
     Vec3f position;
     Vec3f normal;
     Vec3f color; ///< sRGB, 0 to 1
-    float partId;
+    Vec3f part;  ///< id, ChestRegion, MaterialGroup
 };
 
-/// Several parts in one pair of buffers: one draw.
+/// One part in one level of detail.
+struct SurfacePiece {
+    std::size_t part = 0; ///< its place among the parts of the scene
+    int level = 0;
+    std::size_t firstTriangle = 0;
+    std::size_t triangles = 0;
+};
+
+/// Several parts, in all their levels of detail, in one pair of buffers.
 struct MergedSurface {
     SurfaceKey key;
     std::vector<SurfaceVertex> vertices;
-    std::vector<Triangle> triangles;
+    std::vector<Triangle> triangles; ///< of all pieces, one after the other
+    std::vector<SurfacePiece> pieces;
 };
 
 /// How many levels of detail the scene has: those of the part that has most, at least one.
 [[nodiscard]] int levelCount(std::span<const ScenePart> parts);
 
-/// The parts, merged. A part with fewer levels of detail than the scene is drawn in its coarsest in
-/// all further ones, and is stored once for them.
+/// The parts, merged by layer and body.
 ///
 /// @pre each part has a level; each mesh has normals.
 [[nodiscard]] std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts);
 
-/// Triangles that are drawn in each level of detail.
-[[nodiscard]] std::vector<std::size_t> trianglesPerLevel(std::span<const ScenePart> parts);
+/// The triangles of the pieces whose parts are drawn in these levels of detail, by place among the
+/// parts of the scene.
+[[nodiscard]] std::vector<Triangle> trianglesAt(std::span<const int> levels,
+                                                std::span<const SurfacePiece> pieces,
+                                                std::span<const Triangle> triangles);
 
 } // namespace carina

@@ -7,6 +7,7 @@
 #include "engine/geometry/rigid_transform.h"
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -59,11 +60,12 @@ struct SceneFrame {
 
 /// One frame that was drawn.
 struct DrawnFrame {
-    SceneFrame frame;    ///< what was drawn
-    int level = 0;       ///< in which level of detail
-    LocalTime asked{};   ///< when the frame source was asked
-    LocalTime lit{};     ///< when it was expected to be lit, as the frame source was told
-    LocalTime swapped{}; ///< when the buffers had been swapped
+    SceneFrame frame;          ///< what was drawn
+    int level = 0;             ///< in which level of detail, of those parts that share theirs
+    std::size_t triangles = 0; ///< of all parts in their levels
+    LocalTime asked{};         ///< when the frame source was asked
+    LocalTime lit{};           ///< when it was expected to be lit, as the frame source was told
+    LocalTime swapped{};       ///< when the buffers had been swapped
 };
 
 } // namespace carina

@@ -6,6 +6,7 @@
 #include <QColor>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -14,9 +15,9 @@
 namespace carina
 {
 
-/// What a surface is made of, as far as it is drawn differently. Surfaces are drawn in this order.
-/// The first three are opaque; each later group is blended over what was drawn before. Surfaces are
-/// closed and face outward, or are seen into where they are not; tools are drawn from both sides.
+/// What a surface is made of, as far as it is drawn differently. The first three are opaque; the
+/// others are blended, from back to front. Surfaces are closed and face outward, or are seen into
+/// where they are not; tools are drawn from both sides.
 enum class MaterialGroup : std::uint8_t {
     Bone,
     SoftTissue, ///< tongue, epiglottis, bronchial tree
@@ -25,14 +26,28 @@ enum class MaterialGroup : std::uint8_t {
     Lung,       ///< seen into
     Veil,       ///< what lies around the airway and lungs, as ribs, heart, muscles: seen through
     Skin,       ///< a faint outline
+    Ghost,      ///< an outline of what a person wants to see through
 };
-inline constexpr int kMaterialGroups = 7;
 
-/// The layers in which a scene is drawn: 0 holds all opaque groups, the others one group each.
-inline constexpr int kLayers = 5;
+/// The layers in which visible pixels are counted: 0 holds all opaque groups, the others one each.
+inline constexpr int kLayers = 6;
 [[nodiscard]] constexpr int layerOf(MaterialGroup group)
 {
     return std::max(0, static_cast<int>(group) - static_cast<int>(MaterialGroup::Tool));
+}
+
+/// How a surface meets the picture.
+enum class DrawLayer : std::uint8_t {
+    Closed,  ///< opaque, seen from outside: half of its triangles need no drawing
+    Open,    ///< opaque, seen from both sides, as tubes are
+    Blended, ///< translucent: its triangles are drawn from back to front, after all others
+};
+inline constexpr std::size_t kDrawLayers = 3;
+[[nodiscard]] constexpr DrawLayer drawLayerOf(MaterialGroup group)
+{
+    if (layerOf(group) > 0)
+        return DrawLayer::Blended;
+    return group == MaterialGroup::Tool ? DrawLayer::Open : DrawLayer::Closed;
 }
 
 /// One surface of a scene.
@@ -52,6 +67,12 @@ struct ScenePart {
     /// At least one level of detail, finest first, each with normals. Shared with whoever works out
     /// volumes from the very same meshes.
     std::vector<std::shared_ptr<const TriangleMesh>> levels;
+    /// How far each level departs from the finest, metres, 0 first. A level that has none here is
+    /// drawn only where it is asked for.
+    std::vector<double> deviations{};
+    /// Drawn in the same level as all others that share it, and as the frame source is asked for:
+    /// those whose volume matters.
+    bool sharesLevel = false;
 };
 
 } // namespace carina

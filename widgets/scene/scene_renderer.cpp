@@ -2,10 +2,12 @@
 
 #include "engine/core/expects.h"
 
+#include <QVector4D>
 #include <QWindow>
 #include <Qt3DCore/QAspectEngine>
 #include <Qt3DCore/QEntity>
 #include <Qt3DRender/QCamera>
+#include <Qt3DRender/QParameter>
 #include <Qt3DRender/QRenderAspect>
 #include <Qt3DRender/QRenderCapture>
 #include <Qt3DRender/QRenderSettings>
@@ -88,14 +90,17 @@ SceneRenderer::~SceneRenderer()
 void SceneRenderer::setParts(std::span<const ScenePart> parts)
 {
     m_surfaces.clear();
-    for (const MergedSurface& surface : mergedSurfaces(parts))
-        m_surfaces.push_back(std::make_unique<SurfaceEntity>(
-            surface, m_effects[static_cast<std::size_t>(surface.key.group)], m_root));
+    for (MergedSurface& surface : mergedSurfaces(parts)) {
+        Qt3DRender::QEffect* effect = m_effects.of[static_cast<std::size_t>(surface.key.layer)];
+        m_surfaces.push_back(std::make_unique<SurfaceEntity>(std::move(surface), effect, m_root));
+    }
 }
 
 void SceneRenderer::setCameras(std::span<const SceneCamera> cameras)
 {
     CARINA_EXPECTS(cameras.size() <= kMostEyes);
+    if (!cameras.empty())
+        m_forward_A = (cameras[0].pose.p_A_target - cameras[0].pose.p_A_eye).normalized();
     for (std::size_t view = 0; view < kMostEyes; ++view) {
         if (view < cameras.size()) {
             aim(*m_cameras[view], cameras[view]);
@@ -106,10 +111,21 @@ void SceneRenderer::setCameras(std::span<const SceneCamera> cameras)
     }
 }
 
-void SceneRenderer::apply(const SceneFrame& frame, int level)
+void SceneRenderer::apply(const SceneFrame& frame, std::span<const int> levels)
 {
-    for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces)
-        surface->apply(frame, level);
+    for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces) {
+        surface->apply(frame);
+        surface->show(levels, m_forward_A);
+    }
+}
+
+void SceneRenderer::setSection(const std::optional<Section>& section)
+{
+    m_frameGraph.setCut(section.has_value());
+    const Section cut = section.value_or(Section{Vec3::Zero(), 0.0, Cut::All});
+    m_effects.cut.section->setValue(
+        QVector4D{toQt(cut.normal_A), static_cast<float>(cut.distance)});
+    m_effects.cut.cutAway->setValue(cut.cut == Cut::AllButAirway ? 1.0F : 0.0F);
 }
 
 void SceneRenderer::draw() { m_engine->processFrame(); }

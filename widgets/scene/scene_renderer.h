@@ -4,12 +4,14 @@
 #include "widgets/scene/orbit_camera.h"
 #include "widgets/scene/organ_effects.h"
 #include "widgets/scene/scene_frame.h"
+#include "widgets/scene/section.h"
 #include "widgets/scene/surface_entity.h"
 
 #include <QImage>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,7 +52,9 @@ public:
     /// Draws as these cameras see it from now on; the background alone without any.
     /// @pre at most kMostEyes, whose pixels lie in the window and do not overlap.
     void setCameras(std::span<const SceneCamera> cameras);
-    void apply(const SceneFrame& frame, int level);
+    /// Draws each part, by its place among the parts, in its level of detail.
+    void apply(const SceneFrame& frame, std::span<const int> levels);
+    void setSection(const std::optional<Section>& section);
     void draw();
 
     /// The picture as it is set now; a null image where the window cannot be drawn into.
@@ -66,10 +70,11 @@ private:
 
     QWindow* m_window;
     std::unique_ptr<Qt3DCore::QAspectEngine> m_engine;
-    Qt3DCore::QEntity* m_root; ///< owned by m_engine
-    Cameras m_cameras;         ///< owned by m_root
-    FrameGraph m_frameGraph;   ///< whose root m_root owns
-    OrganEffects m_effects;    ///< owned by m_root
+    Qt3DCore::QEntity* m_root;        ///< owned by m_engine
+    Cameras m_cameras;                ///< owned by m_root
+    FrameGraph m_frameGraph;          ///< whose root m_root owns
+    OrganEffects m_effects;           ///< owned by m_root
+    Vec3 m_forward_A = Vec3::UnitY(); ///< of the cameras
     std::vector<std::unique_ptr<SurfaceEntity>> m_surfaces;
 };
 

@@ -1,6 +1,5 @@
 #include "widgets/scene/scene_view.h"
 
-#include "widgets/scene/merged_surface.h"
 #include "widgets/scene/scene_renderer.h"
 #include "widgets/scene/scene_window.h"
 
@@ -37,13 +36,23 @@ Box boundsToFrame(std::span<const ScenePart> parts)
     return framed.empty() ? all : framed;
 }
 
+std::vector<DetailEye> eyesOf(std::span<const SceneCamera> cameras)
+{
+    std::vector<DetailEye> eyes;
+    for (const SceneCamera& camera : cameras)
+        eyes.push_back({camera.pose.p_A_eye,
+                        camera.pixels.height / (camera.frustum.top - camera.frustum.bottom)});
+    return eyes;
+}
+
 } // namespace
 
 SceneView::SceneView(QWidget* parent)
     : QWidget(parent),
       m_window(new SceneWindow),
       m_renderer(std::make_unique<SceneRenderer>(m_window)),
-      m_levelChoice({}, kDrawingBudget)
+      m_labels(*this),
+      m_detail({}, kDrawingBudget)
 {
     QWidget* container = QWidget::createWindowContainer(m_window, this);
     container->setFocusPolicy(Qt::StrongFocus);
@@ -57,6 +66,7 @@ SceneView::SceneView(QWidget* parent)
     connect(m_window, &SceneWindow::clicked, this, &SceneView::sendRay);
     connect(&m_tick, &QTimer::timeout, this, &SceneView::drawFrame);
     m_tick.setTimerType(Qt::PreciseTimer);
+    m_tick.setSingleShot(true);
     m_tick.start(kTick);
 }
 
@@ -64,18 +74,35 @@ SceneView::~SceneView() = default;
 
 void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed)
 {
-    m_ids.clear();
+    std::set<std::uint16_t> ids;
     for (const ScenePart& part : parts)
-        m_ids.push_back(part.id);
-    CARINA_EXPECTS(std::set<std::uint16_t>(m_ids.begin(), m_ids.end()).size() == m_ids.size());
-    m_renderer->setParts(parts);
-    m_levels = levelCount(parts);
-    m_levelChoice = LevelChoice(trianglesPerLevel(parts), kDrawingBudget);
+        ids.insert(part.id);
+    CARINA_EXPECTS(ids.size() == parts.size());
+    m_parts.assign(parts.begin(), parts.end());
     Box framed = boundsToFrame(parts);
     framed.include(alsoFramed);
     m_window->camera().setBounds(framed);
     m_window->camera().setAspect(m_window->widthOverHeight());
+    m_detail = DetailChoice{{}, kDrawingBudget};
+    m_eyes.clear();
+    setLooks({});
 }
+
+void SceneView::setLooks(const PartLooks& looks)
+{
+    m_looks = looks;
+    const std::vector<ScenePart> shown = withLooks(m_parts, looks);
+    m_renderer->setParts(shown);
+    m_labels.setParts(shown, looks);
+    m_detail.setParts(shown);
+}
+
+void SceneView::setSection(const std::optional<Section>& section)
+{
+    m_renderer->setSection(section);
+}
+
+void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
 
 void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
 
@@ -83,18 +110,13 @@ void SceneView::setInteractive(bool interactive) { m_window->setInteractive(inte
 
 void SceneView::setBackground(const QColor& color) { m_renderer->setBackground(color); }
 
-int SceneView::level() const
-{
-    return m_fixedLevel ? std::clamp(*m_fixedLevel, 0, m_levels - 1) : m_levelChoice.level();
-}
-
 QImage SceneView::picture() { return m_window->isExposed() ? m_renderer->picture() : QImage(); }
 
 std::map<std::uint16_t, std::size_t> SceneView::visiblePixels()
 {
     std::map<std::uint16_t, std::size_t> pixels;
-    for (const std::uint16_t id : m_ids)
-        pixels[id] = 0;
+    for (const ScenePart& part : m_parts)
+        pixels[part.id] = 0;
     if (m_window->isExposed())
         m_renderer->countPixels(pixels);
     return pixels;
@@ -125,23 +147,47 @@ void SceneView::sendRay(const QPointF& position)
                                            0.5 - position.y() / height));
 }
 
+/// By where the eyes were in the latest frame: the frame source is asked for the frame only once
+/// the levels are known.
+void SceneView::chooseDetail()
+{
+    if (m_eyes.empty())
+        m_eyes = eyesOf(camerasOf({}));
+    m_detail.choose(m_eyes);
+}
+
 void SceneView::drawFrame()
 {
-    if (!m_window->isExposed())
-        return;
+    const LocalTime began = monotonicNow();
+    if (m_window->isExposed())
+        drawExposed(began);
+    const auto left = kTick - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);
+    m_tick.start(std::max(left, std::chrono::milliseconds{0}));
+}
+
+void SceneView::drawExposed(LocalTime asked)
+{
+    chooseDetail();
     DrawnFrame drawn;
     drawn.level = level();
-    drawn.asked = monotonicNow();
+    drawn.triangles = m_detail.triangles();
+    drawn.asked = asked;
     drawn.lit = m_timeOfLight.of(drawn.asked, m_window->screen()->refreshRate());
     if (m_source)
         drawn.frame = m_source(drawn.level, drawn.lit);
-    m_renderer->setCameras(camerasOf(drawn.frame));
-    m_renderer->apply(drawn.frame, drawn.level);
+    const std::vector<SceneCamera> cameras = camerasOf(drawn.frame);
+    m_eyes = eyesOf(cameras);
+    m_renderer->setCameras(cameras);
+    m_renderer->apply(drawn.frame, m_detail.levels());
     m_renderer->draw();
     drawn.swapped = monotonicNow();
+    if (drawn.frame.eyes)
+        m_labels.hide();
+    else
+        m_labels.place(drawn.frame, cameras.front().pose, cameras.front().frustum);
     m_times.add(drawn.asked, drawn.swapped);
     m_timeOfLight.frameTook(drawn.swapped - drawn.asked);
-    m_levelChoice.frameTook(drawn.swapped - drawn.asked);
+    m_detail.frameTook(drawn.swapped - drawn.asked);
     if (m_listener)
         m_listener(drawn);
 }

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "engine/display/time_of_light.h"
+#include "widgets/scene/detail_choice.h"
 #include "widgets/scene/frame_statistics.h"
-#include "widgets/scene/level_choice.h"
 #include "widgets/scene/orbit_camera.h"
+#include "widgets/scene/part_labels.h"
+#include "widgets/scene/part_look.h"
 #include "widgets/scene/scene_frame.h"
 #include "widgets/scene/scene_part.h"
+#include "widgets/scene/section.h"
 
 #include <QImage>
 #include <QTimer>
@@ -34,8 +37,8 @@ class SceneView : public QWidget
     Q_OBJECT
 
 public:
-    /// Asked for the state of the scene when the frame will be lit, as drawn in this level of
-    /// detail.
+    /// Asked for the state of the scene when the frame will be lit; the parts that share their
+    /// level of detail will be drawn in this one.
     using FrameSource = std::function<SceneFrame(int level, LocalTime lit)>;
     using FrameListener = std::function<void(const DrawnFrame&)>;
 
@@ -43,10 +46,17 @@ public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    /// Shows these parts and no others, framed by the present preset.
+    /// Shows these parts and no others, as usual, framed by the present preset.
     /// @param alsoFramed what a preset makes sure to show besides them, in A
     /// @pre ids are unique.
     void setParts(std::span<const ScenePart> parts, const Box& alsoFramed = {});
+    [[nodiscard]] const std::vector<ScenePart>& parts() const { return m_parts; }
+    /// Shows parts apart from the usual way from now on. The camera stays where it is.
+    void setLooks(const PartLooks& looks);
+    [[nodiscard]] const PartLooks& looks() const { return m_looks; }
+    /// Cuts the scene open, or no more.
+    void setSection(const std::optional<Section>& section);
+
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
     /// Called after each frame, when its buffers were swapped.
     void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
@@ -56,10 +66,13 @@ public:
     void setInteractive(bool interactive);
     void setBackground(const QColor& color);
 
-    /// A level of detail to stay at, or none to choose by the time that frames take.
-    void setFixedLevel(std::optional<int> level) { m_fixedLevel = level; }
-    /// The level of detail that the next frame is drawn in, 0 the finest.
-    [[nodiscard]] int level() const;
+    /// A level of detail for all parts to stay at, or none to choose by what is seen of each part
+    /// and by the time that frames take.
+    void setFixedLevel(std::optional<int> level);
+    /// The level of detail that the parts which share theirs are drawn in, 0 the finest.
+    [[nodiscard]] int level() const { return m_detail.sharedLevel(); }
+    /// Drawn in the latest frame.
+    [[nodiscard]] std::size_t triangles() const { return m_detail.triangles(); }
     [[nodiscard]] FrameStatistics statistics() const { return m_times.statistics(); }
 
     /// What the window shows at the latest frame. Null while the view cannot be seen.
@@ -79,19 +92,22 @@ Q_SIGNALS:
 
 private:
     void drawFrame();
+    void drawExposed(LocalTime asked);
     void sendRay(const QPointF& position);
+    void chooseDetail();
     [[nodiscard]] std::vector<SceneCamera> camerasOf(const SceneFrame& frame) const;
 
     SceneWindow* m_window; ///< owned by its container, a child of this
     std::unique_ptr<SceneRenderer> m_renderer;
-    std::vector<std::uint16_t> m_ids;
+    std::vector<ScenePart> m_parts;
+    PartLooks m_looks;
+    PartLabels m_labels;
     FrameSource m_source;
     FrameListener m_listener;
-    LevelChoice m_levelChoice;
-    std::optional<int> m_fixedLevel;
-    int m_levels = 1;
+    DetailChoice m_detail;
     FrameTimes m_times;
     TimeOfLight m_timeOfLight;
+    std::vector<DetailEye> m_eyes; ///< of the latest frame
     QTimer m_tick;
 };
 

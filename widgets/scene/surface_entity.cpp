@@ -12,6 +12,8 @@
 #include <Qt3DRender/QMaterial>
 #include <Qt3DRender/QParameter>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace carina
@@ -20,116 +22,157 @@ namespace carina
 namespace
 {
 
-static_assert(sizeof(SurfaceVertex) == 10 * sizeof(float));
+static_assert(sizeof(SurfaceVertex) == 12 * sizeof(float));
 static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
 
-template <class T> Qt3DCore::QBuffer* bufferOf(const std::vector<T>& values)
+/// A turn by less than a third of a degree leaves the order of what is blended as it is.
+constexpr float kSmallTurn = 0.006F; // radians
+
+template <class T> QByteArray bytesOf(const std::vector<T>& values)
 {
-    auto* buffer = new Qt3DCore::QBuffer;
-    buffer->setData(QByteArray(reinterpret_cast<const char*>(values.data()),
-                               static_cast<qsizetype>(values.size() * sizeof(T))));
-    return buffer;
+    return {reinterpret_cast<const char*>(values.data()),
+            static_cast<qsizetype>(values.size() * sizeof(T))};
 }
 
 struct Column {
     const char* name;
     std::size_t offset;
-    uint size;
 };
+constexpr std::array kColumns{Column{"vertexPosition", offsetof(SurfaceVertex, position)},
+                              Column{"vertexNormal", offsetof(SurfaceVertex, normal)},
+                              Column{"vertexColor", offsetof(SurfaceVertex, color)},
+                              Column{"vertexPart", offsetof(SurfaceVertex, part)}};
 
-void addColumn(Qt3DCore::QGeometry* geometry, Qt3DCore::QBuffer* buffer, const Column& column,
-               std::size_t stride, std::size_t count)
+void addVertices(Qt3DCore::QGeometry* geometry, const std::vector<SurfaceVertex>& vertices)
 {
-    auto* attribute = new Qt3DCore::QAttribute;
-    attribute->setName(QString::fromLatin1(column.name));
-    attribute->setAttributeType(Qt3DCore::QAttribute::VertexAttribute);
-    attribute->setVertexBaseType(Qt3DCore::QAttribute::Float);
-    attribute->setVertexSize(column.size);
-    attribute->setBuffer(buffer);
-    attribute->setByteOffset(static_cast<uint>(column.offset));
-    attribute->setByteStride(static_cast<uint>(stride));
-    attribute->setCount(static_cast<uint>(count));
-    geometry->addAttribute(attribute);
+    auto* buffer = new Qt3DCore::QBuffer;
+    buffer->setData(bytesOf(vertices));
+    for (const Column& column : kColumns) {
+        auto* attribute = new Qt3DCore::QAttribute;
+        attribute->setName(QString::fromLatin1(column.name));
+        attribute->setAttributeType(Qt3DCore::QAttribute::VertexAttribute);
+        attribute->setVertexBaseType(Qt3DCore::QAttribute::Float);
+        attribute->setVertexSize(3);
+        attribute->setBuffer(buffer);
+        attribute->setByteOffset(static_cast<uint>(column.offset));
+        attribute->setByteStride(sizeof(SurfaceVertex));
+        attribute->setCount(static_cast<uint>(vertices.size()));
+        geometry->addAttribute(attribute);
+    }
 }
 
-void addIndices(Qt3DCore::QGeometry* geometry, const std::vector<Triangle>& triangles)
+Qt3DCore::QAttribute* cornerList(Qt3DCore::QBuffer* corners)
 {
     auto* attribute = new Qt3DCore::QAttribute;
     attribute->setAttributeType(Qt3DCore::QAttribute::IndexAttribute);
     attribute->setVertexBaseType(Qt3DCore::QAttribute::UnsignedInt);
-    attribute->setBuffer(bufferOf(triangles));
-    attribute->setCount(static_cast<uint>(3 * triangles.size()));
-    geometry->addAttribute(attribute);
+    attribute->setBuffer(corners);
+    return attribute;
 }
 
-Qt3DRender::QGeometryRenderer* rendererOf(const MergedSurface& surface)
+/// Explicit bounds spare Qt 3D a scan of all positions. Nothing is culled by them.
+void setBounds(Qt3DRender::QGeometryRenderer* renderer, const std::vector<SurfaceVertex>& vertices)
 {
-    auto* geometry = new Qt3DCore::QGeometry;
-    const std::size_t count = surface.vertices.size();
-    Qt3DCore::QBuffer* vertices = bufferOf(surface.vertices);
-    for (const Column& column : {Column{"vertexPosition", offsetof(SurfaceVertex, position), 3},
-                                 Column{"vertexNormal", offsetof(SurfaceVertex, normal), 3},
-                                 Column{"vertexColor", offsetof(SurfaceVertex, color), 3},
-                                 Column{"partId", offsetof(SurfaceVertex, partId), 1}})
-        addColumn(geometry, vertices, column, sizeof(SurfaceVertex), count);
-    addIndices(geometry, surface.triangles);
-
-    // Explicit bounds spare Qt 3D a scan of all positions. Nothing is culled by them.
     Box bounds;
-    for (const SurfaceVertex& vertex : surface.vertices)
+    for (const SurfaceVertex& vertex : vertices)
         bounds.include(Vec3(vertex.position.cast<double>()));
-    auto* renderer = new Qt3DRender::QGeometryRenderer;
-    renderer->setGeometry(geometry);
-    renderer->setPrimitiveType(Qt3DRender::QGeometryRenderer::Triangles);
     const Vec3f low = bounds.min.cast<float>();
     const Vec3f high = bounds.max.cast<float>();
     renderer->setMinPoint({low.x(), low.y(), low.z()});
     renderer->setMaxPoint({high.x(), high.y(), high.z()});
-    return renderer;
 }
 
 } // namespace
 
-SurfaceEntity::SurfaceEntity(const MergedSurface& surface, Qt3DRender::QEffect* effect,
+SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
                              Qt3DCore::QEntity* parent)
-    : m_key(surface.key),
+    : m_key(std::move(surface.key)),
+      m_pieces(std::move(surface.pieces)),
+      m_triangles(std::move(surface.triangles)),
       m_entity(std::make_unique<Qt3DCore::QEntity>(parent)),
+      m_renderer(new Qt3DRender::QGeometryRenderer),
+      m_corners(new Qt3DCore::QBuffer),
+      m_cornerList(cornerList(m_corners)),
       m_X_AF(new Qt3DCore::QTransform),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
-      m_motion(new Qt3DRender::QParameter(QStringLiteral("motion"), motionUniform({})))
+      m_motions(new Qt3DRender::QParameter)
 {
+    if (m_key.layer == DrawLayer::Blended)
+        for (const SurfaceVertex& vertex : surface.vertices)
+            m_positions.push_back(vertex.position);
+    auto* geometry = new Qt3DCore::QGeometry;
+    addVertices(geometry, surface.vertices);
+    geometry->addAttribute(m_cornerList);
+    m_renderer->setGeometry(geometry);
+    m_renderer->setPrimitiveType(Qt3DRender::QGeometryRenderer::Triangles);
+    setBounds(m_renderer, surface.vertices);
+    m_motions->setName(QStringLiteral("motions[0]")); // as OpenGL names an array
+    setMotions({});
     auto* material = new Qt3DRender::QMaterial;
     material->setEffect(effect);
     material->addParameter(m_chest);
-    material->addParameter(m_motion);
-    m_entity->addComponent(rendererOf(surface));
+    material->addParameter(m_motions);
+    m_entity->addComponent(m_renderer);
     m_entity->addComponent(m_X_AF);
     m_entity->addComponent(material);
 }
 
 SurfaceEntity::~SurfaceEntity() = default;
 
-void SurfaceEntity::apply(const SceneFrame& frame, int level)
+void SurfaceEntity::setMotions(const SceneFrame& frame)
 {
-    bool shown = level >= m_key.firstLevel && level <= m_key.lastLevel;
+    QVariantList motions;
+    for (const ChestMotion& motion : frame.chest.motion)
+        motions.push_back(motionUniform(motion));
+    m_motions->setValue(motions);
+}
+
+void SurfaceEntity::apply(const SceneFrame& frame)
+{
+    m_isPlaced = true;
     if (!m_key.body.empty()) {
         const auto body = frame.bodies.find(m_key.body);
-        if (body == frame.bodies.end()) {
-            shown = false;
-        } else {
-            const Quat& q = body->second.X_AF.rotation();
+        m_isPlaced = body != frame.bodies.end();
+        if (m_isPlaced) {
+            m_R_AF = body->second.X_AF.rotation();
             const Vec3f p = body->second.X_AF.translation().cast<float>();
-            m_X_AF->setRotation({static_cast<float>(q.w()), static_cast<float>(q.x()),
-                                 static_cast<float>(q.y()), static_cast<float>(q.z())});
+            m_X_AF->setRotation({static_cast<float>(m_R_AF.w()), static_cast<float>(m_R_AF.x()),
+                                 static_cast<float>(m_R_AF.y()), static_cast<float>(m_R_AF.z())});
             m_X_AF->setTranslation({p.x(), p.y(), p.z()});
             m_X_AF->setScale(static_cast<float>(body->second.scale));
         }
     }
-    if (m_key.region != ChestRegion::Still) {
-        m_chest->setValue(chestUniform(frame.chest.field));
-        m_motion->setValue(motionUniform(frame.chest.of(m_key.region)));
+    m_chest->setValue(chestUniform(frame.chest.field));
+    setMotions(frame);
+}
+
+void SurfaceEntity::show(std::span<const int> levels, const Vec3& forward_A)
+{
+    const bool isBlended = m_key.layer == DrawLayer::Blended;
+    const bool isNew = !std::ranges::equal(levels, m_levels);
+    const Vec3f forward_F = (m_R_AF.conjugate() * forward_A).cast<float>();
+    const bool turned = (forward_F - m_forward_F).norm() > kSmallTurn;
+    if (isNew) {
+        m_levels.assign(levels.begin(), levels.end());
+        std::vector<Triangle> chosen = trianglesAt(levels, m_pieces, m_triangles);
+        if (isBlended)
+            m_order = DrawOrder{std::move(chosen), m_positions};
+        else
+            drawTriangles(chosen);
     }
-    m_entity->setEnabled(shown);
+    if (isBlended && (isNew || turned)) {
+        m_forward_F = forward_F;
+        drawTriangles(m_order.backToFront(forward_F));
+    }
+    m_entity->setEnabled(m_isPlaced && m_renderer->vertexCount() > 0);
+}
+
+void SurfaceEntity::drawTriangles(const std::vector<Triangle>& triangles)
+{
+    const auto count = static_cast<int>(3 * triangles.size());
+    m_corners->setData(bytesOf(triangles));
+    m_cornerList->setCount(static_cast<uint>(count));
+    m_renderer->setVertexCount(count);
 }
 
 } // namespace carina

@@ -95,7 +95,8 @@ void TestAppearance::drawsOpaqueFirstAndSkinLast()
     QCOMPARE(layerOf(MaterialGroup::Airway), 1);
     QCOMPARE(layerOf(MaterialGroup::Lung), 2);
     QCOMPARE(layerOf(MaterialGroup::Veil), 3);
-    QCOMPARE(layerOf(MaterialGroup::Skin), kLayers - 1);
+    QCOMPARE(layerOf(MaterialGroup::Skin), 4);
+    QCOMPARE(layerOf(MaterialGroup::Ghost), kLayers - 1);
 }
 
 QTEST_GUILESS_MAIN(TestAppearance)

@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <array>
+
 using namespace carina;
 
 namespace
@@ -29,6 +31,15 @@ ScenePart part(std::uint16_t id, MaterialGroup group,
     return made;
 }
 
+/// Where the first corners of the triangles drawn in these levels lie along x.
+std::vector<float> drawnAt(const MergedSurface& surface, const std::vector<int>& levels)
+{
+    std::vector<float> places;
+    for (const Triangle& t : trianglesAt(levels, surface.pieces, surface.triangles))
+        places.push_back(surface.vertices[t[0]].position.x());
+    return places;
+}
+
 } // namespace
 
 class TestMergedSurface : public QObject
@@ -37,84 +48,83 @@ class TestMergedSurface : public QObject
 
 private Q_SLOTS:
     void drawsLikePartsInOneGo();
+    void saysOfEachCornerWhatItBelongsTo();
     void keepsUnlikePartsApart_data();
     void keepsUnlikePartsApart();
-    void storesACoarsestLevelOnceForAllFurtherLevels();
-    void countsTheTrianglesOfEachLevel();
-    void hasOneLevelOfNothing();
+    void drawsEachPartInItsLevel();
+    void countsTheLevels();
 };
 
 void TestMergedSurface::drawsLikePartsInOneGo()
 {
     const std::vector parts{part(7, MaterialGroup::Bone, {triangle(0)}),
-                            part(300, MaterialGroup::Bone, {triangle(5)})};
+                            part(300, MaterialGroup::SoftTissue, {triangle(5)})};
     const std::vector<MergedSurface> surfaces = mergedSurfaces(parts);
     QCOMPARE(surfaces.size(), std::size_t{1});
     const MergedSurface& surface = surfaces.front();
-    QCOMPARE(surface.key, (SurfaceKey{MaterialGroup::Bone, ChestRegion::Still, "", 0, 0}));
+    QCOMPARE(surface.key, (SurfaceKey{DrawLayer::Closed, ""}));
     QCOMPARE(surface.vertices.size(), std::size_t{6});
     QVERIFY(surface.triangles == (std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}));
-    QCOMPARE(surface.vertices[2].partId, 7.0F);
-    QCOMPARE(surface.vertices[3].partId, 300.0F);
-    QVERIFY(surface.vertices[4].position == Vec3f(6, 0, 0));
-    QVERIFY(surface.vertices[4].normal == Vec3f(0, 0, 1));
-    QVERIFY((surface.vertices[4].color - Vec3f(1.0F, 0.0F, 0.2F)).norm() < 1e-4F);
+}
+
+void TestMergedSurface::saysOfEachCornerWhatItBelongsTo()
+{
+    ScenePart lung = part(300, MaterialGroup::Lung, {triangle(5)});
+    lung.region = ChestRegion::LeftLowerLung;
+    const std::vector<MergedSurface> surfaces =
+        mergedSurfaces(std::vector{part(7, MaterialGroup::Airway, {triangle(0)}), lung});
+    QCOMPARE(surfaces.size(), std::size_t{1});
+    const std::vector<SurfaceVertex>& vertices = surfaces.front().vertices;
+    QVERIFY(vertices[2].part == Vec3f(7, 0, 3));
+    QVERIFY(vertices[3].part == Vec3f(300, 4, 4));
+    QVERIFY(vertices[4].position == Vec3f(6, 0, 0));
+    QVERIFY(vertices[4].normal == Vec3f(0, 0, 1));
+    QVERIFY((vertices[4].color - Vec3f(1.0F, 0.0F, 0.2F)).norm() < 1e-4F);
 }
 
 void TestMergedSurface::keepsUnlikePartsApart_data()
 {
     QTest::addColumn<MaterialGroup>("group");
-    QTest::addColumn<ChestRegion>("region");
     QTest::addColumn<QString>("body");
-    QTest::newRow("material") << MaterialGroup::Skin << ChestRegion::Still << "";
-    QTest::newRow("region") << MaterialGroup::Lung << ChestRegion::LeftUpperLung << "";
-    QTest::newRow("body") << MaterialGroup::Lung << ChestRegion::Still << "tube";
+    QTest::addColumn<int>("draws");
+    QTest::newRow("opaque") << MaterialGroup::Bone << "" << 2;
+    QTest::newRow("a tool") << MaterialGroup::Tool << "" << 2;
+    QTest::newRow("body") << MaterialGroup::Lung << "tube" << 2;
+    QTest::newRow("another translucent one") << MaterialGroup::Ghost << "" << 1;
 }
 
 void TestMergedSurface::keepsUnlikePartsApart()
 {
     QFETCH(MaterialGroup, group);
-    QFETCH(ChestRegion, region);
     QFETCH(QString, body);
     ScenePart other = part(2, group, {triangle(0)});
-    other.region = region;
     other.body = body.toStdString();
     const std::vector parts{part(1, MaterialGroup::Lung, {triangle(0)}), other};
-    QCOMPARE(mergedSurfaces(parts).size(), std::size_t{2});
+    QTEST(static_cast<int>(mergedSurfaces(parts).size()), "draws");
 }
 
-void TestMergedSurface::storesACoarsestLevelOnceForAllFurtherLevels()
+void TestMergedSurface::drawsEachPartInItsLevel()
 {
-    const std::vector parts{part(1, MaterialGroup::Bone, {triangle(0)}),
-                            part(2, MaterialGroup::Bone, {triangle(1), triangle(2), triangle(3)}),
-                            part(3, MaterialGroup::Bone, {triangle(4), triangle(5)})};
-    QCOMPARE(levelCount(parts), 3);
+    const std::vector parts{part(1, MaterialGroup::Bone, {triangle(0), triangle(10)}),
+                            part(2, MaterialGroup::Airway, {triangle(20)}),
+                            part(3, MaterialGroup::Bone, {triangle(30), triangle(40)})};
     const std::vector<MergedSurface> surfaces = mergedSurfaces(parts);
-    // Which parts' corners lie in which levels: (first, last) -> ids.
-    std::map<std::pair<int, int>, std::vector<float>> held;
-    for (const MergedSurface& surface : surfaces)
-        for (std::size_t corner = 0; corner < surface.vertices.size(); corner += 3)
-            held[{surface.key.firstLevel, surface.key.lastLevel}].push_back(
-                surface.vertices[corner].partId);
-    const std::map<std::pair<int, int>, std::vector<float>> expected{
-        {{0, 0}, {2, 3}}, {{0, 2}, {1}}, {{1, 1}, {2}}, {{1, 2}, {3}}, {{2, 2}, {2}}};
-    QVERIFY(held == expected);
+    QCOMPARE(surfaces.size(), std::size_t{2});
+    using Places = std::vector<float>;
+    QCOMPARE(drawnAt(surfaces[0], {0, 0, 0}), (Places{0, 30}));
+    QCOMPARE(drawnAt(surfaces[0], {1, 0, 0}), (Places{10, 30}));
+    QCOMPARE(drawnAt(surfaces[0], {0, 0, 1}), (Places{0, 40}));
+    QCOMPARE(drawnAt(surfaces[1], {1, 0, 1}), (Places{20}));
+    QCOMPARE(drawnAt(surfaces[1], {1, 1, 1}), Places{});
 }
 
-void TestMergedSurface::countsTheTrianglesOfEachLevel()
-{
-    const auto fine = test::sphere(Vec3::Zero(), 0.1);
-    const std::size_t many = fine->triangles.size();
-    const std::vector parts{part(1, MaterialGroup::Bone, {fine, triangle(0)}),
-                            part(2, MaterialGroup::Lung, {fine})};
-    QCOMPARE(trianglesPerLevel(parts), (std::vector<std::size_t>{2 * many, 1 + many}));
-}
-
-void TestMergedSurface::hasOneLevelOfNothing()
+void TestMergedSurface::countsTheLevels()
 {
     QCOMPARE(levelCount({}), 1);
     QVERIFY(mergedSurfaces({}).empty());
-    QCOMPARE(trianglesPerLevel({}), std::vector<std::size_t>{0});
+    QCOMPARE(levelCount(std::vector{part(1, MaterialGroup::Bone, {triangle(0)}),
+                                    part(2, MaterialGroup::Bone, {triangle(1), triangle(2)})}),
+             2);
 }
 
 QTEST_GUILESS_MAIN(TestMergedSurface)

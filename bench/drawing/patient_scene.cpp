@@ -1,0 +1,57 @@
+#include "bench/drawing/patient_scene.h"
+
+#include "engine/io/anatomy_set.h"
+#include "engine/lungs/breathing_pattern.h"
+#include "ui/scene_parts.h"
+
+#include <cmath>
+
+namespace carina::bench
+{
+
+PatientScene::PatientScene(SharedPatientModel patient)
+    : m_patient{std::move(patient)}, m_parts{sceneParts(*m_patient)}
+{
+}
+
+Result<PatientScene> PatientScene::of(const std::filesystem::path& folder, bool fromCache)
+{
+    auto loaded = loadAnatomySet(folder, AnatomyCache::defaultFolder());
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    if (fromCache && !loaded->fromCache)
+        return fail(Errc::FileNotFound, "the set is not in the cache");
+    return patientOf(std::move(loaded->set.anatomy)).map([](SharedPatientModel patient) {
+        return PatientScene{std::move(patient)};
+    });
+}
+
+Box PatientScene::framed() const
+{
+    Box framed;
+    for (const ScenePart& part : m_parts)
+        if (part.framed)
+            framed.include(boundsOf(*part.levels.back()));
+    return framed;
+}
+
+PartLooks PatientScene::solid() const
+{
+    PartLooks looks;
+    for (const ScenePart& part : m_parts)
+        looks[part.id] = {.style = PartStyle::Solid};
+    return looks;
+}
+
+SceneFrame PatientScene::frameAt(double seconds, int level) const
+{
+    const BreathingPattern pattern;
+    const double breaths = seconds * pattern.rate.si;
+    const Volume inspired = inspiredVolume(pattern, breaths - std::floor(breaths));
+    StationMoment moment;
+    if (const auto pose = m_patient->lungs().pose(inspired, static_cast<std::size_t>(level)))
+        moment.pose = *pose;
+    return sceneFrame(moment, m_patient->lungs().field());
+}
+
+} // namespace carina::bench

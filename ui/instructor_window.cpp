@@ -56,6 +56,9 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     layDocks();
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
+    m_ui->parts->setScene(*m_ui->scene);
+    m_ui->section->setScene(*m_ui->scene);
+    m_ui->partsPage->setFocusProxy(m_ui->parts);
     m_ui->statusBar->addWidget(m_status, 1);
     fillSessionBar();
     connectViews(view);
@@ -77,6 +80,7 @@ void InstructorWindow::layDocks()
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     tabifyDockWidget(m_ui->breathingDock, m_ui->conditionDock);
     tabifyDockWidget(m_ui->conditionDock, m_ui->actionsDock);
+    tabifyDockWidget(m_ui->actionsDock, m_ui->partsDock);
     m_ui->breathingDock->raise();
     tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
     m_ui->invitationDock->raise(); // nobody else is here yet
@@ -90,9 +94,9 @@ void InstructorWindow::fillSessionBar()
     QFont bold = m_phase->font(); // that of the bar
     bold.setBold(true);
     m_phase->setFont(bold);
-    const QList<QAction*> actions{m_ui->start,         m_ui->pause,       m_ui->end,
-                                  m_ui->showCondition, m_ui->showActions, m_ui->showInvitation,
-                                  m_ui->showNetwork};
+    const QList<QAction*> actions{m_ui->start,          m_ui->pause,       m_ui->end,
+                                  m_ui->showCondition,  m_ui->showActions, m_ui->showParts,
+                                  m_ui->showInvitation, m_ui->showNetwork};
     m_ui->sessionBar->addActions(actions);
     for (QAction* action : actions)
         m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
@@ -107,6 +111,7 @@ void InstructorWindow::fillSessionBar()
     };
     raises(m_ui->showCondition, m_ui->conditionDock);
     raises(m_ui->showActions, m_ui->actionsDock);
+    raises(m_ui->showParts, m_ui->partsDock);
     raises(m_ui->showInvitation, m_ui->invitationDock);
     raises(m_ui->showNetwork, m_ui->networkDock);
 }

@@ -2,11 +2,14 @@
 
 #include "models/station_notice.h"
 #include "ui/actions_panel.h"
+#include "ui/parts_panel.h"
+#include "ui/section_panel.h"
 #include "widgets/scene/scene_view.h"
 
 #include <QActionGroup>
 #include <QApplication>
 #include <QTimer>
+#include <QVBoxLayout>
 #include <QWindow>
 
 namespace carina
@@ -26,6 +29,9 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_patient{patient},
       m_scene{new SceneView{this}},
       m_actions{new QDockWidget{tr("Actions"), this}},
+      m_parts{new QDockWidget{tr("Parts"), this}},
+      m_partsPanel{new PartsPanel},
+      m_section{new SectionPanel},
       m_notices{new QLabel{this}, new QLabel{this}},
       m_headset{headset},
       m_chinProbe{chinProbe},
@@ -36,6 +42,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     setAutoFillBackground(true);
     setCentralWidget(m_scene);
     makeActions(actions);
+    makeParts();
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setTextFormat(Qt::PlainText);      // names and licences come from elsewhere
@@ -60,19 +67,38 @@ void TraineeWindow::show(const PatientModel& patient, const StationView& view,
     chinProbe.setMovesManikin(m_chinProbe.movesManikin());
     m_chinProbe = chinProbe;
     m_stationScene.show(patient, view);
+    m_partsPanel->setScene(*m_scene);
+    m_section->setScene(*m_scene);
 }
 
 void TraineeWindow::makeActions(ObjectActionModel& actions)
 {
     auto* panel = new ActionsPanel;
     panel->setModel(actions);
-    m_actions->setWidget(panel);
-    m_actions->setPalette(QApplication::palette());
-    m_actions->setAutoFillBackground(true);
-    addDockWidget(Qt::RightDockWidgetArea, m_actions);
-    m_actions->hide();
-    QAction* toggle = m_actions->toggleViewAction();
-    toggle->setText(tr("&Actions on the patient"));
+    addPanel(m_actions, panel, tr("&Actions on the patient"));
+}
+
+void TraineeWindow::makeParts()
+{
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout{page};
+    column->addWidget(m_partsPanel, 1);
+    column->addWidget(m_section);
+    page->setFocusProxy(m_partsPanel);
+    m_partsPanel->setScene(*m_scene);
+    m_section->setScene(*m_scene);
+    addPanel(m_parts, page, tr("Parts and se&ctions of the patient"));
+}
+
+void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
+{
+    dock->setWidget(panel);
+    dock->setPalette(QApplication::palette());
+    dock->setAutoFillBackground(true);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->hide();
+    QAction* toggle = dock->toggleViewAction();
+    toggle->setText(menuText);
     connect(toggle, &QAction::triggered, panel, [panel](bool isShown) {
         if (isShown) // and the menu, which gives the keyboard back, is gone
             QTimer::singleShot(0, panel, [panel] { panel->setFocus(); });
@@ -86,6 +112,7 @@ void TraineeWindow::makeMenu()
     addPresets();
     m_menu.addSeparator();
     m_menu.addAction(m_actions->toggleViewAction());
+    m_menu.addAction(m_parts->toggleViewAction());
     m_menu.addSeparator();
     addFetching();
     if (m_chinProbe.isThere())
@@ -164,9 +191,11 @@ void TraineeWindow::showTo(ViewOutput output)
     for (QAction* preset : m_presets)
         preset->setEnabled(output == ViewOutput::Screen);
     // A headset's picture keeps all of the window.
-    m_actions->setFloating(output != ViewOutput::Screen);
-    m_actions->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
-                                                            : Qt::NoDockWidgetArea);
+    for (QDockWidget* dock : {m_actions, m_parts}) {
+        dock->setFloating(output != ViewOutput::Screen);
+        dock->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
+                                                           : Qt::NoDockWidgetArea);
+    }
     refreshNotice();
 }
 

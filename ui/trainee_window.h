@@ -16,10 +16,14 @@
 namespace carina
 {
 
+class PartsPanel;
+class SectionPanel;
+
 /// What a trainee sees: the anatomy over black and nothing else, on a screen or before the eyes.
 /// What has to be known appears over its lower edge, to each eye that has a picture of its own, and
 /// leaves by itself; the picture stays where it is meanwhile. Esc opens a menu; from there the
-/// actions on shared objects come beside the picture, before a headset in a window of their own.
+/// actions on shared objects, and the parts of the patient, come beside the picture, before a
+/// headset in a window of their own.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -42,6 +46,8 @@ protected:
 
 private:
     void makeActions(ObjectActionModel& actions);
+    void makeParts();
+    void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     void addOutputs();
     void addPresets();
@@ -57,6 +63,9 @@ private:
     SessionPatient& m_patient;
     SceneView* m_scene;
     QDockWidget* m_actions;
+    QDockWidget* m_parts;
+    PartsPanel* m_partsPanel;
+    SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< all the window, or its left half; and its right half
     HeadsetView m_headset;
     ChinProbeModel m_chinProbe;

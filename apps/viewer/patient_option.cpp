@@ -3,6 +3,7 @@
 #include "engine/io/anatomy_set.h"
 #include "engine/io/builtin_cache.h"
 #include "models/error_text.h"
+#include "ui/import_dialog.h"
 
 #include <QCoreApplication>
 
@@ -26,10 +27,32 @@ Result<BuiltinPatient> builtinNamed(const QString& name)
                 "--patient takes adult or child, not '" + name.toStdString() + "'");
 }
 
-/// The set in a folder; files that could not be used are told on stderr, and the rest is shown.
-Result<Anatomy> importedPatient(const QString& folder)
+/// Nobody is asked by a program that starts or works by itself.
+bool hasPerson(const QCommandLineParser& parser)
 {
-    auto loaded = loadAnatomySet(folder.toStdString(), AnatomyCache::defaultFolder());
+    const QStringList given = parser.optionNames();
+    return !given.contains(QStringLiteral("measure")) && !given.contains(QStringLiteral("journal"))
+           && !given.contains(QStringLiteral("start"));
+}
+
+/// The set in a folder: from the cache, else while a person looks on, corrects and may stop it.
+Result<LoadedSet> setForPerson(const std::filesystem::path& folder)
+{
+    const std::filesystem::path cache = AnatomyCache::defaultFolder();
+    auto cached = loadAnatomySet(folder, cache, [](double) { return false; });
+    if (cached || cached.error().code != Errc::Cancelled)
+        return cached;
+    SetImport import{folder, cache};
+    ImportDialog dialog{import};
+    dialog.exec();
+    return import.takeResult();
+}
+
+/// Files that could not be used are told on stderr, and the rest is shown.
+Result<Anatomy> importedPatient(const std::filesystem::path& folder, bool forPerson)
+{
+    auto loaded =
+        forPerson ? setForPerson(folder) : loadAnatomySet(folder, AnatomyCache::defaultFolder());
     if (!loaded)
         return tl::unexpected(loaded.error());
     for (const FileFault& fault : loaded->set.faults)
@@ -60,8 +83,9 @@ Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
                                   : builtinNamed(parser.value(kPatient));
     if (!builtin)
         return tl::unexpected(builtin.error());
-    auto anatomy = imported ? importedPatient(parser.value(kAnatomy))
-                            : cachedBuiltinPatient(*builtin, AnatomyCache::defaultFolder());
+    auto anatomy = imported
+                       ? importedPatient(parser.value(kAnatomy).toStdString(), hasPerson(parser))
+                       : cachedBuiltinPatient(*builtin, AnatomyCache::defaultFolder());
     if (!anatomy)
         return tl::unexpected(anatomy.error());
     auto model = patientOf(std::move(*anatomy));

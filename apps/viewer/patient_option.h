@@ -22,7 +22,9 @@ void addPatientOptions(QCommandLineParser& parser);
 [[nodiscard]] bool importsPatient(const QCommandLineParser& parser);
 
 /// The patient that these options name; the child without them. An imported set is taken for an
-/// adult.
+/// adult. One that is imported for the first time is shown to the person, who may correct what its
+/// surfaces are, unless the program starts or works by itself (`--start`,
+/// `--measure`, `--journal`).
 ///
 /// @returns WrongOption for another patient; what importing or building it fails with.
 [[nodiscard]] Result<ChosenPatient> choosePatient(const QCommandLineParser& parser);

@@ -112,7 +112,8 @@ void TestSection::cutsWhereBreathingHasMovedIt()
     const auto whole = static_cast<double>(view->visiblePixels()[1]);
     view->setSection(Section{Vec3::UnitX(), 0.2, Cut::All});
     QVERIFY(draws(*view, 3));
-    QVERIFY(std::abs(static_cast<double>(view->visiblePixels()[1]) / whole - 0.5) < 0.05);
+    QVERIFY(std::abs(static_cast<double>(view->visiblePixels()[1]) / whole - 0.5)
+            < 0.1); // its far half is seen askew
     view->setSection(Section{Vec3::UnitX(), 0.09, Cut::All});
     QVERIFY(draws(*view, 3));
     QCOMPARE(view->visiblePixels()[1], std::size_t{0});

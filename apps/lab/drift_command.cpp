@@ -54,7 +54,7 @@ constexpr std::string_view kDriftHelp =
                       encrypted sockets and relays that are the scenario's network. The
                       participants' clocks are spread evenly over +-250 ms, at +-50 ppm. Only
                       session-clock, at most 16 participants, one seed; 15 actions if not told, but
-                      step and partition come after 30 s, so that they take 30
+                      step and partition come after 30 s, so that they take 28 or more
     --netlab PROGRAM  the network emulator to use in place of the relays; root only
     --warm-up-s T     for the clocks, before the first action; 0 to 300; 20
     --logs DIR        for what each program wrote down; the folder is made if need be

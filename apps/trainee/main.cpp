@@ -102,7 +102,12 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     QTimer::singleShot(options.seconds * 1000, [&] {
         const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"),
                                              actionReport(station.node()));
-        QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
+        if (!wrote)
+            return QApplication::exit(viewer::refuse(wrote.error()));
+        const SessionNode& node = station.node();
+        const bool isIn = node.self() != kNobody;
+        QApplication::exit(
+            isIn ? 0 : viewer::refuse(node.refusal().value_or(Error{Errc::HostSilent, {}})));
     });
     return QApplication::exec();
 }

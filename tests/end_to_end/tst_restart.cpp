@@ -98,6 +98,22 @@ private Q_SLOTS:
                 < kSameClock_ms);
     }
 
+    void whoIsRefusedFailsToMeasure()
+    {
+        Program stranger{QStringLiteral(CARINA_TRAINEE),
+                         {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--patient"),
+                          QStringLiteral("child"), QStringLiteral("--as"),
+                          QStringLiteral("Stranger"), QStringLiteral("--data"),
+                          m_folder->filePath(QStringLiteral("stranger")), QStringLiteral("--code"),
+                          QStringLiteral("AAAAA-BBBBB"), QStringLiteral("--measure"),
+                          m_folder->filePath(QStringLiteral("measured")),
+                          QStringLiteral("--seconds"), QStringLiteral("3")},
+                         m_folder->filePath(QStringLiteral("stranger.jsonl"))};
+        stranger.start();
+        QTRY_VERIFY_WITH_TIMEOUT(stranger.hasEnded(), kPatience_ms);
+        QCOMPARE(stranger.exitCode(), 1);
+    }
+
 private:
     [[nodiscard]] bool bothAgree() const
     {

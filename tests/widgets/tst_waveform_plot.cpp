@@ -60,7 +60,8 @@ private Q_SLOTS:
         const auto drawn = shown->drawing();
         QCOMPARE(drawn.curves.size(), std::size_t{2});
         const double ahead = drawn.curves[0].first().x();
-        QVERIFY(std::abs(drawn.curves[1].first().x() - drawn.frame.left()) < 1.0);
+        const double step = 0.1 / kSpan_s * drawn.frame.width();
+        QVERIFY(drawn.curves[1].first().x() - drawn.frame.left() < step + kPixel);
         QVERIFY(ahead > drawn.now);
         const double gap = (ahead - drawn.now) / drawn.frame.width();
         QVERIFY2(gap > 0.03 && gap < 0.06, qPrintable(QString::number(gap)));

@@ -20,6 +20,7 @@ namespace
 constexpr int kSeveritySteps = 100; ///< of the slider
 constexpr double kSeverityStep = 0.05;
 constexpr int kTravellingLines = 3;
+constexpr int kShownLetters = 12; ///< of a choice; its list is as wide as it has to be
 constexpr double kTubeStep_mm = 0.5;
 
 /// Shows a value without telling it back to the model; not while a person is typing into it.
@@ -76,10 +77,10 @@ void ConditionPanel::layOut()
     add(m_side, "side", tr("&Lung"), tr("Which lung the condition is of"));
     add(m_mode, "mode", tr("&Breathes"), tr("Who breathes the patient"));
     m_peep = addPressure(*rows, "peep", tr("PEEP"), tr("End-expiratory pressure, cmH2O"));
-    m_driving = addPressure(*rows, "driving", tr("Pressure &above PEEP"),
+    m_driving = addPressure(*rows, "driving", tr("&Above PEEP"),
                             tr("Pressure of inspiration above PEEP, cmH2O"));
-    m_limit = addPressure(*rows, "limit", tr("Pressure limi&t"),
-                          tr("Highest pressure at the airway, cmH2O"));
+    m_limit =
+        addPressure(*rows, "limit", tr("Limi&t"), tr("Highest pressure at the airway, cmH2O"));
     add(m_tube, "tube", tr("Tu&be"), tr("Inner diameter of the tracheal tube, millimetres"));
     m_travelling->setObjectName(QStringLiteral("travelling"));
     m_travelling->setWordWrap(true);
@@ -133,6 +134,10 @@ void ConditionPanel::offerChoices()
     m_tube->setSuffix(tr(" mm"));
     m_tube->setSpecialValueText(tr("none"));
     m_tube->setToolTip(tr("Inner diameter, 2 to 12 mm; below that, none"));
+    for (QComboBox* box : {m_condition, m_side, m_mode}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kShownLetters);
+    }
     for (QDoubleSpinBox* box : {m_severity, m_tube}) {
         box->setKeyboardTracking(false);
         box->setAlignment(Qt::AlignRight);

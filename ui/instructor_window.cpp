@@ -162,9 +162,13 @@ void InstructorWindow::refreshStatus()
     const StationMoment& moment = m_stationScene->moment();
     const QString patient =
         tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
-    m_ui->patient->setText(isAway(moment) ? tr("▲ Patient not in its place") : patient);
-    m_ui->patient->setToolTip(patient);
-    m_ui->exaggerated->setText(moment.exaggeration != 1.0 ? tr("▲ larger than true") : QString{});
+    QStringList told{patient};
+    if (moment.exaggeration != 1.0)
+        told.prepend(tr("▲ larger than true"));
+    if (isAway(moment))
+        told.prepend(tr("▲ not in its place"));
+    m_ui->patient->setText(told.first());
+    m_ui->patient->setToolTip(told.join(QLatin1Char('\n')));
     const auto oldest = m_participants.oldestSample_ms();
     const QString age =
         oldest ? tr("Oldest sample %1 ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");

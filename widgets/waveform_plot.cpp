@@ -1,7 +1,6 @@
 #include "widgets/waveform_plot.h"
 
 #include "engine/core/expects.h"
-#include "widgets/history_plot.h"
 
 #include <QPainter>
 #include <QStyle>
@@ -18,9 +17,20 @@ namespace
 
 constexpr int kPlotMargin = 6; ///< pixels
 constexpr int kPlotWidth = 320;
-constexpr int kPlotHeight = 64;
+constexpr int kPlotHeight = 72;
 constexpr double kGapShare = 0.04; ///< of a sweep, ahead of the newest value
 constexpr int kTimeMarks_s = 1;
+
+/// The smallest of a few round numbers that is not below a value: a scale of no more than half as
+/// much again as is needed.
+double roundUp(double value)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+        if (value <= factor * power)
+            return factor * power;
+    return 10.0 * power;
+}
 
 QString plain(double value) { return QString::number(value, 'g', 4); }
 
@@ -74,9 +84,9 @@ void WaveformPlot::rescale(bool mayShrink)
         least = std::min(least, v.value);
         greatest = std::max(greatest, v.value);
     }
-    const double top = roundUpTo125(std::max(greatest, m_least));
+    const double top = roundUp(std::max(greatest, m_least));
     // A little below zero is no reason to halve the curve.
-    const double bottom = least < -0.02 * top ? -roundUpTo125(std::max(-least, m_least)) : 0.0;
+    const double bottom = least < -0.02 * top ? -roundUp(std::max(-least, m_least)) : 0.0;
     m_top = mayShrink ? top : std::max(m_top, top);
     m_bottom = mayShrink ? bottom : std::min(m_bottom, bottom);
 }

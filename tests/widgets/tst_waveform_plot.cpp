@@ -96,14 +96,14 @@ private Q_SLOTS:
     {
         const auto shown = plot();
         shown->add(0.0, 34.0);
-        QCOMPARE(shown->drawing().top, 50.0);
+        QCOMPARE(shown->drawing().top, 40.0);
         QCOMPARE(shown->drawing().bottom, 0.0);
         shown->add(0.1, -0.5); // less than would be seen
         QCOMPARE(shown->drawing().bottom, 0.0);
         shown->add(0.2, -12.0);
         const auto drawn = shown->drawing();
-        QCOMPARE(drawn.bottom, -20.0);
-        QVERIFY(std::abs(drawn.zero - drawn.frame.top() - 50.0 / 70.0 * drawn.frame.height())
+        QCOMPARE(drawn.bottom, -15.0);
+        QVERIFY(std::abs(drawn.zero - drawn.frame.top() - 40.0 / 55.0 * drawn.frame.height())
                 < kPixel);
     }
 

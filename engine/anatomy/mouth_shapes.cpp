@@ -19,7 +19,7 @@ double tongue(const Vec3& p, Posture posture)
 {
     const bool rest = posture == Posture::Rest;
     const double body = rest ? ellipsoidDistance(p - Vec3{0.0, 36.0, -1.0}, {18.5, 28.5, 15.5})
-                             : ellipsoidDistance(p - Vec3{0.0, 37.0, -21.0}, {19.0, 19.0, 16.5});
+                             : ellipsoidDistance(p - Vec3{0.0, 40.0, -20.5}, {18.0, 16.0, 16.0});
     const double root = rest ? ellipsoidDistance(p - Vec3{0.0, 57.0, -8.5}, {16.5, 14.5, 13.5})
                              : ellipsoidDistance(p - Vec3{0.0, 45.0, -29.0}, {16.5, 12.0, 15.0});
     return roundedMin(body, root, 8.0);

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <map>
 
 namespace
@@ -50,6 +51,9 @@ double peakMemory_mb()
             return line.simplified().split(' ').at(1).toDouble() / 1000.0;
     return 0.0;
 }
+
+/// What this process has used of all processors together.
+double processorSeconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 int say(const QJsonObject& object)
 {
@@ -102,6 +106,7 @@ struct Trial {
     LocalTime opened{};
     std::optional<LocalTime> firstFrame;
     LocalTime measuredFrom{};
+    double processorFrom = 0.0;
     int frames = 0;
     std::size_t triangles = 0;
 };
@@ -128,6 +133,7 @@ int ours(const std::string& mode)
         const double since = toSeconds(drawn.swapped - *trial.firstFrame);
         if (since < kWarmUp) {
             trial.measuredFrom = drawn.swapped;
+            trial.processorFrom = processorSeconds();
             return;
         }
         ++trial.frames;
@@ -136,6 +142,8 @@ int ours(const std::string& mode)
         if (measured < kSeconds || trial.frames < 2)
             return;
         say({{QStringLiteral("frames_per_s"), trial.frames / measured},
+             {QStringLiteral("cpu_ms_per_frame"),
+              1e3 * (processorSeconds() - trial.processorFrom) / trial.frames},
              {QStringLiteral("triangles"), qint64(trial.triangles)},
              {QStringLiteral("cache_to_first_frame_s"),
               toSeconds(*trial.firstFrame - trial.opened)},

@@ -9,7 +9,6 @@ in vec3 color; // sRGB, as colours are chosen
 flat in vec3 part; // id, region, material
 
 uniform vec3 eyePosition;
-uniform vec4 section; // as in organ.vert
 
 out vec4 fragment;
 
@@ -17,8 +16,6 @@ const vec3 kSky = vec3(0.80, 0.88, 1.00);
 const vec3 kGround = vec3(0.42, 0.36, 0.34);
 const vec3 kZenith = vec3(0.0, -0.447, 0.894); // where the sky is brightest, in A
 const vec3 kLamp = vec3(-0.242, -0.644, 0.725); // what the highlight mirrors, in A
-
-const int kAirway = 3;
 
 // By MaterialGroup: strength of the highlight; opacity seen face on; opacity seen edge on; light
 // added edge on.
@@ -35,11 +32,7 @@ const vec4 kLooks[8] = vec4[8](
 
 void main()
 {
-    int material = int(part.z);
-    vec4 look = kLooks[material];
-    // One sees into the airway always, and into other bodies where they are cut open.
-    bool seen = gl_FrontFacing || material == kAirway || section.xyz != vec3(0.0);
-
+    vec4 look = kLooks[int(part.z)];
     vec3 view = normalize(eyePosition - worldPosition);
     vec3 normal = normalize(worldNormal);
     if (dot(normal, view) < 0.0)
@@ -57,5 +50,5 @@ void main()
     float highlight = look.x * cosine8 * cosine8 * cosine8 * cosine8;
     vec3 shade = albedo * light + vec3(0.5 * highlight) + look.w * edge * mix(albedo, kSky, 0.35);
 
-    fragment = vec4(sqrt(min(shade, 1.0)), seen ? mix(look.y, look.z, edge) : 0.0);
+    fragment = vec4(sqrt(min(shade, 1.0)), mix(look.y, look.z, edge));
 }

@@ -142,8 +142,6 @@ Qt3DRender::QRenderStateSet* FrameGraph::addStates(QFrameGraphNode* parent, Dept
     if (depth == Depth::TestOnly)
         addBlending(set);
     m_states.push_back(set);
-    if (onlyFrontFaces)
-        m_culling.push_back(cull);
     return set;
 }
 
@@ -155,7 +153,7 @@ void FrameGraph::addPicture(const Cameras& cameras)
         QFrameGraphNode* shown = addView(view, cameras, viewport);
         addStates(passes(kSurfacePass, DrawLayer::Closed, shown), Depth::Write, true);
         addStates(passes(kSurfacePass, DrawLayer::Open, shown), Depth::Write, false);
-        addStates(passes(kSurfacePass, DrawLayer::Blended, shown), Depth::TestOnly, false);
+        addStates(passes(kSurfacePass, DrawLayer::Blended, shown), Depth::TestOnly, true);
     }
     m_picture = captures(viewport);
 }
@@ -219,8 +217,6 @@ void FrameGraph::setCut(bool cut)
     if (cut == m_isCut)
         return;
     m_isCut = cut;
-    for (Qt3DRender::QCullFace* cull : m_culling)
-        cull->setMode(cut ? Qt3DRender::QCullFace::NoCulling : Qt3DRender::QCullFace::Back);
     for (Qt3DRender::QRenderStateSet* set : m_states) {
         if (cut)
             set->addRenderState(m_clip);

@@ -16,7 +16,6 @@ namespace Qt3DRender
 class QCamera;
 class QClearBuffers;
 class QClipPlane;
-class QCullFace;
 class QFrameGraphNode;
 class QRenderCapture;
 class QRenderStateSet;
@@ -54,7 +53,7 @@ public:
 
     void setBackground(const QColor& color);
 
-    /// Whether a section cuts bodies open from now on: then they are drawn from both sides.
+    /// Whether a section cuts from now on, as the vertex shader says what lies beyond it.
     void setCut(bool cut);
 
     /// Draws what a view's camera sees into these pixels of the window, or no more.
@@ -98,7 +97,6 @@ private:
     std::vector<Qt3DRender::QRenderCapture*> m_idLayers;
     std::array<std::vector<Branch>, kMostEyes> m_views;
     std::vector<Qt3DRender::QRenderStateSet*> m_states;
-    std::vector<Qt3DRender::QCullFace*> m_culling; ///< of those that draw front faces only
     Qt3DRender::QClipPlane* m_clip;
     bool m_isCut = false;
 };

@@ -28,8 +28,8 @@ void appendPart(MergedSurface& surface, const ScenePart& part, std::size_t place
 {
     for (std::size_t level = 0; level < part.levels.size(); ++level) {
         const TriangleMesh& mesh = *part.levels[level];
-        surface.pieces.push_back(
-            {place, static_cast<int>(level), surface.triangles.size(), mesh.triangles.size()});
+        surface.pieces.push_back({place, static_cast<int>(level), surface.triangles.size(),
+                                  mesh.triangles.size(), part.group == MaterialGroup::Airway});
         appendMesh(surface, part, mesh);
     }
 }
@@ -81,14 +81,17 @@ std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts)
 }
 
 std::vector<Triangle> trianglesAt(std::span<const int> levels, std::span<const SurfacePiece> pieces,
-                                  std::span<const Triangle> triangles)
+                                  std::span<const Triangle> triangles, bool bothFaces)
 {
     std::vector<Triangle> chosen;
     for (const SurfacePiece& piece : pieces) {
         if (levels[piece.part] != piece.level)
             continue;
-        const auto of = triangles.subspan(piece.firstTriangle, piece.triangles);
-        chosen.insert(chosen.end(), of.begin(), of.end());
+        for (const Triangle& t : triangles.subspan(piece.firstTriangle, piece.triangles)) {
+            chosen.push_back(t);
+            if (bothFaces || piece.seenInto)
+                chosen.push_back({t[0], t[2], t[1]});
+        }
     }
     return chosen;
 }

@@ -34,6 +34,7 @@ struct SurfacePiece {
     int level = 0;
     std::size_t firstTriangle = 0;
     std::size_t triangles = 0;
+    bool seenInto = false; ///< its inner face is drawn, too, whoever draws front faces only
 };
 
 /// Several parts, in all their levels of detail, in one pair of buffers.
@@ -53,9 +54,11 @@ struct MergedSurface {
 [[nodiscard]] std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts);
 
 /// The triangles of the pieces whose parts are drawn in these levels of detail, by place among the
-/// parts of the scene.
+/// parts of the scene; where one sees into a piece, or `bothFaces` is asked for, each of them is
+/// followed by the same one turned over.
 [[nodiscard]] std::vector<Triangle> trianglesAt(std::span<const int> levels,
                                                 std::span<const SurfacePiece> pieces,
-                                                std::span<const Triangle> triangles);
+                                                std::span<const Triangle> triangles,
+                                                bool bothFaces = false);
 
 } // namespace carina

@@ -93,6 +93,7 @@ void SceneRenderer::setParts(std::span<const ScenePart> parts)
     for (MergedSurface& surface : mergedSurfaces(parts)) {
         Qt3DRender::QEffect* effect = m_effects.of[static_cast<std::size_t>(surface.key.layer)];
         m_surfaces.push_back(std::make_unique<SurfaceEntity>(std::move(surface), effect, m_root));
+        m_surfaces.back()->setCut(m_isCut);
     }
 }
 
@@ -121,7 +122,10 @@ void SceneRenderer::apply(const SceneFrame& frame, std::span<const int> levels)
 
 void SceneRenderer::setSection(const std::optional<Section>& section)
 {
-    m_frameGraph.setCut(section.has_value());
+    m_isCut = section.has_value();
+    m_frameGraph.setCut(m_isCut);
+    for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces)
+        surface->setCut(m_isCut);
     const Section cut = section.value_or(Section{Vec3::Zero(), 0.0, Cut::All});
     m_effects.cut.section->setValue(
         QVector4D{toQt(cut.normal_A), static_cast<float>(cut.distance)});

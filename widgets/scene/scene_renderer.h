@@ -75,6 +75,7 @@ private:
     FrameGraph m_frameGraph;          ///< whose root m_root owns
     OrganEffects m_effects;           ///< owned by m_root
     Vec3 m_forward_A = Vec3::UnitY(); ///< of the cameras
+    bool m_isCut = false;
     std::vector<std::unique_ptr<SurfaceEntity>> m_surfaces;
 };
 

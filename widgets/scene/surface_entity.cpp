@@ -154,7 +154,7 @@ void SurfaceEntity::show(std::span<const int> levels, const Vec3& forward_A)
     const bool turned = (forward_F - m_forward_F).norm() > kSmallTurn;
     if (isNew) {
         m_levels.assign(levels.begin(), levels.end());
-        std::vector<Triangle> chosen = trianglesAt(levels, m_pieces, m_triangles);
+        std::vector<Triangle> chosen = trianglesAt(levels, m_pieces, m_triangles, m_isCut);
         if (isBlended)
             m_order = DrawOrder{std::move(chosen), m_positions};
         else
@@ -165,6 +165,13 @@ void SurfaceEntity::show(std::span<const int> levels, const Vec3& forward_A)
         drawTriangles(m_order.backToFront(forward_F));
     }
     m_entity->setEnabled(m_isPlaced && m_renderer->vertexCount() > 0);
+}
+
+void SurfaceEntity::setCut(bool cut)
+{
+    if (cut != m_isCut)
+        m_levels.clear(); // all of it is chosen anew
+    m_isCut = cut;
 }
 
 void SurfaceEntity::drawTriangles(const std::vector<Triangle>& triangles)

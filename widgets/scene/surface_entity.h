@@ -40,6 +40,8 @@ public:
     /// Draws its parts in these levels, and what is blended as seen along `forward_A`.
     /// @pre after apply(), which knows how the body is turned.
     void show(std::span<const int> levels, const Vec3& forward_A);
+    /// Whether a section cuts it open from now on: then its inner face is drawn, too.
+    void setCut(bool cut);
 
 private:
     void drawTriangles(const std::vector<Triangle>& triangles);
@@ -50,7 +52,8 @@ private:
     std::vector<Triangle> m_triangles;
     std::vector<Vec3f> m_positions; ///< of what is blended
     std::vector<int> m_levels;      ///< drawn now
-    DrawOrder m_order;              ///< of what is blended, in those levels
+    bool m_isCut = false;
+    DrawOrder m_order; ///< of what is blended, in those levels
     Vec3f m_forward_F = Vec3f::Zero();
     Quat m_R_AF = Quat::Identity();
 

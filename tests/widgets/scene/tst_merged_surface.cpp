@@ -52,6 +52,7 @@ private Q_SLOTS:
     void keepsUnlikePartsApart_data();
     void keepsUnlikePartsApart();
     void drawsEachPartInItsLevel();
+    void turnsOverWhatIsSeenInto();
     void countsTheLevels();
 };
 
@@ -114,8 +115,22 @@ void TestMergedSurface::drawsEachPartInItsLevel()
     QCOMPARE(drawnAt(surfaces[0], {0, 0, 0}), (Places{0, 30}));
     QCOMPARE(drawnAt(surfaces[0], {1, 0, 0}), (Places{10, 30}));
     QCOMPARE(drawnAt(surfaces[0], {0, 0, 1}), (Places{0, 40}));
-    QCOMPARE(drawnAt(surfaces[1], {1, 0, 1}), (Places{20}));
+    QCOMPARE(drawnAt(surfaces[1], {1, 0, 1}), (Places{20, 20})); // both of its faces
     QCOMPARE(drawnAt(surfaces[1], {1, 1, 1}), Places{});
+}
+
+void TestMergedSurface::turnsOverWhatIsSeenInto()
+{
+    const std::vector<MergedSurface> surfaces =
+        mergedSurfaces(std::vector{part(1, MaterialGroup::Airway, {triangle(0)}),
+                                   part(2, MaterialGroup::Lung, {triangle(10)})});
+    const MergedSurface& both = surfaces.front();
+    const std::vector levels{0, 0};
+    using Triangles = std::vector<Triangle>;
+    QVERIFY(trianglesAt(levels, both.pieces, both.triangles)
+            == (Triangles{{0, 1, 2}, {0, 2, 1}, {3, 4, 5}}));
+    QVERIFY(trianglesAt(levels, both.pieces, both.triangles, true)
+            == (Triangles{{0, 1, 2}, {0, 2, 1}, {3, 4, 5}, {3, 5, 4}}));
 }
 
 void TestMergedSurface::countsTheLevels()

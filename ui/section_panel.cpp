@@ -20,6 +20,7 @@ namespace
 constexpr int kNothing = 0; ///< the first choice of what is cut
 constexpr int kAutomatic = 0;
 constexpr int kPage_mm = 10;
+constexpr double kRounding_mm = 1e-3; ///< of single precision
 
 /// Out of the patient, on the side from which it is cut open.
 struct CutSide {
@@ -123,8 +124,8 @@ std::optional<Section> SectionPanel::section() const
 void SectionPanel::choose()
 {
     const Vec3& normal_A = kSides[static_cast<std::size_t>(m_side->currentIndex())].normal_A;
-    const int deepest = static_cast<int>(
-        std::ceil(1e3 * (reach(m_bounds_A, normal_A) + reach(m_bounds_A, -normal_A))));
+    const int deepest = static_cast<int>(std::ceil(
+        1e3 * (reach(m_bounds_A, normal_A) + reach(m_bounds_A, -normal_A)) - kRounding_mm));
     const bool isCut = m_what->currentIndex() != kNothing;
     for (QWidget* control : std::initializer_list<QWidget*>{m_side, m_slider, m_depth})
         control->setEnabled(isCut);

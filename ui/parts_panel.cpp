@@ -40,12 +40,12 @@ PartsPanel::PartsPanel(QWidget* parent)
       m_styles{
           styleButton(tr("As &usual"), tr("Show them as their material is usually shown"),
                       PartStyle::AsUsual),
-          styleButton(tr("S&olid"), tr("Show them opaque"), PartStyle::Solid),
-          styleButton(tr("&Ghost"), tr("Show hardly more than their outline"), PartStyle::Ghost),
-          styleButton(tr("&Hide"), tr("Do not show them"), PartStyle::Hidden)},
-      m_highlight{switchButton(tr("High&light"), tr("Show them opaque and yellow"),
-                               &PartLook::highlighted)},
-      m_label{switchButton(tr("&Name"), tr("Write their names beside them"), &PartLook::labelled)},
+          styleButton(tr("Sol&id"), tr("Show them opaque"), PartStyle::Solid),
+          styleButton(tr("Gh&ost"), tr("Show hardly more than their outline"), PartStyle::Ghost),
+          styleButton(tr("Hide"), tr("Do not show them"), PartStyle::Hidden)},
+      m_highlight{
+          switchButton(tr("Highlight"), tr("Show them opaque and yellow"), &PartLook::highlighted)},
+      m_label{switchButton(tr("Name"), tr("Write their names beside them"), &PartLook::labelled)},
       m_showAll{new QPushButton{tr("Show &all as usual")}}
 {
     m_words->setObjectName(QStringLiteral("words"));

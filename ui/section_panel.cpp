@@ -93,11 +93,11 @@ void SectionPanel::layOut()
     depth->addWidget(m_depth);
     auto* form = new QFormLayout{this};
     form->addRow(tr("&Cut"), m_what);
-    form->addRow(tr("Fro&m"), m_side);
-    auto* label = new QLabel{tr("&Depth")};
+    form->addRow(tr("F&rom"), m_side);
+    auto* label = new QLabel{tr("Depth")};
     label->setBuddy(m_slider);
     form->addRow(label, depth);
-    form->addRow(tr("De&tail"), m_detail);
+    form->addRow(tr("Detail"), m_detail);
 }
 
 void SectionPanel::setScene(SceneView& scene)

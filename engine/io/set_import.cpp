@@ -25,6 +25,18 @@ constexpr double kShareOfReading = 0.6; ///< of the time that an import takes
 
 constexpr std::size_t kFewTriangles = 1000; ///< are drawn as they are, at any distance
 constexpr std::array kShares{0.25, 0.0625, 0.015625};
+constexpr double kFewestInALevel = 60.0; ///< triangles; with fewer there is no such level
+
+std::span<const double> sharesFor(std::size_t triangles)
+{
+    if (triangles < kFewTriangles)
+        return {};
+    const auto tooFew = [triangles](double share) {
+        return share * double(triangles) < kFewestInALevel;
+    };
+    const auto end = std::find_if(kShares.begin(), kShares.end(), tooFew);
+    return std::span{kShares}.first(std::size_t(end - kShares.begin()));
+}
 
 Error cancelled() { return {Errc::Cancelled, "the import was stopped"}; }
 
@@ -103,8 +115,8 @@ AnatomyPart makePart(RecognisedSurface surface)
     else if (isClosed(mesh) && signedVolume(mesh) < 0.0)
         for (Triangle& t : mesh.triangles)
             std::swap(t[1], t[2]);
-    const std::size_t coarser = mesh.triangles.size() < kFewTriangles ? 0 : kShares.size();
-    auto levels = levelsOfDetail(std::move(mesh), std::span{kShares}.first(coarser));
+    const auto shares = sharesFor(mesh.triangles.size());
+    auto levels = levelsOfDetail(std::move(mesh), shares);
     return {std::move(surface.name), surface.role, std::move(surface.conceptId),
             std::move(levels.meshes), std::move(levels.deviations)};
 }

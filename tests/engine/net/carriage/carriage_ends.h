@@ -6,6 +6,7 @@
 #include "engine/net/carriage/set_server.h"
 #include "engine/net/secure/dtls.h"
 #include "tests/engine/io/carried_set_files.h"
+#include "tests/support/soon.h"
 
 #include <QSslCipher>
 #include <QSslPreSharedKeyAuthenticator>
@@ -52,11 +53,26 @@ inline HostTransport::KeyAnswer answerTo(const PskIdentity& identity)
                                       : HostTransport::KeyAnswer{};
 }
 
+/// The cache of a computer that imported the sample and carries it. Made once, for hosts to begin
+/// with a copy of it.
+inline std::filesystem::path cacheWithSample(std::size_t copies)
+{
+    static const QTemporaryDir folder;
+    const auto cache = std::filesystem::path{folder.path().toStdString()} / std::to_string(copies);
+    if (!std::filesystem::exists(cache)) {
+        importInto(cache, carriedSample(copies));
+        const auto prepared = CarriedSets{cache}.prepare(kSetHash);
+        Q_ASSERT(prepared);
+    }
+    return cache;
+}
+
 /// A computer that serves the sample, as long as it is named.
 struct ServingHost {
     explicit ServingHost(std::size_t copies = 20'000)
     {
-        importInto(cache(), carriedSample(copies));
+        std::filesystem::copy(cacheWithSample(copies), cache(),
+                              std::filesystem::copy_options::recursive);
         bytes =
             contentOf(CarriedSets{cache()}.file(CarriedSets{cache()}.prepare(kSetHash)->digest));
         open();

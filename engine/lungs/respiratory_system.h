@@ -17,7 +17,7 @@ namespace carina
 struct PatientBuild {
     Length height = metres(1.75);
     double weightInKilograms = 77.0;
-    double ageInYears = 40.0;
+    double ageInYears = 30.0;
     Sex sex = Sex::Male;
 
     friend bool operator==(const PatientBuild&, const PatientBuild&) = default;

@@ -9,7 +9,7 @@ SurfaceFinder::SurfaceFinder(const PatientModel& patient)
 {
     for (const PatientSurface& surface : patient.surfaces()) {
         const TriangleMesh& finest = *surface.levels.front();
-        if (surface.body != SurfaceBody::Tube)
+        if (surface.body != SurfaceBody::Tube && surface.description.role != PartRole::Skin)
             m_surfaces.push_back({&surface.name, &finest, boundsOf(finest)});
     }
 }

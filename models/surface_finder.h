@@ -10,7 +10,8 @@
 namespace carina
 {
 
-/// Where a patient's surfaces are, at rest and with the mouth closed.
+/// Where a patient's surfaces are, at rest and with the mouth closed. The skin is looked through,
+/// for landmarks are told by what it covers.
 class SurfaceFinder
 {
 public:

@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <fstream>
+#include <limits>
 
 namespace carina::bench
 {
@@ -177,10 +178,18 @@ Result<void> writePly(const PatientScene& patient, const std::filesystem::path& 
     for (const MergedSurface& surface : opaqueSurfaces(patient)) {
         if (surface.key.layer != DrawLayer::Closed)
             continue; // the tube is not in sight
-        const auto first = std::uint32_t(vertices.size());
-        vertices.insert(vertices.end(), surface.vertices.begin(), surface.vertices.end());
-        for (const Triangle& t : finest(patient, surface))
-            triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
+        std::vector<std::uint32_t> places(surface.vertices.size(), kUnused);
+        for (Triangle t : finest(patient, surface)) {
+            for (std::uint32_t& corner : t) {
+                if (places[corner] == kUnused) {
+                    places[corner] = std::uint32_t(vertices.size());
+                    vertices.push_back(surface.vertices[corner]);
+                }
+                corner = places[corner];
+            }
+            triangles.push_back(t);
+        }
     }
     std::ofstream out{file, std::ios::binary};
     out << "ply\nformat binary_little_endian 1.0\nelement vertex " << vertices.size()

@@ -55,6 +55,7 @@ ImportDialog::ImportDialog(SetImport& import, QWidget* parent)
 {
     setWindowTitle(
         tr("Anatomy set %1").arg(QString::fromStdString(m_import.folder().filename().string())));
+    resize(kRoomy); // at once, for it stays where it comes up
     m_step->setText(tr("Reading the files …"));
     m_progress->setRange(0, kWholeProgress);
     m_progress->setAccessibleName(tr("How far the import is"));
@@ -128,7 +129,6 @@ void ImportDialog::review(const SetDraft& draft)
                         : tr("▲ No unit makes this a person. Choose the unit and the axes, and "
                              "correct what is wrong."));
     m_review->show();
-    resize(size().expandedTo(kRoomy));
     m_use->setEnabled(true);
     m_use->setDefault(true);
     m_surfaces->setFocus();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/surface_tree.h"
 #include "models/patient_model.h"
 
 #include <optional>
@@ -35,6 +35,7 @@ private:
         const std::string* name;
         const TriangleMesh* mesh;
         Box bounds;
+        mutable std::optional<SurfaceTree> tree; ///< once it was asked for the first time
     };
 
     std::vector<Surface> m_surfaces;

@@ -1,4 +1,5 @@
 #include "engine/session/fact_codec.h"
+#include "tests/support/hex.h"
 
 #include <QTest>
 #include <limits>
@@ -37,18 +38,6 @@ namespace carina
 
 namespace
 {
-
-std::vector<std::byte> fromHex(const QByteArray& hex)
-{
-    const QByteArray bytes = QByteArray::fromHex(hex);
-    const auto view = std::as_bytes(std::span{bytes.constData(), size_t(bytes.size())});
-    return {view.begin(), view.end()};
-}
-
-QByteArray toHex(const std::vector<std::byte>& bytes)
-{
-    return QByteArray{reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())}.toHex();
-}
 
 struct Golden {
     const char* name;
@@ -92,14 +81,14 @@ void TestFactCodec::writesTheDocumentedBytes_data()
     QTest::addColumn<FactBody>("body");
     QTest::addColumn<QByteArray>("hex");
     for (const Golden& golden : goldenFacts())
-        QTest::newRow(golden.name) << golden.body << QByteArray{golden.hex}.replace(' ', "");
+        QTest::newRow(golden.name) << golden.body << QByteArray{golden.hex};
 }
 
 void TestFactCodec::writesTheDocumentedBytes()
 {
     QFETCH(const FactBody, body);
     QFETCH(const QByteArray, hex);
-    QCOMPARE(toHex(encodeBody(body)), hex);
+    QCOMPARE(toHex(encodeBody(body)), toHex(fromHex(hex)));
 }
 
 void TestFactCodec::readsThemBack()

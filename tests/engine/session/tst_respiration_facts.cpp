@@ -1,6 +1,7 @@
 #include "engine/session/fact_codec.h"
 #include "engine/session/fact_rules.h"
 #include "tests/engine/session/lived_respiration.h"
+#include "tests/support/hex.h"
 
 #include <QTest>
 #include <random>
@@ -33,30 +34,13 @@ Q_DECLARE_METATYPE(carina::FactBody)
 namespace carina
 {
 
-namespace
-{
-
-std::vector<std::byte> bytesOfHex(const QByteArray& hex)
-{
-    const QByteArray bytes = QByteArray::fromHex(hex);
-    const auto view = std::as_bytes(std::span{bytes.constData(), size_t(bytes.size())});
-    return {view.begin(), view.end()};
-}
-
-QByteArray hexOf(const std::vector<std::byte>& bytes)
-{
-    return QByteArray{reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())}.toHex();
-}
-
-} // namespace
-
 /// Zeros are f64 0, 3f f0 0... is 1, 40 00 0... is 2, 3f e0 0... is 1/2.
 void TestRespirationFacts::writesTheDocumentedBytes_data()
 {
     QTest::addColumn<FactBody>("body");
     QTest::addColumn<QByteArray>("hex");
     const auto row = [](const char* name, const FactBody& body, const char* hex) {
-        QTest::newRow(name) << body << QByteArray{hex}.replace(' ', "");
+        QTest::newRow(name) << body << QByteArray{hex};
     };
     row("patient", fact::PatientBuildSet{{metres(1.0), 2.0, 0.5, Sex::Male}},
         "0d 000000000000f03f 0000000000000040 000000000000e03f 01");
@@ -75,20 +59,20 @@ void TestRespirationFacts::writesTheDocumentedBytes()
 {
     QFETCH(const FactBody, body);
     QFETCH(const QByteArray, hex);
-    QCOMPARE(hexOf(encodeBody(body)), hex);
+    QCOMPARE(toHex(encodeBody(body)), toHex(fromHex(hex)));
 }
 
 void TestRespirationFacts::readsThemBack()
 {
     QFETCH(const FactBody, body);
     QFETCH(const QByteArray, hex);
-    QVERIFY(decodeBody(bytesOfHex(hex)) == body);
+    QVERIFY(decodeBody(fromHex(hex)) == body);
 }
 
 void TestRespirationFacts::refusesEveryOtherLength()
 {
     QFETCH(const QByteArray, hex);
-    std::vector<std::byte> bytes = bytesOfHex(hex);
+    std::vector<std::byte> bytes = fromHex(hex);
     bytes.push_back(std::byte{0});
     QCOMPARE(decodeBody(bytes).error().code, Errc::PacketMalformed);
     bytes.pop_back();
@@ -113,7 +97,7 @@ void TestRespirationFacts::refusesEnumeratorsThatDoNotExist_data()
 void TestRespirationFacts::refusesEnumeratorsThatDoNotExist()
 {
     QFETCH(const QByteArray, hex);
-    QCOMPARE(decodeBody(bytesOfHex(hex)).error().code, Errc::PacketMalformed);
+    QCOMPARE(decodeBody(fromHex(hex)).error().code, Errc::PacketMalformed);
 }
 
 /// 92 numbers of 8 bytes, two flags, and the kind: less than a fact may have.
@@ -149,7 +133,7 @@ void TestRespirationFacts::acceptsNoSecondSpelling()
         if (!read)
             continue;
         ++accepted;
-        QCOMPARE(hexOf(encodeBody(*read)), hexOf(bytes));
+        QCOMPARE(toHex(encodeBody(*read)), toHex(bytes));
     }
     QVERIFY(accepted > 1000 && accepted < kMutants);
 }

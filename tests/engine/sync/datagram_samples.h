@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/sync/datagram.h"
-#include "tests/engine/sync/hex.h"
+#include "tests/support/hex.h"
 
 namespace carina
 {

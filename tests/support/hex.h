@@ -11,9 +11,9 @@ namespace carina
 {
 
 /// The bytes of a row of hexadecimal pairs; blanks are for the reader's eye.
-inline std::vector<std::byte> fromHex(const char* text)
+inline std::vector<std::byte> fromHex(const QByteArray& text)
 {
-    const QByteArray raw = QByteArray::fromHex(QByteArray{text}.replace(' ', ""));
+    const QByteArray raw = QByteArray::fromHex(text); // which passes over blanks
     const auto bytes = std::as_bytes(std::span{raw.data(), static_cast<std::size_t>(raw.size())});
     return {bytes.begin(), bytes.end()};
 }

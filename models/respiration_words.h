@@ -5,24 +5,8 @@
 
 #include <QString>
 
-#include <array>
-
 namespace carina
 {
-
-/// In the order in which people are offered them, which is that of the enumerators.
-inline constexpr std::array kConditionKinds{
-    ConditionKind::Normal,
-    ConditionKind::Ards,
-    ConditionKind::Copd,
-    ConditionKind::Asthma,
-    ConditionKind::SimplePneumothorax,
-    ConditionKind::TensionPneumothorax,
-    ConditionKind::Atelectasis,
-    ConditionKind::MainstemIntubation,
-    ConditionKind::Obstruction,
-    ConditionKind::StiffChest,
-};
 
 [[nodiscard]] QString conditionText(ConditionKind kind);
 [[nodiscard]] QString sideText(ConditionSide side);

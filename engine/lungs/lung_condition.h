@@ -2,6 +2,7 @@
 
 #include "engine/lungs/respiratory_system.h"
 
+#include <array>
 #include <cstdint>
 
 namespace carina
@@ -18,6 +19,20 @@ enum class ConditionKind : std::uint8_t {
     MainstemIntubation,
     Obstruction,
     StiffChest,
+};
+
+/// In the order in which people are offered them, which is that of the enumerators.
+inline constexpr std::array kConditionKinds{
+    ConditionKind::Normal,
+    ConditionKind::Ards,
+    ConditionKind::Copd,
+    ConditionKind::Asthma,
+    ConditionKind::SimplePneumothorax,
+    ConditionKind::TensionPneumothorax,
+    ConditionKind::Atelectasis,
+    ConditionKind::MainstemIntubation,
+    ConditionKind::Obstruction,
+    ConditionKind::StiffChest,
 };
 
 enum class ConditionSide : std::uint8_t { Both, Right, Left };

@@ -45,6 +45,12 @@ inline double gasAboveRest_l(const RespiratorySystem& system, const ChestContent
 
 inline constexpr std::array<Pressure, 3> kRelaxed{};
 
+inline constexpr double kStep = 2e-3;              // s
+inline constexpr double kVolumeTolerance_l = 1e-6; // of a straight curve and a step of kStep
+inline constexpr double kPressureTolerance_cmH2O = 1e-5;
+
+inline AirwayOpening openTo(double p_cmH2O) { return AirwayOpening::at(cmH2O(p_cmH2O)); }
+
 /// So many steps with the muscles relaxed and the opening held.
 inline ChestContent held(const RespiratorySystem& system, ChestContent content,
                          const AirwayOpening& opening, int steps, double step)

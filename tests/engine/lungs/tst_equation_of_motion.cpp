@@ -12,10 +12,6 @@ using namespace carina::test;
 namespace
 {
 
-constexpr double kStep = 2e-3; // s
-
-AirwayOpening openTo(double p_cmH2O) { return AirwayOpening::at(cmH2O(p_cmH2O)); }
-
 ReferenceChest referenceOf(const RespiratorySystem& system, const ChestContent& content)
 {
     ReferenceChest chest;

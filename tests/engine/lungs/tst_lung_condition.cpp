@@ -1,36 +1,16 @@
 #include "engine/lungs/lung_condition.h"
 
 #include "engine/lungs/lung_dynamics.h"
+#include "tests/engine/lungs/afflicted_lungs.h"
 #include "tests/engine/lungs/within.h"
 
 #include <array>
 
 using namespace carina;
+using namespace carina::test;
 
 namespace
 {
-
-constexpr double kSeverities[] = {0.1, 0.3, 0.6, 0.9, 1.0};
-constexpr std::array kKinds{
-    ConditionKind::Normal,
-    ConditionKind::Ards,
-    ConditionKind::Copd,
-    ConditionKind::Asthma,
-    ConditionKind::SimplePneumothorax,
-    ConditionKind::TensionPneumothorax,
-    ConditionKind::Atelectasis,
-    ConditionKind::MainstemIntubation,
-    ConditionKind::Obstruction,
-    ConditionKind::StiffChest,
-};
-
-RespiratorySystem healthy() { return healthySystem({}); }
-
-RespiratorySystem with(ConditionKind kind, double severity,
-                       ConditionSide side = ConditionSide::Both)
-{
-    return afflicted(healthy(), {kind, severity, side});
-}
 
 double lungCompliance(const LungMechanics& lung, Volume at)
 {
@@ -71,7 +51,7 @@ private Q_SLOTS:
 
 void TestLungCondition::isHealthyAtNoSeverity()
 {
-    for (const ConditionKind kind : kKinds) {
+    for (const ConditionKind kind : kConditionKinds) {
         const auto side =
             kind == ConditionKind::MainstemIntubation ? ConditionSide::Right : ConditionSide::Both;
         const RespiratorySystem system = with(kind, 0.0, side);

@@ -6,17 +6,6 @@
 using namespace carina;
 using namespace carina::test;
 
-namespace
-{
-
-constexpr double kStep = 2e-3;              // s
-constexpr double kVolumeTolerance_l = 1e-6; // of a straight curve and a step of kStep
-constexpr double kPressureTolerance_cmH2O = 1e-5;
-
-AirwayOpening openTo(double p_cmH2O) { return AirwayOpening::at(cmH2O(p_cmH2O)); }
-
-} // namespace
-
 class TestPleuralGas : public QObject
 {
     Q_OBJECT

@@ -1,39 +1,14 @@
 #include "engine/lungs/lung_condition.h"
 
 #include "engine/lungs/lung_dynamics.h"
+#include "tests/engine/lungs/afflicted_lungs.h"
 #include "tests/engine/lungs/within.h"
 
 #include <algorithm>
 #include <array>
 
 using namespace carina;
-
-namespace
-{
-
-constexpr double kSeverities[] = {0.1, 0.3, 0.6, 0.9, 1.0};
-constexpr std::array kKinds{
-    ConditionKind::Normal,
-    ConditionKind::Ards,
-    ConditionKind::Copd,
-    ConditionKind::Asthma,
-    ConditionKind::SimplePneumothorax,
-    ConditionKind::TensionPneumothorax,
-    ConditionKind::Atelectasis,
-    ConditionKind::MainstemIntubation,
-    ConditionKind::Obstruction,
-    ConditionKind::StiffChest,
-};
-
-RespiratorySystem healthy() { return healthySystem({}); }
-
-RespiratorySystem with(ConditionKind kind, double severity,
-                       ConditionSide side = ConditionSide::Both)
-{
-    return afflicted(healthy(), {kind, severity, side});
-}
-
-} // namespace
+using namespace carina::test;
 
 /// Conditions of one lung, and what they leave to the other.
 class TestSidedCondition : public QObject
@@ -53,7 +28,7 @@ private Q_SLOTS:
 
 void TestSidedCondition::leavesTheOtherSideAlone()
 {
-    for (const ConditionKind kind : kKinds) {
+    for (const ConditionKind kind : kConditionKinds) {
         if (kind == ConditionKind::MainstemIntubation)
             continue;
         QVERIFY(with(kind, 0.7, ConditionSide::Right).lungs[1] == healthy().lungs[1]);

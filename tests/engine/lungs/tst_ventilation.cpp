@@ -11,9 +11,7 @@ using namespace carina::test;
 namespace
 {
 
-constexpr double kStep = 2e-3; // s
-constexpr double kVolumeTolerance_l = 1e-6;
-constexpr double kPressureTolerance_cmH2O = 1e-4;
+constexpr double kBreathTolerance_cmH2O = 1e-4;
 
 /// 4 s of which 1 s is inspiration, a fifth of that pause.
 BreathingPattern fifteenPerMinute() { return {perMinute(15.0), litres(0.5), 0.25}; }
@@ -99,11 +97,11 @@ void TestVentilation::musclesRelaxByTheEndOfALongInspiration()
 void TestVentilation::findsTheEffortForATidalVolume()
 {
     RespiratorySystem system = linear({});
-    VERIFY_WITHIN(inCmH2O(effortFor(system, litres(0.5))), 10.0, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(effortFor(system, litres(0.5))), 10.0, kBreathTolerance_cmH2O);
     for (LungMechanics& lung : system.lungs)
         lung.limbSpread = cmH2O(4.0);
     VERIFY_WITHIN(inCmH2O(effortFor(system, litres(0.5))), 10.0 + 4.0 * std::tanh(0.125),
-                  kPressureTolerance_cmH2O);
+                  kBreathTolerance_cmH2O);
     QCOMPARE(effortFor(system, {}).si, 0.0);
 }
 
@@ -160,9 +158,9 @@ void TestVentilation::showsResistanceAndComplianceAtTheOpening()
     Bench bench{linear({}), ventilator(VentilationMode::VolumeControl)};
     bench.settings.peep = {};
     bench.steps(400);
-    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 13.75, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 13.75, kBreathTolerance_cmH2O);
     bench.steps(100);
-    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 10.0, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 10.0, kBreathTolerance_cmH2O);
 }
 
 void TestVentilation::stopsAtThePressureLimit()
@@ -175,7 +173,7 @@ void TestVentilation::stopsAtThePressureLimit()
         bench.step();
         highest = std::max(highest, inCmH2O(bench.moment.opening));
     }
-    VERIFY_WITHIN(highest, 8.0, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(highest, 8.0, kBreathTolerance_cmH2O);
     QVERIFY(gasAboveRest_l(bench.system, bench.content) < 0.4);
 }
 
@@ -184,13 +182,13 @@ void TestVentilation::risesToItsPressureAndHolds()
 {
     Bench bench{linear({}), ventilator(VentilationMode::PressureControl)};
     bench.steps(26);
-    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 5.0 + 12.0 * 0.5, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 5.0 + 12.0 * 0.5, kBreathTolerance_cmH2O);
     bench.steps(25);
-    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 17.0, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 17.0, kBreathTolerance_cmH2O);
     bench.steps(449);
-    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 17.0, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 17.0, kBreathTolerance_cmH2O);
     bench.steps(1);
-    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 5.0, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.opening), 5.0, kBreathTolerance_cmH2O);
 }
 
 /// PEEP keeps PEEP C in the lungs.
@@ -200,8 +198,7 @@ void TestVentilation::holdsPeepInExpiration()
     bench.steps(10 * 2000);
     const double remains = 0.5 * std::exp(-3.0 / 0.3) / (1.0 - std::exp(-3.0 / 0.3));
     VERIFY_WITHIN(gasAboveRest_l(bench.system, bench.content), 0.25 + remains, kVolumeTolerance_l);
-    VERIFY_WITHIN(inCmH2O(bench.moment.alveolar[0]), 5.0 + remains / 0.05,
-                  kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.alveolar[0]), 5.0 + remains / 0.05, kBreathTolerance_cmH2O);
 }
 
 /// In steady state VT e / (1 - e) stays behind, with e = exp(-T / RC): 30 cmH2O s/L and 0.05
@@ -216,7 +213,7 @@ void TestVentilation::trapsWhatHasNoTimeToLeave()
     const double left = std::exp(-3.0 / 1.5);
     const double trapped_l = 0.5 * left / (1.0 - left);
     VERIFY_WITHIN(gasAboveRest_l(bench.system, bench.content), trapped_l, kVolumeTolerance_l);
-    VERIFY_WITHIN(inCmH2O(bench.moment.alveolar[0]), trapped_l / 0.05, kPressureTolerance_cmH2O);
+    VERIFY_WITHIN(inCmH2O(bench.moment.alveolar[0]), trapped_l / 0.05, kBreathTolerance_cmH2O);
 }
 
 QTEST_APPLESS_MAIN(TestVentilation)

@@ -1,10 +1,8 @@
 #include "bench/drawing/patient_scene.h"
 
 #include "engine/io/anatomy_set.h"
-#include "engine/lungs/breathing_pattern.h"
+#include "engine/lungs/chest_drawing.h"
 #include "ui/scene_parts.h"
-
-#include <cmath>
 
 namespace carina::bench
 {
@@ -12,6 +10,7 @@ namespace carina::bench
 PatientScene::PatientScene(SharedPatientModel patient)
     : m_patient{std::move(patient)}, m_parts{sceneParts(*m_patient)}
 {
+    m_timeline.setRunning(SessionTime{}, true);
 }
 
 Result<PatientScene> PatientScene::of(const std::filesystem::path& folder, bool fromCache)
@@ -45,12 +44,10 @@ PartLooks PatientScene::solid() const
 
 SceneFrame PatientScene::frameAt(double seconds, int level) const
 {
-    const BreathingPattern pattern;
-    const double breaths = seconds * pattern.rate.si;
-    const Volume inspired = inspiredVolume(pattern, breaths - std::floor(breaths));
     StationMoment moment;
-    if (const auto pose = m_patient->lungs().pose(inspired, static_cast<std::size_t>(level)))
-        moment.pose = *pose;
+    moment.time += fromSeconds(seconds);
+    moment.breathing = m_breathing.at(m_timeline, moment.time).shape();
+    moment.pose = drawnPose(m_patient->lungs(), moment.breathing, static_cast<std::size_t>(level));
     return sceneFrame(moment, m_patient->lungs().field());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/session/respiration_follower.h"
 #include "models/patient_source.h"
 #include "widgets/scene/part_look.h"
 #include "widgets/scene/scene_frame.h"
@@ -34,6 +35,8 @@ private:
 
     SharedPatientModel m_patient;
     std::vector<ScenePart> m_parts;
+    RespirationTimeline m_timeline;
+    mutable RespirationFollower m_breathing; ///< what it keeps only makes it quick
 };
 
 } // namespace carina::bench

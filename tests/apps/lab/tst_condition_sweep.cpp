@@ -1,0 +1,65 @@
+#include "apps/lab/breathe_command.h"
+#include "engine/lungs/lung_condition.h"
+#include "tests/support/test_data.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace carina;
+
+namespace
+{
+
+constexpr double kVolumeTolerance_ml = 0.1;
+
+void verifySwept(const QStringList& patient, int leastLevels)
+{
+    const Result<QJsonObject> swept =
+        lab::breatheCommand().run(QStringList{QStringLiteral("--every-condition")} + patient);
+    QVERIFY2(swept.has_value(), swept ? "" : swept.error().detail.c_str());
+    QCOMPARE((*swept)[QStringLiteral("schema")].toString(),
+             QStringLiteral("carina.breathe.conditions/1"));
+    QSet<QString> conditions;
+    for (const QJsonValue& condition : (*swept)[QStringLiteral("conditions")].toArray()) {
+        conditions.insert(condition[QStringLiteral("condition")].toString());
+        const double error_ml = condition[QStringLiteral("max_volume_error_ml")].toDouble(1e9);
+        QVERIFY2(error_ml < kVolumeTolerance_ml,
+                 qPrintable(condition[QStringLiteral("condition")].toString()));
+    }
+    QCOMPARE(conditions.size(), qsizetype(kConditionKinds.size()));
+    const int trials = (*swept)[QStringLiteral("trials")].toInt();
+    QVERIFY(trials > 500);
+    const qsizetype levels = (*swept)[QStringLiteral("levels")].toArray().size();
+    QVERIFY(levels >= leastLevels);
+    QCOMPARE((*swept)[QStringLiteral("frames")].toInt(), int(levels) * trials * 6);
+}
+
+} // namespace
+
+class TestConditionSweep : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsTheVolumeOfEveryCondition();
+    void drawsThatOfRealLungs();
+};
+
+void TestConditionSweep::drawsTheVolumeOfEveryCondition()
+{
+    verifySwept({QStringLiteral("--patient"), QStringLiteral("adult")}, 3);
+}
+
+void TestConditionSweep::drawsThatOfRealLungs()
+{
+    const auto folder = test::testData("anatomy/lungs");
+    if (!folder)
+        QSKIP("needs ../shared/data/anatomy/lungs");
+    const QTemporaryDir cache;
+    qputenv("XDG_CACHE_HOME", cache.path().toUtf8());
+    verifySwept({QStringLiteral("--anatomy"), QString::fromStdString(folder->string())}, 4);
+}
+
+QTEST_MAIN(TestConditionSweep)
+#include "tst_condition_sweep.moc"

@@ -35,7 +35,7 @@ struct LandmarkCase {
 /// unless given (docs/deformation.md).
 struct BreathingConstants {
     double frontShare = ChestField::kFrontShare;
-    LungPose breath{.diaphragm = 1.0, .ribs = 0.31, .gravity = 0.21};
+    LungPose breath{.diaphragm = 1.0, .ribs = 0.09, .gravity = 0.15};
 };
 
 /// How landmarks that move by the field compare with landmarks that moved.

@@ -47,7 +47,7 @@ public:
     [[nodiscard]] Vec3 shares(const Vec3& p_A) const;
 
     /// Fitted to the landmarks of five people breathing (docs/deformation.md).
-    static constexpr double kFrontShare = 0.12;
+    static constexpr double kFrontShare = 0.11;
     /// Of half the chest's width.
     static constexpr double kLeastHilum = 0.25;
 

@@ -71,6 +71,13 @@ namespace formula
 inline constexpr Shares<double> kStiffness{16.0, 6.25, 16.0};
 /// How far in front of the chest and behind it the diaphragm still descends unevenly, in shares.
 inline constexpr double kBeyond = 0.2;
+/// How much less of the descent the middle has, where the heart lies on the diaphragm.
+inline constexpr double kTendon = 0.3;
+/// How far what descends goes outward with it, as the chest is wider below.
+inline constexpr double kSpread = 0.28;
+/// Where the ribs' motion begins to fade towards the back, and where it has.
+inline constexpr double kRibsFade = 0.3;
+inline constexpr double kRibsEnd = 1.0;
 
 template <class T> struct Smooth {
     T value;
@@ -97,6 +104,13 @@ template <class T> Smooth<T> bulge(const T& x)
     const T t = clamped(x);
     const T b = T(4) * t * (T(1) - t);
     return {b * b, T(8) * b * (T(1) - T(2) * t)};
+}
+
+/// What is left of the descent, along u.
+template <class T> Smooth<T> besideTheTendon(const T& u)
+{
+    const T inside = clamped<T>(T(1) - u * u);
+    return {T(1) - T(kTendon) * inside * inside, T(4.0 * kTendon) * u * inside};
 }
 
 /// A function of v and h.
@@ -195,25 +209,32 @@ template <bool kBothSides, class T>
                                                      const ChestTerms<T>& slope, const Shares<T>& q)
 {
     constexpr double kPerDepth = 1.0 / (1.0 + 2.0 * kBeyond);
+    constexpr double kPerFade = 1.0 / (kRibsEnd - kRibsFade);
     const Smooth<T> back = step<T>((q.v + T(kBeyond)) * T(kPerDepth));
-    const Smooth<T> upper = step<T>(T(2) * q.h);
-    const T backSlope = back.slope * T(kPerDepth);
+    const Smooth<T> faded = step<T>((q.v - T(kRibsFade)) * T(kPerFade));
+    const Smooth<T> upper = step<T>(T(3) * q.h);
     const T behind = T(1) - frontShare;
-    const Profile<T> base =
-        product<T>({frontShare + behind * back.value, behind * backSlope}, step<T>(q.h));
-    const Profile<T> ribs =
-        product<T>({T(1) - back.value, -backSlope}, {upper.value, T(2) * upper.slope});
-    const Profile<T> bulk = product<T>(bulge<T>(q.v), bulge<T>(q.h));
-    const Profile<T> out = (c.flare * q.u) * ribs;
+    const Smooth<T> fore{frontShare + behind * back.value, behind * back.slope * T(kPerDepth)};
+    const Smooth<T> apart = besideTheTendon<T>(q.u);
+    const Smooth<T> middle = bulge<T>(q.h);
+    const Profile<T> base = product<T>(fore, step<T>(q.h));
+    const Profile<T> spread =
+        product<T>(fore, {T(kSpread) * middle.value, T(kSpread) * middle.slope});
+    const Profile<T> ribs = product<T>({T(1) - faded.value, -faded.slope * T(kPerFade)},
+                                       {upper.value, T(3) * upper.slope});
+    const Profile<T> bulk = product<T>(bulge<T>(q.v), middle);
+    const Profile<T> widening = c.flare * ribs + c.descent * spread;
+    const Profile<T> out = q.u * widening;
     const Profile<T> backward = c.forward * ribs + c.bulkBack * bulk;
-    const Profile<T> down = c.descent * base + c.lift * ribs + c.bulkDown * bulk;
-    T out_u = c.flare * ribs.value;
+    const Profile<T> down = (c.descent * apart.value) * base + c.lift * ribs + c.bulkDown * bulk;
+    T out_u = widening.value;
     T backward_u = T(0);
-    T down_u = T(0);
+    T down_u = c.descent * apart.slope * base.value;
     if constexpr (kBothSides) {
-        out_u = out_u + slope.flare * q.u * ribs.value;
+        out_u = out_u + q.u * (slope.flare * ribs.value + slope.descent * spread.value);
         backward_u = slope.forward * ribs.value + slope.bulkBack * bulk.value;
-        down_u = slope.descent * base.value + slope.lift * ribs.value + slope.bulkDown * bulk.value;
+        down_u = down_u + slope.descent * apart.value * base.value + slope.lift * ribs.value
+                 + slope.bulkDown * bulk.value;
     }
     return {{a.away * out.value, a.away * backward.value, a.away * down.value},
             slopeOfProduct(a, out, out_u),

@@ -12,7 +12,7 @@ namespace
 // At amplitude 1, as shares of the lungs' height.
 constexpr double kDescent = 0.075;
 constexpr double kForward = 0.018;
-constexpr double kFlare = 0.018; // of which half is left at the side
+constexpr double kFlare = 0.012;
 constexpr double kLift = 0.018;
 constexpr double kSag = 0.04;
 constexpr double kSlide = 0.002;

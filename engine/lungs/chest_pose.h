@@ -12,11 +12,11 @@ namespace carina
 
 /// How far each way of moving has gone in one lung; 0 at functional residual capacity, lying down.
 struct LungPose {
-    /// 1 lowers the base by 7.5 % of the lungs' height at the back (18 mm in an adult, the dome's
-    /// excursion in quiet breathing by ultrasound, 18 +- 3 mm) and by 12 % of that in front.
+    /// 1 lowers the base by 7.5 % of the lungs' height at the back and by 11 % of that in front.
+    /// The base of the domes lies higher and goes less; a quiet breath takes 2.3.
     double diaphragm = 0.0;
-    /// 1 moves the front forward by 1.8 % of the lungs' height (4.5 mm in an adult; 3 to 5 mm in
-    /// quiet breathing, seated) and the side outward by half as much (1 to 2 mm).
+    /// 1 moves the front forward by 1.8 % of the lungs' height and the side outward by up to two
+    /// thirds of that; a quiet breath takes 1.6.
     double ribs = 0.0;
     /// 1 lets the inside of the lung sink by 4 % of the lungs' height towards the back, as in
     /// someone who lies on it; -1 towards the front.
@@ -37,10 +37,10 @@ struct LungPose {
     friend bool operator==(const LungPose&, const LungPose&) = default;
 };
 
-/// A quiet breath, lying down. Diaphragm and inside go together as the landmarks of five people
-/// did; the ribs take the larger part in it that lets them make room for two fifths of the gas, as
-/// was measured from outside (docs/deformation.md).
-inline constexpr LungPose kQuietBreath{1.0, 0.8, 0.2, 0.0};
+/// Breathing, lying down. Diaphragm and inside go together as the landmarks of five people did; the
+/// ribs take the larger part in it that lets them make room for two fifths of the gas, as was
+/// measured from outside (docs/deformation.md).
+inline constexpr LungPose kQuietBreath{1.0, 0.65, 0.15, 0.0};
 
 /// The shape of a whole chest.
 struct ChestPose {

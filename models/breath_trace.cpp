@@ -51,7 +51,7 @@ void BreathTrace::take(const RespirationRun& run, SessionTime t)
     const Volume gas = fold.content()[0].gas + fold.content()[1].gas;
     const BreathTally& breath = fold.breath();
     if (breath.steps < m_breathSteps || m_breathBegan.si == 0.0)
-        m_breathBegan = breath.least[0] + breath.least[1]; // it has only risen since
+        m_breathBegan = breath.least[0] + breath.least[1]; // as far as is known
     m_breathSteps = breath.steps;
     m_figures = fold.lastBreath();
     Q_EMIT sampled({toSeconds(t.time_since_epoch()),

@@ -32,7 +32,7 @@ public:
         double peak_cmH2O = 0.0;
         double plateau_cmH2O = 0.0;
         double autoPeep_cmH2O = 0.0;
-        double minuteVolume_lPerMin = 0.0; ///< that reaches alveoli with blood
+        double alveolarVentilation_lPerMin = 0.0; ///< that reaches alveoli with blood
     };
 
     static constexpr Duration kSampleEvery = std::chrono::milliseconds{20};

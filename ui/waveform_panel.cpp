@@ -74,7 +74,7 @@ void WaveformPanel::refreshFigures()
             .arg(whole(breath->tidalVolume_ml), whole(breath->right_ml), whole(breath->left_ml),
                  tenths(breath->rate_perMin), tenths(breath->peak_cmH2O),
                  tenths(breath->plateau_cmH2O), tenths(breath->autoPeep_cmH2O),
-                 tenths(breath->minuteVolume_lPerMin)));
+                 tenths(breath->alveolarVentilation_lPerMin)));
 }
 
 } // namespace carina

@@ -21,18 +21,13 @@ ChestShape chestShape(const PatientBuild& build, const RespiratorySystem& system
     ChestShape shape;
     for (std::size_t i = 0; i < 2; ++i) {
         const Volume ofSide = healthy.lungs[i].wallVolume;
-        const Volume outside = system.lungs[i].pleuralGas + content[i].trapped;
-        const Volume held = content[i].gas + outside;
+        const Volume held = content[i].gas + system.lungs[i].pleuralGas + content[i].trapped;
         const Volume given = (i == 0 ? 1.0 : -1.0) * moment.mediastinum;
-        const Volume room = held - given;
-        const double more_l = inLitres(room - ofSide) * (rest / ofSide);
-        shape.lungs[i] = {content[i].gas, ofSide, room, outside / held,
-                          std::min(kGreatestDescent, more_l * kDescentPerLitre)};
+        shape.lungs[i] = {content[i].gas, ofSide, held - given};
     }
     const double area = kMediastinalArea * std::pow(rest / kAdultRest, 2.0 / 3.0);
     shape.mediastinalShift = {moment.mediastinum.si / area};
-    shape.diaphragmShare = build.sex == Sex::Male ? 0.65 : 0.55;
-    shape.ribShare = 1.0 - shape.diaphragmShare;
+    shape.ribShare = build.sex == Sex::Male ? 0.35 : 0.45;
     return shape;
 }
 

@@ -87,7 +87,8 @@ void ClientDriver::receive(PeerAddress from, std::span<const std::byte> bytes, L
 
 void ClientDriver::propose(StationId station, FactBody body, LocalTime now)
 {
-    m_refusal.reset();
+    if (!isByItself(body))
+        m_refusal.reset();
     m_core.propose(newProposal(station, std::move(body)), now);
 }
 

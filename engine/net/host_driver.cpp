@@ -180,8 +180,12 @@ void HostDriver::share(const SharedObject& object)
 
 void HostDriver::propose(StationId station, FactBody body, LocalTime now)
 {
-    m_refusal.reset();
-    static_cast<void>(decideByHost(station, std::move(body), now)); // a refusal is shown
+    const bool isAwaited = !isByItself(body);
+    if (isAwaited)
+        m_refusal.reset();
+    const auto fact = decide({ProposalId{hostRandom()}, kSelf, station, std::move(body)}, now);
+    if (!fact && (isAwaited || fact.error().code == Errc::StoreFailed))
+        m_refusal = fact.error();
 }
 
 void HostDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)

@@ -119,6 +119,13 @@ using FactBody =
                  fact::PatientBuildSet, fact::LungConditionSet, fact::VentilatorSet,
                  fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint>;
 
+/// Whether a program proposes such a fact by itself: no person waits for what becomes of it.
+[[nodiscard]] inline bool isByItself(const FactBody& body)
+{
+    return std::holds_alternative<fact::ManikinBreathed>(body)
+           || std::holds_alternative<fact::RespirationCheckpoint>(body);
+}
+
 /// The object whose ownership a fact is about, if it is about one.
 [[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)
 {

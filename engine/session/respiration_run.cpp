@@ -30,7 +30,19 @@ RespirationRun::RespirationRun(const RespirationTimeline& timeline, SessionTime 
     if (!checkpoint)
         return;
     m_at = checkpoint->at;
-    // The last step began with all that had been heard by then.
+    forgetBreaths(timeline);
+}
+
+/// To the last whole step at or before t; the state stays as it is.
+void RespirationRun::skipTo(const RespirationTimeline& timeline, SessionTime t)
+{
+    m_at += (t - m_at) / kFoldStep * kFoldStep;
+    forgetBreaths(timeline);
+}
+
+/// The last step began with all that had been heard by then.
+void RespirationRun::forgetBreaths(const RespirationTimeline& timeline)
+{
     const auto breaths = timeline.breaths();
     m_heard = std::size_t(std::ranges::count_if(
         breaths, [this](const HeardBreath& breath) { return breath.heard <= m_at - kFoldStep; }));
@@ -47,6 +59,8 @@ void RespirationRun::advanceTo(const RespirationTimeline& timeline, SessionTime 
             continue;
         }
         take(timeline.settingsAt(m_at));
+        if (const SessionTime end = std::min(change, t); end - m_at > kLongestCatchUp)
+            skipTo(timeline, end - kLongestCatchUp);
         while (m_at < change) {
             if (m_at + kFoldStep > t)
                 return;

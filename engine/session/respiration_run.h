@@ -19,7 +19,9 @@ public:
     RespirationRun(const RespirationTimeline& timeline, SessionTime t);
 
     /// Breathes on up to the last whole step at or before t. `timeline` is the same one, with facts
-    /// that came since.
+    /// that came since. Of a longer time between two changes only the last kLongestCatchUp is
+    /// breathed, as where the host was down for a night: a screen would stand still for the rest.
+    /// Until the next checkpoint, whoever breathed all of it may be at another moment of a breath.
     void advanceTo(const RespirationTimeline& timeline, SessionTime t);
 
     /// The end of the last step.
@@ -31,13 +33,18 @@ public:
     [[nodiscard]] fact::RespirationCheckpoint checkpoint() const;
 
 private:
+    void skipTo(const RespirationTimeline& timeline, SessionTime t);
     void take(const RespiratorySettings& settings);
     void hear(const RespirationTimeline& timeline);
+    void forgetBreaths(const RespirationTimeline& timeline);
 
     SessionTime m_at;
     std::size_t m_heard = 0; ///< breaths of the manikin
     RespiratoryFold m_fold;
 };
+
+/// The most that is breathed at once between two changes: 30,000 steps.
+inline constexpr Duration kLongestCatchUp = std::chrono::seconds{60};
 
 /// The host puts a checkpoint into the log that often.
 inline constexpr Duration kCheckpointEvery = std::chrono::seconds{10};

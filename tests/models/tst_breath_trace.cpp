@@ -154,7 +154,7 @@ void TestBreathTrace::tellsTheFiguresOfTheLastBreath()
     QVERIFY(std::abs(breath->right_ml + breath->left_ml - breath->tidalVolume_ml) < 2.0);
     QVERIFY(breath->right_ml > breath->left_ml);
     QCOMPARE(breath->peak_cmH2O, 0.0);
-    QVERIFY(breath->minuteVolume_lPerMin > 2.5 && breath->minuteVolume_lPerMin < 5.3);
+    QVERIFY(breath->alveolarVentilation_lPerMin > 2.5 && breath->alveolarVentilation_lPerMin < 5.3);
 }
 
 void TestBreathTrace::keepsCheckpointsThatChangeNothing()

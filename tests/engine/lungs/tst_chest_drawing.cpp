@@ -64,9 +64,8 @@ RespiratorySettings childWith(const LungCondition& condition)
 ChestShape restingShape()
 {
     ChestShape shape;
-    shape.lungs = {LungShape{litres(0.63), litres(0.63), litres(0.63), 0.0, {}},
-                   LungShape{litres(0.57), litres(0.57), litres(0.57), 0.0, {}}};
-    shape.diaphragmShare = 0.6;
+    shape.lungs = {LungShape{litres(0.63), litres(0.63), litres(0.63)},
+                   LungShape{litres(0.57), litres(0.57), litres(0.57)}};
     shape.ribShare = 0.4;
     return shape;
 }
@@ -164,7 +163,6 @@ void TestChestDrawing::movesTheRibsByTheirShare()
     QFETCH(double, ribShare);
     ChestShape shape = restingShape();
     shape.ribShare = ribShare;
-    shape.diaphragmShare = 1.0 - ribShare;
     for (LungShape& lung : shape.lungs) {
         lung.gas = lung.gas + millilitres(10.0);
         lung.room = lung.gas;

@@ -51,4 +51,17 @@ inline LogWriter sampleSession()
     return writer;
 }
 
+inline SessionState stateOf(const LogWriter& writer)
+{
+    SessionState state;
+    for (const Fact& fact : writer.log())
+        state.apply(fact);
+    return state;
+}
+
+inline const RespirationTimeline& timelineOf(const SessionState& state)
+{
+    return state.stations().at(kSampleStation).respiration;
+}
+
 } // namespace carina::test

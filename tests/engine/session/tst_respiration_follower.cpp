@@ -22,24 +22,12 @@ private Q_SLOTS:
     void makesGoodADecisionThatComesLate();
     void standsOnTheNewestCheckpoint();
     void forgetsACheckpointThatADecisionMakesVoid();
+    void breathesNoMoreThanAMinuteOfAGap();
     void meetsAPatientAsItWasDecidedBeforeTheStart();
 };
 
 namespace
 {
-
-SessionState stateOf(const LogWriter& writer)
-{
-    SessionState state;
-    for (const Fact& fact : writer.log())
-        state.apply(fact);
-    return state;
-}
-
-const RespirationTimeline& timelineOf(const SessionState& state)
-{
-    return state.stations().at(kSampleStation).respiration;
-}
 
 LogWriter runningSession()
 {
@@ -138,6 +126,29 @@ void TestRespirationFollower::standsOnTheNewestCheckpoint()
     for (int i = 0; i < 20; ++i)
         fold.step();
     QVERIFY(followed(follower, timelineOf(state), 10.04) == fold.state());
+}
+
+// A night after the checkpoint, a minute is breathed from it; what was decided in the night counts.
+void TestRespirationFollower::breathesNoMoreThanAMinuteOfAGap()
+{
+    LogWriter writer = runningSession();
+    SessionState state = stateOf(writer);
+    RespirationRun run{timelineOf(state), SessionTime::min()};
+    run.advanceTo(timelineOf(state), atSeconds(10.0));
+    state.apply(writer.add(atSeconds(10.0), run.checkpoint()));
+    const auto minuteAfter = [&](RespiratoryState from, double seconds) {
+        RespiratoryFold fold{timelineOf(state).settingsAt(atSeconds(seconds)), from};
+        for (int i = 0; i < 30'000; ++i)
+            fold.step();
+        return fold.state();
+    };
+    RespirationFollower follower;
+    const RespiratoryState morning = minuteAfter(run.checkpoint().state, 10.0);
+    QVERIFY(followed(follower, timelineOf(state), 36'000.0) == morning);
+
+    state.apply(writer.add(atSeconds(18'000.0), fact::PhaseChanged{SessionPhase::Paused}));
+    RespirationFollower late;
+    QVERIFY(followed(late, timelineOf(state), 36'000.0) == morning);
 }
 
 void TestRespirationFollower::forgetsACheckpointThatADecisionMakesVoid()

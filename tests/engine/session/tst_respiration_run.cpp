@@ -34,19 +34,6 @@ LogWriter eventfulSession()
     return writer;
 }
 
-SessionState stateOf(const LogWriter& writer)
-{
-    SessionState state;
-    for (const Fact& fact : writer.log())
-        state.apply(fact);
-    return state;
-}
-
-const RespirationTimeline& timelineOf(const SessionState& state)
-{
-    return state.stations().at(kSampleStation).respiration;
-}
-
 RespirationRun ranTo(const SessionState& state, double seconds)
 {
     RespirationRun run{timelineOf(state), atSeconds(seconds)};

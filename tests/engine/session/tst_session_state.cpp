@@ -33,14 +33,6 @@ private Q_SLOTS:
 namespace
 {
 
-SessionState stateOf(const LogWriter& writer)
-{
-    SessionState state;
-    for (const Fact& fact : writer.log())
-        state.apply(fact);
-    return state;
-}
-
 /// Breaths that a clock would count which runs while the patient does.
 double breathsAt(const SessionState& state, StationId station, double seconds)
 {

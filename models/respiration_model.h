@@ -2,6 +2,7 @@
 
 #include "engine/lungs/lung_condition.h"
 #include "engine/lungs/ventilation.h"
+#include "engine/session/fact_rules.h"
 #include "engine/session/respiration_rules.h"
 #include "models/session_model.h"
 

@@ -22,6 +22,7 @@ constexpr double kSeverityStep = 0.05;
 constexpr int kTravellingLines = 3;
 constexpr int kShownLetters = 12; ///< of a choice; its list is as wide as it has to be
 constexpr double kTubeStep_mm = 0.5;
+constexpr double kUsualOwnEffort = 0.5; ///< of a quiet breath's
 
 /// Shows a value without telling it back to the model; not while a person is typing into it.
 void display(QDoubleSpinBox& box, double value)
@@ -76,11 +77,22 @@ void ConditionPanel::layOut()
     add(m_severitySlider, "severitySlider", {}, tr("Severity slider"));
     add(m_side, "side", tr("&Lung"), tr("Which lung the condition is of"));
     add(m_mode, "mode", tr("&Breathes"), tr("Who breathes the patient"));
-    m_peep = addPressure(*rows, "peep", tr("PEEP"), tr("End-expiratory pressure, cmH2O"));
-    m_driving = addPressure(*rows, "driving", tr("&Above PEEP"),
-                            tr("Pressure of inspiration above PEEP, cmH2O"));
-    m_limit =
-        addPressure(*rows, "limit", tr("Limi&t"), tr("Highest pressure at the airway, cmH2O"));
+    const QString pressure = tr(" cmH2O");
+    m_peep = addNumber(*rows, "peep", tr("PEEP"), tr("End-expiratory pressure, cmH2O"), pressure);
+    m_driving = addNumber(*rows, "driving", tr("&Above PEEP"),
+                          tr("Pressure of inspiration above PEEP, cmH2O"), pressure);
+    m_limit = addNumber(*rows, "limit", tr("Limi&t"), tr("Highest pressure at the airway, cmH2O"),
+                        pressure);
+    m_pause = addNumber(*rows, "pause", tr("&Pause"),
+                        tr("Pause at the end of inspiration, per cent of inspiration"), tr(" %"));
+    m_ownRate =
+        addNumber(*rows, "ownRate", tr("&Own breaths"),
+                  tr("Own efforts of a patient who is ventilated, per minute"), tr(" /min"));
+    m_ownEffort = addNumber(*rows, "ownEffort", tr("E&ffort"),
+                            tr("Strength of own efforts, per cent of a quiet breath's"), tr(" %"));
+    m_trigger = addNumber(*rows, "trigger", tr("Tri&gger"),
+                          tr("Flow that begins a breath of the ventilator, litres per minute"),
+                          tr(" L/min"));
     add(m_tube, "tube", tr("Tu&be"), tr("Inner diameter of the tracheal tube, millimetres"));
     m_travelling->setObjectName(QStringLiteral("travelling"));
     m_travelling->setWordWrap(true);
@@ -97,13 +109,14 @@ void ConditionPanel::layOut()
     column->addStretch(1);
 }
 
-QDoubleSpinBox* ConditionPanel::addPressure(QFormLayout& rows, const char* objectName,
-                                            const QString& label, const QString& accessibleName)
+QDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* objectName,
+                                          const QString& label, const QString& accessibleName,
+                                          const QString& unit)
 {
     auto* box = new QDoubleSpinBox;
     box->setObjectName(QLatin1String{objectName});
     box->setAccessibleName(accessibleName);
-    box->setSuffix(tr(" cmH2O"));
+    box->setSuffix(unit);
     box->setDecimals(0);
     box->setKeyboardTracking(false);
     box->setAlignment(Qt::AlignRight);
@@ -128,6 +141,14 @@ void ConditionPanel::offerChoices()
     m_peep->setRange(0.0, inCmH2O(kHighestPeep));
     m_driving->setRange(0.0, inCmH2O(kHighestDrivingPressure));
     m_limit->setRange(inCmH2O(kLowestPressureLimit), inCmH2O(kHighestPressureLimit));
+    m_pause->setRange(0.0, 100.0 * kLongestPause);
+    m_pause->setSingleStep(5.0);
+    m_ownRate->setRange(inPerMinute(kSlowestBreathing) - 1.0, inPerMinute(kFastestBreathing));
+    m_ownRate->setSpecialValueText(tr("none"));
+    m_ownEffort->setRange(0.0, 100.0 * kStrongestEffort);
+    m_ownEffort->setSingleStep(10.0);
+    m_trigger->setRange(0.0, inLitresPerMinute(kLargestTrigger));
+    m_trigger->setSpecialValueText(tr("none"));
     m_tube->setRange(inMillimetres(kNarrowestTube) - kTubeStep_mm, inMillimetres(kWidestTube));
     m_tube->setDecimals(1);
     m_tube->setSingleStep(kTubeStep_mm);
@@ -166,9 +187,30 @@ void ConditionPanel::connectCondition()
 
 void ConditionPanel::connectVentilator()
 {
-    connect(m_mode, &QComboBox::activated, this, &ConditionPanel::setVentilator);
-    for (QDoubleSpinBox* box : {m_peep, m_driving, m_limit})
-        connect(box, &QDoubleSpinBox::valueChanged, this, &ConditionPanel::setVentilator);
+    connect(m_mode, &QComboBox::activated, this, [this](int place) {
+        VentilatorSettings settings = m_model->ventilator();
+        settings.mode = static_cast<VentilationMode>(place);
+        m_model->setVentilator(settings);
+    });
+    const auto vary = [this](QDoubleSpinBox* box, void (*set)(VentilatorSettings&, double)) {
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, set](double value) {
+            VentilatorSettings settings = m_model->ventilator();
+            set(settings, value);
+            m_model->setVentilator(settings);
+        });
+    };
+    vary(m_peep, [](VentilatorSettings& s, double value) { s.peep = cmH2O(value); });
+    vary(m_driving, [](VentilatorSettings& s, double value) { s.drivingPressure = cmH2O(value); });
+    vary(m_limit, [](VentilatorSettings& s, double value) { s.pressureLimit = cmH2O(value); });
+    vary(m_pause, [](VentilatorSettings& s, double value) { s.pauseShare = 0.01 * value; });
+    vary(m_ownEffort, [](VentilatorSettings& s, double value) { s.ownEffort = 0.01 * value; });
+    vary(m_trigger,
+         [](VentilatorSettings& s, double value) { s.trigger = litresPerMinute(value); });
+    vary(m_ownRate, [](VentilatorSettings& s, double value) {
+        const bool isNone = value < inPerMinute(kSlowestBreathing);
+        s.ownRate = isNone ? Frequency{} : perMinute(value);
+        s.ownEffort = isNone ? 0.0 : s.ownEffort > 0.0 ? s.ownEffort : kUsualOwnEffort;
+    });
     connect(m_tube, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         m_model->setTube(value < inMillimetres(kNarrowestTube) ? Length{} : millimetres(value));
     });
@@ -181,16 +223,6 @@ void ConditionPanel::setCondition()
     m_model->setCondition({static_cast<ConditionKind>(m_condition->currentIndex()),
                            m_severity->value(),
                            static_cast<ConditionSide>(m_side->currentIndex())});
-}
-
-void ConditionPanel::setVentilator()
-{
-    VentilatorSettings settings = m_model->ventilator();
-    settings.mode = static_cast<VentilationMode>(m_mode->currentIndex());
-    settings.peep = cmH2O(m_peep->value());
-    settings.drivingPressure = cmH2O(m_driving->value());
-    settings.pressureLimit = cmH2O(m_limit->value());
-    m_model->setVentilator(settings);
 }
 
 void ConditionPanel::refresh()
@@ -210,17 +242,30 @@ void ConditionPanel::refresh()
     for (QWidget* widget : {static_cast<QWidget*>(m_severity),
                             static_cast<QWidget*>(m_severitySlider), static_cast<QWidget*>(m_side)})
         widget->setEnabled(isIll);
-    const VentilatorSettings ventilator = m_model->ventilator();
+    refreshVentilator(m_model->ventilator());
+    display(*m_tube, inMillimetres(m_model->tube()));
+    m_travelling->setText(m_model->travellingText());
+    m_undo->setEnabled(obstacle.isEmpty() && m_model->canUndo());
+}
+
+void ConditionPanel::refreshVentilator(const VentilatorSettings& ventilator)
+{
+    const bool isVentilated = ventilator.mode != VentilationMode::Spontaneous;
+    const bool isByVolume = ventilator.mode == VentilationMode::VolumeControl;
     display(*m_mode, static_cast<int>(ventilator.mode));
     display(*m_peep, inCmH2O(ventilator.peep));
     display(*m_driving, inCmH2O(ventilator.drivingPressure));
     display(*m_limit, inCmH2O(ventilator.pressureLimit));
-    m_peep->setEnabled(ventilator.mode != VentilationMode::Spontaneous);
+    display(*m_pause, 100.0 * ventilator.pauseShare);
+    display(*m_ownRate, inPerMinute(ventilator.ownRate));
+    display(*m_ownEffort, 100.0 * ventilator.ownEffort);
+    display(*m_trigger, inLitresPerMinute(ventilator.trigger));
+    for (QDoubleSpinBox* box : {m_peep, m_ownRate, m_trigger})
+        box->setEnabled(isVentilated);
     m_driving->setEnabled(ventilator.mode == VentilationMode::PressureControl);
-    m_limit->setEnabled(ventilator.mode == VentilationMode::VolumeControl);
-    display(*m_tube, inMillimetres(m_model->tube()));
-    m_travelling->setText(m_model->travellingText());
-    m_undo->setEnabled(obstacle.isEmpty() && m_model->canUndo());
+    m_limit->setEnabled(isByVolume);
+    m_pause->setEnabled(isByVolume);
+    m_ownEffort->setEnabled(isVentilated && ventilator.ownRate.si > 0.0);
 }
 
 } // namespace carina

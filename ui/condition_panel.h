@@ -29,14 +29,14 @@ public:
 
 private:
     void layOut();
-    QDoubleSpinBox* addPressure(QFormLayout& rows, const char* objectName, const QString& label,
-                                const QString& accessibleName);
+    QDoubleSpinBox* addNumber(QFormLayout& rows, const char* objectName, const QString& label,
+                              const QString& accessibleName, const QString& unit);
     void offerChoices();
     void connectCondition();
     void connectVentilator();
     void setCondition();
-    void setVentilator();
     void refresh();
+    void refreshVentilator(const VentilatorSettings& ventilator);
 
     RespirationModel* m_model = nullptr;
     QLabel* m_obstacle;
@@ -49,6 +49,10 @@ private:
     QDoubleSpinBox* m_peep = nullptr;
     QDoubleSpinBox* m_driving = nullptr;
     QDoubleSpinBox* m_limit = nullptr;
+    QDoubleSpinBox* m_pause = nullptr;
+    QDoubleSpinBox* m_ownRate = nullptr;
+    QDoubleSpinBox* m_ownEffort = nullptr;
+    QDoubleSpinBox* m_trigger = nullptr;
     QDoubleSpinBox* m_tube;
     QLabel* m_travelling;
     QPushButton* m_undo;

@@ -109,6 +109,7 @@ double usualBodyMassIndex(double age)
 void addBody(const PatientParameters& p, PatientDimensions& d)
 {
     d.ageInYears = p.ageInYears;
+    d.sex = p.sex;
     const double usual = usualBodyMassIndex(p.ageInYears) * p.height.si * p.height.si;
     const bool obese = p.habitus == Habitus::Obese;
     // 127 kg is the obese patient of Benumof's curves, 1.65 times the standard one of that height.
@@ -148,7 +149,7 @@ PatientParameters parametersOf(BuiltinPatient patient)
     case BuiltinPatient::Adult:
         return {30.0, kMansHeight, Sex::Male, Habitus::Normal};
     case BuiltinPatient::TwelveYears:
-        return {12.0, kChildsHeight, Sex::Male, Habitus::Normal};
+        return {12.0, kChildsHeight, Sex::Female, Habitus::Normal};
     }
     CARINA_EXPECTS(false);
     return {};

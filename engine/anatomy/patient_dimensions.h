@@ -25,7 +25,7 @@ struct PatientParameters {
     friend bool operator==(const PatientParameters&, const PatientParameters&) = default;
 };
 
-/// A man of 30 years and 175 cm; a boy of 12 years and 150 cm.
+/// A man of 30 years and 175 cm; a girl of 12 years and 150 cm.
 [[nodiscard]] PatientParameters parametersOf(BuiltinPatient patient);
 
 /// One main bronchus: from the carina to its first lobar branch.
@@ -49,6 +49,7 @@ struct PatientDimensions {
     Length height;
     double weightInKilograms = 0.0;
     double ageInYears = 0.0;
+    Sex sex = Sex::Male;
     Length cordsToCarina;
     Length tracheaLength;   ///< lower border of the cricoid to the carina
     Length tracheaSagittal; ///< front to back, mean of rings and gaps

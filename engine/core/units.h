@@ -54,6 +54,8 @@ constexpr Pressure cmH2O(double p) { return {p * kPascalsPerCmH2O}; }
 constexpr double inCmH2O(Pressure p) { return p.si / kPascalsPerCmH2O; }
 
 constexpr VolumeFlow litresPerSecond(double q) { return {q * 1e-3}; }
+constexpr VolumeFlow litresPerMinute(double q) { return litresPerSecond(q / 60.0); }
+constexpr double inLitresPerMinute(VolumeFlow q) { return q.si * 6e4; }
 constexpr double inLitresPerSecond(VolumeFlow q) { return q.si * 1e3; }
 
 constexpr Compliance litresPerCmH2O(double c) { return {c * 1e-3 / kPascalsPerCmH2O}; }

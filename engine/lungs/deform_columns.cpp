@@ -53,9 +53,13 @@ move(const SingleField& field, std::size_t begin, std::size_t end, const float* 
     }
 }
 
-bool isOfOneLungThatKeepsItsPlace(const ChestMotion& motion)
+/// The shortest way that moves vertices so.
+auto wayFor(const ChestMotion& motion)
 {
-    return motion.right == motion.left && motion.right.shrink == 0.0 && motion.right.shift == 0.0;
+    if (motion.right != motion.left)
+        return move<true, true>;
+    const bool keepsItsPlace = motion.right.shrink == 0.0 && motion.right.shift == 0.0;
+    return keepsItsPlace ? move<false, false> : move<false, true>;
 }
 
 } // namespace
@@ -85,8 +89,7 @@ void deformColumns(const VertexColumns& rest, const ChestField& field, const Che
     SingleField single{inSingle(field.frame()), inSingle(motion), {}};
     const Shares<float>& perMetre = single.frame.perMetre;
     single.metrePer = {1.0F / perMetre.u, 1.0F / perMetre.v, 1.0F / perMetre.h};
-    const auto moveSome =
-        isOfOneLungThatKeepsItsPlace(motion) ? move<false, false> : move<true, true>;
+    const auto moveSome = wayFor(motion);
     const auto& [x, y, z] = rest.position;
     const auto& [nx, ny, nz] = rest.normal;
     auto& [outX, outY, outZ] = moved.position;

@@ -102,9 +102,7 @@ void eachFigure(RespiratorySystem& a, const RespiratorySystem& b, Visit visit)
 
 PatientBuild buildOf(const PatientDimensions& dimensions)
 {
-    constexpr double kAlikeUntil = 14.0; // years
-    return {dimensions.height, dimensions.weightInKilograms, dimensions.ageInYears,
-            dimensions.ageInYears < kAlikeUntil ? Sex::Female : Sex::Male};
+    return {dimensions.height, dimensions.weightInKilograms, dimensions.ageInYears, dimensions.sex};
 }
 
 LungVolumes lungVolumesOf(const PatientBuild& build)

@@ -23,8 +23,7 @@ struct PatientBuild {
     friend bool operator==(const PatientBuild&, const PatientBuild&) = default;
 };
 
-/// Of a built-in patient. Its adult has a man's figures; a child's are a boy's and a girl's, who is
-/// taken for a girl.
+/// Of a patient made from figures.
 [[nodiscard]] PatientBuild buildOf(const PatientDimensions& dimensions);
 
 /// Volumes of both lungs together.

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void setsAConditionByKeyboardAlone();
     void setsSeverityBySliderAndBox();
     void offersWhatTheVentilatorHasInItsMode();
+    void setsPauseOwnBreathsAndTrigger();
     void placesAndTakesOutATube();
     void undoesFromItsButton();
     void keepsWhatIsBeingTyped();
@@ -127,6 +128,34 @@ void TestConditionPanel::offersWhatTheVentilatorHasInItsMode()
     QCOMPARE(ventilator.peep, cmH2O(9.0));
     QCOMPARE(ventilator.drivingPressure, cmH2O(17.0));
     QCOMPARE(ventilator.pressureLimit, VentilatorSettings{}.pressureLimit);
+}
+
+void TestConditionPanel::setsPauseOwnBreathsAndTrigger()
+{
+    Desk desk;
+    for (const char* name : {"pause", "ownRate", "ownEffort", "trigger"})
+        QVERIFY(!desk.box(name).isEnabled());
+    desk.choose("mode", 1);
+    QVERIFY(desk.box("pause").isEnabled() && desk.box("trigger").isEnabled());
+    QVERIFY(!desk.box("ownEffort").isEnabled());
+    QCOMPARE(desk.box("ownRate").text(), QStringLiteral("none"));
+    const auto set = [&](const char* name, double value) {
+        desk.box(name).setValue(value);
+        desk.settle();
+    };
+    set("ownRate", 22.0);
+    QCOMPARE(desk.decided().ventilator.ownEffort, 0.5);
+    set("ownEffort", 80.0);
+    set("pause", 10.0);
+    set("trigger", 3.0);
+    const VentilatorSettings ventilator = desk.decided().ventilator;
+    QCOMPARE(ventilator.ownRate, perMinute(22.0));
+    QCOMPARE(ventilator.ownEffort, 0.8);
+    QCOMPARE(ventilator.pauseShare, 0.1);
+    QCOMPARE(ventilator.trigger, litresPerMinute(3.0));
+    set("ownRate", desk.box("ownRate").minimum());
+    QCOMPARE(desk.decided().ventilator.ownRate, Frequency{});
+    QCOMPARE(desk.decided().ventilator.ownEffort, 0.0);
 }
 
 void TestConditionPanel::placesAndTakesOutATube()

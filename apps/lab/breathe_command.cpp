@@ -1,10 +1,8 @@
 #include "apps/lab/breathe_command.h"
 
-#include "apps/lab/condition_names.h"
 #include "apps/lab/condition_sweep.h"
 #include "apps/lab/drawn_breathing.h"
-#include "engine/anatomy/builtin_patient.h"
-#include "engine/io/anatomy_set.h"
+#include "apps/lab/patient_options.h"
 
 #include <QCommandLineParser>
 #include <QJsonArray>
@@ -20,44 +18,20 @@ namespace
 constexpr std::array<const char*, 2> kLungNames{"right", "left"};
 const QString kEveryCondition = QStringLiteral("every-condition");
 
+constexpr const char* kBreathe = "breathe";
+
 void addFlags(QCommandLineParser& parser)
 {
-    for (const char* flag : {"rate-per-min", "tidal-volume-ml", "seconds", "anatomy", "patient",
-                             "level", "condition", "severity", "side", "ventilator"}) {
-        const QString name = QString::fromLatin1(flag);
-        parser.addOption(QCommandLineOption{name, {}, name});
-    }
+    addPatientOptions(parser);
+    addValueOptions(parser, {"rate-per-min", "tidal-volume-ml", "seconds", "level", "ventilator"});
     parser.addOption(QCommandLineOption{kEveryCondition});
 }
-
-/// The number given for a flag, between two bounds.
-Result<double> numberOf(const QCommandLineParser& parser, const char* flag, double least,
-                        double greatest)
-{
-    bool isNumber = false;
-    const double number = parser.value(QString::fromLatin1(flag)).toDouble(&isNumber);
-    if (!isNumber || !(number >= least && number <= greatest)) {
-        return fail(Errc::OutOfRange,
-                    QStringLiteral("breathe needs --%1 with a number from %2 to %3.")
-                        .arg(QString::fromLatin1(flag))
-                        .arg(least)
-                        .arg(greatest)
-                        .toStdString());
-    }
-    return number;
-}
-
-/// Who is drawn, and what size of a patient breathes.
-struct Subject {
-    Anatomy anatomy;
-    PatientBuild build;
-};
 
 Result<std::optional<std::size_t>> levelOption(const QCommandLineParser& parser)
 {
     if (!parser.isSet(QStringLiteral("level")))
         return std::nullopt;
-    return numberOf(parser, "level", 0.0, 99.0)
+    return numberOption(parser, kBreathe, "level", 0.0, 99.0)
         .and_then([](double level) -> Result<std::optional<std::size_t>> {
             if (level != std::floor(level))
                 return fail(Errc::OutOfRange, "breathe needs --level with a whole number.");
@@ -65,62 +39,33 @@ Result<std::optional<std::size_t>> levelOption(const QCommandLineParser& parser)
         });
 }
 
-template <class Kind>
-Result<Kind> namedOption(const QCommandLineParser& parser, const char* flag,
-                         std::optional<Kind> (*named)(std::string_view))
+Result<VentilationMode> modeOption(const QCommandLineParser& parser)
 {
-    const QString name = parser.value(QString::fromLatin1(flag));
-    if (!parser.isSet(QString::fromLatin1(flag)))
-        return Kind{};
-    const auto kind = named(name.toStdString());
-    if (!kind)
-        return fail(Errc::OutOfRange,
-                    std::string{"breathe knows no --"} + flag + " " + name.toStdString() + ".");
-    return *kind;
-}
-
-std::optional<VentilationMode> modeNamed(std::string_view name)
-{
-    if (name == "volume")
+    if (!parser.isSet(QStringLiteral("ventilator")))
+        return VentilationMode::Spontaneous;
+    const QString name = parser.value(QStringLiteral("ventilator"));
+    if (name == QStringLiteral("volume"))
         return VentilationMode::VolumeControl;
-    if (name == "pressure")
+    if (name == QStringLiteral("pressure"))
         return VentilationMode::PressureControl;
-    return std::nullopt;
-}
-
-Result<LungCondition> conditionOf(const QCommandLineParser& parser)
-{
-    const auto kind = namedOption(parser, "condition", conditionNamed);
-    if (!kind)
-        return tl::unexpected(kind.error());
-    const auto side = namedOption(parser, "side", sideNamed);
-    if (!side)
-        return tl::unexpected(side.error());
-    const auto severity = parser.isSet(QStringLiteral("severity"))
-                              ? numberOf(parser, "severity", 0.0, 1.0)
-                              : Result<double>{0.6};
-    if (!severity)
-        return tl::unexpected(severity.error());
-    if (*kind == ConditionKind::MainstemIntubation && *side == ConditionSide::Both)
-        return fail(Errc::OutOfRange, "breathe needs --side for a tube in a main bronchus.");
-    return LungCondition{*kind, *kind == ConditionKind::Normal ? 0.0 : *severity, *side};
+    return fail(Errc::OutOfRange, "breathe knows no --ventilator " + name.toStdString() + ".");
 }
 
 Result<BreathingTrial> trialOf(const QCommandLineParser& parser, const PatientBuild& build)
 {
-    const auto rate = numberOf(parser, "rate-per-min", 4.0, 60.0);
+    const auto rate = numberOption(parser, kBreathe, "rate-per-min", 4.0, 60.0);
     if (!rate)
         return tl::unexpected(rate.error());
-    const auto tidalVolume_ml = numberOf(parser, "tidal-volume-ml", 20.0, 2000.0);
+    const auto tidalVolume_ml = numberOption(parser, kBreathe, "tidal-volume-ml", 20.0, 2000.0);
     if (!tidalVolume_ml)
         return tl::unexpected(tidalVolume_ml.error());
-    const auto seconds = numberOf(parser, "seconds", 0.1, 3600.0);
+    const auto seconds = numberOption(parser, kBreathe, "seconds", 0.1, 3600.0);
     if (!seconds)
         return tl::unexpected(seconds.error());
-    const auto condition = conditionOf(parser);
+    const auto condition = conditionOption(parser, kBreathe);
     if (!condition)
         return tl::unexpected(condition.error());
-    const auto mode = namedOption(parser, "ventilator", modeNamed);
+    const auto mode = modeOption(parser);
     if (!mode)
         return tl::unexpected(mode.error());
     BreathingTrial trial;
@@ -131,30 +76,6 @@ Result<BreathingTrial> trialOf(const QCommandLineParser& parser, const PatientBu
     trial.settings.ventilator.mode = *mode;
     trial.seconds = *seconds;
     return trial;
-}
-
-Result<Subject> subjectOf(const QCommandLineParser& parser)
-{
-    const QString patient = parser.value(QStringLiteral("patient"));
-    const auto builtin = [](BuiltinPatient of) {
-        return builtinPatient(of).map([of](Anatomy&& anatomy) {
-            return Subject{std::move(anatomy), buildOf(dimensionsOf(of))};
-        });
-    };
-    if (parser.isSet(QStringLiteral("anatomy"))) {
-        if (!patient.isEmpty())
-            return fail(Errc::OutOfRange, "breathe takes --anatomy or --patient, not both.");
-        return loadAnatomySet(parser.value(QStringLiteral("anatomy")).toStdString(),
-                              AnatomyCache::defaultFolder())
-            .map([](LoadedSet&& loaded) {
-                return Subject{std::move(loaded.set.anatomy), PatientBuild{}};
-            });
-    }
-    if (patient == QStringLiteral("adult"))
-        return builtin(BuiltinPatient::Adult);
-    if (patient.isEmpty() || patient == QStringLiteral("child"))
-        return builtin(BuiltinPatient::TwelveYears);
-    return fail(Errc::OutOfRange, "breathe knows --patient adult and --patient child.");
 }
 
 QJsonObject describeLung(const std::vector<DrawnLevel>& levels, std::size_t lung)
@@ -218,7 +139,7 @@ Result<QJsonObject> breathe(const QCommandLineParser& parser)
     const auto trial = sweeps ? Result<BreathingTrial>{} : trialOf(parser, {});
     if (!trial)
         return tl::unexpected(trial.error());
-    auto subject = subjectOf(parser);
+    auto subject = subjectOption(parser, kBreathe);
     if (!subject)
         return tl::unexpected(subject.error());
     if (sweeps)

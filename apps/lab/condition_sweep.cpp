@@ -16,7 +16,6 @@ constexpr std::array kSeverities{0.3, 0.6, 0.9, 1.0};
 constexpr std::array kRates_perMin{12.0, 20.0, 40.0};
 constexpr std::array kModes{VentilationMode::Spontaneous, VentilationMode::VolumeControl,
                             VentilationMode::PressureControl};
-constexpr double kSettled_s = 60.0;
 constexpr double kFramesPerBreath = 5.0;
 
 /// A condition on a side, and the trials that are of it.
@@ -35,15 +34,9 @@ struct Sweep {
 BreathingTrial trialOf(const PatientBuild& build, const LungCondition& condition,
                        VentilationMode mode, double rate_perMin)
 {
-    BreathingTrial trial;
-    trial.settings.build = build;
-    trial.settings.condition = condition;
-    trial.settings.pattern = restingPattern(build);
-    trial.settings.pattern.rate = perMinute(rate_perMin);
+    BreathingTrial trial =
+        settledBreath(build, condition, perMinute(rate_perMin), kFramesPerBreath);
     trial.settings.ventilator.mode = mode;
-    trial.settle = kSettled_s;
-    trial.seconds = 60.0 / rate_perMin;
-    trial.framesPerSecond = kFramesPerBreath / trial.seconds;
     return trial;
 }
 

@@ -1,7 +1,7 @@
 #include "apps/lab/drawn_breathing.h"
 
+#include "apps/lab/drawn_lungs.h"
 #include "engine/lungs/chest_drawing.h"
-#include "widgets/scene/drawn_vertices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,73 +16,6 @@ namespace
 using Volumes = std::array<Volume, 2>; // right, left
 
 Volume total(const Volumes& volumes) { return volumes[0] + volumes[1]; }
-
-/// One closed part on the graphics card, and the triangles between its vertices.
-struct DrawnPart {
-    std::size_t lung = 0; // as indexOf
-    ChestRegion region = ChestRegion::Still;
-    const std::vector<Triangle>* triangles = nullptr;
-    DrawnVertices vertices;
-};
-
-/// Volume inside a closed surface: the tetrahedra that its triangles span with its first vertex.
-double enclosedVolume(const std::vector<Vec3f>& positions, const std::vector<Triangle>& triangles)
-{
-    const Vec3 apex = positions.front().cast<double>();
-    double sum = 0.0;
-    for (const auto& [i, j, k] : triangles) {
-        const Vec3 u = positions[i].cast<double>() - apex;
-        const Vec3 v = positions[j].cast<double>() - apex;
-        const Vec3 w = positions[k].cast<double>() - apex;
-        sum += u.x() * (v.y() * w.z() - v.z() * w.y()) + u.y() * (v.z() * w.x() - v.x() * w.z())
-               + u.z() * (v.x() * w.y() - v.y() * w.x());
-    }
-    return sum / 6.0;
-}
-
-/// The parts of both lungs in one level of detail.
-Result<std::vector<DrawnPart>> upload(const LungPair& lungs, std::size_t level)
-{
-    std::vector<DrawnPart> parts;
-    for (const BreathingPart& part : lungs.parts()) {
-        const TriangleMesh& mesh = levelOf(part, level);
-        Result<DrawnVertices> vertices = DrawnVertices::of(mesh);
-        if (!vertices)
-            return tl::unexpected(vertices.error());
-        parts.push_back({indexOf(part.side), part.region, &mesh.triangles, std::move(*vertices)});
-    }
-    return parts;
-}
-
-Result<Volumes> volumesDrawn(std::vector<DrawnPart>& parts, const ChestField& field,
-                             const ChestPose& pose)
-{
-    Volumes sums;
-    for (DrawnPart& part : parts) {
-        const auto drawn = part.vertices.positions(field, motionOf(part.region, pose, field));
-        if (!drawn)
-            return tl::unexpected(drawn.error());
-        sums[part.lung].si += enclosedVolume(*drawn, *part.triangles);
-    }
-    return sums;
-}
-
-/// What the mechanics give to be drawn, frame by frame.
-std::vector<ChestShape> shapesOf(const BreathingTrial& trial)
-{
-    RespiratoryFold fold{trial.settings};
-    std::vector<ChestShape> shapes;
-    const auto frames = static_cast<std::size_t>(trial.seconds * trial.framesPerSecond);
-    std::int64_t step = 0;
-    for (std::size_t frame = 0; frame <= frames; ++frame) {
-        const double time = trial.settle + static_cast<double>(frame) / trial.framesPerSecond;
-        for (; step < std::llround(time / kRespiratoryStep); ++step)
-            fold.step();
-        shapes.push_back(
-            chestShape(trial.settings.build, fold.system(), fold.content(), fold.moment()));
-    }
-    return shapes;
-}
 
 void raiseTo(Volume& largest, Volume error)
 {
@@ -109,7 +42,7 @@ struct LevelDrawer {
     const LungPair& lungs;
     std::size_t level;
     const Volumes& frc;
-    std::vector<DrawnPart> parts;
+    DrawnLungs onCard;
 
     Result<DrawnTrial> draw(const std::vector<ChestShape>& shapes)
     {
@@ -117,7 +50,7 @@ struct LevelDrawer {
         Volume least = cubicMetres(std::numeric_limits<double>::infinity());
         Volume greatest = cubicMetres(-std::numeric_limits<double>::infinity());
         for (const ChestShape& shape : shapes) {
-            const auto drawn = volumesDrawn(parts, lungs.field(), drawnPose(lungs, shape, level));
+            const auto drawn = onCard.volumes(drawnPose(lungs, shape, level));
             if (!drawn)
                 return tl::unexpected(drawn.error());
             compare(*drawn, shape, trial.errors);
@@ -144,14 +77,14 @@ struct LevelDrawer {
 Result<DrawnLevel> drawLevel(const LungPair& lungs, std::size_t level, const Volumes& frc,
                              const std::vector<std::vector<ChestShape>>& trials)
 {
-    auto parts = upload(lungs, level);
-    if (!parts)
-        return tl::unexpected(parts.error());
-    const auto rest = volumesDrawn(*parts, lungs.field(), {});
+    auto onCard = DrawnLungs::of(lungs, level);
+    if (!onCard)
+        return tl::unexpected(onCard.error());
+    const auto rest = onCard->volumes({});
     if (!rest)
         return tl::unexpected(rest.error());
     DrawnLevel result = undrawn(lungs, level, *rest);
-    LevelDrawer drawer{lungs, level, frc, *std::move(parts)};
+    LevelDrawer drawer{lungs, level, frc, *std::move(onCard)};
     for (const std::vector<ChestShape>& shapes : trials) {
         const auto trial = drawer.draw(shapes);
         if (!trial)
@@ -176,8 +109,8 @@ Result<DrawnBreathing> drawBreathing(const Anatomy& anatomy, std::span<const Bre
     if (level && *level >= lungs->levelCount())
         return fail(Errc::OutOfRange, anatomy.name + " has levels 0 to "
                                           + std::to_string(lungs->levelCount() - 1) + ".");
-    const auto frc = upload(*lungs, 0).and_then(
-        [&](std::vector<DrawnPart> parts) { return volumesDrawn(parts, lungs->field(), {}); });
+    const auto frc =
+        DrawnLungs::of(*lungs, 0).and_then([](DrawnLungs onCard) { return onCard.volumes({}); });
     if (!frc)
         return tl::unexpected(frc.error());
     std::vector<std::vector<ChestShape>> shapes;

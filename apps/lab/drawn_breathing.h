@@ -1,8 +1,8 @@
 #pragma once
 
+#include "apps/lab/breathing_trial.h"
 #include "engine/anatomy/anatomy.h"
 #include "engine/core/result.h"
-#include "engine/lungs/respiratory_fold.h"
 
 #include <array>
 #include <optional>
@@ -11,14 +11,6 @@
 
 namespace carina::lab
 {
-
-/// A patient that breathes by the mechanics, and is drawn.
-struct BreathingTrial {
-    RespiratorySettings settings;
-    double settle = 0.0; ///< seconds breathed before the first frame
-    double seconds = 60.0;
-    double framesPerSecond = 60.0;
-};
 
 /// How far the volumes drawn were from those of the mechanics, at the most.
 struct DrawnErrors {

@@ -1,28 +1,21 @@
 #include "apps/lab/geometry_check.h"
 
+#include "apps/lab/picture_series.h"
 #include "apps/lab/seen_balls.h"
 #include "tests/support/eye_projection.h"
-#include "widgets/scene/graphics.h"
 #include "widgets/scene/marker_shapes.h"
-#include "widgets/scene/scene_view.h"
-
-#include <QEventLoop>
-#include <QTimer>
 
 #include <cmath>
-#include <functional>
 
 namespace carina::lab
 {
 namespace
 {
 
-constexpr int kWindowWidth = 1280;      // pixels
-constexpr int kWindowHeight = 480;      // pixels
-constexpr double kBallRadius = 0.004;   // metres
-constexpr double kClearance_px = 1.0;   ///< of a ball that is measured, to the edge and to others
-constexpr std::size_t kWarmUp = 5;      ///< frames until shaders and buffers are there
-constexpr int kLongestWait_ms = 60'000; ///< for one picture
+constexpr int kWindowWidth = 1280;    // pixels
+constexpr int kWindowHeight = 480;    // pixels
+constexpr double kBallRadius = 0.004; // metres
+constexpr double kClearance_px = 1.0; ///< of a ball that is measured, to the edge and to others
 
 std::string ballName(std::size_t ball) { return "ball " + std::to_string(ball); }
 
@@ -132,55 +125,29 @@ private:
     double m_sum_px = 0.0;
 };
 
-/// Draws every frame of a series and hands on the picture of each; false where one does not come.
-bool drawAll(const HeadsetSeries& series,
-             const std::function<void(std::size_t, const QImage&)>& take)
-{
-    SceneView view;
-    view.setParts(balls());
-    view.setBackground(Qt::black);
-    view.setWindowTitle(QStringLiteral("carina-lab render"));
-    view.resize(kWindowWidth, kWindowHeight);
-    std::size_t next = 0;
-    std::size_t drawn = 0;
-    view.setFrameSource(
-        [&](int, LocalTime) { return frameOf(series, std::min(next, series.size() - 1)); });
-    QEventLoop loop;
-    QTimer patience;
-    QObject::connect(&patience, &QTimer::timeout, &loop, [&loop] { loop.exit(1); });
-    view.onFrameDrawn([&](const DrawnFrame&) {
-        patience.start(kLongestWait_ms);
-        if (++drawn <= kWarmUp || next == series.size())
-            return;
-        const QImage picture = view.picture();
-        if (picture.isNull()) {
-            loop.exit(1);
-            return;
-        }
-        take(next, picture);
-        if (++next == series.size())
-            loop.exit(0);
-    });
-    patience.start(kLongestWait_ms);
-    view.show();
-    return loop.exec() == 0;
-}
-
 } // namespace
 
 Result<GeometryErrors> checkGeometry(const AirwayLandmarks& airway, const GeometryTrial& trial)
 {
-    if (const auto driver = graphicsDriver(); !driver)
-        return fail(Errc::NoGraphics, "render draws, and there is no OpenGL 3.3 here ("
-                                          + driver.error().detail
-                                          + "). Run it as ./carina lab render ...");
     const auto series = HeadsetSeries::of(airway, trial);
     if (!series)
         return tl::unexpected(series.error());
     Comparison comparison{*series};
-    if (!drawAll(*series,
-                 [&](std::size_t frame, const QImage& picture) { comparison.add(frame, picture); }))
-        return fail(Errc::NoGraphics, "render got no picture back from the view");
+    const PictureSeries pictures{
+        .count = series->size(),
+        .size = {kWindowWidth, kWindowHeight},
+        .prepare =
+            [](SceneView& view) {
+                view.setParts(balls());
+                view.setBackground(Qt::black);
+            },
+        .frame = [&](SceneView&, std::size_t i) { return frameOf(*series, i); },
+        .take = [&](std::size_t i, const QImage& picture) -> Result<void> {
+            comparison.add(i, picture);
+            return {};
+        }};
+    if (const auto drawn = drawSeries(pictures); !drawn)
+        return tl::unexpected(drawn.error());
     return comparison.errors();
 }
 

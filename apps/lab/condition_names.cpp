@@ -18,6 +18,11 @@ std::string_view sideName(ConditionSide side)
     return "both";
 }
 
+std::string_view conditionName(ConditionKind kind)
+{
+    return std::ranges::find(kNamedConditions, kind, &NamedCondition::kind)->name;
+}
+
 std::optional<ConditionKind> conditionNamed(std::string_view name)
 {
     const auto* named = std::ranges::find(kNamedConditions, name, &NamedCondition::name);

@@ -33,6 +33,8 @@ inline constexpr std::array kNamedConditions{
 /// "both", "right" or "left".
 [[nodiscard]] std::string_view sideName(ConditionSide side);
 
+[[nodiscard]] std::string_view conditionName(ConditionKind kind);
+
 [[nodiscard]] std::optional<ConditionKind> conditionNamed(std::string_view name);
 [[nodiscard]] std::optional<ConditionSide> sideNamed(std::string_view name);
 

@@ -1,26 +1,21 @@
 #include "apps/lab/render_command.h"
 
 #include "apps/lab/geometry_check.h"
+#include "apps/lab/patient_pictures.h"
+#include "apps/viewer/program.h"
 #include "engine/anatomy/builtin_patient.h"
-
-#include <QCommandLineParser>
-
-#include <cmath>
 
 namespace carina::lab
 {
 namespace
 {
 
-Result<GeometryTrial> trialOf(const QStringList& arguments)
+constexpr const char* kRender = "render";
+const QString kCheckGeometry = QStringLiteral("check-geometry");
+constexpr double kSevere = 0.9; ///< the severest of the conditions that have published figures
+
+Result<GeometryTrial> trialOf(const QCommandLineParser& parser)
 {
-    QCommandLineParser parser;
-    parser.addOption(QCommandLineOption{QStringLiteral("check-geometry")});
-    parser.addOption(QCommandLineOption{QStringLiteral("seed"), {}, QStringLiteral("K")});
-    if (!parser.parse(QStringList{QStringLiteral("render")} + arguments)
-        || !parser.positionalArguments().isEmpty()
-        || !parser.isSet(QStringLiteral("check-geometry")))
-        return fail(Errc::OutOfRange, "render takes --check-geometry [--seed K].");
     GeometryTrial trial;
     if (parser.isSet(QStringLiteral("seed"))) {
         bool isNumber = false;
@@ -31,9 +26,9 @@ Result<GeometryTrial> trialOf(const QStringList& arguments)
     return trial;
 }
 
-Result<QJsonObject> renderChecked(const QStringList& arguments)
+Result<QJsonObject> checkedGeometry(const QCommandLineParser& parser)
 {
-    const auto trial = trialOf(arguments);
+    const auto trial = trialOf(parser);
     if (!trial)
         return tl::unexpected(trial.error());
     const auto patient = builtinPatient(BuiltinPatient::TwelveYears);
@@ -55,6 +50,59 @@ Result<QJsonObject> renderChecked(const QStringList& arguments)
                        {QStringLiteral("mean_projection_error_px"), errors->mean_px}};
 }
 
+/// The condition asked for, or what everyone wants to see of a patient.
+Result<std::vector<LungCondition>> conditionsOf(const QCommandLineParser& parser)
+{
+    if (parser.isSet(QStringLiteral("condition")))
+        return conditionOption(parser, kRender).map([](const LungCondition& condition) {
+            return std::vector{condition};
+        });
+    if (parser.isSet(QStringLiteral("severity")) || parser.isSet(QStringLiteral("side")))
+        return fail(Errc::OutOfRange, "render needs --condition for a --severity or --side.");
+    return std::vector<LungCondition>{
+        {},
+        {ConditionKind::SimplePneumothorax, kSevere, ConditionSide::Right},
+        {ConditionKind::Copd, kSevere, ConditionSide::Both}};
+}
+
+Result<QJsonObject> drawnPictures(const QCommandLineParser& parser)
+{
+    PictureOrder order;
+    order.folder.setPath(parser.value(QStringLiteral("pictures")));
+    const auto size = viewer::sizeOption(parser);
+    if (!size)
+        return tl::unexpected(size.error());
+    order.size = *size;
+    const auto conditions = conditionsOf(parser);
+    if (!conditions)
+        return tl::unexpected(conditions.error());
+    order.conditions = *conditions;
+    return subjectOption(parser, kRender).and_then([&order](Subject subject) {
+        return drawPictures(std::move(subject), order);
+    });
+}
+
+Result<QJsonObject> render(const QStringList& arguments)
+{
+    QCommandLineParser checking;
+    checking.addOption(QCommandLineOption{kCheckGeometry});
+    addValueOptions(checking, {"seed"});
+    QCommandLineParser drawing;
+    addPatientOptions(drawing);
+    addValueOptions(drawing, {"pictures"});
+    viewer::addSizeOption(drawing);
+    const QStringList words = QStringList{QString::fromLatin1(kRender)} + arguments;
+    const auto understands = [&words](QCommandLineParser& parser, const QString& need) {
+        return parser.parse(words) && parser.positionalArguments().isEmpty() && parser.isSet(need);
+    };
+    if (understands(checking, kCheckGeometry))
+        return checkedGeometry(checking);
+    if (understands(drawing, QStringLiteral("pictures")))
+        return drawnPictures(drawing);
+    return fail(Errc::OutOfRange, "render takes --check-geometry [--seed K], or --pictures DIR "
+                                  "and what 'carina-lab help' says of it.");
+}
+
 constexpr std::string_view kRenderHelp = R"(render --check-geometry [--seed K]
     Draws small spheres at the carina, the glottis, the incisors, both bases of the lungs and to
     either side of the built-in child's head as a headset shows them, side by side, for 50 poses of
@@ -69,10 +117,25 @@ constexpr std::string_view kRenderHelp = R"(render --check-geometry [--seed K]
       smallest_sphere_px        pixels of the smallest sphere measured
       max_projection_error_px, mean_projection_error_px
                                 distance from where the sphere should be seen
+render --pictures DIR [--anatomy DIR | --patient adult|child] [--size WxH]
+        [--condition NAME [--severity 0..1] [--side both|right|left]]
+    Draws an anatomy set, or a built-in patient (child), as the programs do, in full detail, at the
+    end of expiration and of inspiration of a quiet breath after a minute of them: from the front,
+    from the right side, and as a trainee sees it who stands behind the head. In health, with a
+    simple pneumothorax of the right lung and with COPD, both of severity 0.9; or with one condition
+    of those of `mechanics`, of severity 0.6 unless given. Writes PNG of 1280x800 pixels or the size
+    asked for. Needs a display. schema carina.render.pictures/1
+      anatomy, width, height    what was drawn, and pixels
+      pictures                  per picture: file, view (front, side, trainee), phase (expired,
+                                inspired), condition, severity, side; right and left:
+                                volume_ml (what the vertices drawn enclose), dome_descent_mm (how
+                                far the top of the diaphragm is below where it rests in health) and
+                                diaphragm_excursion_mm (how far it goes down in that breath where
+                                it does so most); both 0 for a set without a diaphragm
 )";
 
 } // namespace
 
-Command renderCommand() { return {"render", kRenderHelp, renderChecked}; }
+Command renderCommand() { return {"render", kRenderHelp, render}; }
 
 } // namespace carina::lab

@@ -5,7 +5,7 @@
 namespace carina::lab
 {
 
-/// `render`: how well what a headset shows lies over what is there.
+/// `render`: how well what a headset shows lies over what is there, and pictures of patients.
 [[nodiscard]] Command renderCommand();
 
 } // namespace carina::lab

@@ -158,6 +158,17 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("a word too many", "--check-geometry 3", "--check-geometry");
     row("a seed that is no number", "--check-geometry --seed some", "--seed");
     row("a seed below zero", "--check-geometry --seed -1", "--seed");
+    row("both at once", "--check-geometry --pictures .", "--pictures DIR");
+    row("a seed for pictures", "--pictures . --seed 1", "--pictures DIR");
+    row("pictures without a folder", "--pictures", "--pictures DIR");
+    row("a size that is none", "--pictures . --size big", "--size");
+    row("a condition there is not", "--pictures . --condition cold", "--condition cold");
+    row("a severity of nothing", "--pictures . --severity 0.5", "--condition");
+    row("a side of nothing", "--pictures . --side left", "--condition");
+    row("more than severe", "--pictures . --condition copd --severity 1.1", "--severity");
+    row("a patient there is not", "--pictures . --patient giant", "--patient adult");
+    row("a folder and a patient", "--pictures . --patient adult --anatomy .", "not both");
+    row("a folder nobody can make", "--pictures /proc/none", "/proc/none");
 }
 
 void TestRenderCommand::refusesWhatItDoesNotKnow()

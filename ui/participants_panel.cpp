@@ -18,8 +18,10 @@ ParticipantsPanel::~ParticipantsPanel() = default;
 void ParticipantsPanel::setModel(QAbstractItemModel& model)
 {
     m_ui->table->setModel(&model);
-    m_ui->table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_ui->table->horizontalHeader()->setStretchLastSection(true);
+    // A long name gives way, and no number.
+    QHeaderView* header = m_ui->table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(0, QHeaderView::Stretch);
 }
 
 } // namespace carina

@@ -16,6 +16,7 @@ constexpr double kLeastFlow_lPerMin = 20.0;
 constexpr double kLeastPressure_cmH2O = 10.0;
 constexpr double kLeastVolume_ml = 200.0;
 constexpr int kFiguresInterval_ms = 500;
+constexpr int kFigureLines = 3; ///< at the console's least width
 
 } // namespace
 
@@ -35,6 +36,8 @@ WaveformPanel::WaveformPanel(QWidget* parent)
     m_figures->setObjectName(QStringLiteral("figures"));
     m_figures->setAccessibleName(tr("Figures of the last breath"));
     m_figures->setWordWrap(true);
+    m_figures->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_figures->setMinimumHeight(kFigureLines * m_figures->fontMetrics().lineSpacing());
     auto* column = new QVBoxLayout{this};
     column->setSpacing(0);
     for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
@@ -67,14 +70,17 @@ void WaveformPanel::refreshFigures()
         return;
     }
     const auto whole = [](double value) { return QString::number(qRound(value)); };
-    const auto tenths = [](double value) { return QString::number(value, 'f', 1); };
-    m_figures->setText(
-        tr("Breath %1 ml (right %2, left %3)   %4 /min   peak %5, plateau %6, auto-PEEP %7 cmH2O"
-           "   alveolar %8 L/min")
-            .arg(whole(breath->tidalVolume_ml), whole(breath->right_ml), whole(breath->left_ml),
-                 tenths(breath->rate_perMin), tenths(breath->peak_cmH2O),
-                 tenths(breath->plateau_cmH2O), tenths(breath->autoPeep_cmH2O),
-                 tenths(breath->alveolarVentilation_lPerMin)));
+    // Rounded first: what rounds to nothing has no sign.
+    const auto tenths = [](double value) {
+        return QString::number(qRound(10.0 * value) / 10.0, 'f', 1);
+    };
+    m_figures->setText(tr("Breath %1 ml (right %2, left %3)   %4\u00a0/min   peak %5, plateau %6, "
+                          "auto-PEEP %7\u00a0cmH2O   alveolar %8\u00a0L/min")
+                           .arg(whole(breath->tidalVolume_ml), whole(breath->right_ml),
+                                whole(breath->left_ml), tenths(breath->rate_perMin),
+                                tenths(breath->peak_cmH2O), tenths(breath->plateau_cmH2O),
+                                tenths(breath->autoPeep_cmH2O),
+                                tenths(breath->alveolarVentilation_lPerMin)));
 }
 
 } // namespace carina

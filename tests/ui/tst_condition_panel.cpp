@@ -251,8 +251,9 @@ void TestConditionPanel::tellsTheFiguresOfTheLastBreath()
     WaveformPanel later;
     later.setTrace(trace);
     const QString told = later.findChild<QLabel*>(QStringLiteral("figures"))->text();
-    QVERIFY2(told.contains(QStringLiteral("19.0 /min")), qPrintable(told));
+    QVERIFY2(told.contains(QStringLiteral("19.0\u00a0/min")), qPrintable(told));
     QVERIFY2(told.contains(QStringLiteral("peak 0.0, plateau")), qPrintable(told));
+    QVERIFY2(!told.contains(QStringLiteral("-0.0")), qPrintable(told));
 }
 
 } // namespace carina

@@ -32,6 +32,18 @@ QString phaseShape(SessionPhase phase)
     return {};
 }
 
+/// Makes an action's button as wide as it ever gets, so that nothing beside it moves under the
+/// pointer when its words change.
+void reserve(const QToolBar& bar, QAction& action, const QString& longest)
+{
+    const QString now = action.text();
+    action.setText(longest);
+    QWidget* button = bar.widgetForAction(&action);
+    button->ensurePolished();
+    button->setMinimumWidth(button->sizeHint().width());
+    action.setText(now);
+}
+
 } // namespace
 
 InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
@@ -45,6 +57,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
       m_phase{new QLabel{this}},
       m_status{new QLabel{this}}
 {
+    m_status->setTextFormat(Qt::PlainText); // a patient's name comes from elsewhere
     m_ui->setupUi(this);
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);
@@ -100,6 +113,8 @@ void InstructorWindow::fillSessionBar()
     m_ui->sessionBar->addActions(actions);
     for (QAction* action : actions)
         m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
+    reserve(*m_ui->sessionBar, *m_ui->start, tr("&Go on"));
+    reserve(*m_ui->sessionBar, *m_ui->end, tr("Really &end?"));
     connect(m_ui->start, &QAction::triggered, &m_session, &SessionModel::start);
     connect(m_ui->pause, &QAction::triggered, &m_session, &SessionModel::pause);
     connect(m_ui->end, &QAction::triggered, this, &InstructorWindow::endOnSecondPress);
@@ -148,36 +163,35 @@ void InstructorWindow::refresh()
     m_phase->setText(tr("%1   %2 %3 %4")
                          .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
                               m_session.runningTimeText()));
+    m_phase->setMinimumWidth(std::max(m_phase->minimumWidth(), m_phase->sizeHint().width()));
     m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
     m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
     m_ui->start->setEnabled(m_session.canStart());
     m_ui->pause->setEnabled(m_session.canPause());
     m_ui->end->setEnabled(m_session.canEnd());
-    m_ui->end->setText(m_endAsked ? tr("&End: press again to confirm") : tr("&End"));
+    m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
     refreshStatus();
 }
 
 void InstructorWindow::refreshStatus()
 {
+    if (const auto refusal = m_session.node().refusal()) {
+        m_status->setText(errorText(*refusal));
+        return;
+    }
+    // What is out of the ordinary stands in front.
     const StationMoment& moment = m_stationScene->moment();
-    const QString patient =
-        tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
-    QStringList told{patient};
-    if (moment.exaggeration != 1.0)
-        told.prepend(tr("▲ larger than true"));
+    QStringList told;
     if (isAway(moment))
-        told.prepend(tr("▲ not in its place"));
-    m_ui->patient->setText(told.first());
-    m_ui->patient->setToolTip(told.join(QLatin1Char('\n')));
+        told += tr("▲ not in its place");
+    if (moment.exaggeration != 1.0)
+        told += tr("▲ larger than true");
+    told += tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
     const auto oldest = m_participants.oldestSample_ms();
-    const QString age =
-        oldest ? tr("Oldest sample %1 ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
-    const QString pictures =
-        tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
-    const QString port = tr("Trainees join at port %1").arg(m_session.node().port());
-    const auto refusal = m_session.node().refusal();
-    m_status->setText(refusal ? errorText(*refusal)
-                              : QStringLiteral("%1      %2      %3").arg(age, pictures, port));
+    told += oldest ? tr("Oldest sample %1 ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
+    told += tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
+    told += tr("Trainees join at port %1").arg(m_session.node().port());
+    m_status->setText(told.join(QStringLiteral("      ")));
 }
 
 } // namespace carina

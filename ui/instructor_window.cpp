@@ -97,6 +97,9 @@ void InstructorWindow::layDocks()
     m_ui->breathingDock->raise();
     tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
     m_ui->invitationDock->raise(); // nobody else is here yet
+    // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into it.
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
     resizeDocks({m_ui->participantsDock, m_ui->invitationDock}, {1, kBelowShare}, Qt::Vertical);
 }
 

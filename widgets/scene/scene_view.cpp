@@ -61,8 +61,10 @@ SceneView::SceneView(QWidget* parent)
     layout->addWidget(container);
     setFocusProxy(container);
     setBackground(kNight);
-    connect(m_window, &SceneWindow::tabbed, this,
-            [this](bool forward) { focusNextPrevChild(forward); });
+    connect(m_window, &SceneWindow::tabbed, this, [this, container](bool forward) {
+        container->setFocus(); // which its window took away: the way goes on from here
+        focusNextPrevChild(forward);
+    });
     connect(m_window, &SceneWindow::clicked, this, &SceneView::sendRay);
     connect(&m_tick, &QTimer::timeout, this, &SceneView::drawFrame);
     m_tick.setTimerType(Qt::PreciseTimer);

@@ -56,14 +56,12 @@ struct LungCondition {
 ///   and residual volume 2.42 times at 0.9; compliance up to 1.4; alveolar dead space.
 /// - Asthma: resistance of the whole natural airway 1 + 14 s times, all of it in the bronchi.
 /// - SimplePneumothorax: gas in the pleura, of a pressure s of the way to that of the room; the
-/// lung
-///   rests at 1 - 0.75 s of its volume.
+///   lung rests at 1 - 0.75 s of its volume.
 /// - TensionPneumothorax: a tear of that size lets gas into the pleura and not back, as long as the
 ///   condition lasts.
 /// - Atelectasis: 0.9 s of the lung is shut off.
 /// - MainstemIntubation: the tube is in the bronchus of `side`; a share s of the section of the
-/// other
-///   is closed, and the blood takes up its gas down to 0.45 of the resting volume.
+///   other is closed, and the blood takes up its gas down to 0.45 of the resting volume.
 /// - Obstruction: a share s of the section is closed; of the trachea or tube for both sides, else
 ///   of a main bronchus. A bronchus conducts as the square of its section.
 /// - StiffChest: the wall's compliance is divided by 1 + 4 s.

@@ -12,11 +12,10 @@ void BreathClock::trigger(double secondsAgo)
     if (m_state.triggered && interval * kFastestManikin.si < 1.0)
         return;
     if (m_state.triggered) {
-        // Where the rate is known, several breaths may have passed.
-        const double passed =
-            isLocked() ? std::max(1.0, std::round(interval * m_state.measured.si)) : 1.0;
+        const double passed = breathsIn(interval);
         const Frequency rate{passed / interval};
         m_state.measured = rate < kSlowestManikin ? Frequency{} : rate;
+        m_state.bridged = passed > 1.0;
     }
     if (m_state.measured.si > 0.0) {
         const double then = m_state.breaths - m_state.rate.si * secondsAgo;
@@ -24,6 +23,18 @@ void BreathClock::trigger(double secondsAgo)
     }
     m_state.triggered = true;
     m_state.sinceTrigger = secondsAgo;
+}
+
+/// Several where some were missed. A manikin that slows down must not be taken for one that was
+/// missed: it hardly comes near a whole number, and not again and again.
+double BreathClock::breathsIn(double interval) const
+{
+    if (!isLocked() || m_state.bridged)
+        return 1.0;
+    const double share = interval * m_state.measured.si;
+    const double whole = std::round(share);
+    const bool isNear = std::abs(share - whole) <= kNearWhole;
+    return isNear && whole <= interval * kFastestManikin.si ? std::max(1.0, whole) : 1.0;
 }
 
 void BreathClock::advance(Frequency set, double seconds)
@@ -36,10 +47,12 @@ void BreathClock::advance(Frequency set, double seconds)
     m_state.rate.si += std::clamp(aim - m_state.rate.si, -most, most);
     m_state.breaths += m_state.rate.si * seconds;
     m_state.sinceTrigger += seconds;
-    if (measured > 0.0)
+    if (measured > 0.0) {
         m_state.pull -= (m_state.rate.si - measured) * seconds;
-    else
+        m_state.pull -= std::round(m_state.pull);
+    } else {
         m_state.measured = {};
+    }
 }
 
 double BreathClock::phase() const { return m_state.breaths - std::floor(m_state.breaths); }

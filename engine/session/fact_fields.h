@@ -111,9 +111,9 @@ inline constexpr std::tuple kFields<LungContent>{&LungContent::gas, &LungContent
                                                  &LungContent::trapped};
 template <>
 inline constexpr std::tuple kFields<BreathClock::State>{
-    &BreathClock::State::breaths,      &BreathClock::State::rate,
-    &BreathClock::State::measured,     &BreathClock::State::pull,
-    &BreathClock::State::sinceTrigger, &BreathClock::State::triggered};
+    &BreathClock::State::breaths, &BreathClock::State::rate,         &BreathClock::State::measured,
+    &BreathClock::State::pull,    &BreathClock::State::sinceTrigger, &BreathClock::State::triggered,
+    &BreathClock::State::bridged};
 template <> inline constexpr std::tuple kFields<VentilatorState>{&VentilatorState::sinceBreath};
 template <>
 inline constexpr std::tuple kFields<BreathingPattern>{&BreathingPattern::rate,

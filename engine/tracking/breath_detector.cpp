@@ -8,7 +8,7 @@
 namespace carina
 {
 
-double BreathDetector::motion() const { return std::max(m_lastMotion, kLeastMotion / kShownShare); }
+double BreathDetector::motion() const { return std::max(m_motion, kLeastMotion / kShownShare); }
 
 std::optional<SessionTime> BreathDetector::add(SessionTime t, double height)
 {
@@ -16,21 +16,33 @@ std::optional<SessionTime> BreathDetector::add(SessionTime t, double height)
     if (!m_last) {
         m_lowest = height;
         m_last = t;
+        m_begun = t;
         return std::nullopt;
     }
     if (t <= *m_last)
         return std::nullopt;
     m_last = t;
+    forgetAfterSilence(t);
     if (!m_isRising)
         return rise(t, height);
     m_highest = std::max(m_highest, height);
     if (height < m_highest - kShownShare * motion()) {
-        m_lastMotion = m_highest - m_lowest;
+        const double moved = m_highest - m_lowest;
+        m_motion = m_lastMotion > 0.0 ? std::min(m_lastMotion, moved) : moved;
+        m_lastMotion = moved;
         m_isRising = false;
         m_isAboveFoot = false;
         m_lowest = height;
     }
     return std::nullopt;
+}
+
+void BreathDetector::forgetAfterSilence(SessionTime t)
+{
+    if (t - m_begun <= kForgetting)
+        return;
+    m_motion = 0.0;
+    m_lastMotion = 0.0;
 }
 
 std::optional<SessionTime> BreathDetector::rise(SessionTime t, double height)
@@ -49,6 +61,7 @@ std::optional<SessionTime> BreathDetector::rise(SessionTime t, double height)
         return std::nullopt;
     m_isRising = true;
     m_highest = height;
+    m_begun = t;
     constexpr double kBack = kFootShare / (kShownShare - kFootShare);
     return m_foot - fromSeconds(kBack * toSeconds(t - m_foot));
 }

@@ -2,7 +2,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -87,6 +89,42 @@ private Q_SLOTS:
         std::normal_distribution<double> noise{0.0, 0.2e-3};
         QVERIFY(beginnings(120.0, [&](double) { return noise(random); }).empty());
         QVERIFY(beginnings(60.0, [](double t) { return -1e-3 * t; }).empty());
+    }
+
+    void hearsThroughWhatHappensToTheMarker_data()
+    {
+        QTest::addColumn<double>("from_s");
+        QTest::addColumn<double>("to_s");
+        QTest::addColumn<double>("up_mm");
+        QTest::addColumn<double>("heardFrom_s");
+        QTest::newRow("one lean") << 60.4 << 62.0 << 45.0 << 64.0;
+        QTest::newRow("a lean while it rests") << 63.0 << 63.8 << 45.0 << 64.0;
+        QTest::newRow("a lean before any breath") << -0.3 << 0.7 << 45.0 << 16.0;
+        QTest::newRow("a lean of five breaths") << 60.4 << 81.0 << 45.0 << 84.0;
+        QTest::newRow("registration laid higher") << 60.4 << 1e9 << 300.0 << 64.0;
+        QTest::newRow("registration laid lower") << 60.4 << 1e9 << -300.0 << 64.0;
+    }
+
+    /// 10 mm, 15 times a minute. Whatever came, every breath is heard once from then on.
+    void hearsThroughWhatHappensToTheMarker()
+    {
+        QFETCH(double, from_s);
+        QFETCH(double, to_s);
+        QFETCH(double, up_mm);
+        QFETCH(double, heardFrom_s);
+        const auto found = beginnings(120.0, [&](double t) {
+            const double lifted = t >= from_s && t < to_s ? 1e-3 * up_mm : 0.0;
+            return breathingHeight(t, 15.0, 10e-3) + lifted;
+        });
+        std::vector<double> late;
+        std::ranges::copy_if(found, std::back_inserter(late),
+                             [&](double t) { return t > heardFrom_s - 0.5; });
+        QCOMPARE(late.size(), static_cast<std::size_t>((120.0 - heardFrom_s) / 4.0));
+        for (std::size_t i = 0; i < late.size(); ++i) {
+            const double expected = heardFrom_s + 4.0 * double(i) + 0.158 * 4.0 / 3.0;
+            QVERIFY2(std::abs(late[i] - expected) < 0.1,
+                     qPrintable(QStringLiteral("%1 for %2").arg(late[i]).arg(expected)));
+        }
     }
 
     void tellsABreathOnce()

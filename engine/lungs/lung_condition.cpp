@@ -125,14 +125,18 @@ void blockBehindTube(LungMechanics& lung, double severity)
     lung.uptakeEnd = 0.45 * lung.wallVolume;
 }
 
-/// A short narrow place of an open share of the trachea's section loses the head of its jet.
+/// A short narrow place of an open share of the trachea's section loses the head of its jet. With
+/// the last hundredth of the section closed nothing passes to either lung.
 void narrowTrachea(RespiratorySystem& system, double severity)
 {
     constexpr double kDensity = 1.2;           // kg/m^3
     constexpr double kTracheaSection = 2.0e-4; // m^2
-    const double open = std::max(0.01, 1.0 - severity);
-    const double jet = (1.0 / open - 1.0) / kTracheaSection;
+    constexpr double kLeastOpen = 0.01;
+    const double open = 1.0 - severity;
+    const double jet = (1.0 / std::max(kLeastOpen, open) - 1.0) / kTracheaSection;
     system.upperTurbulent += 0.5 * kDensity * jet * jet;
+    for (LungMechanics& lung : system.lungs)
+        lung.bronchi = std::min(1.0, open / kLeastOpen) * lung.bronchi;
 }
 
 void afflict(LungMechanics& lung, const LungCondition& condition)

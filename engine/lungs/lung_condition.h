@@ -63,7 +63,8 @@ struct LungCondition {
 /// - MainstemIntubation: the tube is in the bronchus of `side`; a share s of the section of the
 ///   other is closed, and the blood takes up its gas down to 0.45 of the resting volume.
 /// - Obstruction: a share s of the section is closed; of the trachea or tube for both sides, else
-///   of a main bronchus. A bronchus conducts as the square of its section.
+///   of a main bronchus. A bronchus conducts as the square of its section; a trachea lets nothing
+///   through as the last hundredth of it closes.
 /// - StiffChest: the wall's compliance is divided by 1 + 4 s.
 ///
 /// @pre severity within 0..1; MainstemIntubation has one side.

@@ -32,6 +32,8 @@ Pressure recoil(const LungMechanics& lung, const LungContent& content)
 /// Bronchi close towards the floor of the lung, so that the floor is never reached.
 double openBronchi(const LungMechanics& lung, const LungContent& content)
 {
+    if (lung.bronchi < kShut)
+        return 0.0;
     const double open = openShare(lung, content);
     const double share = (content.gas - lung.curve.floor) / (open * lung.curve.span);
     return lung.bronchi.si * open * std::clamp(share / kClosingShare, 0.0, 1.0);

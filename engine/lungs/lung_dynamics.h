@@ -49,6 +49,9 @@ struct ChestMoment {
 
 /// Share of a lung's span, above its floor, at which its bronchi begin to close.
 inline constexpr double kClosingShare = 0.05;
+/// Bronchi that a condition closes more and more are shut below that, before it is too little to
+/// reckon with: a nanolitre in a minute at 100 cmH2O.
+inline constexpr Conductance kShut{1e-18};
 
 /// The lungs at rest: each on its curve and between its limbs, wall and muscles relaxed, no flow.
 /// @returns the gas of each lung, to 1 nl.

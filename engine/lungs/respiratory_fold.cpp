@@ -9,12 +9,13 @@ namespace
 {
 
 /// Mean alveolar pressure, each lung counting by its bronchi: what the airway comes to when closed.
+/// One that leads nowhere keeps its own.
 Pressure occluded(const RespiratorySystem& system, const ChestMoment& moment)
 {
     const double right = system.lungs[0].bronchi.si;
     const double left = system.lungs[1].bronchi.si;
-    if (right + left == 0.0)
-        return {};
+    if (right < kShut.si && left < kShut.si)
+        return moment.opening;
     return {(right * moment.alveolar[0].si + left * moment.alveolar[1].si) / (right + left)};
 }
 

@@ -168,6 +168,10 @@ void TestLungCondition::narrowsTheTrachea()
     const RespiratorySystem system = with(ConditionKind::Obstruction, 0.9);
     VERIFY_WITHIN(system.upperTurbulent * 1e-6, 1215.0, 1e-6);
     QVERIFY(system.lungs == healthy().lungs);
+    VERIFY_WITHIN(with(ConditionKind::Obstruction, 0.995).lungs[1].bronchi.si
+                      / healthy().lungs[1].bronchi.si,
+                  0.5, 1e-12);
+    QCOMPARE(with(ConditionKind::Obstruction, 1.0).lungs[0].bronchi.si, 0.0);
     VERIFY_WITHIN(with(ConditionKind::Obstruction, 1.0).upperTurbulent * 1e-6,
                   1215.0 / 81.0 * 99.0 * 99.0, 1e-6);
 }

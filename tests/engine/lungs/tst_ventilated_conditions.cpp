@@ -1,46 +1,8 @@
-#include "engine/lungs/respiratory_fold.h"
-
+#include "tests/engine/lungs/afflicted_folds.h"
 #include "tests/engine/lungs/within.h"
 
 using namespace carina;
-
-namespace
-{
-
-constexpr int kMinute = 30000; // steps
-
-RespiratorySettings settingsWith(VentilationMode mode, const LungCondition& condition)
-{
-    RespiratorySettings settings;
-    settings.pattern = restingPattern(settings.build);
-    settings.ventilator.mode = mode;
-    settings.ventilator.pressureLimit = cmH2O(80.0);
-    settings.tube = millimetres(mode == VentilationMode::Spontaneous ? 0.0 : 8.0);
-    settings.condition = condition;
-    return settings;
-}
-
-RespiratoryFold after(int steps, const RespiratorySettings& settings)
-{
-    RespiratoryFold fold{settings};
-    for (int i = 0; i < steps; ++i)
-        fold.step();
-    return fold;
-}
-
-BreathFigures under(VentilationMode mode, const LungCondition& condition)
-{
-    return after(kMinute / 3, settingsWith(mode, condition)).lastBreath();
-}
-
-LungCondition condition(ConditionKind kind, double severity)
-{
-    const bool oneSided =
-        kind == ConditionKind::MainstemIntubation || kind == ConditionKind::SimplePneumothorax;
-    return {kind, severity, oneSided ? ConditionSide::Right : ConditionSide::Both};
-}
-
-} // namespace
+using namespace carina::test;
 
 Q_DECLARE_METATYPE(carina::ConditionKind)
 

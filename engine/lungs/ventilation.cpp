@@ -88,7 +88,8 @@ AirwayOpening ventilatorOpening(const VentilatorSettings& settings, const Ventil
     }
     const bool flows = state.sinceBreath < timing.flow;
     const double seconds = static_cast<double>(timing.flow) * step;
-    return AirwayOpening::driven({flows ? tidalVolume.si / seconds : 0.0}, settings.pressureLimit);
+    return AirwayOpening::driven({flows ? tidalVolume.si / seconds : 0.0},
+                                 std::max(settings.pressureLimit, settings.peep));
 }
 
 } // namespace carina

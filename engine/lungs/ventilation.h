@@ -15,7 +15,7 @@ struct VentilatorSettings {
     VentilationMode mode = VentilationMode::Spontaneous;
     Pressure peep = cmH2O(5.0);
     Pressure drivingPressure = cmH2O(10.0); ///< above PEEP, pressure control
-    Pressure pressureLimit = cmH2O(40.0);   ///< volume control gives no more
+    Pressure pressureLimit = cmH2O(40.0);   ///< volume control gives no more, nor less than PEEP
     double pauseShare = 0.2; ///< of inspiration, held without flow at its end, volume control
     VolumeFlow trigger;      ///< inspired flow that begins a breath early; 0: none does
     Frequency ownRate;       ///< of the patient's own efforts while ventilated; 0: none

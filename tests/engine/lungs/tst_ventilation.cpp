@@ -67,6 +67,7 @@ private Q_SLOTS:
     void deliversTheVolumeAtConstantFlow();
     void showsResistanceAndComplianceAtTheOpening();
     void stopsAtThePressureLimit();
+    void takesALimitBelowPeepForPeep();
     void risesToItsPressureAndHolds();
     void holdsPeepInExpiration();
     void trapsWhatHasNoTimeToLeave();
@@ -175,6 +176,20 @@ void TestVentilation::stopsAtThePressureLimit()
     }
     VERIFY_WITHIN(highest, 8.0, kBreathTolerance_cmH2O);
     QVERIFY(gasAboveRest_l(bench.system, bench.content) < 0.4);
+}
+
+/// A ventilator that may not go above PEEP gives nothing, and takes nothing either.
+void TestVentilation::takesALimitBelowPeepForPeep()
+{
+    for (const double limit_cmH2O : {5.0, 2.0, 0.0}) {
+        Bench bench{linear({}), ventilator(VentilationMode::VolumeControl)};
+        bench.settings.pressureLimit = cmH2O(limit_cmH2O);
+        bench.steps(5 * 2000 - 100); // PEEP comes in with the first expiration
+        for (int i = 0; i < 2000; ++i) {
+            bench.step();
+            VERIFY_WITHIN(gasAboveRest_l(bench.system, bench.content), 0.25, kVolumeTolerance_l);
+        }
+    }
 }
 
 /// 12 cmH2O above PEEP in 0.1 s; the volume goes to 12 C.

@@ -85,6 +85,18 @@ Pressure RespiratoryFold::muscleAt(double breaths) const
     return share * m_state.system.effort * m_state.effort;
 }
 
+/// The muscle's pressure when the step has gone on for so long: of its breath, and what is still
+/// above or below it where the effort was changed.
+Pressure RespiratoryFold::relaxedTo(double breaths, double before, double seconds) const
+{
+    const Pressure aim = muscleAt(breaths);
+    const double most = cmH2O(kMuscleSlew_cmH2OPerS).si * seconds;
+    if (std::abs(aim.si - m_state.muscle.si) <= most)
+        return aim;
+    const double left = (m_state.muscle - muscleAt(before)).si;
+    return {aim.si + left - std::clamp(left, -most, most)};
+}
+
 bool RespiratoryFold::ventilatorBegins() const
 {
     const VentilatorTiming timing =
@@ -135,8 +147,9 @@ void RespiratoryFold::step()
     m_clock.advance(isVentilated() ? m_settings.ventilator.ownRate : m_settings.pattern.rate,
                     kRespiratoryStep);
     const double after = m_clock.state().breaths;
-    const std::array<Pressure, 3> muscle{m_state.muscle, muscleAt(0.5 * (before + after)),
-                                         muscleAt(after)};
+    const std::array<Pressure, 3> muscle{
+        m_state.muscle, relaxedTo(0.5 * (before + after), before, 0.5 * kRespiratoryStep),
+        relaxedTo(after, before, kRespiratoryStep)};
     m_state.opening = openingNow();
     const ChestContent content =
         advanced(m_state.system, m_state.content, muscle, m_state.opening, kRespiratoryStep);

@@ -107,6 +107,7 @@ public:
 private:
     [[nodiscard]] bool isVentilated() const;
     [[nodiscard]] Pressure muscleAt(double breaths) const;
+    [[nodiscard]] Pressure relaxedTo(double breaths, double before, double seconds) const;
     [[nodiscard]] bool ventilatorBegins() const;
     [[nodiscard]] bool inspires() const;
     [[nodiscard]] AirwayOpening openingNow() const;
@@ -123,5 +124,8 @@ private:
 
 inline constexpr double kRespiratoryStep = 2e-3; ///< s
 inline constexpr double kChangeTime = 2.0;       ///< s, for 63 % of a change of the system
+/// How fast the muscle gives up, or takes up, what a change of its effort in mid-breath leaves: a
+/// quiet breath's effort in a tenth of a second.
+inline constexpr double kMuscleSlew_cmH2OPerS = 100.0;
 
 } // namespace carina

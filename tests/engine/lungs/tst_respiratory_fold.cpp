@@ -58,6 +58,7 @@ private Q_SLOTS:
     void followsTheBreathsOfTheManikin();
     void isTriggeredByThePatientsOwnEffort();
     void gainsWhatFlowsIn();
+    void relaxesWhenAVentilatorTakesOver();
 };
 
 void TestRespiratoryFold::breathesTheVolumeThatWasSet_data()
@@ -236,6 +237,34 @@ void TestRespiratoryFold::gainsWhatFlowsIn()
         sum_ml += 1e6 * 0.5 * (first + fold.moment().airwayFlow.si) * kRespiratoryStep;
         VERIFY_WITHIN(gas_ml(fold) - before, sum_ml, 0.01);
     }
+}
+
+/// A ventilator's breath that puts an end to the patient's own in mid-effort: the muscle lets go in
+/// about a tenth of a second, not in one step.
+void TestRespiratoryFold::relaxesWhenAVentilatorTakesOver()
+{
+    RespiratorySettings settings = ventilated();
+    settings.pattern.rate = perMinute(12.0); // 2500 steps
+    settings.ventilator.ownRate = perMinute(17.0);
+    settings.ventilator.ownEffort = 1.0;
+    RespiratoryFold fold{settings};
+    while (fold.state().ventilator.sinceBreath < 2500 || inCmH2O(fold.muscle()) < 5.0) {
+        fold.step();
+        QVERIFY(fold.state().steps < 60 * kSecond);
+    }
+    settings.ventilator.ownEffort = 0.0;
+    fold.set(settings);
+    double before = inCmH2O(fold.muscle());
+    const double steps = before / 0.2;
+    int taken = 0;
+    while (fold.muscle().si != 0.0) {
+        fold.step();
+        const double now = inCmH2O(fold.muscle());
+        QVERIFY(now <= before && before - now < 0.2001);
+        before = now;
+        QVERIFY(++taken < 500);
+    }
+    VERIFY_WITHIN(taken, steps, 1.0);
 }
 
 QTEST_APPLESS_MAIN(TestRespiratoryFold)

@@ -130,9 +130,10 @@ void RespiratoryFold::beginBreath()
     }
     const std::array<Volume, 2> gas{content[0].gas, content[1].gas};
     tally = {0, {}, gas, gas, m_moment.opening, {}};
-    m_state.breath = m_settings.pattern;
+    BreathingPattern& pattern = m_state.breath;
+    pattern = m_settings.pattern;
+    pattern.tidalVolume = std::min(pattern.tidalVolume, largestTidalVolume(m_settings.build));
     const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
-    const BreathingPattern& pattern = m_settings.pattern;
     m_state.effort =
         (own / arrivedShare(m_healthy, pattern)) * effortFor(m_healthy, pattern.tidalVolume);
     m_state.ventilator.sinceBreath = 0;

@@ -76,7 +76,7 @@ struct RespiratoryState {
 /// bit, wherever it is run with the same mathematical library; one made from a checkpoint goes on
 /// as the one that wrote it. It reads no clock. What a condition, patient or tube changes in the
 /// system comes in over kChangeTime, so that nothing jumps; a tidal volume and an inspiratory
-/// fraction hold from the next breath on.
+/// fraction hold from the next breath on, the volume as far as largestTidalVolume.
 class RespiratoryFold
 {
 public:

@@ -135,6 +135,12 @@ BreathingPattern restingPattern(const PatientBuild& build)
             0.0125 * (perMin + 4.0) + 0.125};
 }
 
+Volume largestTidalVolume(const PatientBuild& build)
+{
+    const LungVolumes volumes = lungVolumesOf(build);
+    return 0.5 * (volumes.totalCapacity - volumes.functionalResidual);
+}
+
 void relax(RespiratorySystem& system)
 {
     constexpr double kRest = 25.0 / 30.0;

@@ -84,6 +84,10 @@ inline constexpr double kLeastOpenShare = 0.05;
 /// between and beyond; inspiration's share 0.0125 (f + 4) + 0.125 (Pulse).
 [[nodiscard]] BreathingPattern restingPattern(const PatientBuild& build);
 
+/// The most that a breath of that patient may be set to: half of the inspiratory capacity from
+/// rest, 25 ml/kg, three and a half quiet breaths. The share is ours.
+[[nodiscard]] Volume largestTidalVolume(const PatientBuild& build);
+
 /// What a ventilator meets in a patient who does not breathe: the resting volume falls to 25 of 30
 /// ml/kg along the wall's line, as in anaesthesia, and each lung has 0.4 of its compliance there
 /// (Pulse, lung under a ventilator), which leaves the system 50 to 80 ml/cmH2O in an adult.

@@ -33,4 +33,8 @@ inline constexpr Length kWidestTube = millimetres(12.0);
 [[nodiscard]] Result<void> checkRespiration(const fact::ManikinBreathed& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::RespirationCheckpoint& fact);
 
+/// Whether a patient of that build can be given such breaths.
+/// @returns OutOfRange or NotFinite, with the volume and the patient's range.
+[[nodiscard]] Result<void> checkTidalVolume(const PatientBuild& build, Volume tidalVolume);
+
 } // namespace carina

@@ -1,6 +1,7 @@
 #include "engine/session/session_authority.h"
 
 #include "engine/session/fact_rules.h"
+#include "engine/session/respiration_rules.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +15,6 @@ namespace
 
 constexpr ParticipantId kHost{0};
 constexpr std::uint16_t kLastId = kNobody.value - 1;
-
 template <class... Functions> struct Overloaded : Functions... {
     using Functions::operator()...;
 };
@@ -212,6 +212,16 @@ Result<void> checkStation(const SessionState& state, StationId id, const FactBod
     return {};
 }
 
+/// By what was last decided about the patient, whenever it takes effect.
+Result<void> checkPatient(const SessionState& state, StationId id, const FactBody& body)
+{
+    const auto* set = std::get_if<fact::TidalVolumeSet>(&body);
+    if (!set)
+        return {};
+    const RespirationTimeline& respiration = state.stations().at(id).respiration;
+    return checkTidalVolume(respiration.settingsAt(SessionTime::max()).build, set->tidalVolume);
+}
+
 bool canFollow(SessionPhase before, SessionPhase after)
 {
     switch (before) {
@@ -260,6 +270,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             .and_then([&] { return checkMoment(m_state, fact.body); })
             .and_then([&] { return checkBody(fact.body); })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
+            .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPhase(m_state, fact.body); })
             .and_then([&] { return checkCheckpoint(now, fact.body); });
     if (!verdict)

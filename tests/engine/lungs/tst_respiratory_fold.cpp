@@ -59,6 +59,7 @@ private Q_SLOTS:
     void isTriggeredByThePatientsOwnEffort();
     void gainsWhatFlowsIn();
     void relaxesWhenAVentilatorTakesOver();
+    void breathesNoDeeperThanThePatientCan();
 };
 
 void TestRespiratoryFold::breathesTheVolumeThatWasSet_data()
@@ -265,6 +266,17 @@ void TestRespiratoryFold::relaxesWhenAVentilatorTakesOver()
         QVERIFY(++taken < 500);
     }
     VERIFY_WITHIN(taken, steps, 1.0);
+}
+
+/// A volume that was set for another patient: half of the inspiratory capacity at the most.
+void TestRespiratoryFold::breathesNoDeeperThanThePatientCan()
+{
+    RespiratorySettings settings = ventilated(twelveYears());
+    settings.pattern.tidalVolume = litres(2.0);
+    settings.ventilator.pressureLimit = cmH2O(100.0);
+    RespiratoryFold fold{settings};
+    run(fold, 20 * kSecond);
+    VERIFY_WITHIN(inMillilitres(fold.lastBreath().tidalVolume), 1000.0, 1.0);
 }
 
 QTEST_APPLESS_MAIN(TestRespiratoryFold)

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void narrowsWithYouth();
     void breathesQuietlyAsTheTableSays_data();
     void breathesQuietlyAsTheTableSays();
+    void boundsABreathByTheCapacity();
     void relaxesToWhatAVentilatorMeets();
     void replacesTheUpperAirwayByATube();
     void losesMoreInANarrowTube();
@@ -182,6 +183,13 @@ void TestRespiratorySystem::breathesQuietlyAsTheTableSays()
     VERIFY_WITHIN(inPerMinute(quiet.rate), rate_perMin, 1e-9);
     VERIFY_WITHIN(inMillilitres(quiet.tidalVolume), tidalVolume_ml, 1e-9);
     VERIFY_WITHIN(quiet.inspiratoryFraction, fraction, 1e-12);
+}
+
+/// Half of 80 - 30 ml/kg.
+void TestRespiratorySystem::boundsABreathByTheCapacity()
+{
+    VERIFY_WITHIN(inMillilitres(largestTidalVolume(adult())), 1925.0, 1e-9);
+    VERIFY_WITHIN(inMillilitres(largestTidalVolume(child())), 1000.0, 1e-9);
 }
 
 /// 25 ml/kg, the wall on its line, and in an adult 2 x 0.04 and 0.2 L/cmH2O in series: 57 ml/cmH2O,

@@ -1,18 +1,13 @@
 #include "engine/session/respiration_rules.h"
 
-#include "engine/session/fact_codec.h"
 #include "engine/session/fact_rules.h"
-#include "tests/engine/session/lived_respiration.h"
 
 #include <QTest>
 #include <functional>
 #include <limits>
-#include <random>
 
 namespace carina
 {
-
-using Spoil = void (*)(RespiratoryState&);
 
 /// Which facts about respiration no patient can have, and no fold can take.
 class TestRespirationRules : public QObject
@@ -24,15 +19,13 @@ private Q_SLOTS:
     void boundsNumbers();
     void refusesATubeInBothBronchi();
     void allowsNoTubeAndNoEffort();
-    void refusesACheckpointThatNoFoldCanTake_data();
-    void refusesACheckpointThatNoFoldCanTake();
-    void letsAFoldGoOnFromWhatIsAccepted();
+    void refusesAPressureLimitThatIsNotAbovePeep();
+    void boundsABreathByThePatient();
 };
 
 } // namespace carina
 
 Q_DECLARE_METATYPE(carina::FactBody)
-Q_DECLARE_METATYPE(carina::Spoil)
 
 namespace carina
 {
@@ -96,8 +89,10 @@ void TestRespirationRules::boundsNumbers_data()
          ventilator([](VentilatorSettings& s, double v) { s.peep = cmH2O(v); }));
     rows("driving pressure in cmH2O", 0.0, 60.0,
          ventilator([](VentilatorSettings& s, double v) { s.drivingPressure = cmH2O(v); }));
-    rows("pressure limit in cmH2O", 5.0, 100.0,
-         ventilator([](VentilatorSettings& s, double v) { s.pressureLimit = cmH2O(v); }));
+    rows("pressure limit in cmH2O", 5.0, 100.0, ventilator([](VentilatorSettings& s, double v) {
+             s.peep = {};
+             s.pressureLimit = cmH2O(v);
+         }));
     rows("pause", 0.0, 0.8, ventilator([](VentilatorSettings& s, double v) { s.pauseShare = v; }));
     rows("trigger in L/s", 0.0, 0.5,
          ventilator([](VentilatorSettings& s, double v) { s.trigger = litresPerSecond(v); }));
@@ -132,72 +127,32 @@ void TestRespirationRules::allowsNoTubeAndNoEffort()
     QCOMPARE(verdictOf(fact::ManikinBreathed{}), QByteArray{"fine"});
 }
 
-void TestRespirationRules::refusesACheckpointThatNoFoldCanTake_data()
+void TestRespirationRules::refusesAPressureLimitThatIsNotAbovePeep()
 {
-    QTest::addColumn<Spoil>("spoil");
-    const auto row = [](const char* name, Spoil spoil) { QTest::newRow(name) << spoil; };
-    row("span", [](RespiratoryState& s) { s.system.lungs[1].curve.span.si = 0.0; });
-    row("width", [](RespiratoryState& s) { s.system.lungs[0].curve.width.si = -1.0; });
-    row("limbs", [](RespiratoryState& s) { s.system.lungs[0].limbVolume.si = 0.0; });
-    row("bronchi", [](RespiratoryState& s) { s.system.lungs[0].bronchi.si = -1e-9; });
-    row("wall", [](RespiratoryState& s) { s.system.lungs[0].wall.si = 0.0; });
-    row("resting volume", [](RespiratoryState& s) { s.system.lungs[1].wallVolume.si = 0.0; });
-    row("tear", [](RespiratoryState& s) { s.system.lungs[1].valve.si = 1.0; });
-    row("airway", [](RespiratoryState& s) { s.system.upperLaminar.si = -1.0; });
-    row("turbulence", [](RespiratoryState& s) { s.system.upperTurbulent = -1.0; });
-    row("mediastinum", [](RespiratoryState& s) { s.system.mediastinum.si = -1.0; });
-    row("its room", [](RespiratoryState& s) { s.system.mediastinumMost.si = -1.0; });
-    row("rate", [](RespiratoryState& s) { s.breath.rate.si = 0.0; });
-    row("volume", [](RespiratoryState& s) { s.breath.tidalVolume.si = 0.0; });
-    row("fraction", [](RespiratoryState& s) { s.breath.inspiratoryFraction = 0.95; });
-    row("breaths", [](RespiratoryState& s) { s.clock.breaths = -1.0; });
-    row("clock", [](RespiratoryState& s) { s.clock.rate.si = 2.0; });
-    row("measured", [](RespiratoryState& s) { s.clock.measured.si = -0.1; });
-    row("pull", [](RespiratoryState& s) { s.clock.pull = 1.5; });
-    row("trigger", [](RespiratoryState& s) { s.clock.sinceTrigger = 1e10; });
-    row("steps", [](RespiratoryState& s) { s.steps = -1; });
-    row("steps of a breath",
-        [](RespiratoryState& s) { s.tally.steps = std::numeric_limits<std::int64_t>::max(); });
-    row("ventilator", [](RespiratoryState& s) { s.ventilator.sinceBreath = -5; });
+    const auto limited = [](double limit_cmH2O) {
+        fact::VentilatorSet fact;
+        fact.settings.peep = cmH2O(12.0);
+        fact.settings.pressureLimit = cmH2O(limit_cmH2O);
+        return verdictOf(fact);
+    };
+    QCOMPARE(limited(12.0), QByteArray{"out of range"});
+    QCOMPARE(limited(11.0), QByteArray{"out of range"});
+    QCOMPARE(limited(12.001), QByteArray{"fine"});
 }
 
-void TestRespirationRules::refusesACheckpointThatNoFoldCanTake()
+/// Half of an inspiratory capacity of 50 ml/kg: 1 L of a child of 40 kg, 1.925 L of an adult.
+void TestRespirationRules::boundsABreathByThePatient()
 {
-    QFETCH(const Spoil, spoil);
-    fact::RespirationCheckpoint checkpoint{SessionTime{}, test::livedRespiration()};
-    QCOMPARE(verdictOf(checkpoint), QByteArray{"fine"});
-    spoil(checkpoint.state);
-    QCOMPARE(verdictOf(checkpoint), QByteArray{"out of range"});
-}
-
-/// Numbers changed at random in a checkpoint that came from elsewhere: a fold made from it breathes
-/// on, if only nonsense, and does not stop the program.
-void TestRespirationRules::letsAFoldGoOnFromWhatIsAccepted()
-{
-    std::mt19937 random{7};
-    const std::vector<std::byte> seed =
-        encodeBody(fact::RespirationCheckpoint{SessionTime{}, test::livedRespiration()});
-    int accepted = 0;
-    for (int i = 0; i < 3000; ++i) {
-        std::vector<std::byte> bytes = seed;
-        for (unsigned change = 0; change <= random() % 4; ++change)
-            bytes[1 + random() % (bytes.size() - 1)] = static_cast<std::byte>(random() & 0xff);
-        const Result<FactBody> read = decodeBody(bytes);
-        if (!read || !checkBody(*read))
-            continue;
-        ++accepted;
-        RespiratorySettings settings;
-        settings.ventilator.mode = VentilationMode(random() % 3);
-        RespiratoryFold fold{settings, std::get<fact::RespirationCheckpoint>(*read).state};
-        for (int step = 0; step < 100; ++step) {
-            if (step == 40)
-                fold.trigger(0.1);
-            fold.step();
-        }
-        QCOMPARE(fold.state().steps,
-                 std::get<fact::RespirationCheckpoint>(*read).state.steps + 100);
-    }
-    QVERIFY(accepted > 500 && accepted < 3000);
+    const PatientBuild child{metres(1.5), 40.0, 12.0, Sex::Female};
+    QVERIFY(checkTidalVolume(child, millilitres(999.9)));
+    QVERIFY(checkTidalVolume(PatientBuild{}, millilitres(1924.9)));
+    QCOMPARE(checkTidalVolume(PatientBuild{}, millilitres(1925.1)).error().code, Errc::OutOfRange);
+    const Result<void> tooMuch = checkTidalVolume(child, millilitres(2000.0));
+    QCOMPARE(tooMuch.error().code, Errc::OutOfRange);
+    QCOMPARE(tooMuch.error().detail,
+             std::string{"tidal volume of this patient 2000 ml (20 to 1000)"});
+    QCOMPARE(checkTidalVolume(child, millilitres(19.0)).error().code, Errc::OutOfRange);
+    QCOMPARE(checkTidalVolume(child, Volume{kInfinity}).error().code, Errc::NotFinite);
 }
 
 } // namespace carina

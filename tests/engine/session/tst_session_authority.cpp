@@ -25,7 +25,23 @@ private Q_SLOTS:
     void settlesARepeatedProposal();
     void resumesFromItsLog();
     void changesNothingByJudging();
+    void boundsABreathByThePatientOfTheStation();
 };
+
+/// The one that was decided last, even where it has not taken effect; a child of 40 kg before.
+void TestSessionAuthority::boundsABreathByThePatientOfTheStation()
+{
+    const fact::TidalVolumeSet deep{millilitres(1500.0)};
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleInstructor, deep)),
+             QByteArray{"out of range"});
+    LogWriter writer = sampleSession();
+    writer.add(kNow + std::chrono::seconds{1},
+               fact::PatientBuildSet{{metres(1.75), 77.0, 40.0, Sex::Male}});
+    QCOMPARE(verdict(judgeBy(SessionAuthority{writer.log()}, kSampleInstructor, deep)),
+             QByteArray{"fine"});
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleInstructor, deep, StationId{9})),
+             QByteArray{"out of range"});
+}
 
 void TestSessionAuthority::numbersAndDatesAFact()
 {

@@ -27,6 +27,10 @@ constexpr SeverityTable kArdsFatigue{1.0, 0.76, 0.52, 0.28};
 constexpr SeverityTable kArdsDeadSpace_l{0.0, 0.0, 0.03, 0.15};
 constexpr SeverityTable kCopdCompliance{1.0, 1.0, 1.1, 1.4};
 constexpr SeverityTable kCopdResistance{1.0, 0.85 / 0.45, 1.7 / 0.45, 2.4 / 0.45};
+// To gas that leaves, over that to gas that comes in: of 24.4 cmH2O s/L in severe COPD (the mean of
+// "An identifiable model of lung mechanics to diagnose and monitor COPD") 1.125 lie above the
+// carina. The straight line to it is ours.
+constexpr SeverityTable kCopdCompression{1.0, 3.9, 6.8, 9.7};
 constexpr SeverityTable kCopdFatigue{1.0, 0.87, 0.76, 0.64};
 constexpr SeverityTable kCopdDeadSpace_l{0.0, 0.3, 0.6, 0.9};
 constexpr double kPulseRest_l = 2.31; // resting volume of the patient the dead spaces are of
@@ -78,6 +82,7 @@ void makeCopd(LungMechanics& lung, double severity)
         lookedUp(kCopdCapacity, severity) * ceilingOf(before), lung.wallVolume, lung.wallRecoil,
         lookedUp(kCopdCompliance, severity) * before.complianceAt(healthyRest));
     lung.bronchi = (1.0 / lookedUp(kCopdResistance, severity)) * lung.bronchi;
+    lung.compression = lookedUp(kCopdCompression, severity);
     lung.alveolarDeadSpace = lookedUp(kCopdDeadSpace_l, severity) / kPulseRest_l * healthyRest;
 }
 
@@ -179,6 +184,22 @@ double effortWith(const LungCondition& condition)
     return condition.side == ConditionSide::Both ? effort : 0.5 * (1.0 + effort);
 }
 
+/// The share of a breath that leaves in the time a quiet one has for it, by the time constant of
+/// the bronchi and the system.
+double shareThatLeaves(const RespiratorySystem& system)
+{
+    constexpr double kQuietExpiration = 2.2; // s, of an adult, once the muscles have let go
+    double conductance = 0.0;
+    double compliance = 0.0;
+    for (const LungMechanics& lung : system.lungs) {
+        conductance += lung.bronchi.si / lung.compression;
+        compliance +=
+            1.0 / (1.0 / lung.curve.complianceAt(lung.wallVolume).si + 1.0 / lung.wall.si);
+    }
+    const double tau = (system.upperLaminar.si + 1.0 / conductance) * compliance;
+    return 1.0 - std::exp(-kQuietExpiration / tau);
+}
+
 } // namespace
 
 RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungCondition& condition)
@@ -207,6 +228,9 @@ RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungConditio
         afflict(system.lungs[i], condition);
     }
     system.effort = effortWith(condition);
+    // The tidal volumes of the table are breathed on top of what stays behind.
+    if (condition.kind == ConditionKind::Copd)
+        system.effort *= shareThatLeaves(healthy) / shareThatLeaves(system);
     return system;
 }
 

@@ -53,7 +53,9 @@ struct LungCondition {
 /// - Ards: the open share of the lung falls to 0.7, 0.5, 0.4, and with it compliance, volume and
 ///   capacity; alveolar dead space, tired muscles.
 /// - Copd: bronchi narrow to 1.9, 3.8, 5.3 times the resistance; resting volume 1.77, capacity 1.40
-///   and residual volume 2.42 times at 0.9; compliance up to 1.4; alveolar dead space.
+///   and residual volume 2.42 times at 0.9; compliance up to 1.4; alveolar dead space. Bronchi are
+///   compressed while gas leaves: 3.9, 6.8, 9.7 times the resistance that they have to gas that
+///   comes in.
 /// - Asthma: resistance of the whole natural airway 1 + 14 s times, all of it in the bronchi.
 /// - SimplePneumothorax: gas in the pleura, of a pressure s of the way to that of the room; the
 ///   lung rests at 1 - 0.75 s of its volume.

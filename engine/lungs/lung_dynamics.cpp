@@ -102,29 +102,61 @@ void solveUpperAirway(const RespiratorySystem& system, const Branches& branches,
     moment.opening = opening.drivesFlow ? Pressure{moment.carina.si + lost} : opening.pressure;
 }
 
+/// The airway while each lung's gas goes one way or the other, and with the tears that are open.
+struct AirwayPaths {
+    std::array<double, 2> inward{}; ///< conductance of the bronchi to gas that comes in
+    std::array<double, 2> bronchi{};
+    std::array<double, 2> tears{};
+    std::array<bool, 2> leaves{};
+};
+
+/// Pressures and flows in these paths, gas going whichever way they drive it. Bronchi that resist
+/// more to gas that leaves make the flow through them a convex function of the carina's pressure;
+/// taking it for straight finds a pressure that is too high, so that from the second time on lungs
+/// only change from filling to emptying: four times are enough for two of them.
+void settleAirway(const RespiratorySystem& system, const AirwayOpening& opening, AirwayPaths& paths,
+                  ChestMoment& moment)
+{
+    constexpr int kMostTimes = 4;
+    bool isSettled = false;
+    for (int time = 0; time < kMostTimes && !isSettled; ++time) {
+        Branches branches;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double out = paths.inward[i] / system.lungs[i].compression;
+            paths.bronchi[i] = paths.leaves[i] ? out : paths.inward[i];
+            branches.add(paths.bronchi[i], moment.alveolar[i].si);
+            branches.add(paths.tears[i], moment.pleural[i].si);
+        }
+        solveUpperAirway(system, branches, opening, moment);
+        isSettled = true;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const bool leaves = moment.alveolar[i] > moment.carina;
+            isSettled =
+                isSettled && (leaves == paths.leaves[i] || system.lungs[i].compression == 1.0);
+            paths.leaves[i] = leaves;
+        }
+    }
+}
+
 void solveAirway(const RespiratorySystem& system, const ChestContent& content,
                  const AirwayOpening& opening, ChestMoment& moment)
 {
-    Branches bronchi;
-    std::array<double, 2> conductance{};
+    AirwayPaths paths;
     for (std::size_t i = 0; i < 2; ++i) {
-        conductance[i] = openBronchi(system.lungs[i], content[i]);
-        bronchi.add(conductance[i], moment.alveolar[i].si);
+        paths.inward[i] = openBronchi(system.lungs[i], content[i]);
+        paths.leaves[i] = !opening.drivesFlow && moment.alveolar[i] > opening.pressure;
     }
-    solveUpperAirway(system, bronchi, opening, moment);
-    Branches withTears = bronchi;
-    std::array<double, 2> open{};
+    settleAirway(system, opening, paths, moment);
     for (std::size_t i = 0; i < 2; ++i) {
-        if (moment.carina > moment.pleural[i]) {
-            open[i] = system.lungs[i].valve.si;
-            withTears.add(open[i], moment.pleural[i].si);
-        }
+        if (moment.carina > moment.pleural[i])
+            paths.tears[i] = system.lungs[i].valve.si;
     }
-    if (withTears.conductance != bronchi.conductance)
-        solveUpperAirway(system, withTears, opening, moment);
+    if (paths.tears[0] + paths.tears[1] > 0.0)
+        settleAirway(system, opening, paths, moment);
     for (std::size_t i = 0; i < 2; ++i) {
-        moment.intoLung[i] = {conductance[i] * (moment.carina - moment.alveolar[i]).si};
-        moment.intoPleura[i] = {open[i] * std::max(0.0, (moment.carina - moment.pleural[i]).si)};
+        moment.intoLung[i] = {paths.bronchi[i] * (moment.carina - moment.alveolar[i]).si};
+        moment.intoPleura[i] = {paths.tears[i]
+                                * std::max(0.0, (moment.carina - moment.pleural[i]).si)};
     }
 }
 

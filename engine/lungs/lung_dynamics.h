@@ -63,10 +63,10 @@ inline constexpr Conductance kShut{1e-18};
 ///     pleural = wall(gas + gas in the pleura -+ mediastinum) - muscle,
 ///
 /// the mediastinum gives way to the difference of the pleural pressures, and gas flows from the
-/// opening through K1 Q + K2 Q |Q| to the carina and on through each lung's bronchi, which close in
-/// proportion below kClosingShare. Gas that came through a tear closes the lung in proportion, all
-/// but kLeastOpenShare when it is as much as the lung holds at rest. All of it is solved in closed
-/// form.
+/// opening through K1 Q + K2 Q |Q| to the carina and on through each lung's bronchi, which conduct
+/// less by their compression where gas leaves and close in proportion below kClosingShare. Gas that
+/// came through a tear closes the lung in proportion, all but kLeastOpenShare when it is as much as
+/// the lung holds at rest. All of it is solved in closed form.
 [[nodiscard]] ChestMoment chestMoment(const RespiratorySystem& system, const ChestContent& content,
                                       Pressure muscle, const AirwayOpening& opening);
 

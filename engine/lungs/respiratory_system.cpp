@@ -74,6 +74,7 @@ template <class Visit> void eachFigure(LungMechanics& a, const LungMechanics& b,
     visit(a.limbSpread.si, b.limbSpread.si);
     visit(a.limbVolume.si, b.limbVolume.si);
     visit(a.bronchi.si, b.bronchi.si);
+    visit(a.compression, b.compression);
     visit(a.wall.si, b.wall.si);
     visit(a.wallVolume.si, b.wallVolume.si);
     visit(a.wallRecoil.si, b.wallRecoil.si);

@@ -41,6 +41,9 @@ struct LungMechanics {
     Pressure limbSpread;       ///< of the inflation limb above the deflation limb at a volume
     Volume limbVolume; ///< gas moved after a reversal that takes 63 % of the way to the other limb
     Conductance bronchi; ///< carina to alveoli; 0 where nothing passes
+    /// Of the bronchi by the pressures of breathing out: their resistance to gas that leaves, over
+    /// that to gas that comes in, 1 or more.
+    double compression = 1.0;
     Compliance wall;
     Volume wallVolume;
     Pressure wallRecoil;

@@ -89,19 +89,12 @@ inline constexpr std::tuple kFields<RespiratorySystem>{
     &RespiratorySystem::mediastinumMost, &RespiratorySystem::anatomicalDeadSpace,
     &RespiratorySystem::effort};
 template <>
-inline constexpr std::tuple kFields<LungMechanics>{&LungMechanics::curve,
-                                                   &LungMechanics::limbSpread,
-                                                   &LungMechanics::limbVolume,
-                                                   &LungMechanics::bronchi,
-                                                   &LungMechanics::wall,
-                                                   &LungMechanics::wallVolume,
-                                                   &LungMechanics::wallRecoil,
-                                                   &LungMechanics::pleuralGas,
-                                                   &LungMechanics::valve,
-                                                   &LungMechanics::relief,
-                                                   &LungMechanics::uptake,
-                                                   &LungMechanics::uptakeEnd,
-                                                   &LungMechanics::alveolarDeadSpace};
+inline constexpr std::tuple kFields<LungMechanics>{
+    &LungMechanics::curve,      &LungMechanics::limbSpread,       &LungMechanics::limbVolume,
+    &LungMechanics::bronchi,    &LungMechanics::compression,      &LungMechanics::wall,
+    &LungMechanics::wallVolume, &LungMechanics::wallRecoil,       &LungMechanics::pleuralGas,
+    &LungMechanics::valve,      &LungMechanics::relief,           &LungMechanics::uptake,
+    &LungMechanics::uptakeEnd,  &LungMechanics::alveolarDeadSpace};
 template <>
 inline constexpr std::tuple kFields<PressureVolumeCurve>{
     &PressureVolumeCurve::floor, &PressureVolumeCurve::span, &PressureVolumeCurve::centre,

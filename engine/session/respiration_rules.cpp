@@ -53,6 +53,7 @@ Result<void> checkLung(const LungMechanics& lung)
         {"pressure between limbs", lung.limbSpread.si, 0.0, kGreatestPressure, " Pa"},
         {"volume between limbs", lung.limbVolume.si, kLeastVolume, kLargestGas, " m3"},
         {"conductance of bronchi", lung.bronchi.si, 0.0, 1e-3, " m3/(Pa s)"},
+        {"compression of bronchi", lung.compression, 1.0, 100.0, ""},
         {"compliance of a chest wall", lung.wall.si, kLeastCompliance, kGreatestCompliance,
          " m3/Pa"},
         {"resting volume", lung.wallVolume.si, kLeastVolume, kLargestGas, " m3"},

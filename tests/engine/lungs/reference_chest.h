@@ -14,7 +14,8 @@ struct ReferenceChest {
     struct Lung {
         double floor, span, centre, width;
         double limbSpread, limbVolume;
-        double bronchi; ///< resistance
+        double bronchi;     ///< resistance
+        double compression; ///< of that, when gas leaves
         double wall, wallVolume, wallRecoil;
         double gas, limb;
     };
@@ -54,10 +55,14 @@ struct ReferenceChest {
         const auto pleura = pleural(muscle);
         const std::array<double, 2> alveolar{pleura[0] + recoil(lungs[0]),
                                              pleura[1] + recoil(lungs[1])};
-        const auto excess = [&](double flow) { // pressure still missing to drive it
+        const auto into = [&](std::size_t i, double carina) {
+            const double difference = carina - alveolar[i];
+            const double narrower = difference < 0.0 ? lungs[i].compression : 1.0;
+            return difference / (narrower * lungs[i].bronchi);
+        };
+        const auto excess = [&](double flow) { // that the lungs would take above it
             const double carina = opening - k1 * flow - k2 * flow * std::abs(flow);
-            return (carina - alveolar[0]) / lungs[0].bronchi
-                   + (carina - alveolar[1]) / lungs[1].bronchi - flow;
+            return into(0, carina) + into(1, carina) - flow;
         };
         double low = -50.0;
         double high = 50.0; // L/s
@@ -67,8 +72,7 @@ struct ReferenceChest {
         }
         const double flow = 0.5 * (low + high);
         const double carina = opening - k1 * flow - k2 * flow * std::abs(flow);
-        return {(carina - alveolar[0]) / lungs[0].bronchi,
-                (carina - alveolar[1]) / lungs[1].bronchi};
+        return {into(0, carina), into(1, carina)};
     }
 
     [[nodiscard]] Rates rates(double opening, double muscle) const

@@ -4,6 +4,7 @@
 #include "tests/engine/lungs/reference_chest.h"
 #include "tests/engine/lungs/within.h"
 
+#include <algorithm>
 #include <numbers>
 
 using namespace carina;
@@ -24,6 +25,7 @@ ReferenceChest referenceOf(const RespiratorySystem& system, const ChestContent& 
                           inCmH2O(lung.limbSpread),
                           inLitres(lung.limbVolume),
                           inCmH2OSecondsPerLitre({1.0 / lung.bronchi.si}),
+                          lung.compression,
                           inLitresPerCmH2O(lung.wall),
                           inLitres(lung.wallVolume),
                           inCmH2O(lung.wallRecoil),
@@ -56,9 +58,11 @@ void TestEquationOfMotion::agreesWithAnotherIntegrator_data()
     QTest::addColumn<double>("tube_mm");   // 0: none
     QTest::addColumn<double>("pressure_cmH2O");
     QTest::addColumn<double>("muscle_cmH2O");
-    QTest::newRow("quiet breathing") << 1.0 << 0.0 << 0.0 << 11.0;
-    QTest::newRow("through a tube") << 1.0 << 8.0 << 15.0 << 0.0;
-    QTest::newRow("half a lung, a narrow tube, effort") << 0.5 << 5.5 << 20.0 << 6.0;
+    QTest::addColumn<double>("compression"); // of the left lung; half as much of the right
+    QTest::newRow("quiet breathing") << 1.0 << 0.0 << 0.0 << 11.0 << 1.0;
+    QTest::newRow("through a tube") << 1.0 << 8.0 << 15.0 << 0.0 << 1.0;
+    QTest::newRow("half a lung, a narrow tube, effort") << 0.5 << 5.5 << 20.0 << 6.0 << 1.0;
+    QTest::newRow("unlike lungs with compressed bronchi") << 0.5 << 8.0 << 15.0 << 6.0 << 40.0;
 }
 
 /// The equation of motion solved twice: here in steps of 2 ms, there in steps a hundred times finer
@@ -69,11 +73,14 @@ void TestEquationOfMotion::agreesWithAnotherIntegrator()
     QFETCH(const double, tube_mm);
     QFETCH(const double, pressure_cmH2O);
     QFETCH(const double, muscle_cmH2O);
+    QFETCH(const double, compression);
     constexpr double kAgreement_l = 2e-6;
     constexpr double kFine = kStep / 100.0;
     constexpr int kBlock = 250; // steps at one pressure
     RespiratorySystem system = healthySystem({});
     system.lungs[0].curve.span = openShare * system.lungs[0].curve.span;
+    system.lungs[0].compression = std::max(1.0, 0.5 * compression);
+    system.lungs[1].compression = compression;
     if (tube_mm > 0.0)
         intubate(system, millimetres(tube_mm));
     ChestContent content = restingContent(system);

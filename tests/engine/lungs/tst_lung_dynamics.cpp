@@ -16,6 +16,7 @@ private Q_SLOTS:
     void restsInBalance();
     void fillsAsAResistanceAndACompliance();
     void emptiesExponentially();
+    void emptiesLongerThroughCompressedBronchi();
     void sharesGasByCompliance();
     void fillsTheFasterLungFirst();
     void holdsTheCompliancesInSeries();
@@ -70,6 +71,23 @@ void TestLungDynamics::emptiesExponentially()
         left_l *= 0.5;
         VERIFY_WITHIN(gasAboveRest_l(system, content), left_l, kVolumeTolerance_l);
     }
+}
+
+/// In with 2 + 4, out with 2 + 3 x 4 cmH2O s/L: time constants of 0.3 and 0.7 s. Under PEEP too.
+void TestLungDynamics::emptiesLongerThroughCompressedBronchi()
+{
+    RespiratorySystem system = linear({});
+    for (LungMechanics& lung : system.lungs)
+        lung.compression = 3.0;
+    ChestContent content = restingContent(system);
+    content = held(system, content, openTo(10.0), 150, kStep);
+    const double full_l = 0.5 * (1.0 - std::exp(-0.3 / 0.3));
+    VERIFY_WITHIN(gasAboveRest_l(system, content), full_l, kVolumeTolerance_l);
+    content = held(system, content, openTo(2.0), 350, kStep);
+    VERIFY_WITHIN(gasAboveRest_l(system, content), 0.1 + (full_l - 0.1) * std::exp(-0.7 / 0.7),
+                  kVolumeTolerance_l);
+    const ChestMoment moment = chestMoment(system, content, {}, openTo(2.0));
+    VERIFY_WITHIN(moment.airwayFlow.si, moment.intoLung[0].si + moment.intoLung[1].si, 1e-15);
 }
 
 void TestLungDynamics::sharesGasByCompliance()

@@ -251,6 +251,7 @@ void TestRespiratorySystem::approachesATargetByAShare()
     RespiratorySystem target = healthySystem(child());
     intubate(target, millimetres(6.5));
     target.effort = 0.5;
+    target.lungs[0].compression = 5.0;
     target.lungs[1].valve = {1e-9};
     target.lungs[1].uptake = hertz(0.1);
     target.lungs[0].uptakeEnd = litres(0.5);
@@ -258,6 +259,7 @@ void TestRespiratorySystem::approachesATargetByAShare()
     target.lungs[0].alveolarDeadSpace = litres(0.1);
     approach(system, target, 0.25);
     VERIFY_WITHIN(system.effort, 0.875, 1e-12);
+    VERIFY_WITHIN(system.lungs[0].compression, 2.0, 1e-12);
     VERIFY_WITHIN(system.lungs[1].valve.si, 0.25e-9, 1e-20);
     VERIFY_WITHIN(system.lungs[1].uptake.si, 0.025, 1e-12);
     VERIFY_WITHIN(inLitres(system.lungs[0].wallVolume),

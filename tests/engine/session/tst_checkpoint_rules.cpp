@@ -51,6 +51,7 @@ void TestCheckpointRules::refusesACheckpointThatNoFoldCanTake_data()
     row("width", [](RespiratoryState& s) { s.system.lungs[0].curve.width.si = -1.0; });
     row("limbs", [](RespiratoryState& s) { s.system.lungs[0].limbVolume.si = 0.0; });
     row("bronchi", [](RespiratoryState& s) { s.system.lungs[0].bronchi.si = -1e-9; });
+    row("compression", [](RespiratoryState& s) { s.system.lungs[0].compression = 0.9; });
     row("wall", [](RespiratoryState& s) { s.system.lungs[0].wall.si = 0.0; });
     row("resting volume", [](RespiratoryState& s) { s.system.lungs[1].wallVolume.si = 0.0; });
     row("tear", [](RespiratoryState& s) { s.system.lungs[1].valve.si = 1.0; });

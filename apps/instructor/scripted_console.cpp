@@ -1,6 +1,7 @@
 #include "apps/instructor/scripted_console.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSpinBox>
@@ -24,6 +25,15 @@ constexpr int kTurn_ms = 3000;
 constexpr int kStill_ms = 1000;
 
 bool isConnected(const LinkReport& link) { return link.state == LinkState::Connected; }
+
+/// Fetches the panel that a control is in from behind others, as a person has to.
+template <class Control> Control* fetched(Control* control)
+{
+    for (QWidget* outer = control; outer; outer = outer->parentWidget())
+        if (auto* dock = qobject_cast<QDockWidget*>(outer))
+            dock->raise();
+    return control;
+}
 
 } // namespace
 
@@ -51,7 +61,7 @@ void ScriptedConsole::waitForCompany()
 
 void ScriptedConsole::press(const char* button)
 {
-    m_window.findChild<QPushButton*>(QLatin1String{button})->click();
+    fetched(m_window.findChild<QPushButton*>(QLatin1String{button}))->click();
 }
 
 void ScriptedConsole::note(const char* key)
@@ -73,13 +83,14 @@ void ScriptedConsole::turnPatient()
     QTimer::singleShot(kTurn_ms + kStill_ms, this, [this] {
         note("until_ns");
         press("reset");
+        fetched(m_window.findChild<QSpinBox*>(QStringLiteral("rate")));
     });
 }
 
 void ScriptedConsole::work()
 {
     const auto turnUp = [this](const char* name, int step) {
-        auto* control = m_window.findChild<QSpinBox*>(QLatin1String{name});
+        auto* control = fetched(m_window.findChild<QSpinBox*>(QLatin1String{name}));
         control->setValue(control->value() + step);
     };
     turnUp("rate", kRateStep_per_min);

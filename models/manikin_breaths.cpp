@@ -19,7 +19,9 @@ void ManikinBreaths::look()
     // A chest rises forward, against +y of A, however the tracker stands.
     const double height = -sample->X_FO.translation().y();
     const auto began = m_detector.add(sample->time, height);
-    if (began && m_node.self() != kNobody)
+    const auto now = m_node.now();
+    if (began && now && m_node.self() != kNobody
+        && m_node.state()->phaseAt(*now) == SessionPhase::Running)
         m_node.propose(m_station, fact::ManikinBreathed{*began});
 }
 

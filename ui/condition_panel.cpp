@@ -12,6 +12,8 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -253,6 +255,11 @@ void ConditionPanel::refreshVentilator(const VentilatorSettings& ventilator)
     const bool isVentilated = ventilator.mode != VentilationMode::Spontaneous;
     const bool isByVolume = ventilator.mode == VentilationMode::VolumeControl;
     display(*m_mode, static_cast<int>(ventilator.mode));
+    // A limit below PEEP would drive no breath, and is refused.
+    const QSignalBlocker peep{m_peep};
+    const QSignalBlocker limit{m_limit};
+    m_peep->setMaximum(std::min(inCmH2O(kHighestPeep), inCmH2O(ventilator.pressureLimit) - 1.0));
+    m_limit->setMinimum(std::max(inCmH2O(kLowestPressureLimit), inCmH2O(ventilator.peep) + 1.0));
     display(*m_peep, inCmH2O(ventilator.peep));
     display(*m_driving, inCmH2O(ventilator.drivingPressure));
     display(*m_limit, inCmH2O(ventilator.pressureLimit));

@@ -128,6 +128,7 @@ void ImportDialog::review(const SetDraft& draft)
                         ? tr("This is what the surfaces were taken for. Correct what is wrong.")
                         : tr("▲ No unit makes this a person. Choose the unit and the axes, and "
                              "correct what is wrong."));
+    m_progress->hide(); // nothing goes on until the person is done
     m_review->show();
     m_use->setEnabled(true);
     m_use->setDefault(true);
@@ -221,6 +222,7 @@ void ImportDialog::use()
     m_use->setEnabled(false);
     m_review->setEnabled(false);
     m_step->setText(tr("Building the patient …"));
+    m_progress->show();
     m_import.accept(corrections());
 }
 

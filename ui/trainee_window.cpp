@@ -88,6 +88,7 @@ void TraineeWindow::makeParts()
     m_partsPanel->setScene(*m_scene);
     m_section->setScene(*m_scene);
     addPanel(m_parts, page, tr("Parts and se&ctions of the patient"));
+    tabifyDockWidget(m_actions, m_parts); // one above the other they are higher than a screen
 }
 
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
@@ -99,10 +100,15 @@ void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& m
     dock->hide();
     QAction* toggle = dock->toggleViewAction();
     toggle->setText(menuText);
-    connect(toggle, &QAction::triggered, panel, [panel](bool isShown) {
+    connect(toggle, &QAction::triggered, dock, [dock](bool isShown) {
         if (isShown) // and the menu, which gives the keyboard back, is gone
-            QTimer::singleShot(0, panel, [panel] { panel->setFocus(); });
+            QTimer::singleShot(0, dock, [dock] {
+                dock->raise();
+                dock->widget()->setFocus();
+            });
     });
+    // Behind the other it is out of sight and yet visible to Qt: nobody shall tab into it.
+    connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
 }
 
 void TraineeWindow::makeMenu()

@@ -15,7 +15,7 @@ constexpr double kForward = 0.018;
 constexpr double kFlare = 0.012;
 constexpr double kLift = 0.018;
 constexpr double kSag = 0.04;
-constexpr double kSlide = 0.002;
+constexpr double kSlide = 0.0015;
 /// Along the oblique fissure from behind, in the middle plane of a lung.
 constexpr double kSlideForward = 0.8;
 constexpr double kSlideDown = 0.6;

@@ -59,8 +59,8 @@ struct ChestPose {
 /// - Diaphragm and bronchi go with the lungs, and the diaphragm stays where a lung collapses.
 /// - The wall goes forward and outward with the lungs beneath, and upward besides, while the lungs
 ///   slide down along it.
-/// - Lower lobes slide along the oblique fissure, forward and down, by 0.2 % of the lungs' height
-///   (0.5 mm in an adult) in the middle of the lung at diaphragm 1.
+/// - Lower lobes slide along the oblique fissure, forward and down, by 0.15 % of the lungs' height
+///   (0.4 mm in an adult) in the middle of the lung at diaphragm 1.
 /// - The mediastinum shifts, and otherwise stays.
 [[nodiscard]] ChestMotion motionOf(ChestRegion region, const ChestPose& pose,
                                    const ChestField& field);
@@ -78,7 +78,7 @@ struct ChestPose {
 [[nodiscard]] double rangeTaken(const ChestPose& pose);
 
 inline constexpr double kLeastBreath = -3.0;   ///< diaphragm and ribs, breathed out
-inline constexpr double kGreatestBreath = 8.0; ///< breathed in
+inline constexpr double kGreatestBreath = 10.0; ///< breathed in
 inline constexpr double kMostGravity = 1.6;    ///< either way
 inline constexpr double kMostCollapse = 0.37;  ///< a quarter of the volume is left
 inline constexpr double kLeastCollapse = -0.4; ///< 2.7 times the volume

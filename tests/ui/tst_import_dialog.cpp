@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -81,6 +82,8 @@ private Q_SLOTS:
         QCOMPARE(in.control<QComboBox>("axes")->currentText(),
                  QStringLiteral("x left, y posterior, z superior"));
         QVERIFY(in.control<QLabel>("faults")->text().contains(QStringLiteral("broken.obj")));
+        // Nothing goes on while the person reads.
+        QVERIFY(!in.dialog->findChild<QProgressBar*>()->isVisible());
     }
 
     void importsAsThePersonSays()

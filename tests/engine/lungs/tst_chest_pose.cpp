@@ -171,7 +171,7 @@ void TestChestPose::slidesLowerLobesAlongTheFissure()
     const Vec3 middle{-0.12, -0.005, -0.025};
     const Vec3 slid = moved_mm(ChestRegion::RightLowerLung, pose, middle)
                       - moved_mm(ChestRegion::RightUpperLung, pose, middle);
-    QVERIFY(slid.norm() > 0.45 && slid.norm() <= 0.5); // 0.2 % of 250 mm
+    QVERIFY(slid.norm() > 0.33 && slid.norm() <= 0.375); // 0.15 % of 250 mm
     QVERIFY((slid.normalized() - Vec3{0.0, -0.8, -0.6}).norm() < 1e-9);
     const Vec3 onWall = moved_mm(ChestRegion::RightLowerLung, pose, {-0.12, 0.09, -0.025})
                         - moved_mm(ChestRegion::RightUpperLung, pose, {-0.12, 0.09, -0.025});

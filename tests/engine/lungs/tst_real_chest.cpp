@@ -83,8 +83,8 @@ void TestRealChest::poses()
     QTest::addColumn<ChestPose>("pose");
     const auto both = [](const LungPose& lung) { return ChestPose{{lung, lung}, 0.0}; };
     QTest::newRow("quiet breath") << both(2.5 * kQuietBreath);
-    QTest::newRow("as deep as can be") << both(8.0 * kQuietBreath);
-    QTest::newRow("breathed out") << both(-3.0 * kQuietBreath);
+    QTest::newRow("as deep as can be") << both(kGreatestBreath * kQuietBreath);
+    QTest::newRow("breathed out") << both(kLeastBreath * kQuietBreath);
     QTest::newRow("right lung collapsed")
         << ChestPose{{LungPose{.collapse = 0.37}, 3.0 * kQuietBreath}, 0.1};
 }

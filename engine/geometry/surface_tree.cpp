@@ -77,28 +77,39 @@ std::size_t SurfaceTree::build(std::vector<Item>& items, std::size_t first, std:
     return m_nodes.size() - 1;
 }
 
-double SurfaceTree::distanceTo(const Vec3& p) const
+double SurfaceTree::distanceTo(const Vec3& p) const { return std::sqrt(nearest(p).squared); }
+
+std::optional<SurfacePoint> SurfaceTree::nearestTo(const Vec3& p) const
 {
-    double squared = std::numeric_limits<double>::infinity();
-    if (!m_nodes.empty())
-        nearest(m_nodes.size() - 1, p, squared);
-    return std::sqrt(squared);
+    if (m_nodes.empty())
+        return std::nullopt;
+    const Corners& t = m_corners[nearest(p).triangle];
+    return SurfacePoint{nearestPoint(t, p), (t.b - t.a).cross(t.c - t.a).normalized()};
 }
 
-void SurfaceTree::nearest(std::size_t index, const Vec3& p, double& squared) const
+SurfaceTree::Nearest SurfaceTree::nearest(const Vec3& p) const
+{
+    Nearest found;
+    if (!m_nodes.empty())
+        search(m_nodes.size() - 1, p, found);
+    return found;
+}
+
+void SurfaceTree::search(std::size_t index, const Vec3& p, Nearest& found) const
 {
     const Node& node = m_nodes[index];
-    if (squaredTo(node.box, p) >= squared)
+    if (squaredTo(node.box, p) >= found.squared)
         return;
     if (node.last - node.first <= kLeaf) {
         for (std::size_t i = node.first; i < node.last; ++i)
-            squared = std::min(squared, squaredDistance(m_corners[i], p));
+            if (const double squared = squaredDistance(m_corners[i], p); squared < found.squared)
+                found = {squared, i};
         return;
     }
     const bool leftFirst =
         squaredTo(m_nodes[node.left].box, p) <= squaredTo(m_nodes[node.right].box, p);
-    nearest(leftFirst ? node.left : node.right, p, squared);
-    nearest(leftFirst ? node.right : node.left, p, squared);
+    search(leftFirst ? node.left : node.right, p, found);
+    search(leftFirst ? node.right : node.left, p, found);
 }
 
 std::size_t SurfaceTree::selfIntersections() const

@@ -1,18 +1,19 @@
 #include "engine/geometry/triangle_query.h"
 
 #include <algorithm>
+#include <array>
 
 namespace carina
 {
 namespace
 {
 
-double squaredToEdge(const Vec3& p, const Vec3& from, const Vec3& to)
+Vec3 nearestOfEdge(const Vec3& p, const Vec3& from, const Vec3& to)
 {
     const Vec3 edge = to - from;
     const double length2 = edge.squaredNorm();
     const double share = length2 > 0.0 ? std::clamp(edge.dot(p - from) / length2, 0.0, 1.0) : 0.0;
-    return (p - from - share * edge).squaredNorm();
+    return from + share * edge;
 }
 
 /// Six times the signed volume of a tetrahedron.
@@ -29,18 +30,23 @@ Corners cornersOf(const TriangleMesh& mesh, const Triangle& triangle)
             mesh.positions[triangle[2]].cast<double>()};
 }
 
-double squaredDistance(const Corners& t, const Vec3& p)
+Vec3 nearestPoint(const Corners& t, const Vec3& p)
 {
     const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
     const auto leftOf = [&](const Vec3& from, const Vec3& to) {
         return normal.dot((to - from).cross(p - from)) >= 0.0;
     };
-    if (normal.squaredNorm() > 0.0 && leftOf(t.a, t.b) && leftOf(t.b, t.c) && leftOf(t.c, t.a)) {
-        const double height = normal.dot(p - t.a);
-        return height * height / normal.squaredNorm();
-    }
-    return std::min(
-        {squaredToEdge(p, t.a, t.b), squaredToEdge(p, t.b, t.c), squaredToEdge(p, t.c, t.a)});
+    if (normal.squaredNorm() > 0.0 && leftOf(t.a, t.b) && leftOf(t.b, t.c) && leftOf(t.c, t.a))
+        return p - normal.dot(p - t.a) / normal.squaredNorm() * normal;
+    const std::array<Vec3, 3> ofEdges{nearestOfEdge(p, t.a, t.b), nearestOfEdge(p, t.b, t.c),
+                                      nearestOfEdge(p, t.c, t.a)};
+    return *std::ranges::min_element(
+        ofEdges, {}, [&p](const Vec3& nearest) { return (p - nearest).squaredNorm(); });
+}
+
+double squaredDistance(const Corners& t, const Vec3& p)
+{
+    return (p - nearestPoint(t, p)).squaredNorm();
 }
 
 bool runsThrough(const Corners& t, const Vec3& from, const Vec3& to)

@@ -14,6 +14,9 @@ struct Corners {
 
 [[nodiscard]] Corners cornersOf(const TriangleMesh& mesh, const Triangle& triangle);
 
+/// The point of a triangle nearest to a point; of one without area too.
+[[nodiscard]] Vec3 nearestPoint(const Corners& triangle, const Vec3& p);
+
 /// Squared distance of a point from the nearest point of a triangle.
 [[nodiscard]] double squaredDistance(const Corners& triangle, const Vec3& p);
 

@@ -61,8 +61,28 @@ private Q_SLOTS:
         }
     }
 
+    void findsTheNearestPointAndItsNormal()
+    {
+        const SurfaceTree tree{torus(3.0, 1.0, 60, 40)};
+        std::mt19937 random{7};
+        std::uniform_real_distribution<double> anywhere{-6.0, 6.0};
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 p{anywhere(random), anywhere(random), anywhere(random)};
+            const auto nearest = tree.nearestTo(p);
+            QVERIFY(nearest.has_value());
+            QVERIFY(std::abs((p - nearest->p).norm() - tree.distanceTo(p)) < 1e-12);
+            QVERIFY(std::abs(nearest->normal.norm() - 1.0) < 1e-12);
+            // The torus itself: normals point away from its ring or to it, and the facets lean by
+            // less than their size.
+            const Vec3 flat{nearest->p.x(), nearest->p.y(), 0.0};
+            const Vec3 outward = (nearest->p - 3.0 * flat.normalized()).normalized();
+            QVERIFY(std::abs(nearest->normal.dot(outward)) > 0.97);
+        }
+    }
+
     void isInfinitelyFarFromNothing()
     {
+        QVERIFY(!SurfaceTree{{}}.nearestTo(Vec3::Zero()));
         QCOMPARE(SurfaceTree{{}}.distanceTo(Vec3::Zero()), std::numeric_limits<double>::infinity());
         QCOMPARE(SurfaceTree{{}}.selfIntersections(), std::size_t{0});
     }

@@ -28,6 +28,32 @@ private Q_SLOTS:
         QCOMPARE(corners.c, Vec3(7, 8, 0));
     }
 
+    void findsItsNearestPoint_data()
+    {
+        QTest::addColumn<Vec3>("p");
+        QTest::addColumn<Vec3>("nearest");
+        QTest::newRow("above its inside") << Vec3{1, 1, 3} << Vec3{1, 1, 0};
+        QTest::newRow("on it") << Vec3{1, 2, 0} << Vec3{1, 2, 0};
+        QTest::newRow("beyond a corner") << Vec3{-3, -4, 1} << Vec3{0, 0, 0};
+        QTest::newRow("beside the first edge") << Vec3{3, -2, 5} << Vec3{3, 0, 0};
+        QTest::newRow("beside the second edge") << Vec3{4, 4, -1} << Vec3{2, 2, 0};
+        QTest::newRow("beside the third edge") << Vec3{-7, 1, 0} << Vec3{0, 1, 0};
+    }
+    void findsItsNearestPoint()
+    {
+        QFETCH(Vec3, p);
+        QFETCH(Vec3, nearest);
+        QVERIFY((nearestPoint(kTriangle, p) - nearest).norm() < 1e-15);
+    }
+
+    void findsTheNearestPointOfATriangleWithoutArea()
+    {
+        const Corners needle{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}};
+        QCOMPARE(nearestPoint(needle, {3, 5, 0}), Vec3(3, 0, 0));
+        const Corners dot{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+        QCOMPARE(nearestPoint(dot, {3, 5, 0}), Vec3(1, 1, 1));
+    }
+
     void squaresTheDistanceToItsNearestPoint()
     {
         QCOMPARE(squaredDistance(kTriangle, {1, 1, 3}), 9.0);

@@ -46,6 +46,12 @@ public:
         case Errc::NotEnoughMotion:
             return tr("The stylus was turned too little%1: swing it to all sides with its tip in "
                       "the divot.");
+        case Errc::NotEnoughSpin:
+            return tr("The tool was spun too little%1: turn it about its shaft, by half a turn or "
+                      "more.");
+        case Errc::ToolMoved:
+            return tr("The tool did not stay in its place%1: keep its tip in the divot or its "
+                      "shaft in the bearing, and do it again.");
         case Errc::NotRegistered:
             return tr("The patient is not laid on the manikin yet%1: finish the steps of "
                       "carina-registration.");

@@ -21,6 +21,8 @@ enum class Errc : std::uint8_t {
     DegenerateLandmarks, ///< at one place, on one line, or otherwise without one best fit
     TooFewPoses,         ///< fewer poses of a stylus, or fewer that agree, than a calibration needs
     NotEnoughMotion,     ///< the stylus was turned too little to know its tip
+    NotEnoughSpin,       ///< a tool was spun too little to know its axis
+    ToolMoved,           ///< a tip or an axis that had to stand still did not
     NotRegistered,       ///< a site whose anatomy was not yet fitted to its manikin
     OtherPatient,        ///< a site that was registered for another patient
     SiteInUse,           ///< another program works on the same site

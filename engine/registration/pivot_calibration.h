@@ -1,10 +1,6 @@
 #pragma once
 
-#include "engine/core/result.h"
-#include "engine/core/units.h"
-#include "engine/geometry/rigid_transform.h"
-
-#include <span>
+#include "engine/registration/turned_poses.h"
 
 namespace carina
 {
@@ -15,6 +11,12 @@ struct PivotCalibration {
     Vec3 p_TQ = Vec3::Zero(); ///< the divot in the frame T of the poses, metres
     double rms = 0.0;         ///< root mean square distance of the tips from the divot, metres
     int outliers = 0;         ///< poses left out
+    /// Of p_SQ, m^2 in axes of S: of equal and independent noise in all positions of the tip.
+    Mat3 covariance_S = Mat3::Zero();
+    TurnCoverage coverage{}; ///< of the poses that were not left out
+
+    /// RMS error of the tip that the covariance tells, metres.
+    [[nodiscard]] double uncertainty() const { return std::sqrt(covariance_S.trace()); }
 };
 
 struct PivotSettings {
@@ -22,21 +24,29 @@ struct PivotSettings {
     /// RMS turn that every direction of the stylus has to make: the tip is 1 / turn times as
     /// uncertain along the direction that turned least as the tracker.
     Angle leastTurn = degrees(5.0);
+    /// More was no tip in a divot: a good stylus leaves 0.3 to 0.6 mm.
+    Length largestRms = millimetres(1.5);
 };
 
 /// Finds the tip by the algebraic one-step method: the tip p_SQ and the divot p_TQ minimise
 ///
 ///     sum_i | X_TS_i * p_SQ - p_TQ |^2
 ///
-/// which is linear in both. While tips lie further than the limit from the divot, a tenth of these
-/// is left out, worst first, and the rest solved anew; at last all that agree are solved together.
+/// which is linear in both, over the poses that agree about the tip (consensus). With n of these
+/// and s^2 = sum_i |...|^2 / (3n - 6) the covariance of the tip is s^2 / n turn^-1 (PoseMeans).
 ///
 /// @param X_TS poses of the stylus while its tip stood still, in any frame that the divot stood
 ///             still in.
-/// @returns TooFewPoses below ten, or where fewer than ten or half of them agree; NotEnoughMotion
-///          where the stylus was turned too little, or about one axis only, so that the tip is
-///          undetermined; NotFinite for NaN or infinity; OutOfRange for a kilometre or more.
+/// @returns TooFewPoses below ten; NotEnoughMotion where the stylus was turned too little, or about
+///          one axis only, so that the tip is undetermined: the detail names the direction of the
+///          stylus that turned least; ToolMoved where fewer than ten or than half of the poses
+///          agree, or these leave too large an RMS; NotFinite for NaN or infinity; OutOfRange for a
+///          kilometre or more.
 [[nodiscard]] Result<PivotCalibration> calibratePivot(std::span<const RigidTransform> X_TS,
                                                       const PivotSettings& settings = {});
+
+/// Whether poses with such a coverage tell a tip.
+/// @returns NotEnoughMotion, as calibratePivot.
+[[nodiscard]] Result<void> checkTurns(const TurnCoverage& coverage, Angle leastTurn);
 
 } // namespace carina

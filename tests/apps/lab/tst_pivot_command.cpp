@@ -172,7 +172,7 @@ private Q_SLOTS:
             << QStringLiteral("does not tell the tip: 1 poses");
         QTest::newRow("no motion")
             << table << head + QStringLiteral("1,2,3,0,0,0,1\n").repeated(20)
-            << Errc::NotEnoughMotion << QStringLiteral("the stylus was hardly turned.");
+            << Errc::NotEnoughMotion << QStringLiteral("the stylus was hardly turned: ");
         QTest::newRow("no rotation") << table << head + QStringLiteral("1,2,3,0,0,0,0\n")
                                      << Errc::NotFinite << QStringLiteral("pose 1 is no pose.");
         QTest::newRow("no number") << table << head + QStringLiteral("1,2,nan,0,0,0,1\n")

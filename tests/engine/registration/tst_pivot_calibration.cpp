@@ -1,56 +1,43 @@
 #include "engine/registration/pivot_calibration.h"
 
-#include "engine/geometry/rotation.h"
+#include "tests/engine/registration/swung_stylus.h"
 
 #include <QTest>
 
 #include <limits>
-#include <numbers>
-#include <random>
 
 namespace carina
 {
+
+using test::kDivot_T;
+using test::kTip_S;
+using test::noisy;
+using test::shifted;
+using test::standing;
+using test::swung;
+
 namespace
 {
 
-constexpr double kExact = 1e-12;   // m
-constexpr double kNoise = 0.35e-3; // m, three-dimensional RMS of a tracker's position
-const Vec3 kTip_S{0.012, -0.005, -0.152};
-const Vec3 kDivot_T{0.21, -0.13, -1.8};
-
-/// A stylus that stands in its divot, leaning by `lean` to all sides in turn, three times around,
-/// and turned about itself by a third as much.
-std::vector<RigidTransform> swung(int count, Angle lean)
-{
-    std::vector<RigidTransform> X_TS;
-    for (int i = 0; i < count; ++i) {
-        const double around = 3.0 * 2.0 * std::numbers::pi * i / count;
-        const Quat R_TS =
-            rotationFromVector({0.4, 0.2, -0.3})
-            * rotationFromVector({lean.si * std::cos(around), lean.si * std::sin(around),
-                                  lean.si / 3.0 * std::sin(1.7 * around)});
-        X_TS.push_back({R_TS, kDivot_T - R_TS * kTip_S});
-    }
-    return X_TS;
-}
-
-RigidTransform shifted(const RigidTransform& X_TS, const Vec3& by)
-{
-    return {X_TS.rotation(), X_TS.translation() + by};
-}
-
-std::vector<RigidTransform> noisy(std::vector<RigidTransform> X_TS, std::mt19937& random)
-{
-    std::normal_distribution<double> part{0.0, kNoise / std::sqrt(3.0)};
-    for (RigidTransform& pose : X_TS)
-        pose = shifted(pose, {part(random), part(random), part(random)});
-    return X_TS;
-}
+constexpr double kExact = 1e-12;             // m
+constexpr Length kNoise = millimetres(0.35); // three-dimensional RMS of a tracker's position
 
 std::optional<Errc> refusal(const std::vector<RigidTransform>& X_TS)
 {
     const auto pivot = calibratePivot(X_TS);
     return pivot ? std::nullopt : std::optional{pivot.error().code};
+}
+
+/// A stylus that leans by an angle to all sides, once round.
+std::vector<RigidTransform> leaning(Angle lean)
+{
+    std::vector<RigidTransform> X_TS;
+    for (int i = 0; i < 360; ++i) {
+        const double around = degrees(i).si;
+        X_TS.push_back(
+            standing(rotationFromVector(lean.si * Vec3{std::cos(around), std::sin(around), 0.0})));
+    }
+    return X_TS;
 }
 
 } // namespace
@@ -79,6 +66,7 @@ private Q_SLOTS:
         QVERIFY((pivot->p_SQ - kTip_S).norm() < 10.0 * kExact);
         QVERIFY((pivot->p_TQ - kDivot_T).norm() < 10.0 * kExact);
         QVERIFY(pivot->rms < 10.0 * kExact);
+        QVERIFY(pivot->uncertainty() < 10.0 * kExact);
         QCOMPARE(pivot->outliers, 0);
     }
 
@@ -90,40 +78,60 @@ private Q_SLOTS:
         constexpr double kShareOfNoise = 0.1;
         std::mt19937 random{7};
         for (int i = 0; i < 50; ++i) {
-            const auto pivot = calibratePivot(noisy(swung(300, degrees(30.0)), random));
+            const auto pivot = calibratePivot(noisy(swung(300, degrees(30.0)), kNoise, random));
             QVERIFY(pivot.has_value());
             QVERIFY((pivot->p_SQ - kTip_S).cwiseAbs().maxCoeff() < kFourDeviations);
-            QVERIFY(std::abs(pivot->rms / kNoise - 1.0) < kShareOfNoise);
+            QVERIFY(std::abs(pivot->rms / kNoise.si - 1.0) < kShareOfNoise);
             QCOMPARE(pivot->outliers, 0);
         }
     }
 
-    void leavesOutliersOut_data()
+    void givesTheSameAnswerAgain()
     {
-        QTest::addColumn<int>("every");
-        QTest::addColumn<double>("off_mm");
-        QTest::newRow("three in all") << 100 << 50.0;
-        QTest::newRow("one in fifty, near") << 50 << 8.0;
-        QTest::newRow("one in ten, far") << 10 << 80.0;
-        QTest::newRow("one in four, further than the stylus is long") << 4 << 400.0;
+        std::mt19937 random{3};
+        auto X_TS = noisy(swung(300, degrees(30.0)), kNoise, random);
+        test::strike(X_TS, 0.3, millimetres(5.0), millimetres(50.0), random);
+        const auto once = calibratePivot(X_TS);
+        const auto again = calibratePivot(X_TS);
+        QVERIFY(once && again);
+        QCOMPARE(again->p_SQ, once->p_SQ);
+        QCOMPARE(again->outliers, once->outliers);
     }
 
-    void leavesOutliersOut()
+    /// Unit vectors stray from their mean m by sqrt(1 - |m|^2), RMS. Of poses that lean by 20
+    /// degrees to all sides |m| is the cosine along the stylus and (1 + cosine) / 2 across it.
+    void tellsHowMuchEachDirectionTurned()
     {
-        QFETCH(int, every);
-        QFETCH(double, off_mm);
-        std::mt19937 random{11};
-        auto X_TS = noisy(swung(300, degrees(30.0)), random);
-        std::normal_distribution<double> part;
-        for (std::size_t i = 0; i < X_TS.size(); i += std::size_t(every)) {
-            const Vec3 side = Vec3{part(random), part(random), part(random)}.normalized();
-            X_TS[i] = shifted(X_TS[i], off_mm * 1e-3 * side);
+        const auto pivot = calibratePivot(leaning(degrees(20.0)));
+        QVERIFY(pivot.has_value());
+        const double cosine = std::cos(degrees(20.0).si);
+        const double across = std::sqrt(1.0 - std::pow(0.5 * (1.0 + cosine), 2));
+        const double along = std::sqrt(1.0 - cosine * cosine);
+        QVERIFY(std::abs(pivot->coverage.turns[0].si - across) < kExact);
+        QVERIFY(std::abs(pivot->coverage.turns[1].si - across) < kExact);
+        QVERIFY(std::abs(pivot->coverage.turns[2].si - along) < kExact);
+        QVERIFY((pivot->coverage.dirs_S[2] - Vec3::UnitZ()).norm() < 1e-9);
+    }
+
+    /// The tip of 1,000 noisy calibrations scatters as the covariance says; its variance is then
+    /// known to sqrt(2 / 1000), 4.5 per cent, and three such deviations are allowed.
+    void tellsHowUncertainTheTipIs()
+    {
+        constexpr int kTrials = 1000;
+        constexpr double kTolerance = 0.14;
+        std::mt19937 random{19};
+        Vec3 scatter = Vec3::Zero();
+        Vec3 told = Vec3::Zero();
+        for (int i = 0; i < kTrials; ++i) {
+            const auto pivot = calibratePivot(noisy(swung(60, degrees(25.0)), kNoise, random));
+            QVERIFY(pivot.has_value());
+            scatter += (pivot->p_SQ - kTip_S).cwiseAbs2() / kTrials;
+            told += pivot->covariance_S.diagonal() / kTrials;
+            QCOMPARE(pivot->uncertainty(), std::sqrt(pivot->covariance_S.trace()));
         }
-        const auto pivot = calibratePivot(X_TS);
-        QVERIFY2(pivot.has_value(), pivot ? "" : pivot.error().detail.c_str());
-        QCOMPARE(pivot->outliers, 300 / every);
-        QVERIFY((pivot->p_SQ - kTip_S).norm() < 0.25e-3);
-        QVERIFY(pivot->rms < 1.1 * kNoise);
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY2(std::abs(told[axis] / scatter[axis] - 1.0) < kTolerance,
+                     qPrintable(QString::number(told[axis] / scatter[axis])));
     }
 
     void keepsToTheLimitItIsGiven()
@@ -154,14 +162,36 @@ private Q_SLOTS:
         QCOMPARE(refusal(swung(count, degrees(30.0))), Errc::TooFewPoses);
     }
 
+    void refusesWhenFewerThanHalfAgree_data()
+    {
+        QTest::addColumn<int>("struck");
+        QTest::addColumn<std::optional<Errc>>("code");
+        QTest::newRow("half of them agree") << 50 << std::optional<Errc>{};
+        QTest::newRow("one fewer") << 51 << std::optional{Errc::ToolMoved};
+    }
+
     void refusesWhenFewerThanHalfAgree()
     {
+        QFETCH(int, struck);
+        QFETCH(std::optional<Errc>, code);
         std::mt19937 random{13};
-        std::uniform_real_distribution<double> anywhere{-0.5, 0.5};
         auto X_TS = swung(100, degrees(30.0));
-        for (std::size_t i = 0; i < 60; ++i)
-            X_TS[i] = shifted(X_TS[i], {anywhere(random), anywhere(random), anywhere(random)});
-        QCOMPARE(refusal(X_TS), Errc::TooFewPoses);
+        test::strike(X_TS, struck / 100.0, millimetres(20.0), millimetres(500.0), random);
+        QCOMPARE(refusal(X_TS), code);
+    }
+
+    /// Two divots 2 mm apart, half of the poses in each: the best is 1 mm from both.
+    void refusesATipThatStrayed()
+    {
+        auto X_TS = swung(200, degrees(30.0));
+        for (std::size_t i = 0; i < X_TS.size(); i += 2)
+            X_TS[i] = shifted(X_TS[i], {2e-3, 0.0, 0.0});
+        const auto strict = calibratePivot(X_TS, {.largestRms = millimetres(0.97)});
+        QVERIFY(!strict);
+        QCOMPARE(strict.error().code, Errc::ToolMoved);
+        QVERIFY2(strict.error().detail.find("0.97 mm are the most") != std::string::npos,
+                 strict.error().detail.c_str());
+        QVERIFY(calibratePivot(X_TS, {.largestRms = millimetres(1.001)}));
     }
 
     void refusesTooLittleMotion_data()
@@ -178,49 +208,48 @@ private Q_SLOTS:
         const auto pivot = calibratePivot(swung(200, degrees(lean_deg)));
         QVERIFY(!pivot);
         QCOMPARE(pivot.error().code, Errc::NotEnoughMotion);
-        QCOMPARE(pivot.error().detail, std::string{"the stylus was hardly turned"});
+        QVERIFY2(pivot.error().detail.starts_with("the stylus was hardly turned: two directions"),
+                 pivot.error().detail.c_str());
     }
 
-    void refusesOneAxisOnly_data()
+    void refusesOneAxisOnlyAndNamesIt_data()
     {
         QTest::addColumn<Vec3>("axis");
-        QTest::newRow("about itself") << Vec3{0.0, 0.0, 1.0};
-        QTest::newRow("back and forth") << Vec3{1.0, 0.0, 0.0};
-        QTest::newRow("about any axis") << Vec3{0.6, 0.0, 0.8};
+        QTest::addColumn<std::string>("named");
+        QTest::newRow("about itself") << Vec3{0.0, 0.0, 1.0} << std::string{"(0.00 0.00 1.00)"};
+        QTest::newRow("back and forth") << Vec3{1.0, 0.0, 0.0} << std::string{"(1.00 0.00 0.00)"};
+        QTest::newRow("about any axis") << Vec3{0.6, 0.0, 0.8} << std::string{"(0.60 0.00 0.80)"};
     }
 
-    void refusesOneAxisOnly()
+    void refusesOneAxisOnlyAndNamesIt()
     {
         QFETCH(Vec3, axis);
-        std::mt19937 random{17};
+        QFETCH(std::string, named);
         std::vector<RigidTransform> X_TS;
-        for (int i = 0; i < 200; ++i) {
-            const Quat R_TS = rotationFromVector((i - 100) * 0.012 * axis);
-            X_TS.push_back({R_TS, kDivot_T - R_TS * kTip_S});
-        }
-        for (const auto& poses : {X_TS, noisy(X_TS, random)}) {
+        for (int i = 0; i < 200; ++i)
+            X_TS.push_back(standing(rotationFromVector((i - 100) * 0.012 * axis)));
+        std::mt19937 random{17};
+        for (const auto& poses : {X_TS, noisy(X_TS, kNoise, random)}) {
             const auto pivot = calibratePivot(poses);
             QVERIFY(!pivot);
             QCOMPARE(pivot.error().code, Errc::NotEnoughMotion);
-            QCOMPARE(pivot.error().detail,
-                     std::string{"the stylus was turned about one axis only"});
+            const std::string& detail = pivot.error().detail;
+            QVERIFY2(detail.starts_with("the stylus was turned about one axis only"),
+                     detail.c_str());
+            QString plain = QString::fromStdString(detail);
+            plain.remove(QLatin1Char{'-'}); // of a zero
+            QVERIFY2(plain.contains(QString::fromStdString(named)), detail.c_str());
         }
     }
 
-    /// Leaning by an angle to all sides about the tip turns the long axis by its sine (RMS), and
-    /// the least turned direction across it by 1 / sqrt(2) of that.
+    /// Leaning by an angle to all sides turns the least turned directions as
+    /// tellsHowMuchEachDirectionTurned says.
     void drawsTheLineAtTheLeastTurn()
     {
-        std::vector<RigidTransform> X_TS;
-        for (int i = 0; i < 360; ++i) {
-            const double around = degrees(i).si;
-            const Quat R_TS = rotationFromVector(degrees(20.0).si
-                                                 * Vec3{std::cos(around), std::sin(around), 0.0});
-            X_TS.push_back({R_TS, kDivot_T - R_TS * kTip_S});
-        }
-        const double turn = std::sin(degrees(20.0).si) / std::sqrt(2.0);
-        QVERIFY(!calibratePivot(X_TS, {.leastTurn = radians(1.02 * turn)}));
-        QVERIFY(calibratePivot(X_TS, {.leastTurn = radians(0.98 * turn)}));
+        const double turn = std::sqrt(1.0 - std::pow(0.5 * (1.0 + std::cos(degrees(20.0).si)), 2));
+        const auto X_TS = leaning(degrees(20.0));
+        QVERIFY(!calibratePivot(X_TS, {.leastTurn = radians(1.001 * turn)}));
+        QVERIFY(calibratePivot(X_TS, {.leastTurn = radians(0.999 * turn)}));
     }
 
     void refusesPosesThatAreNone()

@@ -56,6 +56,15 @@ std::string JsonFields::text(const char* key)
     return text.toStdString();
 }
 
+std::string JsonFields::firstText(const char* key)
+{
+    const QJsonValue value = m_object.value(QLatin1StringView{key});
+    const QString text = (value.isArray() ? value.toArray().at(0) : value).toString();
+    if (text.isEmpty())
+        refuse(key, "a text is due");
+    return text.toStdString();
+}
+
 double JsonFields::length(const char* key)
 {
     const QJsonValue value = m_object.value(QLatin1StringView{key});
@@ -147,24 +156,32 @@ QJsonArray jsonPose(const RigidTransform& X)
     return rows;
 }
 
+Result<QJsonObject> jsonObjectIn(std::string_view text)
+{
+    QJsonParseError fault;
+    const QJsonDocument document = QJsonDocument::fromJson(
+        QByteArray::fromRawData(text.data(), qsizetype(text.size())), &fault);
+    if (fault.error != QJsonParseError::NoError)
+        return fail(Errc::FileMalformed, "at byte " + std::to_string(fault.offset) + ": "
+                                             + fault.errorString().toStdString());
+    return document.object();
+}
+
 Result<QJsonObject> readJsonFile(const std::filesystem::path& file, const QString& schema)
 {
     const Result<std::string> bytes = readWholeFile(file);
     if (!bytes)
         return tl::unexpected(bytes.error());
-    QJsonParseError fault;
-    const QJsonDocument document =
-        QJsonDocument::fromJson(QByteArray::fromStdString(*bytes), &fault);
-    if (fault.error != QJsonParseError::NoError)
-        return fail(Errc::FileMalformed, file.string() + ": at byte " + std::to_string(fault.offset)
-                                             + ": " + fault.errorString().toStdString());
-    const QString found = document[QLatin1StringView{"schema"}].toString();
+    const Result<QJsonObject> object = jsonObjectIn(*bytes);
+    if (!object)
+        return fail(object.error().code, file.string() + ": " + object.error().detail);
+    const QString found = object->value(QLatin1StringView{"schema"}).toString();
     if (found.isEmpty())
         return fail(Errc::FileMalformed, file.string() + ": schema: a text is due");
     if (found != schema)
         return fail(Errc::UnknownFormat, file.string() + ": it is " + found.toStdString() + ", and "
                                              + schema.toStdString() + " is due");
-    return document.object();
+    return object;
 }
 
 Result<void> writeJsonFile(const std::filesystem::path& file, const QJsonObject& object)

@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carina
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] bool has(const char* key) const;
     /// A text that is not empty.
     [[nodiscard]] std::string text(const char* key);
+    /// A text that is not empty, or the first of a list of texts.
+    [[nodiscard]] std::string firstText(const char* key);
     /// Not negative.
     [[nodiscard]] double length(const char* key);
     /// [x, y, z], each below a kilometre.
@@ -57,6 +60,10 @@ private:
 
 /// A pose as four rows of four numbers, its translation in millimetres.
 [[nodiscard]] QJsonArray jsonPose(const RigidTransform& X);
+
+/// The object that a JSON text holds; an empty one for a list.
+/// @returns FileMalformed where it is no JSON.
+[[nodiscard]] Result<QJsonObject> jsonObjectIn(std::string_view text);
 
 /// The object that a JSON file holds, of which "schema" is as given.
 /// @returns FileNotFound, FileUnreadable, FileEmpty; FileMalformed where it is no JSON object;

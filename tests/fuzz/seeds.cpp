@@ -7,6 +7,7 @@
 #include "engine/net/secure/role_proof.h"
 #include "engine/net/secure/token_message.h"
 #include "tests/engine/io/carried_set_files.h"
+#include "tests/engine/io/landmark_samples.h"
 #include "tests/engine/net/carriage/frame_samples.h"
 #include "tests/engine/sync/datagram_samples.h"
 #include "tests/fuzz/set_under_seal.h"
@@ -86,6 +87,13 @@ std::vector<std::string> sets()
     return {withoutSeal(test::carriedSample()), withoutSeal({})};
 }
 
+/// The first byte chooses the decoder.
+std::vector<std::string> landmarks()
+{
+    return {"0" + test::kLandmarkTable, "1" + test::kSlicerPoints, "1" + test::kSlicerPointsRas,
+            "2" + test::kSlicerMarkups, "2" + test::kSlicerMarkupsRas};
+}
+
 bool areWritten(const std::filesystem::path& folder, const std::vector<std::string>& all)
 {
     std::filesystem::create_directories(folder);
@@ -107,6 +115,7 @@ int main(int argc, char** argv)
     const std::filesystem::path folder{argv[1]};
     const bool written =
         areWritten(folder / "datagram", datagrams()) && areWritten(folder / "entry", entries())
-        && areWritten(folder / "carriage", frames()) && areWritten(folder / "set", sets());
+        && areWritten(folder / "carriage", frames()) && areWritten(folder / "set", sets())
+        && areWritten(folder / "landmark", landmarks());
     return written ? 0 : 1;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/triangle_mesh.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,8 +11,14 @@
 namespace carina::test
 {
 
-/// A surface in millimetres from an OBJ file of which nothing is read but `v` and `f` lines with
-/// plain indices.
+/// Of "7" and "7//3": 6.
+inline std::uint32_t indexOf(const std::string& corner)
+{
+    return static_cast<std::uint32_t>(std::stoul(corner)) - 1;
+}
+
+/// A surface in millimetres from an OBJ file of which nothing is read but `v` lines, and of `f`
+/// lines the first index of each corner.
 inline TriangleMesh plainObj(const std::filesystem::path& file)
 {
     TriangleMesh mesh;
@@ -21,11 +28,12 @@ inline TriangleMesh plainObj(const std::filesystem::path& file)
         std::string key;
         words >> key;
         Vec3f p;
-        Triangle t{};
+        std::array<std::string, 3> corners;
         if (key == "v" && words >> p.x() >> p.y() >> p.z())
             mesh.positions.push_back(1e-3F * p);
-        else if (key == "f" && words >> t[0] >> t[1] >> t[2])
-            mesh.triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
+        else if (key == "f" && words >> corners[0] >> corners[1] >> corners[2])
+            mesh.triangles.push_back(
+                {indexOf(corners[0]), indexOf(corners[1]), indexOf(corners[2])});
     }
     return mesh;
 }

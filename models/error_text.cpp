@@ -52,6 +52,11 @@ public:
         case Errc::ToolMoved:
             return tr("The tool did not stay in its place%1: keep its tip in the divot or its "
                       "shaft in the bearing, and do it again.");
+        case Errc::TooFewPoints:
+            return tr("There are too few points on the surface%1: swab it for longer.");
+        case Errc::NoSurfaceFit:
+            return tr("What was swabbed does not fit the patient's surface%1: swab only the "
+                      "surface that is named, or touch the landmarks anew.");
         case Errc::NotRegistered:
             return tr("The patient is not laid on the manikin yet%1: finish the steps of "
                       "carina-registration.");

@@ -23,6 +23,8 @@ enum class Errc : std::uint8_t {
     NotEnoughMotion,     ///< the stylus was turned too little to know its tip
     NotEnoughSpin,       ///< a tool was spun too little to know its axis
     ToolMoved,           ///< a tip or an axis that had to stand still did not
+    TooFewPoints,        ///< fewer of a swabbed surface than a refinement needs
+    NoSurfaceFit,        ///< a swab that a surface does not fit
     NotRegistered,       ///< a site whose anatomy was not yet fitted to its manikin
     OtherPatient,        ///< a site that was registered for another patient
     SiteInUse,           ///< another program works on the same site

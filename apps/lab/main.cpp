@@ -9,6 +9,7 @@
 #include "apps/lab/figures_command.h"
 #include "apps/lab/fit_command.h"
 #include "apps/lab/handshake_command.h"
+#include "apps/lab/icp_command.h"
 #include "apps/lab/mechanics_command.h"
 #include "apps/lab/pivot_command.h"
 #include "apps/lab/render_command.h"
@@ -22,11 +23,10 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(),   breatheCommand(), carryCommand(),
-                                deformCommand(),    driftCommand(),   driftNodeCommand(),
-                                figuresCommand(),   fitCommand(),     handshakeCommand(),
-                                mechanicsCommand(), pivotCommand(),   renderCommand(),
-                                summaryCommand(),   trackCommand()};
+    static const std::array all{
+        anatomyCommand(),   breatheCommand(), carryCommand(),  deformCommand(),    driftCommand(),
+        driftNodeCommand(), figuresCommand(), fitCommand(),    handshakeCommand(), icpCommand(),
+        mechanicsCommand(), pivotCommand(),   renderCommand(), summaryCommand(),   trackCommand()};
     return all;
 }
 

@@ -4,10 +4,14 @@
 #include "apps/lab/recorded_stylus.h"
 #include "engine/io/json_fields.h"
 #include "engine/registration/pivot_calibration.h"
+#include "engine/registration/spin_calibration.h"
 
+#include <QCommandLineParser>
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
+
+#include <optional>
 
 namespace carina::lab
 {
@@ -15,9 +19,11 @@ namespace
 {
 
 constexpr std::string_view kPivotHelp =
-    R"(pivot FILE|DIR
-    Finds the tip of a stylus from its poses while it was swung with its tip in a divot. Poses whose
-    tip is further than 3 mm from the divot are left out.
+    R"(pivot FILE|DIR [--limit-mm MM]
+pivot FILE|DIR --spin X,Y,Z
+    Finds the tip of a stylus from its poses while it was swung with its tip in a divot: linear
+    least squares over the poses that agree (random sample consensus, the same draws each time).
+    With --spin finds the axis of a tool from its poses while it was spun about that axis.
     FILE.igs.mha      a recording with the tool Stylus, or one tool only; where it has the tool
                       Reference too, poses are taken in its frame
     FILE.csv          a line of column names in any order, then one line for each pose:
@@ -25,12 +31,26 @@ constexpr std::string_view kPivotHelp =
       qx,qy,qz,qw     its rotation as a quaternion of any length but 0
     DIR               its files *.txt, each 16 numbers: a 4x4 pose row by row, translation in mm,
                       parted by blanks, commas or line ends
+    --limit-mm MM     a pose whose tip is further from the divot is left out; 3 by default
+    --spin X,Y,Z      a point in the frame of the tool, mm, to which the axis points, as the tip
     schema            "carina.pivot/1"
     tip_mm            [x, y, z] of the tip in the frame of the stylus
     pivot_mm          [x, y, z] of the divot in the frame of the poses
     rms_mm            root of the mean squared distance of the tips from the divot
+    uncertainty_mm    root of the mean squared error of the tip that this noise makes
     poses             read and tracked
     outliers          of these, left out
+    coverage          how far each of three directions of the stylus was turned, least first:
+      direction       [x, y, z] in the frame of the stylus
+      turn_deg        root mean square
+    least_turned      the first direction as it stood on average, in the frame of the poses: lean the
+                      stylus this way
+    with --spin       schema is "carina.spin/1", and instead of tip and divot:
+    axis              [x, y, z] of the axis in the frame of the tool, of length 1
+    axis_point_mm     its point nearest to the origin of the tool
+    wobble_deg        root of the mean squared angle of the axis from its mean
+    rms_mm            root of the mean squared distance of that point from its mean, across the axis
+    uncertainty_deg   root of the mean squared error of the axis that this wobble makes
 )";
 
 /// Devices round what they report.
@@ -117,23 +137,104 @@ Result<std::vector<RigidTransform>> posesOf(const QString& path)
     return posesOfRecording(path);
 }
 
+QJsonArray directionOf(const Vec3& d) { return {d.x(), d.y(), d.z()}; }
+
+/// What tips and axes have in common.
+QJsonObject describeTurns(const char* schema, std::size_t poses, int outliers,
+                          const TurnCoverage& coverage)
+{
+    QJsonArray directions;
+    for (std::size_t i = 0; i < coverage.turns.size(); ++i)
+        directions.append(
+            QJsonObject{{QStringLiteral("direction"), directionOf(coverage.dirs_S[i])},
+                        {QStringLiteral("turn_deg"), inDegrees(coverage.turns[i])}});
+    return {{QStringLiteral("schema"), QString::fromLatin1(schema)},
+            {QStringLiteral("poses"), static_cast<qint64>(poses)},
+            {QStringLiteral("outliers"), outliers},
+            {QStringLiteral("coverage"), directions},
+            {QStringLiteral("least_turned"), directionOf(coverage.dir_T_least)}};
+}
+
+Result<QJsonObject> describeTip(std::span<const RigidTransform> poses, Length limit)
+{
+    const Result<PivotCalibration> pivot = calibratePivot(poses, {.outlierLimit = limit});
+    if (!pivot)
+        return tl::unexpected(pivot.error());
+    QJsonObject object =
+        describeTurns("carina.pivot/1", poses.size(), pivot->outliers, pivot->coverage);
+    object.insert(QStringLiteral("tip_mm"), jsonPoint(pivot->p_SQ));
+    object.insert(QStringLiteral("pivot_mm"), jsonPoint(pivot->p_TQ));
+    object.insert(QStringLiteral("rms_mm"), inMillimetres(metres(pivot->rms)));
+    object.insert(QStringLiteral("uncertainty_mm"), inMillimetres(metres(pivot->uncertainty())));
+    return object;
+}
+
+Result<QJsonObject> describeAxis(std::span<const RigidTransform> poses, const Vec3& p_S_ahead)
+{
+    const Result<SpinCalibration> spin = calibrateSpin(poses, p_S_ahead);
+    if (!spin)
+        return tl::unexpected(spin.error());
+    QJsonObject object =
+        describeTurns("carina.spin/1", poses.size(), spin->outliers, spin->coverage);
+    object.insert(QStringLiteral("axis"), directionOf(spin->axis_S));
+    object.insert(QStringLiteral("axis_point_mm"), jsonPoint(spin->p_SC));
+    object.insert(QStringLiteral("wobble_deg"), inDegrees(spin->wobble));
+    object.insert(QStringLiteral("rms_mm"), inMillimetres(metres(spin->rms)));
+    object.insert(QStringLiteral("uncertainty_deg"), inDegrees(spin->uncertainty));
+    return object;
+}
+
+/// What is asked of the poses; a point ahead where it is the axis.
+struct PivotQuestion {
+    QString path;
+    Length limit = PivotSettings{}.outlierLimit;
+    std::optional<Vec3> p_S_ahead{};
+};
+
+std::optional<PivotQuestion> questionOf(const QStringList& arguments)
+{
+    const QString limit = QStringLiteral("limit-mm");
+    const QString spin = QStringLiteral("spin");
+    QCommandLineParser parser;
+    parser.addOption(QCommandLineOption{limit, {}, limit});
+    parser.addOption(QCommandLineOption{spin, {}, spin});
+    if (!parser.parse(QStringList{QStringLiteral("pivot")} + arguments)
+        || parser.positionalArguments().size() != 1 || (parser.isSet(limit) && parser.isSet(spin)))
+        return std::nullopt;
+    PivotQuestion question{.path = parser.positionalArguments().front()};
+    bool areNumbers = true;
+    if (parser.isSet(limit)) {
+        question.limit = millimetres(parser.value(limit).toDouble(&areNumbers));
+        areNumbers = areNumbers && question.limit.si > 0.0;
+    }
+    if (parser.isSet(spin)) {
+        const QStringList words = parser.value(spin).split(QLatin1Char{','});
+        areNumbers = words.size() == 3;
+        Vec3 p_mm = Vec3::Zero();
+        for (int i = 0; areNumbers && i < 3; ++i)
+            p_mm[i] = words[i].toDouble(&areNumbers);
+        areNumbers = areNumbers && p_mm.allFinite();
+        question.p_S_ahead = millimetres(1.0).si * p_mm;
+    }
+    return areNumbers ? std::optional{question} : std::nullopt;
+}
+
 Result<QJsonObject> runPivot(const QStringList& arguments)
 {
-    if (arguments.size() != 1)
-        return fail(Errc::OutOfRange, "pivot needs one file or folder of poses.");
-    const auto poses = posesOf(arguments[0]);
+    const std::optional<PivotQuestion> question = questionOf(arguments);
+    if (!question)
+        return fail(Errc::OutOfRange, "pivot needs one file or folder of poses, with --limit-mm "
+                                      "above 0 or --spin X,Y,Z or neither.");
+    const auto poses = posesOf(question->path);
     if (!poses)
         return tl::unexpected(poses.error());
-    const Result<PivotCalibration> pivot = calibratePivot(*poses);
-    if (!pivot)
-        return fail(pivot.error().code, arguments[0].toStdString() + " does not tell the tip: "
-                                            + pivot.error().detail + ".");
-    return QJsonObject{{QStringLiteral("schema"), QStringLiteral("carina.pivot/1")},
-                       {QStringLiteral("tip_mm"), jsonPoint(pivot->p_SQ)},
-                       {QStringLiteral("pivot_mm"), jsonPoint(pivot->p_TQ)},
-                       {QStringLiteral("rms_mm"), inMillimetres(metres(pivot->rms))},
-                       {QStringLiteral("poses"), static_cast<qint64>(poses->size())},
-                       {QStringLiteral("outliers"), pivot->outliers}};
+    auto object = question->p_S_ahead ? describeAxis(*poses, *question->p_S_ahead)
+                                      : describeTip(*poses, question->limit);
+    if (!object)
+        return fail(object.error().code, question->path.toStdString() + " does not tell the "
+                                             + (question->p_S_ahead ? "axis" : "tip") + ": "
+                                             + object.error().detail + ".");
+    return object;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/rotation.h"
+#include "tests/apps/lab/stylus_poses.h"
 #include "tests/engine/io/surface_files.h"
 #include "tests/engine/tracking/sequence_text.h"
 
@@ -13,28 +14,11 @@
 
 namespace carina::lab
 {
+
+using namespace test;
+
 namespace
 {
-
-constexpr double kTolerance_mm = 1e-6; // of numbers written with 12 digits
-constexpr int kPoses = 90;
-const Vec3 kTip_S_mm{12.0, -5.0, -152.0};
-const Vec3 kDivot_mm{210.0, -130.0, -1800.0};
-const RigidTransform kX_TR{rotationFromVector({0.2, 0.9, -0.4}), {100.0, -50.0, 30.0}};
-
-/// Poses in millimetres of a stylus that leans by half a radian to all sides in its divot.
-std::vector<RigidTransform> swung()
-{
-    std::vector<RigidTransform> poses;
-    for (int i = 0; i < kPoses; ++i) {
-        const double around = 2.0 * std::numbers::pi * i / kPoses;
-        const Quat turn = rotationFromVector({0.5 * std::cos(around), 0.5 * std::sin(around), 0.0});
-        poses.push_back({turn, kDivot_mm - turn * kTip_S_mm});
-    }
-    return poses;
-}
-
-std::string digits(double number) { return QByteArray::number(number, 'g', 12).toStdString(); }
 
 std::string matrixText(const RigidTransform& X_mm, const char* between)
 {
@@ -49,14 +33,6 @@ std::string inOneLine(std::string text)
 {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
-}
-
-bool near(const QJsonValue& value, const Vec3& expected)
-{
-    const QJsonArray p = value.toArray();
-    return p.size() == 3
-           && (Vec3{p[0].toDouble(), p[1].toDouble(), p[2].toDouble()} - expected).norm()
-                  < kTolerance_mm;
 }
 
 } // namespace
@@ -148,15 +124,7 @@ private Q_SLOTS:
     {
         auto poses = swung();
         poses[7] = RigidTransform::translation({0.0, 0.0, 40.0}) * poses[7];
-        std::string text = "tx,ty,tz,qx,qy,qz,qw\n";
-        for (const RigidTransform& pose : poses) {
-            const Eigen::Vector4d q = pose.rotation().coeffs();
-            for (const double number : {pose.translation().x(), pose.translation().y(),
-                                        pose.translation().z(), q[0], q[1], q[2]})
-                text += digits(number) + ',';
-            text += digits(q[3]) + '\n';
-        }
-        verifyFound(pivot(write("outlier.csv", text)), 1);
+        verifyFound(pivot(write("outlier.csv", tableOf(poses))), 1);
     }
 
     void refusesWhatTellsNoTip_data()
@@ -235,8 +203,14 @@ private Q_SLOTS:
 
     void helpNamesEveryKeyAndColumn()
     {
-        for (const char* name : {"FILE.igs.mha", "FILE.csv", "DIR", "tx,ty,tz", "qx,qy,qz,qw",
-                                 "schema", "tip_mm", "pivot_mm", "rms_mm", "poses", "outliers"})
+        for (const char* name : {"FILE.igs.mha",  "FILE.csv",       "DIR",
+                                 "tx,ty,tz",      "qx,qy,qz,qw",    "schema",
+                                 "tip_mm",        "pivot_mm",       "rms_mm",
+                                 "poses",         "outliers",       "--limit-mm",
+                                 "--spin",        "uncertainty_mm", "coverage",
+                                 "direction",     "turn_deg",       "least_turned",
+                                 "carina.spin/1", "axis",           "axis_point_mm",
+                                 "wobble_deg",    "uncertainty_deg"})
             QVERIFY2(pivotCommand().help.find(name) != std::string_view::npos, name);
     }
 };

@@ -86,7 +86,7 @@ Result<SpinCalibration> calibrateSpin(std::span<const RigidTransform> X_TS, cons
         return tl::unexpected(spun.error());
     Axis axis = axisOf(means);
     const Vec3 p_SC = pointOf(means, coverage);
-    if (axis.dir_S.dot(p_S_ahead - p_SC) < 0.0)
+    if (axis.dir_S.dot(p_S_ahead) < 0.0)
         axis = {-axis.dir_S, -axis.dir_T};
     const double across = std::hypot(1.0 / coverage.turns[1].si, 1.0 / coverage.turns[2].si);
     return SpinCalibration{.axis_S = axis.dir_S,

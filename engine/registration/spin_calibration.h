@@ -33,7 +33,7 @@ struct SpinSettings {
 /// uncertain by wobble / sqrt(2n) sqrt(1/t1^2 + 1/t2^2), where t1 and t2 are the turns across it.
 ///
 /// @param X_TS      poses of the tool while it was spun about an axis that stood still
-/// @param p_S_ahead the axis points to the side on which this lies, such as the tip
+/// @param p_S_ahead the axis points from the origin of S to the side on which this lies, as the tip
 /// @returns TooFewPoses below ten; NotEnoughSpin where the tool was turned too little about its
 ///          axis, or not about one axis; ToolMoved where fewer than ten or than half of the poses
 ///          agree, or the axis wobbled too much; NotFinite and OutOfRange as calibratePivot.

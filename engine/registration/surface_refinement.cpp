@@ -22,8 +22,6 @@ constexpr double kLeastLimit = 0.3e-3;          // metres
 constexpr double kOnSurface = 1e-9;             // metres: nearer, the triangle tells the direction
 constexpr double kSettled = 1e-6;               // metres: no step worth taking
 constexpr double kNarrowing = 0.6;              // of the limit, in one step
-constexpr int kMostIterations = 200;
-constexpr int kMostDampings = 12;
 
 /// A swabbed point in a pose, and how it stands off the surface.
 struct Touch {
@@ -125,13 +123,13 @@ struct Equations {
         return holds[i] < leastHold * leastHold;
     }
 
-    /// The damped step along all motions that are held.
-    [[nodiscard]] Vec6 step(double leastHold, double damping) const
+    /// The Gauss-Newton step along all motions that are held.
+    [[nodiscard]] Vec6 step(double leastHold) const
     {
         Vec6 step = Vec6::Zero();
         for (int i = 0; i < 6; ++i)
             if (!isLoose(i, leastHold))
-                step -= directions.col(i).dot(slope) / (holds[i] + damping) * directions.col(i);
+                step -= directions.col(i).dot(slope) / holds[i] * directions.col(i);
         return step;
     }
 
@@ -152,33 +150,27 @@ struct Search {
     bool settled = false;
 };
 
-/// Takes one step. @returns false where none that is worth it lessens the sum.
+/// Takes one step. @returns false where it is not worth taking, or does not lessen the sum.
 bool takeStep(const Swab& swab, double leastHold, Search& search)
 {
     const Equations equations{search.touches, search.limit};
-    const double cost = costOf(search.touches, search.limit);
-    double damping = 0.0;
-    for (int i = 0; i < kMostDampings; ++i) {
-        const Vec6 step = equations.step(leastHold, damping);
-        if (step.norm() < kSettled)
-            break;
-        const RigidTransform X_AM = equations.moved(search.X_AM, step);
-        std::vector<Touch> touches = swab.touches(X_AM);
-        if (costOf(touches, search.limit) < cost) {
-            search.X_AM = X_AM;
-            search.touches = std::move(touches);
-            return true;
-        }
-        damping = std::max(1e-3, 4.0 * damping);
-    }
-    return false;
+    const Vec6 step = equations.step(leastHold);
+    if (step.norm() < kSettled)
+        return false;
+    const RigidTransform X_AM = equations.moved(search.X_AM, step);
+    std::vector<Touch> touches = swab.touches(X_AM);
+    if (costOf(touches, search.limit) >= costOf(search.touches, search.limit))
+        return false;
+    search.X_AM = X_AM;
+    search.touches = std::move(touches);
+    return true;
 }
 
 Search searchFrom(const Swab& swab, const RigidTransform& X_AM, const RefinementSettings& settings)
 {
     Search search{.X_AM = X_AM, .touches = swab.touches(X_AM)};
     search.limit = 2.0 * settings.farthestMove.si;
-    while (!search.settled && search.iterations < kMostIterations) {
+    while (!search.settled && search.iterations < settings.mostSteps) {
         ++search.iterations;
         const bool stands = !takeStep(swab, settings.leastHold, search);
         const double narrower = std::max(robustLimit(search.touches), kNarrowing * search.limit);

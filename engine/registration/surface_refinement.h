@@ -42,6 +42,7 @@ struct RefinementSettings {
     Length farthestMove = millimetres(15.0); ///< that a point of the swab may go
     Length largestRms = millimetres(3.0);
     double mostOutliers = 0.15; ///< share of the points that may be left out
+    int mostSteps = 100;
     /// A motion that moves the swab by 1 mm (RMS) and off the surface by less than this share of
     /// it is loose.
     double leastHold = 0.07;
@@ -57,7 +58,7 @@ inline constexpr std::size_t kFewestSwabPoints = 20;
 /// by Gauss-Newton steps, where d_i grows along the line from the nearest point of the surface to
 /// the swabbed one. The limit begins with twice the farthest move and narrows, by two fifths in a
 /// step, to three standard deviations as the median distance tells them; a point beyond it does not
-/// count. A step that does not lessen the sum is damped.
+/// count. It ends where no step of a micrometre lessens the sum.
 ///
 /// How well a motion is held is the eigenvalue of mean_i j_i j_i^T, j_i = (r_i x n_i / L, n_i),
 /// with r_i from the swab's centre and L the RMS of |r_i| (Gelfand et al. 2003). The covariance is

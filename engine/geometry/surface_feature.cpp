@@ -86,28 +86,10 @@ private:
     std::vector<std::vector<std::size_t>> m_neighbours;
 };
 
-/// Eigenvalues of the shape operator of w = d u + e v + (a u^2 + 2 b u v + c v^2) / 2 at zero: it
-/// bends away from the normal w where it is convex.
-Curvature curvatureOf(const Vec3& u, const Vec3& v, const Vec3& w,
-                      const Eigen::Matrix<double, kUnknowns, 1>& fit)
-{
-    const double d = fit[1];
-    const double e = fit[2];
-    Eigen::Matrix2d lengths; // first fundamental form
-    lengths << 1.0 + d * d, d * e, d * e, 1.0 + e * e;
-    Eigen::Matrix2d bends; // second
-    bends << fit[3], fit[4], fit[4], fit[5];
-    bends /= -std::sqrt(1.0 + d * d + e * e);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver{bends, lengths};
-    const Eigen::Vector2d most = solver.eigenvectors().col(1);
-    const Vec3 dir = most[0] * (u + d * w) + most[1] * (v + e * w);
-    return {solver.eigenvalues()[0], solver.eigenvalues()[1], dir.normalized()};
-}
-
 std::optional<Curvature> Patch::curvature(std::size_t i, double scale) const
 {
     const std::vector<std::size_t> near = within(i, scale);
-    if (near.size() <= kUnknowns || m_normals[i].isZero())
+    if (m_normals[i].isZero())
         return std::nullopt;
     const Vec3 w = m_normals[i].normalized();
     const Vec3 u = w.unitOrthogonal();
@@ -126,10 +108,12 @@ std::optional<Curvature> Patch::curvature(std::size_t i, double scale) const
     const Eigen::ColPivHouseholderQR<decltype(terms)> solver{terms};
     if (solver.rank() < kUnknowns)
         return std::nullopt;
-    Curvature curvature = curvatureOf(u, v, w, solver.solve(heights));
-    curvature.least /= scale;
-    curvature.most /= scale;
-    return curvature;
+    const Eigen::Matrix<double, kUnknowns, 1> fit = solver.solve(heights);
+    Eigen::Matrix2d bends; // away from the normal where it is convex
+    bends << -fit[3], -fit[4], -fit[4], -fit[5];
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bent{bends / scale};
+    const Eigen::Vector2d most = bent.eigenvectors().col(1);
+    return Curvature{bent.eigenvalues()[0], bent.eigenvalues()[1], most[0] * u + most[1] * v};
 }
 
 /// The curvatures of a patch, computed where they are asked for.
@@ -162,9 +146,7 @@ public:
         const double own = *strength(i);
         const auto isMore = [&](std::size_t other) {
             const std::optional<double> strength = this->strength(other);
-            return strength
-                   && (*strength > own
-                       || (*strength == own && m_patch.vertex(other) < m_patch.vertex(i)));
+            return strength && *strength > own;
         };
         const auto isAside = [&](std::size_t other) {
             const Vec3 off = m_patch.position(other) - m_patch.position(i);

@@ -38,8 +38,8 @@ struct FeatureSettings {
 ///     w = f + d u + e v + (a u^2 + 2 b u v + c v^2) / 2
 ///
 /// to the vertices that edges reach within `scale`, w along the vertex's normal (Goldfeather and
-/// Interrante 2004), and the eigenvalues of its shape operator there.
-/// @returns nothing with fewer than six others within reach, or where they lie on a line.
+/// Interrante 2004): the eigenvalues of its quadratic part.
+/// @returns nothing where these vertices do not tell all six terms.
 /// @pre the mesh's vertices are welded; the vertex is one of it.
 [[nodiscard]] std::optional<Curvature> curvatureAt(const TriangleMesh& mesh, std::uint32_t vertex,
                                                    Length scale);
@@ -47,8 +47,7 @@ struct FeatureSettings {
 /// The vertex of extreme curvature nearest to a place that was picked. A vertex is extreme where no
 /// other within `scale` of it is curved more, for a ridge no other to its sides. Features fainter
 /// than half of the strongest within the radius are passed over, and so is what bends by less than
-/// a tenth of a radian over the scale. Of vertices alike the first is taken: the same mesh gives
-/// the same answer.
+/// a tenth of a radian over the scale. Of two as near the first of the mesh is taken.
 /// @returns nothing where there is none within the radius.
 /// @pre the mesh's vertices are welded.
 [[nodiscard]] std::optional<FeaturePoint> nearestFeature(const TriangleMesh& mesh, const Vec3& p,

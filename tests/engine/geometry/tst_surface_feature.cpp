@@ -147,23 +147,43 @@ private Q_SLOTS:
     {
         QTest::addColumn<double>("height_mm");
         QTest::addColumn<bool>("taken");
-        QTest::newRow("as high") << 4.0 << true;
-        QTest::newRow("somewhat lower") << 2.4 << true;
-        QTest::newRow("much lower") << 1.2 << false;
+        QTest::addColumn<double>("side"); // on which the mesh begins
+        for (const double side : {1.0, -1.0}) {
+            const char* where = side > 0.0 ? "at the end" : "at the beginning";
+            QTest::addRow("as high, %s", where) << 4.0 << true << side;
+            QTest::addRow("somewhat lower, %s", where) << 2.4 << true << side;
+            QTest::addRow("much lower, %s", where) << 1.2 << false << side;
+        }
     }
 
     void takesTheNearerOfTwoTips()
     {
         QFETCH(double, height_mm);
         QFETCH(bool, taken);
-        const Vec3 high{-9e-3, 0.0, 4e-3};
-        const Vec3 low{6e-3, 0.0, height_mm * 1e-3};
+        QFETCH(double, side);
+        const Vec3 high{-9e-3 * side, 0.0, 4e-3};
+        const Vec3 low{6e-3 * side, 0.0, height_mm * 1e-3};
         const TriangleMesh mesh = sheet(
             [&](double x, double y) { return hill(x, y, high, 2e-3) + hill(x, y, low, 2e-3); });
-        const auto feature = nearestFeature(mesh, {3e-3, 0.0, 0.0}, SurfaceFeature::Tip,
+        const auto feature = nearestFeature(mesh, {3e-3 * side, 0.0, 0.0}, SurfaceFeature::Tip,
                                             {.radius = millimetres(14.0)});
         QVERIFY(feature.has_value());
         QVERIFY((feature->p - (taken ? low : high)).head<2>().norm() < 1e-8);
+    }
+
+    /// One that is half of a half is faint, though there is a half.
+    void comparesWithTheStrongestOfAll()
+    {
+        const Vec3 high{-12e-3, 0.0, 4e-3};
+        const Vec3 middle{0.0, 0.0, 2.6e-3};
+        const Vec3 low{12e-3, 0.0, 1.6e-3};
+        const TriangleMesh mesh = sheet([&](double x, double y) {
+            return hill(x, y, high, 2e-3) + hill(x, y, middle, 2e-3) + hill(x, y, low, 2e-3);
+        });
+        const auto feature = nearestFeature(mesh, {9e-3, 0.0, 0.0}, SurfaceFeature::Tip,
+                                            {.radius = millimetres(22.0)});
+        QVERIFY(feature.has_value());
+        QVERIFY((feature->p - middle).head<2>().norm() < 1e-8);
     }
 
     /// A roof along y, rounded to 2 mm: its ridge is met straight across from where it was picked.

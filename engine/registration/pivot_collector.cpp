@@ -66,8 +66,7 @@ void PivotCollector::keepLatest(SessionTime time, const RigidTransform& X_TS)
 }
 
 /// The window is full but for a tenth, some direction turned, and the point that strayed least did
-/// so by little. How far it lies from the markers is known only across the direction that turned
-/// least.
+/// so by little and lies within reach.
 bool PivotCollector::isSwung() const
 {
     if (m_latest.size() < kFewestPoses
@@ -77,8 +76,7 @@ bool PivotCollector::isSwung() const
     for (const Timed& pose : m_latest)
         poses.push_back({pose.X_TS.rotation().toRotationMatrix(), pose.X_TS.translation()});
     const PoseMeans means = meansOf(poses);
-    const TurnCoverage coverage = means.coverage();
-    if (coverage.turns[2] < m_settings.start)
+    if (means.coverage().turns[2] < m_settings.start)
         return false;
     const Vec3 p_SQ = means.turn.ldlt().solve(means.shift);
     const Vec3 p_TQ = means.R * p_SQ + means.p;
@@ -86,8 +84,7 @@ bool PivotCollector::isSwung() const
     for (const TurnedPose& pose : poses)
         squares += (pose.R_TS * p_SQ + pose.p_TS - p_TQ).squaredNorm();
     const double rms = std::sqrt(squares / double(poses.size()));
-    return rms <= m_settings.calibration.largestRms.si
-           && coverage.dirs_S[0].cross(p_SQ).norm() <= m_settings.reach.si;
+    return rms <= m_settings.calibration.largestRms.si && p_SQ.norm() <= m_settings.reach.si;
 }
 
 void PivotCollector::begin(SessionTime time)

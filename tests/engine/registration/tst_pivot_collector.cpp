@@ -184,7 +184,11 @@ private Q_SLOTS:
     void doesNotTakeCarryingForSwinging()
     {
         PivotCollector collector;
-        QVERIFY(!feed(collector, carried, 60.0).pivot);
+        for (int i = 0; i < 60.0 * kRate; ++i) {
+            const SessionTime time{fromSeconds(i / kRate)};
+            QVERIFY(!collector.push(time, carried(i / kRate), Validity::Tracked));
+            QCOMPARE(collector.progress().stage, PivotStage::Waiting);
+        }
     }
 
     void beginsAnewWhereTheTipLeavesItsPlace()
@@ -225,6 +229,32 @@ private Q_SLOTS:
             QVERIFY(!collector.push(time, test::shifted(X_TS, {NAN, 0.0, 0.0}), Validity::Tracked));
         }
         QCOMPARE(collector.progress().stage, PivotStage::Waiting);
+    }
+
+    /// The second of two poses of one time is 5 cm off.
+    void passesOverASecondPoseOfOneTime()
+    {
+        PivotCollector collector;
+        const Vec3 aside{0.05, 0.0, 0.0};
+        std::optional<PivotCalibration> pivot;
+        for (int i = 0; i < 600 && !pivot; ++i) {
+            const SessionTime time{fromSeconds(i / kRate)};
+            const RigidTransform X_TS = swinging(i / kRate, degrees(30.0));
+            pivot = collector.push(time, X_TS, Validity::Tracked);
+            collector.push(time, test::shifted(X_TS, aside), Validity::Tracked);
+        }
+        QVERIFY(pivot.has_value());
+        QCOMPARE(pivot->outliers, 0);
+    }
+
+    void looksAtAWholeWindowBeforeItBegins()
+    {
+        PivotCollector collector;
+        feed(collector, kSwinging, 0.88);
+        QCOMPARE(collector.progress().stage, PivotStage::Waiting);
+        feed(
+            collector, [](double t) { return swinging(0.88 + t, degrees(30.0)); }, 0.1, 0.88);
+        QCOMPARE(collector.progress().stage, PivotStage::Swinging);
     }
 
     void worksAtAnyRate_data()

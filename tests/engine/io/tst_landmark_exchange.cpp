@@ -112,6 +112,7 @@ private Q_SLOTS:
         QFETCH(std::string, name);
         LandmarkCatalogue catalogue = ribCageCatalogue(metres(1.753), "0f3a");
         catalogue.landmarks.push_back({" \"Côte\", 5 ", {1.0 / 3.0, -1e-9, 999.0}});
+        catalogue.landmarks.push_back({" Tip ", {0.1, 0.2, 0.3}});
         catalogue.landmarks.push_back({"#5", {0.0, 0.0, 0.0}});
         const auto wrote = exportLandmarks(path(name), catalogue);
         QVERIFY2(wrote.has_value(), wrote ? "" : wrote.error().detail.c_str());
@@ -172,6 +173,7 @@ private Q_SLOTS:
         row("no number", "a.csv", replaced(table, "-60.5", "nan"), "line 2: y_mm: a number");
         row("infinitely far", "a.csv", replaced(table, "-60.5", "inf"), "line 2: y_mm: a number");
         row("a kilometre away", "a.csv", replaced(table, "36", "1e6"), "line 2: z_mm: a number");
+        row("a kilometre down", "a.csv", replaced(table, "36", "-1e6"), "line 2: z_mm: a number");
         row("an open quote", "a.csv", replaced(table, "upper\"", "upper"),
             "line 2: the quotes of field 1 do not close at its end");
         row("text behind a quote", "a.csv", replaced(table, "upper\"", "upper\" rim"),
@@ -194,7 +196,7 @@ private Q_SLOTS:
             "line 4: no line \"# columns = ...\" before has x");
         row("no column for names", "a.fcsv", replaced(points, "label", "text"),
             "line 4: no line \"# columns = ...\" before has label");
-        row("a point cut off", "a.fcsv", points.substr(0, points.find(",0,Tip")),
+        row("a point cut off", "a.fcsv", points.substr(0, points.find(",Tip")),
             "line 6: label: the field is missing");
         row("no number in a point", "a.fcsv", replaced(points, "-123", ""), "line 5: y: a number");
         row("a point not placed", "a.fcsv", replaced(points, "Tip,,", "Tip,,,1,0"),

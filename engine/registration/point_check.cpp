@@ -1,20 +1,28 @@
 #include "engine/registration/point_check.h"
 
+#include "engine/registration/rigid_fit.h"
+
+#include <Eigen/Eigenvalues>
+
 namespace carina
 {
-namespace
-{
-
-constexpr double kFarthest = 1e3; // metres
-
-} // namespace
-
 Result<void> checkPoint(const Vec3& p, const char* what)
 {
     if (!p.allFinite())
         return fail(Errc::NotFinite, std::string{what} + " has a coordinate that is no number");
-    if (p.cwiseAbs().maxCoeff() >= kFarthest)
+    if (!isInRoom(p))
         return fail(Errc::OutOfRange, std::string{what} + " is a kilometre away or more");
+    return {};
+}
+
+Result<void> checkSpread(const Mat3& scatter, const char* whose)
+{
+    const Vec3 squares = // of extents, ascending
+        Eigen::SelfAdjointEigenSolver<Mat3>{scatter, Eigen::EigenvaluesOnly}.eigenvalues();
+    if (squares[2] < kSmallestExtent.si * kSmallestExtent.si)
+        return fail(Errc::DegenerateLandmarks, std::string{whose} + " landmarks lie at one place");
+    if (squares[1] < kCollinearShare * kCollinearShare * squares[2])
+        return fail(Errc::DegenerateLandmarks, std::string{whose} + " landmarks lie on one line");
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/registration/rigid_fit.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 namespace carina
@@ -23,6 +24,18 @@ Result<void> checkSpread(const Mat3& scatter, const char* whose)
         return fail(Errc::DegenerateLandmarks, std::string{whose} + " landmarks lie at one place");
     if (squares[1] < kCollinearShare * kCollinearShare * squares[2])
         return fail(Errc::DegenerateLandmarks, std::string{whose} + " landmarks lie on one line");
+    return {};
+}
+
+Result<void> checkCovariance(const Mat3& covariance)
+{
+    if (!covariance.allFinite())
+        return fail(Errc::NotFinite, "a landmark's covariance has an entry that is no number");
+    constexpr double kRounding = 1e-9;
+    const double size = covariance.norm();
+    if ((covariance - covariance.transpose()).norm() > kRounding * size
+        || covariance.llt().info() != Eigen::Success)
+        return fail(Errc::OutOfRange, "a landmark's covariance is not that of any error");
     return {};
 }
 

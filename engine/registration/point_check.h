@@ -33,4 +33,9 @@ inline constexpr Length kFarthest = metres(1e3);
 ///          kSmallestExtent and kCollinearShare say (rigid_fit.h).
 [[nodiscard]] Result<void> checkSpread(const Mat3& scatter, const char* whose);
 
+/// Whether a matrix can be the covariance of where a landmark is touched.
+///
+/// @returns NotFinite; OutOfRange where it is not symmetric and positive definite.
+[[nodiscard]] Result<void> checkCovariance(const Mat3& covariance);
+
 } // namespace carina

@@ -19,6 +19,14 @@ const Vec3 kXiphoidProcess{0.0, -0.0752, -0.0752};
 const Vec3 kLeftFifthRib{0.0461, -0.0703, -0.0636};
 const Vec3 kRightFifthRib{-0.0461, -0.0703, -0.0636};
 
+// The tenth ribs of the same man end 35 mm before and 254 mm below the carina, 116 mm from the
+// midline. The angles of the jaw are those of the built-in man of 1.75 m with his mouth shut: 52 mm
+// from the midline, 17 mm before and 175 mm above the carina.
+const Vec3 kLeftTenthRib{0.0703, -0.0209, -0.1542};
+const Vec3 kLeftJawAngle{0.0298, -0.0099, 0.0998};
+
+Vec3 mirrored(const Vec3& p_A) { return {-p_A.x(), p_A.y(), p_A.z()}; }
+
 } // namespace
 
 Result<void> checkCatalogue(const LandmarkCatalogue& catalogue)
@@ -46,6 +54,22 @@ LandmarkCatalogue ribCageCatalogue(Length height, std::string anatomy)
              {"Xiphoid process", height.si * kXiphoidProcess},
              {"Left fifth rib, mid-clavicular line", height.si * kLeftFifthRib},
              {"Right fifth rib, mid-clavicular line", height.si * kRightFifthRib}}};
+}
+
+FurtherPlaces furtherPlaces(Length height)
+{
+    return {height.si * kLeftJawAngle, height.si * mirrored(kLeftJawAngle),
+            height.si * kLeftTenthRib, height.si * mirrored(kLeftTenthRib)};
+}
+
+LandmarkCatalogue ribCageAndJawCatalogue(LandmarkCatalogue ribCage, const FurtherPlaces& further)
+{
+    ribCage.name = "Rib cage and jaw";
+    ribCage.landmarks.push_back({"Left angle of the jaw", further.p_A_leftJawAngle});
+    ribCage.landmarks.push_back({"Right angle of the jaw", further.p_A_rightJawAngle});
+    ribCage.landmarks.push_back({"End of the left tenth rib", further.p_A_leftTenthRib});
+    ribCage.landmarks.push_back({"End of the right tenth rib", further.p_A_rightTenthRib});
+    return ribCage;
 }
 
 } // namespace carina

@@ -38,4 +38,23 @@ struct LandmarkCatalogue {
 /// the carina are shares of the body's height; landmark_catalogue.cpp gives their source.
 [[nodiscard]] LandmarkCatalogue ribCageCatalogue(Length height, std::string anatomy);
 
+/// Places beyond the four, with the mouth shut. Those on the jaw lie around glottis and teeth,
+/// where the rib cage alone leaves the largest error; those on the tenth ribs at the bases of the
+/// lungs.
+struct FurtherPlaces {
+    Vec3 p_A_leftJawAngle = Vec3::Zero();
+    Vec3 p_A_rightJawAngle = Vec3::Zero();
+    Vec3 p_A_leftTenthRib = Vec3::Zero(); ///< where its bone ends, at the edge of the rib cage
+    Vec3 p_A_rightTenthRib = Vec3::Zero();
+};
+
+/// By proportions of the body, as ribCageCatalogue.
+[[nodiscard]] FurtherPlaces furtherPlaces(Length height);
+
+/// The four of a rib cage and the further ones: eight landmarks, of which the first six already
+/// surround the glottis (docs/registration.md has what each adds).
+/// @param ribCage of ribCageCatalogue or boneLandmarks
+[[nodiscard]] LandmarkCatalogue ribCageAndJawCatalogue(LandmarkCatalogue ribCage,
+                                                       const FurtherPlaces& further);
+
 } // namespace carina

@@ -60,6 +60,38 @@ private Q_SLOTS:
             QVERIFY((child[i].p_AQ - grown[i].p_AQ * (2.0 / 3.0)).norm() < 1e-12);
     }
 
+    /// Of a grown man: the angles of the jaw are a decimetre apart, above the notch and behind the
+    /// teeth; the tenth ribs end below the xiphoid process, at the sides. Touches of two places are
+    /// told apart where they are 4 cm from each other.
+    void addsPlacesOnJawAndTenthRibs()
+    {
+        const Length height = metres(1.75);
+        const LandmarkCatalogue four = ribCageCatalogue(height, "abc");
+        const LandmarkCatalogue eight = ribCageAndJawCatalogue(four, furtherPlaces(height));
+        QVERIFY(checkCatalogue(eight));
+        QCOMPARE(eight.name, std::string{"Rib cage and jaw"});
+        QCOMPARE(eight.anatomy, four.anatomy);
+        const auto& q = eight.landmarks;
+        QCOMPARE(q.size(), 8U);
+        for (std::size_t i = 0; i < 4; ++i)
+            QCOMPARE(q[i], four.landmarks[i]);
+        QCOMPARE(q[4].name, std::string{"Left angle of the jaw"});
+        QCOMPARE(q[7].name, std::string{"End of the right tenth rib"});
+        const double jaw = q[4].p_AQ.x() - q[5].p_AQ.x();
+        QVERIFY(jaw > 0.09 && jaw < 0.12);
+        QVERIFY(q[4].p_AQ.z() > q[0].p_AQ.z() + 0.1);
+        QVERIFY(q[6].p_AQ.z() < q[1].p_AQ.z() - 0.1);
+        QVERIFY(q[6].p_AQ.x() > 0.1 && q[6].p_AQ.x() < 0.15);
+        for (std::size_t i = 4; i < 8; i += 2) {
+            QCOMPARE(q[i + 1].p_AQ.x(), -q[i].p_AQ.x());
+            QCOMPARE(q[i + 1].p_AQ.y(), q[i].p_AQ.y());
+            QCOMPARE(q[i + 1].p_AQ.z(), q[i].p_AQ.z());
+        }
+        for (std::size_t i = 0; i < 8; ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                QVERIFY((q[i].p_AQ - q[k].p_AQ).norm() > 0.04);
+    }
+
     void canBeFittedAndMakesAFrame()
     {
         std::vector<LandmarkPair> pairs;

@@ -1,11 +1,11 @@
 #include "apps/lab/fit_command.h"
 
-#include "apps/lab/csv_table.h"
+#include "apps/lab/fit_report.h"
+#include "apps/lab/landmark_table.h"
 #include "apps/lab/plus_config.h"
 #include "apps/lab/recorded_stylus.h"
-#include "engine/io/json_fields.h"
 #include "engine/registration/dwell_detector.h"
-#include "engine/registration/rigid_fit.h"
+#include "engine/registration/leave_one_out.h"
 
 #include <algorithm>
 
@@ -15,13 +15,17 @@ namespace
 {
 
 constexpr std::string_view kFitHelp =
-    R"(fit PAIRS.csv | --recording SEQ.igs.mha --plus-config CONFIG.xml
+    R"(fit PAIRS.csv [--covariance] [--fle MM] | --recording SEQ.igs.mha --plus-config CONFIG.xml
     Finds the pose of the manikin in the anatomy that brings touched landmarks nearest to their
     places: least squares, always a proper rotation.
     PAIRS.csv           a line of column names in any order, then one line for each landmark:
       name              of the landmark
       ax,ay,az          its place in the anatomy, mm
       mx,my,mz          where it was touched on the manikin, mm
+    --covariance        weighs each landmark by how far it strays: cxx,cyy,czz,cxy,cxz,cyz in mm^2
+                        along the axes of the anatomy
+    --fle MM            how far touches stray, root mean square (2): a landmark is taken for
+                        touched in another's place only where that does not explain it
     --recording FILE    a recording of a stylus that was held at the landmarks one after another, a
                         second each within a millimetre; the tool Reference, where there is one, is
                         fixed to what is touched
@@ -31,6 +35,15 @@ constexpr std::string_view kFitHelp =
     rms_mm              root of the mean squared residual
     residuals_mm        "name" and "mm", the distance left, of each landmark
     X_AM_mm             the pose: four rows of four numbers, its translation in mm
+    order               of PAIRS.csv: "found" is "as given", "exchanged", "mirror image" or
+                        "unexplained"; "touch_of" names for each landmark the one whose touch it is;
+                        "rms_mm" of that; "explanations" counts the orders that would do
+    fle_mm              how far touches stray by these residuals: "rms", "limit95", which it is below
+                        with 95 %, and "degrees" of freedom; without --covariance
+    leave_one_out_mm    "name" and "mm", how far each landmark is from the fit of all others; null
+                        where these do not suffice; without --covariance
+    chi_squared         of the weighed residuals, with "degrees" of freedom, and "scale", by which
+                        the covariances would agree with them; with --covariance
     dwells              with a recording: how often the stylus was held still. Of more dwells than
                         landmarks those are taken that fit best in their order.
 )";
@@ -38,60 +51,61 @@ constexpr std::string_view kFitHelp =
 /// More dwells than landmarks are tried up to this many, in every order-keeping choice.
 constexpr std::size_t kMostDwellsTooMany = 4;
 
-struct NamedPairs {
-    std::vector<std::string> names;
-    std::vector<LandmarkPair> pairs;
-};
-
 /// A fit's error as a sentence about the file.
 tl::unexpected<Error> cannotFit(const QString& file, const Error& error)
 {
     return fail(error.code, file.toStdString() + " cannot be fitted: " + error.detail + ".");
 }
 
-QJsonObject describeFit(const std::vector<std::string>& names, const RigidFit& fit)
-{
-    QJsonArray residuals;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        residuals.append(
-            QJsonObject{{QStringLiteral("name"), QString::fromStdString(names[i])},
-                        {QStringLiteral("mm"), inMillimetres(metres(fit.residuals[i]))}});
-    return {{QStringLiteral("schema"), QStringLiteral("carina.fit/1")},
-            {QStringLiteral("rms_mm"), inMillimetres(metres(fit.rms))},
-            {QStringLiteral("residuals_mm"), residuals},
-            {QStringLiteral("X_AM_mm"), jsonPose(fit.X_AM)}};
-}
+struct PairOptions {
+    bool withCovariances = false;
+    Length fle = millimetres(2.0);
+};
 
-Result<NamedPairs> readPairs(const QString& file)
+Result<PairOptions> pairOptionsOf(const QStringList& words)
 {
-    const auto table = CsvTable::read(file, {"name", "ax", "ay", "az", "mx", "my", "mz"});
-    if (!table)
-        return tl::unexpected(table.error());
-    NamedPairs named;
-    for (std::size_t row = 0; row < table->rows(); ++row) {
-        Eigen::Matrix<double, 6, 1> p_mm;
-        for (int i = 0; i < 6; ++i) {
-            const Result<double> number = table->number(row, static_cast<std::size_t>(i) + 1);
-            if (!number)
-                return tl::unexpected(number.error());
-            p_mm[i] = *number;
+    PairOptions options;
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        if (words[i] == QStringLiteral("--covariance")) {
+            options.withCovariances = true;
+            continue;
         }
-        named.names.push_back(table->text(row, 0).toStdString());
-        named.pairs.push_back(
-            {millimetres(1.0).si * p_mm.head<3>(), millimetres(1.0).si * p_mm.tail<3>()});
+        if (words[i] != QStringLiteral("--fle") || i + 1 == words.size())
+            return fail(Errc::OutOfRange, "fit knows no " + words[i].toStdString() + " here.");
+        const Result<Length> fle = positiveMillimetres(words[i], words[i + 1]);
+        if (!fle)
+            return tl::unexpected(fle.error());
+        options.fle = *fle;
+        ++i;
     }
-    return named;
+    return options;
 }
 
-Result<QJsonObject> fitPairs(const QString& file)
+Result<QJsonObject> fitPairs(const QString& file, const PairOptions& options)
 {
-    const Result<NamedPairs> named = readPairs(file);
+    const Result<NamedPairs> named = readPairs(file, options.withCovariances);
     if (!named)
         return tl::unexpected(named.error());
-    const Result<RigidFit> fit = fitRigid(named->pairs);
+    const std::vector<LandmarkPair> pairs = named->unweighted();
+    const auto order = recogniseOrder(pairs, options.fle);
+    if (!order)
+        return cannotFit(file, order.error());
+    if (options.withCovariances) {
+        const Result<WeightedFit> fit = fitWeighted(named->pairs);
+        if (!fit)
+            return cannotFit(file, fit.error());
+        QJsonObject object = describeFit(named->names, fit->fit);
+        describeWeights(object, *fit);
+        describeOrder(object, named->names, *order);
+        return object;
+    }
+    const Result<RigidFit> fit = fitRigid(pairs);
     if (!fit)
         return cannotFit(file, fit.error());
-    return describeFit(named->names, *fit);
+    QJsonObject object = describeFit(named->names, *fit);
+    describeErrors(object, named->names, *fit, *leaveOneOut(pairs));
+    describeOrder(object, named->names, *order);
+    return object;
 }
 
 /// The points that the tip was held at, in the frame of the stylus's poses.
@@ -149,8 +163,12 @@ Result<QJsonObject> fitRecording(const QString& recording, const QString& plusCo
 
 Result<QJsonObject> runFit(const QStringList& arguments)
 {
-    if (arguments.size() == 1 && !arguments[0].startsWith(QStringLiteral("--")))
-        return fitPairs(arguments[0]);
+    if (!arguments.isEmpty() && !arguments[0].startsWith(QStringLiteral("--"))) {
+        const Result<PairOptions> options = pairOptionsOf(arguments.mid(1));
+        if (!options)
+            return tl::unexpected(options.error());
+        return fitPairs(arguments[0], *options);
+    }
     const auto recording = arguments.indexOf(QStringLiteral("--recording"));
     const auto config = arguments.indexOf(QStringLiteral("--plus-config"));
     if (arguments.size() == 4 && std::min(recording, config) == 0

@@ -15,6 +15,7 @@
 #include "apps/lab/render_command.h"
 #include "apps/lab/summary_command.h"
 #include "apps/lab/track_command.h"
+#include "apps/lab/tre_command.h"
 
 #include <array>
 
@@ -26,7 +27,8 @@ std::span<const Command> commands()
     static const std::array all{
         anatomyCommand(),   breatheCommand(), carryCommand(),  deformCommand(),    driftCommand(),
         driftNodeCommand(), figuresCommand(), fitCommand(),    handshakeCommand(), icpCommand(),
-        mechanicsCommand(), pivotCommand(),   renderCommand(), summaryCommand(),   trackCommand()};
+        mechanicsCommand(), pivotCommand(),   renderCommand(), summaryCommand(),   trackCommand(),
+        treCommand()};
     return all;
 }
 

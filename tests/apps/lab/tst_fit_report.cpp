@@ -1,0 +1,169 @@
+#include "apps/lab/fit_command.h"
+
+#include "tests/engine/io/surface_files.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace carina::lab
+{
+namespace
+{
+
+constexpr double kExact_mm = 1e-9;
+
+double number(const QJsonValue& value) { return value.toDouble(std::nan("")); }
+
+} // namespace
+
+/// What `carina-lab fit` says of touched landmarks beside the pose.
+class TestFitReport : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    QString write(const char* name, const std::string& text) const
+    {
+        const QString path = m_folder.filePath(QString::fromLatin1(name));
+        test::writeFile(path.toStdString(), text);
+        return path;
+    }
+    static Result<QJsonObject> fit(const QStringList& arguments)
+    {
+        return fitCommand().run(arguments);
+    }
+
+private Q_SLOTS:
+    /// A tetrahedron of which one corner was touched 8 mm from its place. With one order and four
+    /// landmarks the FLE is root 2 times the FRE and its limit 1.9155 times that: the root of 6
+    /// over 1.6354, the 5 % quantile of chi-squared with 6 degrees of freedom.
+    void describesWhatTheResidualsTell()
+    {
+        const auto object = fit({write("off.csv", "name,ax,ay,az,mx,my,mz\n"
+                                                  "a,100,0,0,100,0,0\nb,0,150,0,0,150,0\n"
+                                                  "c,0,0,210,0,0,210\nd,0,0,0,8,0,0\n"),
+                                 QStringLiteral("--fle"), QStringLiteral("5")});
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+        const double rms = number(object->value(QStringLiteral("rms_mm")));
+        const QJsonValue fle = object->value(QStringLiteral("fle_mm"));
+        QVERIFY(std::abs(number(fle[QStringLiteral("rms")]) / rms - std::sqrt(2.0)) < kExact_mm);
+        QVERIFY(std::abs(number(fle[QStringLiteral("limit95")]) / number(fle[QStringLiteral("rms")])
+                         - 1.9155)
+                < 1e-3);
+        QCOMPARE(number(fle[QStringLiteral("degrees")]), 6.0);
+        const QJsonValue left = object->value(QStringLiteral("leave_one_out_mm"));
+        QCOMPARE(left[3][QStringLiteral("name")].toString(), QStringLiteral("d"));
+        QVERIFY(std::abs(number(left[3][QStringLiteral("mm")]) - 8.0) < kExact_mm);
+        const QJsonValue order = object->value(QStringLiteral("order"));
+        QCOMPARE(order[QStringLiteral("found")].toString(), QStringLiteral("as given"));
+        QCOMPARE(number(order[QStringLiteral("rms_mm")]), rms);
+        QCOMPARE(order[QStringLiteral("explanations")].toInt(), 1);
+        const auto sure = fit({m_folder.filePath(QStringLiteral("off.csv")),
+                               QStringLiteral("--fle"), QStringLiteral("0.5")});
+        QCOMPARE(sure->value(QStringLiteral("order"))[QStringLiteral("found")].toString(),
+                 QStringLiteral("unexplained"));
+    }
+
+    void namesTheTouchOfEachLandmark()
+    {
+        const auto object = fit({write("order.csv", "name,ax,ay,az,mx,my,mz\n"
+                                                    "a,100,0,0,0,150,0\nb,0,150,0,100,0,0\n"
+                                                    "c,0,0,210,0,0,210\nd,0,0,0,0,0,0\n")});
+        QVERIFY(object.has_value());
+        const QJsonValue order = object->value(QStringLiteral("order"));
+        QCOMPARE(order[QStringLiteral("found")].toString(), QStringLiteral("exchanged"));
+        QCOMPARE(order[QStringLiteral("touch_of")].toArray(),
+                 (QJsonArray{QStringLiteral("b"), QStringLiteral("a"), QStringLiteral("c"),
+                             QStringLiteral("d")}));
+        QVERIFY(number(order[QStringLiteral("rms_mm")]) < kExact_mm);
+    }
+
+    void saysNothingOfThreeLandmarksLeftOut()
+    {
+        const auto object = fit({write("three.csv", "name,ax,ay,az,mx,my,mz\n"
+                                                    "a,100,0,0,100,0,0\nb,0,150,0,0,150,0\n"
+                                                    "c,0,0,210,0,0,210\n")});
+        QVERIFY(object.has_value());
+        QVERIFY(
+            object->value(QStringLiteral("leave_one_out_mm"))[2][QStringLiteral("mm")].isNull());
+    }
+
+    /// The corners of a square, one of them pulled out by 4 mm along x where it is known to 0.1 mm
+    /// only across: the weighed fit lets it go.
+    void weighsByCovariance()
+    {
+        const std::string ball = ",1,1,1,0,0,0\n";
+        const QString file = write("weighed.csv", "name,ax,ay,az,mx,my,mz,cxx,cyy,czz,cxy,cxz,cyz\n"
+                                                  "a,100,0,0,104,0,0,1e6,1,1,0,0,0\n"
+                                                  "b,0,100,0,0,100,0"
+                                                      + ball + "c,-100,0,0,-100,0,0" + ball
+                                                      + "d,0,-100,0,0,-100,0" + ball);
+        const auto object = fit({file, QStringLiteral("--covariance")});
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+        const QJsonArray residuals = object->value(QStringLiteral("residuals_mm")).toArray();
+        QVERIFY(std::abs(number(residuals[0][QStringLiteral("mm")]) - 4.0) < 1e-4);
+        QVERIFY(number(residuals[2][QStringLiteral("mm")]) < 1e-4);
+        QCOMPARE(number(object->value(QStringLiteral("degrees"))), 6.0);
+        const double chiSquared = number(object->value(QStringLiteral("chi_squared")));
+        QVERIFY(std::abs(chiSquared - 16e-6) < 1e-8);
+        QVERIFY(std::abs(number(object->value(QStringLiteral("scale"))) - chiSquared / 6.0)
+                < 1e-15);
+        QVERIFY(object->contains(QStringLiteral("order")));
+        QVERIFY(!object->contains(QStringLiteral("fle_mm")));
+    }
+
+    void refusesCovariancesThatAreNone()
+    {
+        const auto object =
+            fit({write("none.csv", "name,ax,ay,az,mx,my,mz,cxx,cyy,czz,cxy,cxz,cyz\n"
+                                   "a,100,0,0,104,0,0,-1,1,1,0,0,0\n"
+                                   "b,0,100,0,0,100,0,1,1,1,0,0,0\n"
+                                   "c,-100,0,0,-100,0,0,1,1,1,0,0,0\n"),
+                 QStringLiteral("--covariance")});
+        QVERIFY(!object);
+        QCOMPARE(object.error().code, Errc::OutOfRange);
+        QVERIFY(object.error().detail.find("cannot be fitted") != std::string::npos);
+    }
+
+    void refusesAnotherOption_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("sentence");
+        const QString fle = QStringLiteral("--fle");
+        const QString positive = QStringLiteral("--fle needs a number of millimetres above 0.");
+        QTest::newRow("another flag")
+            << QStringList{QStringLiteral("--fast")} << QStringLiteral("fit knows no --fast here.");
+        QTest::newRow("no error") << QStringList{fle} << QStringLiteral("fit knows no --fle here.");
+        QTest::newRow("an error of nothing") << QStringList{fle, QStringLiteral("0")} << positive;
+        QTest::newRow("an error that is no number")
+            << QStringList{fle, QStringLiteral("nan")} << positive;
+    }
+
+    void refusesAnotherOption()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, sentence);
+        const auto object = fit(QStringList{QStringLiteral("pairs.csv")} + options);
+        QVERIFY(!object);
+        QCOMPARE(object.error().code, Errc::OutOfRange);
+        QCOMPARE(QString::fromStdString(object.error().detail), sentence);
+    }
+
+    void helpNamesEveryKeyAndFlag()
+    {
+        for (const char* name : {"--covariance", "--fle", "cxx,cyy,czz,cxy,cxz,cyz", "fle_mm",
+                                 "limit95", "degrees", "leave_one_out_mm", "order", "found",
+                                 "touch_of", "explanations", "chi_squared", "scale"})
+            QVERIFY2(fitCommand().help.find(name) != std::string_view::npos, name);
+    }
+};
+
+} // namespace carina::lab
+
+QTEST_GUILESS_MAIN(carina::lab::TestFitReport)
+#include "tst_fit_report.moc"

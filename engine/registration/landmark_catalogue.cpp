@@ -25,7 +25,7 @@ const Vec3 kRightFifthRib{-0.0461, -0.0703, -0.0636};
 const Vec3 kLeftTenthRib{0.0703, -0.0209, -0.1542};
 const Vec3 kLeftJawAngle{0.0298, -0.0099, 0.0998};
 
-Vec3 mirrored(const Vec3& p_A) { return {-p_A.x(), p_A.y(), p_A.z()}; }
+Vec3 onOtherSide(const Vec3& p_A) { return {-p_A.x(), p_A.y(), p_A.z()}; }
 
 } // namespace
 
@@ -58,8 +58,8 @@ LandmarkCatalogue ribCageCatalogue(Length height, std::string anatomy)
 
 FurtherPlaces furtherPlaces(Length height)
 {
-    return {height.si * kLeftJawAngle, height.si * mirrored(kLeftJawAngle),
-            height.si * kLeftTenthRib, height.si * mirrored(kLeftTenthRib)};
+    return {height.si * kLeftJawAngle, height.si * onOtherSide(kLeftJawAngle),
+            height.si * kLeftTenthRib, height.si * onOtherSide(kLeftTenthRib)};
 }
 
 LandmarkCatalogue ribCageAndJawCatalogue(LandmarkCatalogue ribCage, const FurtherPlaces& further)

@@ -49,8 +49,8 @@ RigidTransform stepped(const RigidTransform& X_AM, const Vec6& motion, const Vec
             p_A_about + turn * (X_AM.translation() - p_A_about) + motion.tail<3>()};
 }
 
-Result<RigidTransform> settled(std::span<const UncertainPair> pairs, RigidTransform X_AM,
-                               const Vec3& p_A_about)
+Result<RigidTransform> atRest(std::span<const UncertainPair> pairs, RigidTransform X_AM,
+                              const Vec3& p_A_about)
 {
     constexpr int kMostSteps = 100;
     constexpr double kAtRest = 1e-12;    // metres and radians
@@ -101,7 +101,7 @@ Result<WeightedFit> fitWeighted(std::span<const UncertainPair> pairs)
     const Result<RigidFit> start = fitRigid(unweighted);
     if (!start)
         return tl::unexpected(start.error());
-    const Result<RigidTransform> X_AM = settled(pairs, start->X_AM, p_A_mean);
+    const Result<RigidTransform> X_AM = atRest(pairs, start->X_AM, p_A_mean);
     if (!X_AM)
         return tl::unexpected(X_AM.error());
     return described(pairs, *X_AM);

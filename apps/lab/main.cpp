@@ -25,10 +25,10 @@ namespace carina::lab
 std::span<const Command> commands()
 {
     static const std::array all{
-        anatomyCommand(),   breatheCommand(), carryCommand(),  deformCommand(),    driftCommand(),
-        driftNodeCommand(), figuresCommand(), fitCommand(),    handshakeCommand(), icpCommand(),
-        mechanicsCommand(), pivotCommand(),   renderCommand(), summaryCommand(),   trackCommand(),
-        treCommand()};
+        anatomyCommand(),   breatheCommand(),   carryCommand(),     deformCommand(),
+        driftCommand(),     driftNodeCommand(), figuresCommand(),   fitCommand(),
+        handshakeCommand(), icpCommand(),       mechanicsCommand(), pivotCommand(),
+        renderCommand(),    summaryCommand(),   trackCommand(),     treCommand()};
     return all;
 }
 

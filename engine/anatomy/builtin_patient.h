@@ -16,9 +16,9 @@ namespace carina
 /// makes the same patient.
 ///
 /// Both lungs together enclose the functional residual capacity, shared as the dimensions say, in
-/// every level of detail. What meets itself is made anew, a little finer, up to six times; of the two
-/// built-in patients nothing is left that does. The content hash is left empty: who has
-/// only a hash could not make the same patient.
+/// every level of detail. What meets itself is made anew, a little finer, up to six times; of the
+/// two built-in patients nothing is left that does. The content hash is left empty: who has only a
+/// hash could not make the same patient.
 ///
 /// @returns MeshNotClosed if a surface came out open or inside out; OutOfRange (see dimensionsFor).
 [[nodiscard]] Result<Anatomy> patientFor(const PatientParameters& parameters,

@@ -201,13 +201,13 @@ void TestChestPose::knowsHowMuchOfTheRangeIsTaken_data()
     QTest::addColumn<double>("taken");
     const double inf = std::numeric_limits<double>::infinity();
     QTest::newRow("rest") << LungPose{} << 0.0 << 0.0;
-    QTest::newRow("breathed in") << LungPose{.diaphragm = 4.0, .ribs = 2.0} << 0.0 << 0.5;
+    QTest::newRow("breathed in") << LungPose{.diaphragm = 5.0, .ribs = 2.0} << 0.0 << 0.5;
     QTest::newRow("ribs out") << LungPose{.diaphragm = 1.0, .ribs = -1.5} << 0.0 << 0.5;
     QTest::newRow("face down") << LungPose{.diaphragm = 1.0, .gravity = -1.2} << 0.0 << 0.75;
-    QTest::newRow("half collapsed") << LungPose{.diaphragm = 2.0, .collapse = 0.185} << 0.0 << 0.75;
-    QTest::newRow("air trapped") << LungPose{.diaphragm = 2.0, .collapse = -0.2} << 0.0 << 0.75;
-    QTest::newRow("shifted into it") << LungPose{.diaphragm = 2.0} << -0.125 << 0.75;
-    QTest::newRow("shifted away") << LungPose{.diaphragm = 6.0} << 0.125 << 0.75;
+    QTest::newRow("half collapsed") << LungPose{.diaphragm = 2.5, .collapse = 0.185} << 0.0 << 0.75;
+    QTest::newRow("air trapped") << LungPose{.diaphragm = 2.5, .collapse = -0.2} << 0.0 << 0.75;
+    QTest::newRow("shifted into it") << LungPose{.diaphragm = 2.5} << -0.125 << 0.75;
+    QTest::newRow("shifted away") << LungPose{.diaphragm = 7.5} << 0.125 << 0.75;
     QTest::newRow("shifted too far") << LungPose{} << 0.2501 << inf;
     QTest::newRow("shifted too far to the right") << LungPose{} << -0.2501 << inf;
 }
@@ -230,17 +230,17 @@ void TestChestPose::endsWhereTheRangeDoes_data()
     QTest::addColumn<double>("greatest");
     constexpr LungPose kDown{.diaphragm = 1.0};
     constexpr LungPose kShrink{.collapse = 1.0};
-    QTest::newRow("diaphragm") << LungPose{} << kDown << 0.0 << -3.0 << 8.0;
-    QTest::newRow("diaphragm the other way") << LungPose{} << -2.0 * kDown << 0.0 << -4.0 << 1.5;
-    QTest::newRow("from below rest") << LungPose{.diaphragm = -1.0} << kDown << 0.0 << -2.0 << 9.0;
-    QTest::newRow("beside ribs") << LungPose{.ribs = 8.0} << kDown << 0.0 << -3.0 << 8.0;
-    QTest::newRow("half collapsed") << LungPose{.collapse = 0.185} << kDown << 0.0 << -1.5 << 4.0;
-    QTest::newRow("shifted into it") << LungPose{} << kDown << 0.125 << -1.5 << 4.0;
-    QTest::newRow("shifted away") << LungPose{} << kDown << -0.25 << -3.0 << 8.0;
-    QTest::newRow("air trapped") << LungPose{.collapse = -0.2} << kDown << 0.0 << -1.5 << 4.0;
+    QTest::newRow("diaphragm") << LungPose{} << kDown << 0.0 << -3.0 << 10.0;
+    QTest::newRow("diaphragm the other way") << LungPose{} << -2.0 * kDown << 0.0 << -5.0 << 1.5;
+    QTest::newRow("from below rest") << LungPose{.diaphragm = -1.0} << kDown << 0.0 << -2.0 << 11.0;
+    QTest::newRow("beside ribs") << LungPose{.ribs = 10.0} << kDown << 0.0 << -3.0 << 10.0;
+    QTest::newRow("half collapsed") << LungPose{.collapse = 0.185} << kDown << 0.0 << -1.5 << 5.0;
+    QTest::newRow("shifted into it") << LungPose{} << kDown << 0.125 << -1.5 << 5.0;
+    QTest::newRow("shifted away") << LungPose{} << kDown << -0.25 << -3.0 << 10.0;
+    QTest::newRow("air trapped") << LungPose{.collapse = -0.2} << kDown << 0.0 << -1.5 << 5.0;
     QTest::newRow("collapse") << LungPose{} << kShrink << 0.0 << -0.4 << 0.37;
     QTest::newRow("collapse of half a breath")
-        << LungPose{.diaphragm = 4.0} << kShrink << 0.0 << -0.2 << 0.185;
+        << LungPose{.diaphragm = 5.0} << kShrink << 0.0 << -0.2 << 0.185;
     QTest::newRow("gravity") << LungPose{} << LungPose{.gravity = 0.4} << 0.0 << -4.0 << 4.0;
 }
 
@@ -266,7 +266,7 @@ void TestChestPose::endsWhereTheRangeDoes()
 void TestChestPose::hasNoAmplitudesOutsideTheRange()
 {
     constexpr LungPose kDown{.diaphragm = 1.0};
-    QVERIFY(!amplitudesWithin({.ribs = 8.1}, kDown, 0.0));
+    QVERIFY(!amplitudesWithin({.ribs = 10.1}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.gravity = -1.61}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.collapse = 0.371}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.collapse = -0.401}, kDown, 0.0));
@@ -282,7 +282,7 @@ void TestChestPose::exaggeratesAsFarAsTheRangeGoes()
     const ChestPose twice = exaggerated(pose, 2.0);
     QCOMPARE(twice.lungs[0], (LungPose{2.0, 1.0, 0.4, 0.0}));
     QCOMPARE(twice.lungs[1], (LungPose{4.0, 0.0, 0.0, 0.0}));
-    QCOMPARE(exaggerated(pose, 100.0).lungs[1].diaphragm, 8.0);
+    QCOMPARE(exaggerated(pose, 100.0).lungs[1].diaphragm, 10.0);
     QCOMPARE(exaggerated(ChestPose{}, 3.0), ChestPose{});
     QCOMPARE(exaggerated({{}, 0.05}, 2.0).mediastinalShift, 0.1);
 }

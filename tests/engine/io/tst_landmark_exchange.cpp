@@ -157,74 +157,73 @@ private Q_SLOTS:
         const std::string& table = test::kLandmarkTable;
         const std::string& points = test::kSlicerPoints;
         const std::string& markups = test::kSlicerMarkups;
+        const auto spoilt = [&row](const char* name, const std::string& good) {
+            return [&row, name, &good](const char* what, const char* from, const char* to,
+                                       const char* fault, Errc code = Errc::FileMalformed) {
+                row(what, name, replaced(good, from, to), fault, code);
+            };
+        };
+        const auto inTable = spoilt("a.csv", table);
+        const auto inPoints = spoilt("a.fcsv", points);
+        const auto inMarkups = spoilt("a.mrk.json", markups);
         row("an empty table", "a.csv", "", "it is empty", Errc::FileEmpty);
         row("blank lines", "a.csv", " \n\t\r\n", "there is no line in it", Errc::FileEmpty);
-        row("a column missing", "a.csv", replaced(table, "z_mm", "z"),
-            "line 1: there is no column \"z_mm\"");
-        row("no names", "a.csv", replaced(table, "name", "label"),
-            "line 1: there is no column \"name\"");
-        row("a field too few", "a.csv", replaced(table, "-131.5,", ""),
-            "line 4: it has 3 fields, and 4 are due");
-        row("a field too many", "a.csv", replaced(table, "Tip,", "Tip,,"),
-            "line 4: it has 5 fields, and 4 are due");
-        row("a word for a number", "a.csv", replaced(table, "-60.5", "-60.5mm"),
-            "line 2: y_mm: a number of millimetres below a kilometre is due, and it is "
-            "\"-60.5mm\"");
-        row("no number", "a.csv", replaced(table, "-60.5", "nan"), "line 2: y_mm: a number");
-        row("infinitely far", "a.csv", replaced(table, "-60.5", "inf"), "line 2: y_mm: a number");
-        row("a kilometre away", "a.csv", replaced(table, "36", "1e6"), "line 2: z_mm: a number");
-        row("a kilometre down", "a.csv", replaced(table, "36", "-1e6"), "line 2: z_mm: a number");
-        row("an open quote", "a.csv", replaced(table, "upper\"", "upper"),
-            "line 2: the quotes of field 1 do not close at its end");
-        row("text behind a quote", "a.csv", replaced(table, "upper\"", "upper\" rim"),
-            "line 2: the quotes of field 1");
-        row("Latin 1", "a.csv", replaced(table, "\xC3\xB4", "\xF4"), "line 3: it is no UTF-8");
+        inTable("a column missing", "z_mm", "z", "line 1: there is no column \"z_mm\"");
+        inTable("no names", "name", "label", "line 1: there is no column \"name\"");
+        inTable("a field too few", "-131.5,", "", "line 4: it has 3 fields, and 4 are due");
+        inTable("a field too many", "Tip,", "Tip,,", "line 4: it has 5 fields, and 4 are due");
+        inTable("a word for a number", "-60.5", "-60.5mm",
+                "line 2: y_mm: a number of millimetres below a kilometre is due, and it is "
+                "\"-60.5mm\"");
+        inTable("no number", "-60.5", "nan", "line 2: y_mm: a number");
+        inTable("infinitely far", "-60.5", "inf", "line 2: y_mm: a number");
+        inTable("a kilometre away", "36", "1e6", "line 2: z_mm: a number");
+        inTable("a kilometre down", "36", "-1e6", "line 2: z_mm: a number");
+        inTable("an open quote", "upper\"", "upper",
+                "line 2: the quotes of field 1 do not close at its end");
+        inTable("text behind a quote", "upper\"", "upper\" rim", "line 2: the quotes of field 1");
+        inTable("Latin 1", "\xC3\xB4", "\xF4", "line 3: it is no UTF-8");
         row("two landmarks", "a.csv", table.substr(0, table.find("Tip")),
             "2 landmarks, and 3 are the fewest");
-        row("twice the same name", "a.csv", replaced(table, "Tip", "\"Notch, upper\""),
-            "\"Notch, upper\" is there twice");
-        row("a landmark without a name", "a.csv", replaced(table, "Tip", ""),
-            "a landmark has no name");
+        inTable("twice the same name", "Tip", "\"Notch, upper\"",
+                "\"Notch, upper\" is there twice");
+        inTable("a landmark without a name", "Tip", "", "a landmark has no name");
         row("no points", "a.fcsv", "\n", "there is no line in it", Errc::FileEmpty);
-        row("axes not named", "a.fcsv", replaced(points, "CoordinateSystem", "System"),
-            "line 4: no line \"# CoordinateSystem = LPS\" or RAS is before");
-        row("axes of a picture", "a.fcsv", replaced(points, "= LPS", "= IJK"),
-            "line 2: the axes are \"IJK\", and LPS or RAS are due", Errc::UnknownFormat);
-        row("axes by a number not known", "a.fcsv", replaced(points, "= LPS", "= 2"),
-            "line 2: the axes are \"2\"", Errc::UnknownFormat);
-        row("columns not named", "a.fcsv", replaced(points, "# columns", "# fields"),
-            "line 4: no line \"# columns = ...\" before has x");
-        row("no column for names", "a.fcsv", replaced(points, "label", "text"),
-            "line 4: no line \"# columns = ...\" before has label");
+        inPoints("axes not named", "CoordinateSystem", "System",
+                 "line 4: no line \"# CoordinateSystem = LPS\" or RAS is before");
+        inPoints("axes of a picture", "= LPS", "= IJK",
+                 "line 2: the axes are \"IJK\", and LPS or RAS are due", Errc::UnknownFormat);
+        inPoints("axes by a number not known", "= LPS", "= 2", "line 2: the axes are \"2\"",
+                 Errc::UnknownFormat);
+        inPoints("columns not named", "# columns", "# fields",
+                 "line 4: no line \"# columns = ...\" before has x");
+        inPoints("no column for names", "label", "text",
+                 "line 4: no line \"# columns = ...\" before has label");
         row("a point cut off", "a.fcsv", points.substr(0, points.find(",Tip")),
             "line 6: label: the field is missing");
-        row("no number in a point", "a.fcsv", replaced(points, "-123", ""), "line 5: y: a number");
-        row("a point not placed", "a.fcsv", replaced(points, "Tip,,", "Tip,,,1,0"),
-            "line 6: the point was not placed");
+        inPoints("no number in a point", "-123", "", "line 5: y: a number");
+        inPoints("a point not placed", "Tip,,", "Tip,,,1,0", "line 6: the point was not placed");
         row("no JSON", "a.mrk.json", table, "at byte");
         row("a list", "a.mrk.json", "[1]", "@schema: a text is due");
-        row("schema 2", "a.mrk.json", replaced(markups, "schema-v1.0.3", "schema-v2.0.0"),
-            "and one of markups-schema-v1 is due", Errc::UnknownFormat);
-        row("no markups", "a.mrk.json", replaced(markups, "\"markups\"", "\"marks\""),
-            "markups: a list is due");
-        row("a curve", "a.mrk.json", replaced(markups, "Fiducial", "Curve"),
-            "markups: there is no list of points (type Fiducial)");
-        row("two lists", "a.mrk.json",
-            replaced(markups, "{\"type\": \"Curve\"", "{\"type\": \"Fiducial\""),
-            "markups: there is more than one list of points");
-        row("other axes", "a.mrk.json", replaced(markups, "\"LPS\"", "\"SPL\""),
-            "markups[1].coordinateSystem: LPS or RAS are due");
-        row("another unit", "a.mrk.json", replaced(markups, "\"mm\"", "\"um\""),
-            "markups[1].coordinateUnits: millimetres are due (\"mm\")");
-        row("another unit, as DICOM has it", "a.mrk.json",
-            replaced(markups, "\"mm\"", "[\"um\", \"UCUM\", \"micrometer\"]"),
-            "markups[1].coordinateUnits: millimetres are due (\"mm\")");
-        row("two numbers", "a.mrk.json", replaced(markups, ", 36]", "]"),
-            "markups[1].controlPoints[0].position: three numbers are due, in millimetres");
-        row("no label", "a.mrk.json", replaced(markups, "\"label\": \"Tip\"", "\"label\": \"\""),
-            "markups[1].controlPoints[2].label: a text is due");
-        row("a markup not placed", "a.mrk.json", replaced(markups, "\"defined\"", "\"preview\""),
-            "markups[1].controlPoints[2].positionStatus: the point was not placed");
+        inMarkups("schema 2", "schema-v1.0.3", "schema-v2.0.0",
+                  "and one of markups-schema-v1 is due", Errc::UnknownFormat);
+        inMarkups("no markups", "\"markups\"", "\"marks\"", "markups: a list is due");
+        inMarkups("a curve", "Fiducial", "Curve",
+                  "markups: there is no list of points (type Fiducial)");
+        inMarkups("two lists", "{\"type\": \"Curve\"", "{\"type\": \"Fiducial\"",
+                  "markups: there is more than one list of points");
+        inMarkups("other axes", "\"LPS\"", "\"SPL\"",
+                  "markups[1].coordinateSystem: LPS or RAS are due");
+        inMarkups("another unit", "\"mm\"", "\"um\"",
+                  "markups[1].coordinateUnits: millimetres are due (\"mm\")");
+        inMarkups("another unit, as DICOM has it", "\"mm\"", "[\"um\", \"UCUM\", \"micrometer\"]",
+                  "markups[1].coordinateUnits: millimetres are due (\"mm\")");
+        inMarkups("two numbers", ", 36]", "]",
+                  "markups[1].controlPoints[0].position: three numbers are due, in millimetres");
+        inMarkups("no label", "\"label\": \"Tip\"", "\"label\": \"\"",
+                  "markups[1].controlPoints[2].label: a text is due");
+        inMarkups("a markup not placed", "\"defined\"", "\"preview\"",
+                  "markups[1].controlPoints[2].positionStatus: the point was not placed");
     }
 
     void saysWhereAFileIsAtFault()

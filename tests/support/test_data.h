@@ -25,4 +25,8 @@ inline std::optional<std::filesystem::path> testData(const std::string& relative
     return root / relative;
 }
 
+/// Of the real data: a stylus, with a reference, that was put into eight divots and swung in each.
+inline constexpr const char* kEightDivots =
+    "tracker/eight-landmarks/EightLandmarkPointsTrackedForPhantomRegistration.igs.mha";
+
 } // namespace carina::test

@@ -126,10 +126,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<double>("rateHz"); // of the published description
-        QTest::newRow("eight landmarks")
-            << QStringLiteral("tracker/eight-landmarks/"
-                              "EightLandmarkPointsTrackedForPhantomRegistration.igs.mha")
-            << 15.0;
+        QTest::newRow("eight landmarks") << QString::fromLatin1(test::kEightDivots) << 15.0;
     }
     void describesRealRecordings()
     {

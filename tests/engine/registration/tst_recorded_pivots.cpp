@@ -43,8 +43,7 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        const auto path = test::testData(
-            "tracker/eight-landmarks/EightLandmarkPointsTrackedForPhantomRegistration.igs.mha");
+        const auto path = test::testData(test::kEightDivots);
         if (!path)
             QSKIP("tracker/eight-landmarks is not there");
         const auto sequence = readSequenceFile(*path);

@@ -59,10 +59,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("file");
         QTest::addColumn<int>("tools");
         QTest::addColumn<int>("frames");
-        QTest::newRow("eight landmarks")
-            << QStringLiteral("tracker/eight-landmarks/"
-                              "EightLandmarkPointsTrackedForPhantomRegistration.igs.mha")
-            << 2 << 1000;
+        QTest::newRow("eight landmarks") << QString::fromLatin1(test::kEightDivots) << 2 << 1000;
         QTest::newRow("water tank")
             << QStringLiteral("tracker/watertank/"
                               "WaterTankBottomTranslationTrackerBuffer-trimmed.igs.mha")

@@ -1,13 +1,12 @@
 #include "apps/lab/deform_command.h"
 
 #include "engine/geometry/vec.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
 #include <QDir>
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -111,20 +110,13 @@ private Q_SLOTS:
     void keepsRealLobesTogether();
 
 private:
-    QString write(const char* name, const QByteArray& text)
-    {
-        QFile file{m_folder->filePath(QString::fromLatin1(name))};
-        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-            qFatal("a test file could not be written");
-        return file.fileName();
-    }
-
-    std::optional<QTemporaryDir> m_folder;
+    std::optional<test::ScratchFolder> m_folder;
 };
 
 void TestDeformCommand::findsNoResidualWhereLandmarksMoveByTheField()
 {
-    const QString file = write("a.csv", landmarksMovedBy({0.11, 0.09, 0.15}, 1.4, 3, 0.0));
+    const QString file =
+        m_folder->write("a.csv", landmarksMovedBy({0.11, 0.09, 0.15}, 1.4, 3, 0.0));
     const QJsonObject found = deformWith({QStringLiteral("--landmarks"), file}).value();
     QCOMPARE(found.value(QStringLiteral("schema")), QStringLiteral("carina.deform/1"));
     QCOMPARE(number(found, "landmarks"), 300.0);
@@ -137,9 +129,9 @@ void TestDeformCommand::findsNoResidualWhereLandmarksMoveByTheField()
 void TestDeformCommand::learnsHowOthersBreathe()
 {
     const Breath breath{0.4, -0.2, 0.5};
-    write("b.csv", landmarksMovedBy(breath, 0.7, 5, 0.0));
-    write("c.csv", landmarksMovedBy(breath, 2.1, 7, 0.0));
-    const QString file = write("a.csv", landmarksMovedBy(breath, 1.0, 11, 0.1));
+    m_folder->write("b.csv", landmarksMovedBy(breath, 0.7, 5, 0.0));
+    m_folder->write("c.csv", landmarksMovedBy(breath, 2.1, 7, 0.0));
+    const QString file = m_folder->write("a.csv", landmarksMovedBy(breath, 1.0, 11, 0.1));
     const QJsonObject found =
         deformWith({QStringLiteral("--landmarks"), file, QStringLiteral("--fit"), m_folder->path()})
             .value();
@@ -156,8 +148,8 @@ void TestDeformCommand::learnsHowOthersBreathe()
 void TestDeformCommand::passesOverItsOwnLandmarks()
 {
     const QByteArray own = landmarksMovedBy({0.1, 0.3, 0.2}, 1.0, 3, 0.0);
-    const QString file = write("a.csv", own);
-    write("copy.csv", own);
+    const QString file = m_folder->write("a.csv", own);
+    m_folder->write("copy.csv", own);
     const auto found = deformWith(
         {QStringLiteral("--landmarks"), file, QStringLiteral("--fit"), m_folder->path()});
     QVERIFY(!found);
@@ -166,9 +158,9 @@ void TestDeformCommand::passesOverItsOwnLandmarks()
 
 void TestDeformCommand::leavesEachFileOutInTurn()
 {
-    write("a.csv", landmarksMovedBy({0.1, 0.3, 0.2}, 1.0, 3, 0.0));
-    write("b.csv", landmarksMovedBy({0.5, 0.0, 0.0}, 1.0, 5, 0.0));
-    write("sizes.csv", "case,mm\n1,2\n");
+    m_folder->write("a.csv", landmarksMovedBy({0.1, 0.3, 0.2}, 1.0, 3, 0.0));
+    m_folder->write("b.csv", landmarksMovedBy({0.5, 0.0, 0.0}, 1.0, 5, 0.0));
+    m_folder->write("sizes.csv", "case,mm\n1,2\n");
     const QJsonObject found = deformWith({QStringLiteral("--fit"), m_folder->path()}).value();
     QCOMPARE(found.value(QStringLiteral("left_out")).toArray(),
              QJsonArray{QStringLiteral("sizes.csv")});
@@ -200,7 +192,7 @@ void TestDeformCommand::refusesWhatItCannotUse()
 {
     QFETCH(QByteArray, text);
     QFETCH(Errc, code);
-    const auto found = deformWith({QStringLiteral("--landmarks"), write("a.csv", text)});
+    const auto found = deformWith({QStringLiteral("--landmarks"), m_folder->write("a.csv", text)});
     QVERIFY(!found);
     QCOMPARE(found.error().code, code);
     QVERIFY(found.error().detail.find("a.csv") != std::string::npos);

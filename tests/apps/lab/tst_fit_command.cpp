@@ -2,12 +2,11 @@
 
 #include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/rotation.h"
-#include "tests/engine/io/surface_files.h"
 #include "tests/engine/tracking/sequence_text.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 
 namespace carina::lab
@@ -68,14 +67,8 @@ class TestFitCommand : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
+    test::ScratchFolder m_folder;
 
-    QString write(const char* name, const std::string& text) const
-    {
-        const QString path = m_folder.filePath(QString::fromLatin1(name));
-        test::writeFile(path.toStdString(), text);
-        return path;
-    }
     static Result<QJsonObject> fit(const QStringList& arguments)
     {
         return fitCommand().run(arguments);
@@ -91,7 +84,7 @@ private:
  Matrix="1 0 0 10 0 1 0 -20 0 0 1 30 0 0 0 1"/></CoordinateDefinitions><Landmarks>)";
         for (const Vec3& p : landmarks)
             text.append("<Landmark Name='#' Position='").append(words(p, ' ')).append("'/>");
-        return write("config.xml", text + "</Landmarks></Plus>");
+        return m_folder.write("config.xml", text + "</Landmarks></Plus>");
     }
 
 private Q_SLOTS:
@@ -103,7 +96,7 @@ private Q_SLOTS:
             text += ++name;
             text += words(kX_AM.inverse() * p, ',') + words(p, ',') + ",\r\n";
         }
-        const auto object = fit({write("pairs.csv", text + "\r\n")});
+        const auto object = fit({m_folder.write("pairs.csv", text + "\r\n")});
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         QCOMPARE(object->value(QStringLiteral("schema")).toString(),
                  QStringLiteral("carina.fit/1"));
@@ -121,9 +114,10 @@ private Q_SLOTS:
     /// The corners of a square of 100 mm and of one 4 mm smaller along each diagonal.
     void givesMillimetres()
     {
-        const auto object = fit({write("square.csv", "name,ax,ay,az,mx,my,mz\n"
-                                                     "a,100,0,0,96,0,0\nb,0,100,0,0,96,0\n"
-                                                     "c,-100,0,0,-96,0,0\nd,0,-100,0,0,-96,0\n")});
+        const auto object =
+            fit({m_folder.write("square.csv", "name,ax,ay,az,mx,my,mz\n"
+                                              "a,100,0,0,96,0,0\nb,0,100,0,0,96,0\n"
+                                              "c,-100,0,0,-96,0,0\nd,0,-100,0,0,-96,0\n")});
         QVERIFY(object.has_value());
         QVERIFY(std::abs(number(object->value(QStringLiteral("rms_mm"))) - 4.0) < kExact_mm);
         QVERIFY(
@@ -164,7 +158,7 @@ private Q_SLOTS:
         QFETCH(QString, text);
         QFETCH(Errc, code);
         QFETCH(QString, sentence);
-        const QString path = write("bad.csv", text.toStdString());
+        const QString path = m_folder.write("bad.csv", text.toStdString());
         const auto object = fit({path});
         QVERIFY(!object);
         const QString detail = QString::fromStdString(object.error().detail);
@@ -196,7 +190,8 @@ private Q_SLOTS:
         for (const Vec3& p_A : kLandmarks_A)
             points.push_back(kX_AM.inverse() * p_A - tip_S);
         points.insert(points.end(), after.begin(), after.end());
-        const auto object = fit(write("rest.igs.mha", held(points).text()), config(kLandmarks_A));
+        const auto object =
+            fit(m_folder.write("rest.igs.mha", held(points).text()), config(kLandmarks_A));
         QCOMPARE(object.has_value(), fits);
         if (!fits) {
             QCOMPARE(object.error().code, Errc::TooFewLandmarks);
@@ -212,8 +207,8 @@ private Q_SLOTS:
 
     void refusesARecordingWithTooFewTouches()
     {
-        const auto object =
-            fit(write("few.igs.mha", held({kLandmarks_A[0]}).text()), config(kLandmarks_A));
+        const auto object = fit(m_folder.write("few.igs.mha", held({kLandmarks_A[0]}).text()),
+                                config(kLandmarks_A));
         QVERIFY(!object);
         QCOMPARE(object.error().code, Errc::TooFewLandmarks);
         QVERIFY(object.error().detail.ends_with("held still 1 times for 4 landmarks."));
@@ -242,8 +237,8 @@ private Q_SLOTS:
     {
         QFETCH(QString, text);
         QFETCH(QString, sentence);
-        const QString path = write("bad.xml", text.toStdString());
-        const auto object = fit(write("some.igs.mha", held(kLandmarks_A).text()), path);
+        const QString path = m_folder.write("bad.xml", text.toStdString());
+        const auto object = fit(m_folder.write("some.igs.mha", held(kLandmarks_A).text()), path);
         QVERIFY(!object);
         const QString detail = QString::fromStdString(object.error().detail);
         QVERIFY2(object.error().code == Errc::FileMalformed, qPrintable(detail));

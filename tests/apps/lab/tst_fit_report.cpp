@@ -1,9 +1,8 @@
 #include "apps/lab/fit_command.h"
 
-#include "tests/engine/io/surface_files.h"
+#include "tests/support/scratch_folder.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -25,14 +24,8 @@ class TestFitReport : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
+    test::ScratchFolder m_folder;
 
-    QString write(const char* name, const std::string& text) const
-    {
-        const QString path = m_folder.filePath(QString::fromLatin1(name));
-        test::writeFile(path.toStdString(), text);
-        return path;
-    }
     static Result<QJsonObject> fit(const QStringList& arguments)
     {
         return fitCommand().run(arguments);
@@ -44,9 +37,9 @@ private Q_SLOTS:
     /// over 1.6354, the 5 % quantile of chi-squared with 6 degrees of freedom.
     void describesWhatTheResidualsTell()
     {
-        const auto object = fit({write("off.csv", "name,ax,ay,az,mx,my,mz\n"
-                                                  "a,100,0,0,100,0,0\nb,0,150,0,0,150,0\n"
-                                                  "c,0,0,210,0,0,210\nd,0,0,0,8,0,0\n"),
+        const auto object = fit({m_folder.write("off.csv", "name,ax,ay,az,mx,my,mz\n"
+                                                           "a,100,0,0,100,0,0\nb,0,150,0,0,150,0\n"
+                                                           "c,0,0,210,0,0,210\nd,0,0,0,8,0,0\n"),
                                  QStringLiteral("--fle"), QStringLiteral("5")});
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         const double rms = number(object->value(QStringLiteral("rms_mm")));
@@ -63,17 +56,18 @@ private Q_SLOTS:
         QCOMPARE(order[QStringLiteral("found")].toString(), QStringLiteral("as given"));
         QCOMPARE(number(order[QStringLiteral("rms_mm")]), rms);
         QCOMPARE(order[QStringLiteral("explanations")].toInt(), 1);
-        const auto sure = fit({m_folder.filePath(QStringLiteral("off.csv")),
-                               QStringLiteral("--fle"), QStringLiteral("0.5")});
+        const auto sure =
+            fit({m_folder.filePath("off.csv"), QStringLiteral("--fle"), QStringLiteral("0.5")});
         QCOMPARE(sure->value(QStringLiteral("order"))[QStringLiteral("found")].toString(),
                  QStringLiteral("unexplained"));
     }
 
     void namesTheTouchOfEachLandmark()
     {
-        const auto object = fit({write("order.csv", "name,ax,ay,az,mx,my,mz\n"
-                                                    "a,100,0,0,0,150,0\nb,0,150,0,100,0,0\n"
-                                                    "c,0,0,210,0,0,210\nd,0,0,0,0,0,0\n")});
+        const auto object =
+            fit({m_folder.write("order.csv", "name,ax,ay,az,mx,my,mz\n"
+                                             "a,100,0,0,0,150,0\nb,0,150,0,100,0,0\n"
+                                             "c,0,0,210,0,0,210\nd,0,0,0,0,0,0\n")});
         QVERIFY(object.has_value());
         const QJsonValue order = object->value(QStringLiteral("order"));
         QCOMPARE(order[QStringLiteral("found")].toString(), QStringLiteral("exchanged"));
@@ -85,9 +79,10 @@ private Q_SLOTS:
 
     void saysNothingOfThreeLandmarksLeftOut()
     {
-        const auto object = fit({write("three.csv", "name,ax,ay,az,mx,my,mz\n"
-                                                    "a,100,0,0,100,0,0\nb,0,150,0,0,150,0\n"
-                                                    "c,0,0,210,0,0,210\n")});
+        const auto object =
+            fit({m_folder.write("three.csv", "name,ax,ay,az,mx,my,mz\n"
+                                             "a,100,0,0,100,0,0\nb,0,150,0,0,150,0\n"
+                                             "c,0,0,210,0,0,210\n")});
         QVERIFY(object.has_value());
         QVERIFY(
             object->value(QStringLiteral("leave_one_out_mm"))[2][QStringLiteral("mm")].isNull());
@@ -98,11 +93,12 @@ private Q_SLOTS:
     void weighsByCovariance()
     {
         const std::string ball = ",1,1,1,0,0,0\n";
-        const QString file = write("weighed.csv", "name,ax,ay,az,mx,my,mz,cxx,cyy,czz,cxy,cxz,cyz\n"
-                                                  "a,100,0,0,104,0,0,1e6,1,1,0,0,0\n"
-                                                  "b,0,100,0,0,100,0"
-                                                      + ball + "c,-100,0,0,-100,0,0" + ball
-                                                      + "d,0,-100,0,0,-100,0" + ball);
+        const QString file =
+            m_folder.write("weighed.csv", "name,ax,ay,az,mx,my,mz,cxx,cyy,czz,cxy,cxz,cyz\n"
+                                          "a,100,0,0,104,0,0,1e6,1,1,0,0,0\n"
+                                          "b,0,100,0,0,100,0"
+                                              + ball + "c,-100,0,0,-100,0,0" + ball
+                                              + "d,0,-100,0,0,-100,0" + ball);
         const auto object = fit({file, QStringLiteral("--covariance")});
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         const QJsonArray residuals = object->value(QStringLiteral("residuals_mm")).toArray();
@@ -120,10 +116,10 @@ private Q_SLOTS:
     void refusesCovariancesThatAreNone()
     {
         const auto object =
-            fit({write("none.csv", "name,ax,ay,az,mx,my,mz,cxx,cyy,czz,cxy,cxz,cyz\n"
-                                   "a,100,0,0,104,0,0,-1,1,1,0,0,0\n"
-                                   "b,0,100,0,0,100,0,1,1,1,0,0,0\n"
-                                   "c,-100,0,0,-100,0,0,1,1,1,0,0,0\n"),
+            fit({m_folder.write("none.csv", "name,ax,ay,az,mx,my,mz,cxx,cyy,czz,cxy,cxz,cyz\n"
+                                            "a,100,0,0,104,0,0,-1,1,1,0,0,0\n"
+                                            "b,0,100,0,0,100,0,1,1,1,0,0,0\n"
+                                            "c,-100,0,0,-100,0,0,1,1,1,0,0,0\n"),
                  QStringLiteral("--covariance")});
         QVERIFY(!object);
         QCOMPARE(object.error().code, Errc::OutOfRange);

@@ -1,11 +1,10 @@
 #include "apps/lab/icp_command.h"
 
 #include "engine/geometry/rigid_transform.h"
-#include "tests/engine/io/surface_files.h"
 #include "tests/engine/registration/swabbed_shapes.h"
+#include "tests/support/scratch_folder.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 
 namespace carina::lab
@@ -72,31 +71,24 @@ class TestIcpCommand : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-
-    QString write(const char* name, const std::string& text) const
-    {
-        const QString path = m_folder.filePath(QString::fromLatin1(name));
-        test::writeFile(path.toStdString(), text);
-        return path;
-    }
+    test::ScratchFolder m_folder;
 
     Result<QJsonObject> icp(const QString& surface, const QString& swab, const QString& start) const
     {
         return icpCommand().run({QStringLiteral("--surface"), surface, QStringLiteral("--swab"),
                                  swab, QStringLiteral("--start"), start});
     }
-    QString box() const { return write("box.obj", objOf(test::box(kHalf_mm))); }
+    QString box() const { return m_folder.write("box.obj", objOf(test::box(kHalf_mm))); }
     QString start() const
     {
-        return write("start.json",
-                     startOf(RigidTransform::translation({1.0, 2.0, -2.0}) * kX_AM_mm));
+        return m_folder.write("start.json",
+                              startOf(RigidTransform::translation({1.0, 2.0, -2.0}) * kX_AM_mm));
     }
 
 private Q_SLOTS:
     void refinesAStart()
     {
-        const auto object = icp(box(), write("swab.csv", tableOf(swab_mm(5))), start());
+        const auto object = icp(box(), m_folder.write("swab.csv", tableOf(swab_mm(5))), start());
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         const auto number = [&](const char* key) {
             return object->value(QLatin1StringView{key}).toDouble(-1.0);
@@ -129,8 +121,8 @@ private Q_SLOTS:
         std::vector<Vec3> p_mm;
         for (const Vec3& p_A : test::swabbed(plane, 50, random))
             p_mm.push_back(kX_AM_mm.inverse() * p_A);
-        const auto object =
-            icp(write("plane.obj", objOf(plane)), write("plane.csv", tableOf(p_mm)), start());
+        const auto object = icp(m_folder.write("plane.obj", objOf(plane)),
+                                m_folder.write("plane.csv", tableOf(p_mm)), start());
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         const QJsonArray loose = object->value(QStringLiteral("loose")).toArray();
         QCOMPARE(loose.size(), 3);
@@ -144,24 +136,25 @@ private Q_SLOTS:
 
     void refusesWhatItCannotUse()
     {
-        const QString swab = write("swab.csv", tableOf(swab_mm(0)));
+        const QString swab = m_folder.write("swab.csv", tableOf(swab_mm(0)));
         const auto refused = [](const Result<QJsonObject>& object, Errc code,
                                 const char* sentence) {
             return !object && object.error().code == code
                    && object.error().detail.find(sentence) != std::string::npos;
         };
-        QVERIFY(refused(icp(box(), swab, write("a.json", "[")), Errc::FileMalformed,
+        QVERIFY(refused(icp(box(), swab, m_folder.write("a.json", "[")), Errc::FileMalformed,
                         "a.json: at byte"));
-        QVERIFY(refused(icp(box(), swab, write("b.json", "{}")), Errc::FileMalformed,
+        QVERIFY(refused(icp(box(), swab, m_folder.write("b.json", "{}")), Errc::FileMalformed,
                         "b.json: X_AM_mm: four rows of four numbers are due."));
-        QVERIFY(refused(icp(box(), write("c.csv", "mx,my\n"), start()), Errc::FileMalformed,
-                        "has no column \"mz\""));
-        QVERIFY(refused(icp(box(), write("d.csv", "mx,my,mz\n1,2,3\n"), start()),
+        QVERIFY(refused(icp(box(), m_folder.write("c.csv", "mx,my\n"), start()),
+                        Errc::FileMalformed, "has no column \"mz\""));
+        QVERIFY(refused(icp(box(), m_folder.write("d.csv", "mx,my,mz\n1,2,3\n"), start()),
                         Errc::TooFewPoints, "d.csv cannot be fitted: 1 points, and 20 are"));
-        QVERIFY(refused(icp(write("e.obj", "v 1 2"), swab, start()), Errc::FileMalformed, "e.obj"));
-        QVERIFY(refused(icp(m_folder.filePath(QStringLiteral("no.obj")), swab, start()),
-                        Errc::FileNotFound, "no.obj"));
-        QVERIFY(refused(icp(box(), write("air.csv", tableOf(swab_mm(60))), start()),
+        QVERIFY(refused(icp(m_folder.write("e.obj", "v 1 2"), swab, start()), Errc::FileMalformed,
+                        "e.obj"));
+        QVERIFY(
+            refused(icp(m_folder.filePath("no.obj"), swab, start()), Errc::FileNotFound, "no.obj"));
+        QVERIFY(refused(icp(box(), m_folder.write("air.csv", tableOf(swab_mm(60))), start()),
                         Errc::NoSurfaceFit, "points do not lie on the surface."));
     }
 

@@ -3,11 +3,10 @@
 #include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/rotation.h"
 #include "tests/apps/lab/stylus_poses.h"
-#include "tests/engine/io/surface_files.h"
 #include "tests/engine/tracking/sequence_text.h"
+#include "tests/support/scratch_folder.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <numbers>
@@ -42,14 +41,8 @@ class TestPivotCommand : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
+    test::ScratchFolder m_folder;
 
-    QString write(const char* name, const std::string& text) const
-    {
-        const QString path = m_folder.filePath(QString::fromLatin1(name));
-        test::writeFile(path.toStdString(), text);
-        return path;
-    }
     static Result<QJsonObject> pivot(const QString& path) { return pivotCommand().run({path}); }
     static void verifyFound(const Result<QJsonObject>& object, int outliers = 0)
     {
@@ -71,7 +64,7 @@ private Q_SLOTS:
         for (const RigidTransform& pose : swung())
             text.frame(std::to_string(frame++)).tool("Pen", inOneLine(matrixText(pose, " ")));
         text.frame(std::to_string(frame)).tool("Pen", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", "MISSING");
-        verifyFound(pivot(write("pen.igs.mha", text.text())));
+        verifyFound(pivot(m_folder.write("pen.igs.mha", text.text())));
     }
 
     /// The divot is fixed to the reference, and both are carried about before the tracker.
@@ -90,7 +83,7 @@ private Q_SLOTS:
         text.frame(std::to_string(frame))
             .tool("Stylus", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")
             .tool("Reference", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", "OUT_OF_VIEW");
-        verifyFound(pivot(write("reference.igs.mha", text.text())));
+        verifyFound(pivot(m_folder.write("reference.igs.mha", text.text())));
     }
 
     void readsATable()
@@ -105,7 +98,7 @@ private Q_SLOTS:
                 text += ',' + digits(number);
             text += '\n';
         }
-        verifyFound(pivot(write("poses.CSV", text)));
+        verifyFound(pivot(m_folder.write("poses.CSV", text)));
     }
 
     void readsAFolderOfMatrices()
@@ -113,18 +106,18 @@ private Q_SLOTS:
         int file = 0;
         for (const RigidTransform& pose : swung()) {
             ++file;
-            write(("poses/" + std::to_string(file) + ".txt").c_str(),
-                  matrixText(pose, file % 2 == 0 ? " " : ", "));
+            m_folder.write(("poses/" + std::to_string(file) + ".txt").c_str(),
+                           matrixText(pose, file % 2 == 0 ? " " : ", "));
         }
-        write("poses/readme.md", "not a pose");
-        verifyFound(pivot(m_folder.filePath(QStringLiteral("poses"))));
+        m_folder.write("poses/readme.md", "not a pose");
+        verifyFound(pivot(m_folder.filePath("poses")));
     }
 
     void leavesOutliersOut()
     {
         auto poses = swung();
         poses[7] = RigidTransform::translation({0.0, 0.0, 40.0}) * poses[7];
-        verifyFound(pivot(write("outlier.csv", tableOf(poses))), 1);
+        verifyFound(pivot(m_folder.write("outlier.csv", tableOf(poses))), 1);
     }
 
     void refusesWhatTellsNoTip_data()
@@ -167,7 +160,7 @@ private Q_SLOTS:
         QFETCH(QString, text);
         QFETCH(Errc, code);
         QFETCH(QString, sentence);
-        const QString path = write(name.toLatin1().constData(), text.toStdString());
+        const QString path = m_folder.write(name.toLatin1().constData(), text.toStdString());
         const QString folder = path.left(path.lastIndexOf(QLatin1Char{'/'}));
         const auto object = pivot(name.contains(QLatin1Char{'/'}) ? folder : path);
         QVERIFY(!object);
@@ -188,7 +181,7 @@ private Q_SLOTS:
     {
         test::SequenceText text;
         text.frame("0").toolAt("One", "0", "0", "0").toolAt("Two", "0", "0", "0");
-        const auto object = pivot(write("two.igs.mha", text.text()));
+        const auto object = pivot(m_folder.write("two.igs.mha", text.text()));
         QVERIFY(!object);
         QCOMPARE(object.error().code, Errc::NothingRecognised);
     }
@@ -197,8 +190,7 @@ private Q_SLOTS:
     {
         QVERIFY(!pivotCommand().run({}));
         QVERIFY(!pivotCommand().run({QStringLiteral("a"), QStringLiteral("b")}));
-        QCOMPARE(pivot(m_folder.filePath(QStringLiteral("absent.igs.mha"))).error().code,
-                 Errc::FileNotFound);
+        QCOMPARE(pivot(m_folder.filePath("absent.igs.mha")).error().code, Errc::FileNotFound);
     }
 
     void helpNamesEveryKeyAndColumn()

@@ -1,9 +1,8 @@
 #include "apps/lab/pivot_command.h"
 
 #include "tests/apps/lab/stylus_poses.h"
-#include "tests/engine/io/surface_files.h"
+#include "tests/support/scratch_folder.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 namespace carina::lab
@@ -17,21 +16,14 @@ class TestPivotOptions : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
-
-    QString write(const char* name, const std::string& text) const
-    {
-        const QString path = m_folder.filePath(QString::fromLatin1(name));
-        test::writeFile(path.toStdString(), text);
-        return path;
-    }
+    test::ScratchFolder m_folder;
 
 private Q_SLOTS:
     /// Leaning by half a radian to all sides: unit vectors stray from their mean m by
     /// sqrt(1 - |m|^2), and |m| is the cosine along the stylus, (1 + cosine) / 2 across it.
     void tellsHowFarTheStylusWasTurned()
     {
-        const auto object = pivotCommand().run({write("turns.csv", tableOf(swung()))});
+        const auto object = pivotCommand().run({m_folder.write("turns.csv", tableOf(swung()))});
         QVERIFY(object.has_value());
         const QJsonArray coverage = object->value(QStringLiteral("coverage")).toArray();
         QCOMPARE(coverage.size(), 3);
@@ -52,7 +44,7 @@ private Q_SLOTS:
     {
         auto poses = swung();
         poses[7] = RigidTransform::translation({0.0, 0.0, 4.0}) * poses[7];
-        const QString path = write("limit.csv", tableOf(poses));
+        const QString path = m_folder.write("limit.csv", tableOf(poses));
         const auto strict = pivotCommand().run({path});
         QVERIFY(strict.has_value());
         QCOMPARE(strict->value(QStringLiteral("outliers")).toInt(-1), 1);
@@ -73,7 +65,7 @@ private Q_SLOTS:
             const Quat turn = rotationFromVector(4.0 * i / kPoses * axis);
             poses.push_back(kX_TR * RigidTransform{turn, on_mm - turn * on_mm});
         }
-        const QString path = write("spin.csv", tableOf(poses));
+        const QString path = m_folder.write("spin.csv", tableOf(poses));
         const auto spin = [&](const char* ahead) {
             return pivotCommand().run({path, QStringLiteral("--spin"), QString::fromLatin1(ahead)});
         };
@@ -90,8 +82,8 @@ private Q_SLOTS:
         QCOMPARE(object->value(QStringLiteral("outliers")).toInt(-1), 0);
         QVERIFY(near(spin("0,-6,8")->value(QStringLiteral("axis")), -axis));
         const auto swungOnly =
-            pivotCommand().run({write("swung.csv", tableOf(swung())), QStringLiteral("--spin"),
-                                QStringLiteral("0,0,-1")});
+            pivotCommand().run({m_folder.write("swung.csv", tableOf(swung())),
+                                QStringLiteral("--spin"), QStringLiteral("0,0,-1")});
         QVERIFY(!swungOnly);
         QVERIFY2(swungOnly.error().detail.find("does not tell the axis: ") != std::string::npos,
                  swungOnly.error().detail.c_str());
@@ -99,7 +91,7 @@ private Q_SLOTS:
 
     void refusesFlagsItCannotUse()
     {
-        const QString file = write("poses.csv", tableOf(swung()));
+        const QString file = m_folder.write("poses.csv", tableOf(swung()));
         for (const QStringList& flags :
              {QStringList{QStringLiteral("--limit-mm"), QStringLiteral("0")},
               QStringList{QStringLiteral("--limit-mm"), QStringLiteral("three")},

@@ -1,9 +1,8 @@
 #include "apps/lab/tre_command.h"
 
-#include "tests/engine/io/surface_files.h"
+#include "tests/support/scratch_folder.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -35,18 +34,13 @@ class TestTreCommand : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
+    test::ScratchFolder m_folder;
 
-    QString write(const char* name, const std::string& text) const
-    {
-        const QString path = m_folder.filePath(QString::fromLatin1(name));
-        test::writeFile(path.toStdString(), text);
-        return path;
-    }
     /// The command on the cross and its targets.
     Result<QJsonObject> tre(const QString& options) const
     {
-        QStringList arguments{write("landmarks.csv", kCross), write("targets.csv", kTargets)};
+        QStringList arguments{m_folder.write("landmarks.csv", kCross),
+                              m_folder.write("targets.csv", kTargets)};
         return treCommand().run(arguments + options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
     }
     static Result<QJsonObject> treOfHeight(const QString& options)
@@ -105,14 +99,15 @@ private Q_SLOTS:
 
     void offersTheBestCandidate()
     {
-        const QString file = write("candidates.csv", "name,ax,ay,az\nnear,0,10,5\nfar,0,0,150\n");
+        const QString file =
+            m_folder.write("candidates.csv", "name,ax,ay,az\nnear,0,10,5\nfar,0,0,150\n");
         const auto object = tre(QStringLiteral("--candidates ") + file);
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         const QJsonValue next = object->value(QStringLiteral("next"));
         QCOMPARE(next[QStringLiteral("name")].toString(), QStringLiteral("far"));
         QVERIFY(number(next[QStringLiteral("worst_rms_mm")]) < 0.9);
         const auto none =
-            tre(QStringLiteral("--candidates ") + write("empty.csv", "name,ax,ay,az\n"));
+            tre(QStringLiteral("--candidates ") + m_folder.write("empty.csv", "name,ax,ay,az\n"));
         QVERIFY(none->value(QStringLiteral("next")).isNull());
     }
 
@@ -122,9 +117,9 @@ private Q_SLOTS:
         std::string text = "name,ax,ay,az,cxx,cyy,czz,cxy,cxz,cyz\n";
         for (const char* corner : {"a,100,0,0", "b,0,100,0", "c,-100,0,0", "d,0,-100,0"})
             text += std::string{corner} + ",4,4,4,0,0,0\n";
-        const auto object =
-            treCommand().run({write("covariances.csv", text), write("targets.csv", kTargets),
-                              QStringLiteral("--covariance")});
+        const auto object = treCommand().run({m_folder.write("covariances.csv", text),
+                                              m_folder.write("targets.csv", kTargets),
+                                              QStringLiteral("--covariance")});
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         QVERIFY(near(object->value(QStringLiteral("targets"))[1][QStringLiteral("rms_mm")],
                      std::sqrt(12.0)));
@@ -188,19 +183,19 @@ private Q_SLOTS:
 
     void refusesPlacesThatDoNotSuffice()
     {
-        const auto line =
-            treCommand().run({write("line.csv", "name,ax,ay,az\na,0,0,0\nb,50,0,0\nc,100,0,0\n"),
-                              write("targets.csv", kTargets)});
+        const auto line = treCommand().run(
+            {m_folder.write("line.csv", "name,ax,ay,az\na,0,0,0\nb,50,0,0\nc,100,0,0\n"),
+             m_folder.write("targets.csv", kTargets)});
         QVERIFY(!line);
         QCOMPARE(line.error().code, Errc::DegenerateLandmarks);
         QCOMPARE(QString::fromStdString(line.error().detail),
                  QStringLiteral("The error cannot be predicted: the anatomy's landmarks lie on one "
                                 "line."));
-        const auto file =
-            treCommand().run({QStringLiteral("/nowhere.csv"), write("targets.csv", kTargets)});
+        const auto file = treCommand().run(
+            {QStringLiteral("/nowhere.csv"), m_folder.write("targets.csv", kTargets)});
         QCOMPARE(file.error().code, Errc::FileNotFound);
-        const auto bad =
-            tre(QStringLiteral("--candidates ") + write("bad.csv", "name,ax,ay,az\nx,nan,0,0\n"));
+        const auto bad = tre(QStringLiteral("--candidates ")
+                             + m_folder.write("bad.csv", "name,ax,ay,az\nx,nan,0,0\n"));
         QCOMPARE(bad.error().code, Errc::NotFinite);
         QVERIFY(bad.error().detail.starts_with("A candidate cannot be used: "));
     }

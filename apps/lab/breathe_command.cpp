@@ -23,7 +23,7 @@ constexpr const char* kBreathe = "breathe";
 void addFlags(QCommandLineParser& parser)
 {
     addPatientOptions(parser);
-    addValueOptions(parser, {"rate-per-min", "tidal-volume-ml", "seconds", "level", "ventilator"});
+    addValueOptions(parser, {"rate-per-min", "tidal-volume-ml", "seconds", "level"});
     parser.addOption(QCommandLineOption{kEveryCondition});
 }
 
@@ -37,18 +37,6 @@ Result<std::optional<std::size_t>> levelOption(const QCommandLineParser& parser)
                 return fail(Errc::OutOfRange, "breathe needs --level with a whole number.");
             return static_cast<std::size_t>(level);
         });
-}
-
-Result<VentilationMode> modeOption(const QCommandLineParser& parser)
-{
-    if (!parser.isSet(QStringLiteral("ventilator")))
-        return VentilationMode::Spontaneous;
-    const QString name = parser.value(QStringLiteral("ventilator"));
-    if (name == QStringLiteral("volume"))
-        return VentilationMode::VolumeControl;
-    if (name == QStringLiteral("pressure"))
-        return VentilationMode::PressureControl;
-    return fail(Errc::OutOfRange, "breathe knows no --ventilator " + name.toStdString() + ".");
 }
 
 Result<BreathingTrial> trialOf(const QCommandLineParser& parser, const PatientBuild& build)
@@ -65,7 +53,7 @@ Result<BreathingTrial> trialOf(const QCommandLineParser& parser, const PatientBu
     const auto condition = conditionOption(parser, kBreathe);
     if (!condition)
         return tl::unexpected(condition.error());
-    const auto mode = modeOption(parser);
+    const auto mode = ventilatorOption(parser, kBreathe);
     if (!mode)
         return tl::unexpected(mode.error());
     BreathingTrial trial;
@@ -129,12 +117,25 @@ QJsonObject describeBreathing(const Anatomy& anatomy, const BreathingTrial& tria
             {QStringLiteral("lungs"), lungs}};
 }
 
+/// Whether anything is said of how to breathe.
+bool isAskedForOneWay(const QCommandLineParser& parser)
+{
+    constexpr std::array kWays{"rate-per-min", "tidal-volume-ml", "seconds",
+                               "condition",    "severity",        "side",
+                               "ventilator"};
+    return std::ranges::any_of(
+        kWays, [&parser](const char* way) { return parser.isSet(QString::fromLatin1(way)); });
+}
+
 Result<QJsonObject> breathe(const QCommandLineParser& parser)
 {
     const auto level = levelOption(parser);
     if (!level)
         return tl::unexpected(level.error());
     const bool sweeps = parser.isSet(kEveryCondition);
+    if (sweeps && isAskedForOneWay(parser))
+        return fail(Errc::OutOfRange, "breathe takes --every-condition with --anatomy, --patient "
+                                      "and --level, and nothing else.");
     // What is wrong with the rest is to be told before a set is read.
     const auto trial = sweeps ? Result<BreathingTrial>{} : trialOf(parser, {});
     if (!trial)
@@ -155,10 +156,8 @@ Result<QJsonObject> run(const QStringList& arguments)
 {
     QCommandLineParser parser;
     addFlags(parser);
-    if (!parser.parse(QStringList{QStringLiteral("breathe")} + arguments)
-        || !parser.positionalArguments().isEmpty())
-        return fail(Errc::OutOfRange, "breathe does not know what to do with its arguments: "
-                                          + arguments.join(QLatin1Char(' ')).toStdString() + ".");
+    if (const auto parsed = parseOptions(parser, kBreathe, arguments); !parsed)
+        return tl::unexpected(parsed.error());
     auto result = breathe(parser);
     if (!result && result.error().code == Errc::NoGraphics)
         return fail(Errc::NoGraphics, "breathe draws, and there is no OpenGL 3.3 here ("
@@ -169,13 +168,13 @@ Result<QJsonObject> run(const QStringList& arguments)
 
 constexpr std::string_view kHelp =
     R"(breathe --rate-per-min R --tidal-volume-ml V --seconds S
-        [--condition NAME [--severity 0..1] [--side both|right|left]] [--ventilator volume|pressure]
-        [--anatomy DIR | --patient adult|child] [--level N]
+        [--condition NAME [--severity 0..1] [--side both|right|left]]
+        [--ventilator none|volume|pressure] [--anatomy DIR | --patient adult|child] [--level N]
     Draws the lungs of an anatomy set, or of a built-in patient (child), breathing for S seconds at
     60 frames per second as the respiratory mechanics have it, reads back where the shader put their
     vertices, and compares the volume these enclose with the mechanics. Every level of detail, or
-    level N (0 is the finest). Conditions are those of `mechanics`; a severity is 0.6 unless given.
-    Needs a display. schema carina.breathe/1
+    level N (0 is the finest). NAME is one of the conditions of `mechanics`; its severity is 0.6
+    unless given. Needs a display. schema carina.breathe/1
       anatomy                name of the anatomy drawn
       rate_per_min, tidal_volume_ml, seconds, frames_per_second
                              what was asked for

@@ -3,7 +3,6 @@
 #include "engine/lungs/lung_condition.h"
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace carina::lab
@@ -30,12 +29,17 @@ inline constexpr std::array kNamedConditions{
     NamedCondition{"stiff_chest", ConditionKind::StiffChest},
 };
 
-/// "both", "right" or "left".
+/// A side as it is named there.
+struct NamedSide {
+    std::string_view name;
+    ConditionSide side;
+};
+
+inline constexpr std::array kNamedSides{NamedSide{"both", ConditionSide::Both},
+                                        NamedSide{"right", ConditionSide::Right},
+                                        NamedSide{"left", ConditionSide::Left}};
+
 [[nodiscard]] std::string_view sideName(ConditionSide side);
-
 [[nodiscard]] std::string_view conditionName(ConditionKind kind);
-
-[[nodiscard]] std::optional<ConditionKind> conditionNamed(std::string_view name);
-[[nodiscard]] std::optional<ConditionSide> sideNamed(std::string_view name);
 
 } // namespace carina::lab

@@ -1,12 +1,11 @@
 #include "apps/lab/icp_command.h"
 
+#include "apps/lab/command_options.h"
 #include "apps/lab/csv_table.h"
 #include "engine/io/json_fields.h"
 #include "engine/io/surface_reader.h"
 #include "engine/io/whole_file.h"
 #include "engine/registration/surface_refinement.h"
-
-#include <QCommandLineParser>
 
 namespace carina::lab
 {
@@ -114,11 +113,10 @@ Result<QJsonObject> runIcp(const QStringList& arguments)
     const QString swab = QStringLiteral("swab");
     const QString start = QStringLiteral("start");
     QCommandLineParser parser;
-    for (const QString& name : {surface, swab, start})
-        parser.addOption(QCommandLineOption{name, {}, name});
-    if (!parser.parse(QStringList{QStringLiteral("icp")} + arguments)
-        || !parser.positionalArguments().isEmpty() || !parser.isSet(surface) || !parser.isSet(swab)
-        || !parser.isSet(start))
+    addValueOptions(parser, {"surface", "swab", "start"});
+    if (const auto parsed = parseOptions(parser, "icp", arguments); !parsed)
+        return tl::unexpected(parsed.error());
+    if (!parser.isSet(surface) || !parser.isSet(swab) || !parser.isSet(start))
         return fail(Errc::OutOfRange,
                     "icp needs --surface FILE, --swab SWAB.csv and --start FIT.json.");
     const auto X_AM = readStart(parser.value(start));

@@ -11,19 +11,15 @@ namespace
 
 constexpr double kUsualSeverity = 0.6;
 
-template <class Kind>
-Result<Kind> namedOption(const QCommandLineParser& parser, const char* command, const char* name,
-                         std::optional<Kind> (*named)(std::string_view))
-{
-    if (!parser.isSet(QString::fromLatin1(name)))
-        return Kind{};
-    const std::string word = parser.value(QString::fromLatin1(name)).toStdString();
-    const auto kind = named(word);
-    if (!kind)
-        return fail(Errc::OutOfRange,
-                    std::string{command} + " knows no --" + name + " " + word + ".");
-    return *kind;
-}
+struct NamedVentilator {
+    std::string_view name;
+    VentilationMode mode;
+};
+
+constexpr std::array kNamedVentilators{
+    NamedVentilator{"none", VentilationMode::Spontaneous},
+    NamedVentilator{"volume", VentilationMode::VolumeControl},
+    NamedVentilator{"pressure", VentilationMode::PressureControl}};
 
 Result<Subject> builtinSubject(BuiltinPatient patient)
 {
@@ -34,52 +30,46 @@ Result<Subject> builtinSubject(BuiltinPatient patient)
 
 } // namespace
 
-void addValueOptions(QCommandLineParser& parser, std::initializer_list<const char*> names)
-{
-    for (const char* name : names) {
-        const QString word = QString::fromLatin1(name);
-        parser.addOption(QCommandLineOption{word, {}, word});
-    }
-}
-
 void addPatientOptions(QCommandLineParser& parser)
 {
-    addValueOptions(parser, {"anatomy", "patient", "condition", "severity", "side"});
-}
-
-Result<double> numberOption(const QCommandLineParser& parser, const char* command, const char* name,
-                            double least, double greatest)
-{
-    bool isNumber = false;
-    const double number = parser.value(QString::fromLatin1(name)).toDouble(&isNumber);
-    if (!isNumber || !(number >= least && number <= greatest)) {
-        return fail(Errc::OutOfRange,
-                    QStringLiteral("%1 needs --%2 with a number from %3 to %4.")
-                        .arg(QString::fromLatin1(command), QString::fromLatin1(name))
-                        .arg(least)
-                        .arg(greatest)
-                        .toStdString());
-    }
-    return number;
+    addValueOptions(parser, {"anatomy", "patient", "condition", "severity", "side", "ventilator"});
 }
 
 Result<LungCondition> conditionOption(const QCommandLineParser& parser, const char* command)
 {
-    const auto kind = namedOption(parser, command, "condition", conditionNamed);
+    const auto kind =
+        wordOption(parser, command, "condition", kNamedConditions, &NamedCondition::kind);
     if (!kind)
         return tl::unexpected(kind.error());
-    const auto side = namedOption(parser, command, "side", sideNamed);
+    const auto side = wordOption(parser, command, "side", kNamedSides, &NamedSide::side);
     if (!side)
         return tl::unexpected(side.error());
-    const auto severity = parser.isSet(QStringLiteral("severity"))
-                              ? numberOption(parser, command, "severity", 0.0, 1.0)
-                              : Result<double>{kUsualSeverity};
+    const bool hasSeverity = parser.isSet(QStringLiteral("severity"));
+    const auto severity = hasSeverity ? numberOption(parser, command, "severity", 0.0, 1.0)
+                                      : Result<double>{kUsualSeverity};
     if (!severity)
         return tl::unexpected(severity.error());
+    if (*kind == ConditionKind::Normal) {
+        if (hasSeverity || parser.isSet(QStringLiteral("side")))
+            return fail(Errc::OutOfRange,
+                        std::string{command}
+                            + " takes --severity and --side of a --condition that is not normal.");
+        return LungCondition{};
+    }
     if (*kind == ConditionKind::MainstemIntubation && *side == ConditionSide::Both)
         return fail(Errc::OutOfRange,
                     std::string{command} + " needs --side for a tube in a main bronchus.");
-    return LungCondition{*kind, *kind == ConditionKind::Normal ? 0.0 : *severity, *side};
+    return LungCondition{*kind, *severity, *side};
+}
+
+Result<VentilationMode> ventilatorOption(const QCommandLineParser& parser, const char* command)
+{
+    return wordOption(parser, command, "ventilator", kNamedVentilators, &NamedVentilator::mode);
+}
+
+std::string_view ventilatorName(VentilationMode mode)
+{
+    return std::ranges::find(kNamedVentilators, mode, &NamedVentilator::mode)->name;
 }
 
 Result<Subject> subjectOption(const QCommandLineParser& parser, const char* command)

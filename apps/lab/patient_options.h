@@ -1,33 +1,31 @@
 #pragma once
 
+#include "apps/lab/command_options.h"
 #include "engine/anatomy/anatomy.h"
-#include "engine/core/result.h"
 #include "engine/lungs/lung_condition.h"
 #include "engine/lungs/respiratory_system.h"
+#include "engine/lungs/ventilation.h"
 
-#include <QCommandLineParser>
-
-#include <initializer_list>
+#include <string_view>
 
 namespace carina::lab
 {
 
-/// Options that take a value, by their names.
-void addValueOptions(QCommandLineParser& parser, std::initializer_list<const char*> names);
-
-/// `--anatomy`, `--patient`, `--condition`, `--severity` and `--side`.
+/// `--anatomy`, `--patient`, `--condition`, `--severity`, `--side` and `--ventilator`.
 void addPatientOptions(QCommandLineParser& parser);
 
-/// The number given for an option, between two bounds.
-/// @param command that the sentence names which says what is wrong
-/// @returns OutOfRange for anything else, NaN included.
-[[nodiscard]] Result<double> numberOption(const QCommandLineParser& parser, const char* command,
-                                          const char* name, double least, double greatest);
-
 /// The condition asked for; severity 0.6 and both lungs unless it says something else.
-/// @returns OutOfRange for words and numbers that say none.
+/// @returns OutOfRange for words and numbers that say none, and for a severity or a side of health.
 [[nodiscard]] Result<LungCondition> conditionOption(const QCommandLineParser& parser,
                                                     const char* command);
+
+/// What makes the breaths; the patient, unless a ventilator is asked for.
+/// @returns OutOfRange for a ventilator there is not.
+[[nodiscard]] Result<VentilationMode> ventilatorOption(const QCommandLineParser& parser,
+                                                       const char* command);
+
+/// The word for it in command lines and results; "none" where the patient breathes.
+[[nodiscard]] std::string_view ventilatorName(VentilationMode mode);
 
 /// Who is drawn, and what size of a patient breathes.
 struct Subject {

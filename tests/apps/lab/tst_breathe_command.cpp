@@ -185,11 +185,18 @@ void TestBreatheCommand::refusesWhatItCannotDo_data()
             QByteArray{"--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 "} + words;
         row(name, all.constData(), mention);
     };
-    ill("a condition there is not", "--condition cold", "--condition cold");
-    ill("a side there is not", "--condition ards --side back", "--side back");
+    ill("a condition there is not", "--condition cold",
+        "knows no --condition cold; it knows normal, ards, copd, asthma,");
+    ill("a side there is not", "--condition ards --side back",
+        "knows no --side back; it knows both, right, left.");
+    ill("a severity of health", "--condition normal --severity 0.5", "not normal");
+    ill("a side of health", "--condition normal --side left", "not normal");
+    ill("a severity of nothing", "--severity 0.5", "not normal");
     ill("more than severe", "--condition ards --severity 1.1", "--severity");
     ill("a tube in both bronchi", "--condition mainstem_intubation", "--side");
-    ill("a ventilator there is not", "--ventilator iron", "--ventilator iron");
+    ill("a ventilator there is not", "--ventilator iron",
+        "knows no --ventilator iron; it knows none, volume, pressure.");
+    ill("one way and every condition", "--every-condition", "nothing else");
 }
 
 void TestBreatheCommand::refusesWhatItCannotDo()

@@ -1,9 +1,9 @@
 #include "apps/lab/mechanics_command.h"
 
+#include "apps/lab/command_options.h"
 #include "apps/lab/mechanics_table.h"
 #include "apps/lab/waveform_model.h"
 
-#include <QCommandLineParser>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -13,15 +13,22 @@ namespace carina::lab
 namespace
 {
 
+constexpr const char* kMechanics = "mechanics";
+constexpr double kUsualFlow_lPerMin = 30.0;
+
 constexpr std::string_view kMechanicsHelp =
-    R"(mechanics [--patient adult|child]
+    R"(mechanics [--patient adult|child] [--rate-per-min R]
     What the respiratory mechanics make of each condition at the severities 0.3, 0.6 and 0.9, after
-    a minute of quiet breathing and of volume control through a tube with a PEEP of 5 cmH2O.
+    a minute of quiet breathing and of volume control through a tube with a PEEP of 5 cmH2O; R
+    breaths per minute instead of as many as the patient breathes at rest. Conditions are normal,
+    ards, copd, asthma, simple_pneumothorax, tension_pneumothorax, atelectasis, mainstem_intubation,
+    obstruction and stiff_chest.
     schema            "carina.mechanics/1"
     patient           height_mm, weight_kg, age_years, rv_ml, frc_ml, tlc_ml,
                       compliance_ml_per_cmh2o at rest and resistance_cmh2o_s_per_l of the system,
                       and the quiet breath: rate_per_min, tidal_volume_ml, inspiratory_fraction
-    seconds           breathed in each case
+    seconds, rate_per_min
+                      breathed in each case
     conditions        condition, severity, side, rest_volume_ml, compliance_ml_per_cmh2o at rest,
                       spontaneous and volume_control with figures of the last breath:
                       tidal_volume_ml (also _right_ml, _left_ml), peak_cmh2o, plateau_cmh2o,
@@ -103,14 +110,22 @@ Result<QJsonObject> describeWaveform(const QString& file, double assumed_lPerMin
     return describeModel(*waveform, parts, *model, assumed_lPerMin);
 }
 
-Result<QJsonObject> describeTable(const QString& patient)
+Result<QJsonObject> describeTable(const QCommandLineParser& parser)
 {
+    const QString patient = parser.value(QStringLiteral("patient"));
     PatientBuild build;
     if (patient == QStringLiteral("child"))
         build = {metres(1.5), 40.0, 12.0, Sex::Female};
-    else if (patient != QStringLiteral("adult"))
+    else if (!patient.isEmpty() && patient != QStringLiteral("adult"))
         return fail(Errc::OutOfRange, "mechanics knows --patient adult and --patient child.");
-    QJsonObject object = mechanicsTable(build);
+    BreathingPattern pattern = restingPattern(build);
+    if (parser.isSet(QStringLiteral("rate-per-min"))) {
+        const auto rate_perMin = numberOption(parser, kMechanics, "rate-per-min", 4.0, 60.0);
+        if (!rate_perMin)
+            return tl::unexpected(rate_perMin.error());
+        pattern.rate = perMinute(*rate_perMin);
+    }
+    QJsonObject object = mechanicsTable(build, pattern);
     object[QStringLiteral("schema")] = QStringLiteral("carina.mechanics/1");
     return object;
 }
@@ -118,27 +133,23 @@ Result<QJsonObject> describeTable(const QString& patient)
 Result<QJsonObject> runMechanics(const QStringList& arguments)
 {
     const QString waveform = QStringLiteral("waveform");
-    const QString patient = QStringLiteral("patient");
-    const QString flow = QStringLiteral("inspiratory-flow-l-per-min");
     QCommandLineParser parser;
-    for (const QString& name : {waveform, patient, flow})
-        parser.addOption(QCommandLineOption{name, {}, name});
-    if (!parser.parse(QStringList{QStringLiteral("mechanics")} + arguments)
-        || !parser.positionalArguments().isEmpty())
-        return fail(Errc::OutOfRange, "mechanics does not know what to do with its arguments: "
-                                          + arguments.join(QLatin1Char(' ')).toStdString() + ".");
-    if (!parser.isSet(waveform) && !parser.isSet(flow))
-        return describeTable(parser.isSet(patient) ? parser.value(patient)
-                                                   : QStringLiteral("adult"));
-    if (!parser.isSet(waveform) || parser.isSet(patient))
-        return fail(Errc::OutOfRange,
-                    "mechanics takes --patient alone, or --waveform with or without a flow.");
-    bool isNumber = true;
-    const double assumed = parser.isSet(flow) ? parser.value(flow).toDouble(&isNumber) : 30.0;
-    if (!isNumber || !(assumed >= 1.0 && assumed <= 200.0))
-        return fail(Errc::OutOfRange,
-                    "mechanics needs --inspiratory-flow-l-per-min with a number from 1 to 200.");
-    return describeWaveform(parser.value(waveform), assumed);
+    addValueOptions(parser, {"waveform", "inspiratory-flow-l-per-min", "patient", "rate-per-min"});
+    if (const auto parsed = parseOptions(parser, kMechanics, arguments); !parsed)
+        return tl::unexpected(parsed.error());
+    const bool hasFlow = parser.isSet(QStringLiteral("inspiratory-flow-l-per-min"));
+    if (!parser.isSet(waveform) && !hasFlow)
+        return describeTable(parser);
+    if (!parser.isSet(waveform) || parser.isSet(QStringLiteral("patient"))
+        || parser.isSet(QStringLiteral("rate-per-min")))
+        return fail(Errc::OutOfRange, "mechanics takes --patient and --rate-per-min alone, or "
+                                      "--waveform with or without a flow.");
+    const auto assumed_lPerMin =
+        hasFlow ? numberOption(parser, kMechanics, "inspiratory-flow-l-per-min", 1.0, 200.0)
+                : Result<double>{kUsualFlow_lPerMin};
+    return assumed_lPerMin.and_then([&](double flow_lPerMin) {
+        return describeWaveform(parser.value(waveform), flow_lPerMin);
+    });
 }
 
 } // namespace

@@ -23,17 +23,11 @@ Length tubeFor(const PatientBuild& build)
     return millimetres(build.ageInYears < 16.0 ? 6.5 : 8.0);
 }
 
-RespiratorySettings tabledSettings(const PatientBuild& build, const LungCondition& condition,
-                                   VentilationMode mode)
+RespiratorySettings ventilated(RespiratorySettings settings)
 {
-    RespiratorySettings settings;
-    settings.build = build;
-    settings.condition = condition;
-    settings.pattern = restingPattern(build);
-    settings.ventilator.mode = mode;
+    settings.ventilator.mode = VentilationMode::VolumeControl;
     settings.ventilator.pressureLimit = cmH2O(60.0);
-    if (mode != VentilationMode::Spontaneous)
-        settings.tube = tubeFor(build);
+    settings.tube = tubeFor(settings.build);
     return settings;
 }
 
@@ -76,12 +70,15 @@ QJsonObject describeBreaths(const RespiratorySettings& settings)
     };
 }
 
-QJsonObject describeCondition(const PatientBuild& build, const NamedCondition& named,
-                              double severity)
+QJsonObject describeCondition(const PatientBuild& build, const BreathingPattern& pattern,
+                              const NamedCondition& named, double severity)
 {
     const ConditionSide side = named.bothSides ? ConditionSide::Both : ConditionSide::Right;
-    const LungCondition condition{named.kind, severity, side};
-    const RespiratorySystem system = afflicted(healthySystem(build), condition);
+    RespiratorySettings settings;
+    settings.build = build;
+    settings.condition = {named.kind, severity, side};
+    settings.pattern = pattern;
+    const RespiratorySystem system = afflicted(healthySystem(build), settings.condition);
     const ChestContent rest = restingContent(system);
     return {
         {QStringLiteral("condition"), textOf(named.name)},
@@ -90,10 +87,8 @@ QJsonObject describeCondition(const PatientBuild& build, const NamedCondition& n
         {QStringLiteral("rest_volume_ml"), inMillilitres(rest[0].gas + rest[1].gas)},
         {QStringLiteral("compliance_ml_per_cmh2o"),
          1e3 * inLitresPerCmH2O(complianceAtRest(system))},
-        {QStringLiteral("spontaneous"),
-         describeBreaths(tabledSettings(build, condition, VentilationMode::Spontaneous))},
-        {QStringLiteral("volume_control"),
-         describeBreaths(tabledSettings(build, condition, VentilationMode::VolumeControl))},
+        {QStringLiteral("spontaneous"), describeBreaths(settings)},
+        {QStringLiteral("volume_control"), describeBreaths(ventilated(settings))},
     };
 }
 
@@ -122,19 +117,20 @@ QJsonObject describePatient(const PatientBuild& build)
 
 } // namespace
 
-QJsonObject mechanicsTable(const PatientBuild& build)
+QJsonObject mechanicsTable(const PatientBuild& build, const BreathingPattern& pattern)
 {
     QJsonArray conditions;
     for (const NamedCondition& named : kNamedConditions) {
         if (named.kind == ConditionKind::Normal) {
-            conditions.append(describeCondition(build, named, 0.0));
+            conditions.append(describeCondition(build, pattern, named, 0.0));
             continue;
         }
         for (const double severity : {0.3, 0.6, 0.9})
-            conditions.append(describeCondition(build, named, severity));
+            conditions.append(describeCondition(build, pattern, named, severity));
     }
     return {{QStringLiteral("patient"), describePatient(build)},
             {QStringLiteral("seconds"), kSeconds},
+            {QStringLiteral("rate_per_min"), inPerMinute(pattern.rate)},
             {QStringLiteral("conditions"), conditions}};
 }
 

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina::lab
@@ -15,6 +16,7 @@ class TestMechanicsCommand : public QObject
 
 private Q_SLOTS:
     void describesThePatientAndEveryCondition();
+    void trapsMoreGasTheFasterItBreathes();
     void describesAWaveform();
     void refusesBadArguments_data();
     void refusesBadArguments();
@@ -55,6 +57,26 @@ void TestMechanicsCommand::describesThePatientAndEveryCondition()
     }
     names.removeDuplicates();
     QCOMPARE(names.size(), 10);
+    for (const QString& name : names)
+        QVERIFY2(std::string{mechanicsCommand().help}.find(name.toStdString()) != std::string::npos,
+                 qPrintable(name));
+}
+
+void TestMechanicsCommand::trapsMoreGasTheFasterItBreathes()
+{
+    const auto autoPeep_cmH2O = [](const char* rate_perMin) {
+        const auto printed =
+            mechanics({QStringLiteral("--rate-per-min"), QString::fromLatin1(rate_perMin)});
+        const auto conditions = printed.value()[QStringLiteral("conditions")].toArray();
+        const auto severeCopd = std::ranges::find_if(conditions, [](const QJsonValue& condition) {
+            return condition[QStringLiteral("condition")] == QStringLiteral("copd")
+                   && condition[QStringLiteral("severity")] == 0.9;
+        });
+        return (*severeCopd)[QStringLiteral("volume_control")][QStringLiteral("auto_peep_cmh2o")]
+            .toDouble();
+    };
+    QVERIFY(autoPeep_cmH2O("12") > 0.5);
+    QVERIFY(autoPeep_cmH2O("24") > 2.0 * autoPeep_cmH2O("12"));
 }
 
 void TestMechanicsCommand::describesAWaveform()
@@ -101,8 +123,10 @@ void TestMechanicsCommand::refusesBadArguments_data()
     row("unknown flag", "--speed 3", "--speed");
     row("a word", "adult", "adult");
     row("unknown patient", "--patient horse", "--patient adult");
-    row("patient and waveform", "--patient adult --waveform x", "--patient alone");
-    row("flow without waveform", "--inspiratory-flow-l-per-min 30", "--patient alone");
+    row("patient and waveform", "--patient adult --waveform x", "alone, or --waveform");
+    row("rate and waveform", "--rate-per-min 12 --waveform x", "alone, or --waveform");
+    row("flow without waveform", "--inspiratory-flow-l-per-min 30", "alone, or --waveform");
+    row("no rate", "--rate-per-min 0", "from 4 to 60");
     row("no flow", "--waveform x --inspiratory-flow-l-per-min 0.9", "from 1 to 200");
     row("too much flow", "--waveform x --inspiratory-flow-l-per-min 201", "from 1 to 200");
     row("flow no number", "--waveform x --inspiratory-flow-l-per-min much", "from 1 to 200");

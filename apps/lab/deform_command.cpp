@@ -1,10 +1,10 @@
 #include "apps/lab/deform_command.h"
 
+#include "apps/lab/command_options.h"
 #include "apps/lab/fissures.h"
 #include "apps/lab/landmark_motion.h"
 #include "engine/io/anatomy_set.h"
 
-#include <QCommandLineParser>
 #include <QDir>
 #include <QJsonArray>
 
@@ -14,6 +14,9 @@ namespace carina::lab
 {
 namespace
 {
+
+constexpr const char* kDeform = "deform";
+constexpr double kInspired_ml = 500.0; ///< unless given
 
 constexpr std::string_view kDeformHelp =
     R"(deform --landmarks FILE [--fit DIR] | --fit DIR | --fissures DIR [--inspired-ml V]
@@ -55,6 +58,8 @@ Result<LandmarkFolder> readFolder(const QString& path)
 {
     LandmarkFolder folder;
     const QDir dir{path};
+    if (!dir.exists())
+        return fail(Errc::FileNotFound, "There is no folder " + path.toStdString() + ".");
     for (const QString& name : dir.entryList({QStringLiteral("*.csv")}, QDir::Files, QDir::Name)) {
         auto landmarks = readLandmarkCase(dir.filePath(name));
         if (landmarks)
@@ -139,12 +144,8 @@ Result<QJsonObject> deformEach(const QString& path)
         {QStringLiteral("left_out"), folder->leftOut}};
 }
 
-Result<QJsonObject> deformLobes(const QString& folder, const QString& inspired_ml)
+Result<QJsonObject> deformLobes(const QString& folder, double inspired_ml)
 {
-    bool isNumber = true;
-    const double volume_ml = inspired_ml.isEmpty() ? 500.0 : inspired_ml.toDouble(&isNumber);
-    if (!isNumber)
-        return fail(Errc::OutOfRange, "deform needs --inspired-ml with a number.");
     const auto loaded = loadAnatomySet(folder.toStdString(), AnatomyCache::defaultFolder());
     if (!loaded)
         return tl::unexpected(loaded.error());
@@ -152,7 +153,7 @@ Result<QJsonObject> deformLobes(const QString& folder, const QString& inspired_m
     const auto lungs = LungPair::of(anatomy);
     if (!lungs)
         return tl::unexpected(lungs.error());
-    const auto pose = lungs->pose(millilitres(volume_ml), 0);
+    const auto pose = lungs->pose(millilitres(inspired_ml), 0);
     if (!pose)
         return tl::unexpected(pose.error());
     QJsonArray fissures;
@@ -164,26 +165,28 @@ Result<QJsonObject> deformLobes(const QString& folder, const QString& inspired_m
                                     {QStringLiteral("max_gap_mm"), fit.gap_mm},
                                     {QStringLiteral("max_overlap_mm"), fit.overlap_mm}});
     return QJsonObject{{QStringLiteral("fissures"), fissures},
-                       {QStringLiteral("inspired_ml"), volume_ml}};
+                       {QStringLiteral("inspired_ml"), inspired_ml}};
 }
 
 Result<QJsonObject> runDeform(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    for (const char* flag : {"landmarks", "fit", "fissures", "inspired-ml"}) {
-        const QString name = QString::fromLatin1(flag);
-        parser.addOption(QCommandLineOption{name, {}, name});
-    }
-    const bool understood = parser.parse(QStringList{QStringLiteral("deform")} + arguments);
+    addValueOptions(parser, {"landmarks", "fit", "fissures", "inspired-ml"});
+    if (const auto parsed = parseOptions(parser, kDeform, arguments); !parsed)
+        return tl::unexpected(parsed.error());
     const QString file = parser.value(QStringLiteral("landmarks"));
     const QString folder = parser.value(QStringLiteral("fit"));
     const QString anatomy = parser.value(QStringLiteral("fissures"));
     const bool hasLandmarks = !file.isEmpty() || !folder.isEmpty();
-    if (!understood || !parser.positionalArguments().isEmpty()
-        || hasLandmarks == !anatomy.isEmpty())
-        return fail(Errc::OutOfRange,
-                    "deform needs --landmarks FILE, --fit DIR or both, or --fissures DIR.");
-    auto object = !hasLandmarks ? deformLobes(anatomy, parser.value(QStringLiteral("inspired-ml")))
+    const bool hasVolume = parser.isSet(QStringLiteral("inspired-ml"));
+    if (hasLandmarks == !anatomy.isEmpty() || (hasVolume && hasLandmarks))
+        return fail(Errc::OutOfRange, "deform needs --landmarks FILE, --fit DIR or both, or "
+                                      "--fissures DIR and perhaps --inspired-ml.");
+    const auto inspired_ml = hasVolume ? numberOption(parser, kDeform, "inspired-ml", 0.0, 10'000.0)
+                                       : Result<double>{kInspired_ml};
+    if (!inspired_ml)
+        return tl::unexpected(inspired_ml.error());
+    auto object = !hasLandmarks    ? deformLobes(anatomy, *inspired_ml)
                   : file.isEmpty() ? deformEach(folder)
                                    : deformOne(file, folder);
     if (object)

@@ -105,6 +105,7 @@ private Q_SLOTS:
     void leavesEachFileOutInTurn();
     void refusesWhatItCannotUse_data();
     void refusesWhatItCannotUse();
+    void tellsAFolderThatIsNotThereFromAnEmptyOne();
     void followsTheLungsOfPeople_data();
     void followsTheLungsOfPeople();
     void keepsRealLobesTogether();
@@ -198,8 +199,23 @@ void TestDeformCommand::refusesWhatItCannotUse()
     QVERIFY(found.error().detail.find("a.csv") != std::string::npos);
     for (const QStringList& arguments :
          {QStringList{}, QStringList{QStringLiteral("--landmarks")},
-          QStringList{QStringLiteral("--fit"), m_folder->path(), QStringLiteral("more")}})
+          QStringList{QStringLiteral("--fit"), m_folder->path(), QStringLiteral("more")},
+          QStringList{QStringLiteral("--fit"), m_folder->path(), QStringLiteral("--inspired-ml"),
+                      QStringLiteral("500")},
+          QStringList{QStringLiteral("--fissures"), m_folder->path(),
+                      QStringLiteral("--inspired-ml"), QStringLiteral("much")}})
         QCOMPARE(deformWith(arguments).error().code, Errc::OutOfRange);
+}
+
+void TestDeformCommand::tellsAFolderThatIsNotThereFromAnEmptyOne()
+{
+    const QString absent = m_folder->filePath("absent");
+    const auto refusal = [](const QString& folder) {
+        return deformWith({QStringLiteral("--fit"), folder}).error().detail;
+    };
+    QCOMPARE(refusal(absent), "There is no folder " + absent.toStdString() + ".");
+    QCOMPARE(refusal(m_folder->path()),
+             m_folder->path().toStdString() + " holds no file with landmarks.");
 }
 
 // DIR-Lab's cases 1 to 5; their mean motion as their authors give it.

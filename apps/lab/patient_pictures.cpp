@@ -48,6 +48,7 @@ QJsonObject bothSides(const PerSide& figures)
 /// A patient at one end of a breath.
 struct PosedPatient {
     LungCondition condition;
+    VentilationMode ventilator;
     const char* phase;
     ChestPose pose;
     PerSide volume_ml{};    ///< as drawn
@@ -94,17 +95,18 @@ PerSide greatestDescent_mm(const DiaphragmHeights& from, const DiaphragmHeights&
     return greatest;
 }
 
-/// Both ends of a breath with a condition.
+/// Both ends of a breath.
 Result<std::array<PosedPatient, 2>> endsOfBreath(const PatientModel& patient, DrawnLungs& drawn,
-                                                 const PatientBuild& build,
-                                                 const LungCondition& condition)
+                                                 const BreathingTrial& trial)
 {
-    const auto shapes =
-        shapesOf(settledBreath(build, condition, restingPattern(build).rate, kFramesOfBreath));
+    const auto shapes = shapesOf(trial);
+    const LungCondition& condition = trial.settings.condition;
+    const VentilationMode ventilator = trial.settings.ventilator.mode;
     const auto [least, most] = std::ranges::minmax_element(shapes, {}, gasOf);
     std::array ends{
-        PosedPatient{condition, "expired", drawnPose(patient.lungs(), *least, kFinest)},
-        PosedPatient{condition, "inspired", drawnPose(patient.lungs(), *most, kFinest)}};
+        PosedPatient{condition, ventilator, "expired", drawnPose(patient.lungs(), *least, kFinest)},
+        PosedPatient{condition, ventilator, "inspired",
+                     drawnPose(patient.lungs(), *most, kFinest)}};
     const DiaphragmHeights rest = diaphragmHeights(patient, {});
     const std::array heights{diaphragmHeights(patient, ends[0].pose),
                              diaphragmHeights(patient, ends[1].pose)};
@@ -125,6 +127,8 @@ QString fileOf(const PatientModel& patient, const PosedPatient& posed, const Nam
                       inWords(conditionName(posed.condition.kind))};
     if (posed.condition.side != ConditionSide::Both)
         words += inWords(sideName(posed.condition.side));
+    if (posed.ventilator != VentilationMode::Spontaneous)
+        words += {QStringLiteral("ventilator"), inWords(ventilatorName(posed.ventilator))};
     words += {inWords(view.name), inWords(posed.phase)};
     return words.join(QLatin1Char{'-'}) + QStringLiteral(".png");
 }
@@ -137,20 +141,24 @@ QJsonObject describe(const QString& file, const PosedPatient& posed, const Named
             {QStringLiteral("condition"), inWords(conditionName(posed.condition.kind))},
             {QStringLiteral("severity"), posed.condition.severity},
             {QStringLiteral("side"), inWords(sideName(posed.condition.side))},
+            {QStringLiteral("ventilator"), inWords(ventilatorName(posed.ventilator))},
             {QStringLiteral("volume_ml"), bothSides(posed.volume_ml)},
             {QStringLiteral("dome_descent_mm"), bothSides(posed.dome_mm)},
             {QStringLiteral("diaphragm_excursion_mm"), bothSides(posed.excursion_mm)}};
 }
 
 Result<std::vector<PosedPatient>> posed(const PatientModel& patient, const PatientBuild& build,
-                                        const std::vector<LungCondition>& conditions)
+                                        const PictureOrder& order)
 {
     auto drawn = DrawnLungs::of(patient.lungs(), kFinest);
     if (!drawn)
         return tl::unexpected(drawn.error());
     std::vector<PosedPatient> all;
-    for (const LungCondition& condition : conditions) {
-        const auto ends = endsOfBreath(patient, *drawn, build, condition);
+    for (const LungCondition& condition : order.conditions) {
+        BreathingTrial trial =
+            settledBreath(build, condition, restingPattern(build).rate, kFramesOfBreath);
+        trial.settings.ventilator.mode = order.ventilator;
+        const auto ends = endsOfBreath(patient, *drawn, trial);
         if (!ends)
             return tl::unexpected(ends.error());
         all.insert(all.end(), ends->begin(), ends->end());
@@ -208,7 +216,7 @@ Result<QJsonObject> drawPictures(Subject subject, const PictureOrder& order)
     const auto patient = patientOf(std::move(subject.anatomy));
     if (!patient)
         return tl::unexpected(patient.error());
-    const auto all = posed(**patient, subject.build, order.conditions);
+    const auto all = posed(**patient, subject.build, order);
     if (!all)
         return tl::unexpected(all.error());
     return drawAll(**patient, *all, order).map([&](const QJsonArray& pictures) {

@@ -15,6 +15,7 @@ namespace carina::lab
 /// Which pictures of a patient are wanted.
 struct PictureOrder {
     std::vector<LungCondition> conditions;
+    VentilationMode ventilator = VentilationMode::Spontaneous;
     QSize size;  ///< of each, pixels
     QDir folder; ///< made if need be
 };

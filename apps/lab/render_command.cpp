@@ -53,16 +53,14 @@ Result<QJsonObject> checkedGeometry(const QCommandLineParser& parser)
 /// The condition asked for, or what everyone wants to see of a patient.
 Result<std::vector<LungCondition>> conditionsOf(const QCommandLineParser& parser)
 {
-    if (parser.isSet(QStringLiteral("condition")))
-        return conditionOption(parser, kRender).map([](const LungCondition& condition) {
+    return conditionOption(parser, kRender).map([&parser](const LungCondition& condition) {
+        if (parser.isSet(QStringLiteral("condition")))
             return std::vector{condition};
-        });
-    if (parser.isSet(QStringLiteral("severity")) || parser.isSet(QStringLiteral("side")))
-        return fail(Errc::OutOfRange, "render needs --condition for a --severity or --side.");
-    return std::vector<LungCondition>{
-        {},
-        {ConditionKind::SimplePneumothorax, kSevere, ConditionSide::Right},
-        {ConditionKind::Copd, kSevere, ConditionSide::Both}};
+        return std::vector<LungCondition>{
+            {},
+            {ConditionKind::SimplePneumothorax, kSevere, ConditionSide::Right},
+            {ConditionKind::Copd, kSevere, ConditionSide::Both}};
+    });
 }
 
 Result<QJsonObject> drawnPictures(const QCommandLineParser& parser)
@@ -77,6 +75,10 @@ Result<QJsonObject> drawnPictures(const QCommandLineParser& parser)
     if (!conditions)
         return tl::unexpected(conditions.error());
     order.conditions = *conditions;
+    const auto ventilator = ventilatorOption(parser, kRender);
+    if (!ventilator)
+        return tl::unexpected(ventilator.error());
+    order.ventilator = *ventilator;
     return subjectOption(parser, kRender).and_then([&order](Subject subject) {
         return drawPictures(std::move(subject), order);
     });
@@ -91,9 +93,8 @@ Result<QJsonObject> render(const QStringList& arguments)
     addPatientOptions(drawing);
     addValueOptions(drawing, {"pictures"});
     viewer::addSizeOption(drawing);
-    const QStringList words = QStringList{QString::fromLatin1(kRender)} + arguments;
-    const auto understands = [&words](QCommandLineParser& parser, const QString& need) {
-        return parser.parse(words) && parser.positionalArguments().isEmpty() && parser.isSet(need);
+    const auto understands = [&arguments](QCommandLineParser& parser, const QString& need) {
+        return parseOptions(parser, kRender, arguments) && parser.isSet(need);
     };
     if (understands(checking, kCheckGeometry))
         return checkedGeometry(checking);
@@ -119,15 +120,17 @@ constexpr std::string_view kRenderHelp = R"(render --check-geometry [--seed K]
                                 distance from where the sphere should be seen
 render --pictures DIR [--anatomy DIR | --patient adult|child] [--size WxH]
         [--condition NAME [--severity 0..1] [--side both|right|left]]
+        [--ventilator none|volume|pressure]
     Draws an anatomy set, or a built-in patient (child), as the programs do, in full detail, at the
     end of expiration and of inspiration of a quiet breath after a minute of them: from the front,
     from the right side, and as a trainee sees it who stands behind the head. In health, with a
     simple pneumothorax of the right lung and with COPD, both of severity 0.9; or with one condition
-    of those of `mechanics`, of severity 0.6 unless given. Writes PNG of 1280x800 pixels or the size
-    asked for. Needs a display. schema carina.render.pictures/1
+    of those of `mechanics`, of severity 0.6 unless given. Breathed by the patient, or by a
+    ventilator. Writes PNG of 1280x800 pixels or the size asked for. Needs a display. schema
+    carina.render.pictures/1
       anatomy, width, height    what was drawn, and pixels
       pictures                  per picture: file, view (front, side, trainee), phase (expired,
-                                inspired), condition, severity, side; right and left:
+                                inspired), condition, severity, side, ventilator; right and left:
                                 volume_ml (what the vertices drawn enclose), dome_descent_mm (how
                                 far the top of the diaphragm is below where it rests in health) and
                                 diaphragm_excursion_mm (how far it goes down in that breath where

@@ -21,6 +21,13 @@ constexpr int kPerCondition = 6;
 constexpr double kCollapsedShare = 1.0 - 0.75 * 0.9;
 constexpr double kShareTolerance = 0.05;
 
+double total_ml(const QJsonValue& picture)
+{
+    const QJsonValue volume_ml = picture[QStringLiteral("volume_ml")];
+    return volume_ml[QStringLiteral("right")].toDouble()
+           + volume_ml[QStringLiteral("left")].toDouble();
+}
+
 } // namespace
 
 class TestPatientPictures : public QObject
@@ -35,6 +42,7 @@ private Q_SLOTS:
     void drawsBothEndsOfABreathFromThreeSides();
     void drawsTheVolumesOfARestingBreath();
     void drawsACollapsedLungOnItsSide();
+    void drawsTheBreathsOfAVentilator();
 
 private:
     [[nodiscard]] QImage picture(int i) const;
@@ -87,11 +95,9 @@ void TestPatientPictures::drawsBothEndsOfABreathFromThreeSides()
 
 void TestPatientPictures::drawsTheVolumesOfARestingBreath()
 {
-    const auto total_ml = [this](int i) {
-        return figure(i, "volume_ml", "right") + figure(i, "volume_ml", "left");
-    };
-    QCOMPARE(total_ml(2), total_ml(0));
-    QVERIFY(std::abs(total_ml(3) - total_ml(0) - kRestingBreath_ml) < kBreathTolerance_ml);
+    QCOMPARE(total_ml(m_pictures[2]), total_ml(m_pictures[0]));
+    const double breath_ml = total_ml(m_pictures[3]) - total_ml(m_pictures[0]);
+    QVERIFY(std::abs(breath_ml - kRestingBreath_ml) < kBreathTolerance_ml);
     for (const char* side : {"right", "left"}) {
         const double dome_mm =
             figure(3, "dome_descent_mm", side) - figure(0, "dome_descent_mm", side);
@@ -111,6 +117,23 @@ void TestPatientPictures::drawsACollapsedLungOnItsSide()
     QVERIFY2(std::abs(share("right") - kCollapsedShare) < kShareTolerance,
              qPrintable(QString::number(share("right"))));
     QVERIFY(share("left") > 0.8);
+}
+
+// Volume control gives what is set; of their own these patients breathe 0.64 of it.
+void TestPatientPictures::drawsTheBreathsOfAVentilator()
+{
+    const auto object = lab::renderCommand().run(
+        QStringLiteral("--condition copd --severity 0.9 --ventilator volume --size 320x200")
+            .split(QLatin1Char{' '})
+        + QStringList{QStringLiteral("--pictures"), m_folder.path()});
+    QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+    const QJsonArray pictures = object.value()[QStringLiteral("pictures")].toArray();
+    QCOMPARE(pictures.size(), kPerCondition);
+    QCOMPARE(pictures[0][QStringLiteral("ventilator")], QStringLiteral("volume"));
+    QVERIFY(pictures[0][QStringLiteral("file")].toString().contains(
+        QStringLiteral("ventilator-volume")));
+    const double breath_ml = total_ml(pictures[3]) - total_ml(pictures[0]);
+    QVERIFY(std::abs(breath_ml - kRestingBreath_ml) < kBreathTolerance_ml);
 }
 
 QTEST_MAIN(TestPatientPictures)

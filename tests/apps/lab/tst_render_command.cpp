@@ -165,6 +165,7 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("a condition there is not", "--pictures . --condition cold", "--condition cold");
     row("a severity of nothing", "--pictures . --severity 0.5", "--condition");
     row("a side of nothing", "--pictures . --side left", "--condition");
+    row("a ventilator there is not", "--pictures . --ventilator iron", "none, volume, pressure");
     row("more than severe", "--pictures . --condition copd --severity 1.1", "--severity");
     row("a patient there is not", "--pictures . --patient giant", "--patient adult");
     row("a folder and a patient", "--pictures . --patient adult --anatomy .", "not both");

@@ -3,6 +3,8 @@
 #include "engine/core/result.h"
 #include "engine/core/session_time.h"
 
+#include <QtGlobal>
+
 #include <vector>
 
 namespace carina::lab

@@ -57,7 +57,7 @@ Result<PlusConfig> readPlusConfig(const QString& file)
         return fail(Errc::FileNotFound, name + " cannot be opened.");
     QXmlStreamReader xml{&source};
     PlusConfig config;
-    std::optional<Vec3> p_SQ;
+    bool hasTip = false;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement)
             continue;
@@ -65,7 +65,10 @@ Result<PlusConfig> readPlusConfig(const QString& file)
         if (xml.name() == QLatin1String{"Transform"}
             && attributes.value(QLatin1String{"From"}) == QLatin1String{"StylusTip"}
             && attributes.value(QLatin1String{"To"}) == QLatin1String{"Stylus"}) {
-            p_SQ = tipOf(attributes);
+            const auto p_SQ = tipOf(attributes);
+            hasTip = p_SQ.has_value();
+            if (hasTip)
+                config.p_SQ = *p_SQ;
         } else if (xml.name() == QLatin1String{"Landmark"}) {
             const auto landmark = landmarkOf(attributes);
             if (!landmark)
@@ -78,12 +81,11 @@ Result<PlusConfig> readPlusConfig(const QString& file)
     if (xml.hasError())
         return fail(Errc::FileMalformed, name + " line " + std::to_string(xml.lineNumber()) + ": "
                                              + xml.errorString().toStdString());
-    if (!p_SQ)
+    if (!hasTip)
         return fail(Errc::FileMalformed,
                     name + " has no transform of 16 numbers from StylusTip to Stylus.");
     if (config.landmarks.empty())
         return fail(Errc::FileMalformed, name + " has no landmark.");
-    config.p_SQ = *p_SQ;
     return config;
 }
 

@@ -113,19 +113,19 @@ Result<QJsonObject> describeWaveform(const QString& file, double assumed_lPerMin
 Result<QJsonObject> describeTable(const QCommandLineParser& parser)
 {
     const QString patient = parser.value(QStringLiteral("patient"));
-    PatientBuild build;
+    RespiratorySettings healthy;
     if (patient == QStringLiteral("child"))
-        build = {metres(1.5), 40.0, 12.0, Sex::Female};
+        healthy.build = {metres(1.5), 40.0, 12.0, Sex::Female};
     else if (!patient.isEmpty() && patient != QStringLiteral("adult"))
         return fail(Errc::OutOfRange, "mechanics knows --patient adult and --patient child.");
-    BreathingPattern pattern = restingPattern(build);
+    healthy.pattern = restingPattern(healthy.build);
     if (parser.isSet(QStringLiteral("rate-per-min"))) {
         const auto rate_perMin = numberOption(parser, kMechanics, "rate-per-min", 4.0, 60.0);
         if (!rate_perMin)
             return tl::unexpected(rate_perMin.error());
-        pattern.rate = perMinute(*rate_perMin);
+        healthy.pattern.rate = perMinute(*rate_perMin);
     }
-    QJsonObject object = mechanicsTable(build, pattern);
+    QJsonObject object = mechanicsTable(healthy);
     object[QStringLiteral("schema")] = QStringLiteral("carina.mechanics/1");
     return object;
 }

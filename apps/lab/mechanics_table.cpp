@@ -70,15 +70,12 @@ QJsonObject describeBreaths(const RespiratorySettings& settings)
     };
 }
 
-QJsonObject describeCondition(const PatientBuild& build, const BreathingPattern& pattern,
-                              const NamedCondition& named, double severity)
+QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition& named,
+                              double severity)
 {
     const ConditionSide side = named.bothSides ? ConditionSide::Both : ConditionSide::Right;
-    RespiratorySettings settings;
-    settings.build = build;
     settings.condition = {named.kind, severity, side};
-    settings.pattern = pattern;
-    const RespiratorySystem system = afflicted(healthySystem(build), settings.condition);
+    const RespiratorySystem system = systemOf(settings);
     const ChestContent rest = restingContent(system);
     return {
         {QStringLiteral("condition"), textOf(named.name)},
@@ -117,20 +114,20 @@ QJsonObject describePatient(const PatientBuild& build)
 
 } // namespace
 
-QJsonObject mechanicsTable(const PatientBuild& build, const BreathingPattern& pattern)
+QJsonObject mechanicsTable(const RespiratorySettings& healthy)
 {
     QJsonArray conditions;
     for (const NamedCondition& named : kNamedConditions) {
         if (named.kind == ConditionKind::Normal) {
-            conditions.append(describeCondition(build, pattern, named, 0.0));
+            conditions.append(describeCondition(healthy, named, 0.0));
             continue;
         }
         for (const double severity : {0.3, 0.6, 0.9})
-            conditions.append(describeCondition(build, pattern, named, severity));
+            conditions.append(describeCondition(healthy, named, severity));
     }
-    return {{QStringLiteral("patient"), describePatient(build)},
+    return {{QStringLiteral("patient"), describePatient(healthy.build)},
             {QStringLiteral("seconds"), kSeconds},
-            {QStringLiteral("rate_per_min"), inPerMinute(pattern.rate)},
+            {QStringLiteral("rate_per_min"), inPerMinute(healthy.pattern.rate)},
             {QStringLiteral("conditions"), conditions}};
 }
 

@@ -1,17 +1,15 @@
 #pragma once
 
-#include "engine/lungs/breathing_pattern.h"
-#include "engine/lungs/respiratory_system.h"
+#include "engine/lungs/respiratory_fold.h"
 
 #include <QJsonObject>
 
 namespace carina::lab
 {
 
-/// The patient at rest, and what each condition makes of a minute of breathing and of volume
-/// control by a pattern, at the severities 0.3, 0.6 and 0.9. The keys are in the help of
-/// `mechanics`.
-[[nodiscard]] QJsonObject mechanicsTable(const PatientBuild& build,
-                                         const BreathingPattern& pattern);
+/// The patient at rest, and what each condition makes of a minute of breathing as set and of
+/// volume control, at the severities 0.3, 0.6 and 0.9. The keys are in the help of `mechanics`.
+/// @param healthy who breathes, and how; spontaneous
+[[nodiscard]] QJsonObject mechanicsTable(const RespiratorySettings& healthy);
 
 } // namespace carina::lab

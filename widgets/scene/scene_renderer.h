@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/scene/error_map.h"
 #include "widgets/scene/frame_graph.h"
 #include "widgets/scene/orbit_camera.h"
 #include "widgets/scene/organ_effects.h"
@@ -55,6 +56,8 @@ public:
     /// Draws each part, by its place among the parts, in its level of detail.
     void apply(const SceneFrame& frame, std::span<const int> levels);
     void setSection(const std::optional<Section>& section);
+    /// Unlike all else this may be seen a frame or two later: another shader program takes over.
+    void setErrorMap(const std::optional<ErrorMap>& map) { carina::setErrorMap(m_effects, map); }
     void draw();
 
     /// The picture as it is set now; a null image where the window cannot be drawn into.

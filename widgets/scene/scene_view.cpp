@@ -104,6 +104,8 @@ void SceneView::setSection(const std::optional<Section>& section)
     m_renderer->setSection(section);
 }
 
+void SceneView::setErrorMap(const std::optional<ErrorMap>& map) { m_renderer->setErrorMap(map); }
+
 void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
 
 void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }

@@ -2,6 +2,7 @@
 
 #include "engine/display/time_of_light.h"
 #include "widgets/scene/detail_choice.h"
+#include "widgets/scene/error_map.h"
 #include "widgets/scene/frame_statistics.h"
 #include "widgets/scene/orbit_camera.h"
 #include "widgets/scene/part_labels.h"
@@ -56,6 +57,8 @@ public:
     [[nodiscard]] const PartLooks& looks() const { return m_looks; }
     /// Cuts the scene open, or no more.
     void setSection(const std::optional<Section>& section);
+    /// Draws the error of a registration in place of the parts' colours, or no more.
+    void setErrorMap(const std::optional<ErrorMap>& map);
 
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
     /// Called after each frame, when its buffers were swapped.

@@ -1,5 +1,6 @@
 #include "apps/lab/render_command.h"
 
+#include "apps/lab/error_pictures.h"
 #include "apps/lab/geometry_check.h"
 #include "apps/lab/patient_pictures.h"
 #include "apps/viewer/program.h"
@@ -84,6 +85,31 @@ Result<QJsonObject> drawnPictures(const QCommandLineParser& parser)
     });
 }
 
+Result<QJsonObject> drawnError(const QCommandLineParser& parser)
+{
+    ErrorPictureOrder order;
+    order.folder.setPath(parser.value(QStringLiteral("error-map")));
+    const auto size = viewer::sizeOption(parser);
+    if (!size)
+        return tl::unexpected(size.error());
+    order.size = *size;
+    if (parser.isSet(QStringLiteral("landmarks"))) {
+        const auto count = numberOption(parser, kRender, "landmarks", 3.0, 8.0);
+        if (!count)
+            return tl::unexpected(count.error());
+        order.landmarks = static_cast<std::size_t>(*count);
+    }
+    if (parser.isSet(QStringLiteral("fle"))) {
+        const auto fle_mm = numberOption(parser, kRender, "fle", 0.01, 100.0);
+        if (!fle_mm)
+            return tl::unexpected(fle_mm.error());
+        order.fle = millimetres(*fle_mm);
+    }
+    return subjectOption(parser, kRender).and_then([&order](Subject subject) {
+        return drawErrorPictures(std::move(subject), order);
+    });
+}
+
 Result<QJsonObject> render(const QStringList& arguments)
 {
     QCommandLineParser checking;
@@ -93,6 +119,9 @@ Result<QJsonObject> render(const QStringList& arguments)
     addPatientOptions(drawing);
     addValueOptions(drawing, {"pictures"});
     viewer::addSizeOption(drawing);
+    QCommandLineParser mapping;
+    addValueOptions(mapping, {"anatomy", "patient", "error-map", "landmarks", "fle"});
+    viewer::addSizeOption(mapping);
     const auto understands = [&arguments](QCommandLineParser& parser, const QString& need) {
         return parseOptions(parser, kRender, arguments) && parser.isSet(need);
     };
@@ -100,8 +129,10 @@ Result<QJsonObject> render(const QStringList& arguments)
         return checkedGeometry(checking);
     if (understands(drawing, QStringLiteral("pictures")))
         return drawnPictures(drawing);
-    return fail(Errc::OutOfRange, "render takes --check-geometry [--seed K], or --pictures DIR "
-                                  "and what 'carina-lab help' says of it.");
+    if (understands(mapping, QStringLiteral("error-map")))
+        return drawnError(mapping);
+    return fail(Errc::OutOfRange, "render takes --check-geometry [--seed K], --pictures DIR or "
+                                  "--error-map DIR, and what 'carina-lab help' says of them.");
 }
 
 constexpr std::string_view kRenderHelp = R"(render --check-geometry [--seed K]
@@ -135,6 +166,16 @@ render --pictures DIR [--anatomy DIR | --patient adult|child] [--size WxH]
                                 far the top of the diaphragm is below where it rests in health) and
                                 diaphragm_excursion_mm (how far it goes down in that breath where
                                 it does so most); both 0 for a set without a diaphragm
+render --error-map DIR [--anatomy DIR | --patient adult|child] [--size WxH]
+        [--landmarks N] [--fle MM]
+    Draws on a patient at rest how far a registration on the first N landmarks of `tre` (4) would be
+    off, the error of a touch being MM (1) in the mean square: from the front, from the right side,
+    as a trainee stands and cut open in the middle, with the scale in the corner. Needs a display.
+    schema carina.render.error/1
+      anatomy, landmarks, fle_mm   what was drawn
+      least_rms_mm, most_rms_mm    of the expected error on head, airway and lungs
+      band_mm                      from line to line
+      pictures                     per picture: file, view (front, side, trainee, cut)
 )";
 
 } // namespace

@@ -22,10 +22,12 @@ double chestRise(Frequency rate, SessionTime t)
     return third < 2.0 ? 0.5 * kManikinRise.si * (1.0 - std::cos(std::numbers::pi * third)) : 0.0;
 }
 
-/// The hands, and the marker on a chest.
-TrueToolPose withChest(TrueToolPose hands, const RigidTransform& X_TA, Frequency rate)
+/// The hands, and what the manikin wears: a marker on its chest and a probe on its torso.
+TrueToolPose withManikin(TrueToolPose hands, const RigidTransform& X_TA, Frequency rate)
 {
     return [=](ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
+        if (tool == ToolRole::Manikin)
+            return X_TA * simulatedBodyProbe();
         if (tool != ToolRole::Chest)
             return hands(tool, t);
         return X_TA * RigidTransform::translation(kMarker_A - chestRise(rate, t) * Vec3::UnitY());
@@ -33,6 +35,8 @@ TrueToolPose withChest(TrueToolPose hands, const RigidTransform& X_TA, Frequency
 }
 
 } // namespace
+
+RigidTransform simulatedBodyProbe() { return RigidTransform::translation({-0.12, -0.06, 0.05}); }
 
 Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube,
                                           ReadSessionClock clock,
@@ -49,10 +53,10 @@ Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const T
     if (!hands)
         return tl::unexpected(hands.error());
     const StationRegistration exactly{.X_AT = X_TA.inverse(), .X_JA = hands->closedJaw().inverse()};
-    const bool breathes = manikinBreathes.si > 0.0;
-    TrueToolPose truth = breathes ? withChest(*hands, X_TA, manikinBreathes) : *hands;
+    TrueToolPose truth = withManikin(*hands, X_TA, manikinBreathes);
     SimulatedTrackerSettings device;
-    device.chestMarker = breathes;
+    device.chestMarker = manikinBreathes.si > 0.0;
+    device.bodyProbe = registration && registration->X_BA;
     auto tracker = std::make_unique<SimulatedTracker>(device, truth, std::move(clock));
     return SimulatedStation{.tracking = std::make_unique<StationTracking>(
                                 std::move(tracker), registration.value_or(exactly)),

@@ -9,8 +9,8 @@ namespace carina
 {
 
 /// A station without hardware: the simulated tracker watches a scripted pair of hands that brings
-/// the tube into this patient again and again, and where the manikin breathes a marker on its
-/// chest.
+/// the tube into this patient again and again, where the manikin breathes a marker on its chest,
+/// and where it was registered with a body probe that probe.
 struct SimulatedStation {
     std::unique_ptr<StationTracking> tracking;
     RigidTransform X_TA;         ///< where the manikin truly lies
@@ -18,7 +18,8 @@ struct SimulatedStation {
     TrueToolPose truth;          ///< X_T<tool> of the hands, whatever the tracker measures
 };
 
-/// @param registration of the manikin; without one it is registered exactly
+/// @param registration of the manikin; without one it is registered exactly. Has it X_BA, the
+///        manikin wears a body probe, which truly is at simulatedBodyProbe()
 /// @param manikinBreathes its chest rises by kManikinRise so often; 0: it does not, and has no
 ///        marker
 /// @returns what ScriptedHands::make refuses of this airway.
@@ -28,5 +29,9 @@ simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessi
                  Frequency manikinBreathes = {});
 
 inline constexpr Length kManikinRise = millimetres(12.0);
+
+/// X_AB of the body probe that a simulated manikin may wear: on its right shoulder, with the axes
+/// of A.
+[[nodiscard]] RigidTransform simulatedBodyProbe();
 
 } // namespace carina

@@ -26,11 +26,25 @@ bool StationTracking::hasChinProbe() const
     return historyOf(ToolRole::Jaw) && assumed().registration.X_JA;
 }
 
+bool StationTracking::hasBodyProbe() const
+{
+    return historyOf(ToolRole::Manikin) && assumed().registration.X_BA;
+}
+
 ChinMotion StationTracking::chinMotion() const { return assumed().chin; }
+
+MotionAssumption StationTracking::motionAssumption() const
+{
+    if (hasBodyProbe())
+        return MotionAssumption::BodyProbe;
+    if (chinMotion() == ChinMotion::OfManikin)
+        return MotionAssumption::ChinMovesManikin;
+    return hasChinProbe() ? MotionAssumption::ChinMovesJaw : MotionAssumption::Static;
+}
 
 bool StationTracking::takeChinMotion(ChinMotion motion)
 {
-    if (!hasChinProbe())
+    if (!hasChinProbe() || hasBodyProbe())
         return false;
     const auto X_TJ = historyOf(ToolRole::Jaw)->newest();
     const std::scoped_lock lock{m_mutex};
@@ -46,18 +60,30 @@ std::optional<PoseSample> StationTracking::at(ToolRole role, SessionTime t) cons
     const auto X_TO = history ? history->at(t) : std::nullopt;
     if (!X_TO)
         return std::nullopt;
-    const auto [registration, chin] = assumed();
-    if (chin == ChinMotion::OfManikin) {
-        const auto X_TJ = historyOf(ToolRole::Jaw)->at(t);
-        if (!X_TJ)
+    const Assumption assumption = assumed();
+    const StationRegistration& registration = assumption.registration;
+    PoseSample sample_A;
+    if (const auto carries = carrier(assumption)) {
+        const auto X_TP = historyOf(carries->probe)->at(t);
+        if (!X_TP)
             return std::nullopt;
-        const PoseSample sample_A = reframed(registration.X_JA->inverse(), seenFrom(*X_TJ, *X_TO));
-        return role == ToolRole::Jaw ? attached(sample_A, *registration.X_JA) : sample_A;
+        sample_A = reframed(carries->X_PA.inverse(), seenFrom(*X_TP, *X_TO));
+    } else {
+        sample_A = reframed(registration.X_AT, *X_TO);
     }
-    const PoseSample sample_A = reframed(registration.X_AT, *X_TO);
     if (role != ToolRole::Jaw)
         return sample_A;
     return registration.X_JA ? std::optional{attached(sample_A, *registration.X_JA)} : std::nullopt;
+}
+
+std::optional<StationTracking::Carrier> StationTracking::carrier(const Assumption& assumption) const
+{
+    const StationRegistration& registration = assumption.registration;
+    if (registration.X_BA && historyOf(ToolRole::Manikin))
+        return Carrier{ToolRole::Manikin, *registration.X_BA};
+    if (assumption.chin == ChinMotion::OfManikin)
+        return Carrier{ToolRole::Jaw, *registration.X_JA};
+    return std::nullopt;
 }
 
 std::optional<PoseSample> StationTracking::newest(ToolRole role) const

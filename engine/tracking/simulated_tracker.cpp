@@ -36,6 +36,8 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
     add("stylus", ToolRole::Stylus);
     if (m_settings.chestMarker)
         add("chest", ToolRole::Chest);
+    if (m_settings.bodyProbe)
+        add("body", ToolRole::Manikin);
 }
 
 SessionTime SimulatedTracker::advance(SessionTime now)

@@ -36,12 +36,13 @@ struct SimulatedTrackerSettings {
     WorkingVolume volume;                             ///< a tool's origin outside it is lost
     std::vector<Occlusion> occlusions;
     bool chestMarker = false; ///< there is one on the manikin's chest, too
+    bool bodyProbe = false;   ///< and a probe on its torso
     std::uint32_t seed = 1;
 };
 
 /// A tracker for a station without hardware: measures given true poses of a head, a jaw, a tube and
-/// a stylus, and of a chest where it has a marker, with noise, occlusion and loss, on a thread of
-/// its own.
+/// a stylus, and of a chest and a torso where they have a probe, with noise, occlusion and loss, on
+/// a thread of its own.
 ///
 /// Every sample is stamped with the time of its exposure and delivered a latency later, with the
 /// velocity that a MotionFilter finds. The fit

@@ -43,6 +43,8 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
     model.m_name = std::move(anatomy.name);
     model.m_contentHash = std::move(anatomy.contentHash);
     model.m_landmarks = std::move(anatomy.landmarks);
+    model.m_throat = {model.m_landmarks.p_A_carina, model.m_landmarks.p_A_glottis,
+                      model.m_landmarks.p_A_incisors};
     model.m_attributions = std::move(anatomy.attributions);
     model.m_lungs = std::make_shared<const LungPair>(std::move(*lungs));
     model.m_tube = std::move(*tube);

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/tube.h"
+#include "engine/geometry/throat_field.h"
 #include "engine/lungs/lung_pair.h"
 
 #include <memory>
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] const std::vector<std::string>& attributions() const { return m_attributions; }
     [[nodiscard]] const std::vector<PatientSurface>& surfaces() const { return m_surfaces; }
     [[nodiscard]] const LungPair& lungs() const { return *m_lungs; }
+    /// How what lies between jaw and carina follows the jaw.
+    [[nodiscard]] const ThroatField& throat() const { return m_throat; }
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
 
 private:
@@ -55,6 +58,7 @@ private:
     std::vector<std::string> m_attributions;
     std::vector<PatientSurface> m_surfaces;
     std::shared_ptr<const LungPair> m_lungs; // owned with the surfaces that alias its meshes
+    ThroatField m_throat;
     TubeShape m_tube;
 };
 

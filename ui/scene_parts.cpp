@@ -87,18 +87,20 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
     return parts;
 }
 
-SceneFrame sceneFrame(const StationMoment& moment, const ChestField& field)
+SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
+                      const ThroatField& throat)
 {
     SceneFrame frame;
     frame.time = moment.time;
-    frame.chest.field = field;
+    frame.chest.field = chest;
     for (std::size_t region = 0; region < kChestRegions; ++region)
-        frame.chest.motion[region] = motionOf(static_cast<ChestRegion>(region), moment.pose, field);
+        frame.chest.motion[region] = motionOf(static_cast<ChestRegion>(region), moment.pose, chest);
     const ActedPose patient = moment.patient ? moment.patient->acted : ActedPose{};
     frame.bodies[kPatient] = inPatient(patient, {});
     // Without a chin probe in view the mouth is drawn closed.
     const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
-    frame.bodies[kMandible] = inPatient(patient, hasJaw ? moment.jaw->X_FO : RigidTransform{});
+    frame.throat = {throat, hasJaw ? moment.jaw->X_FO : RigidTransform{}};
+    frame.bodies[kMandible] = inPatient(patient, frame.throat.X_AJ);
     if (moment.tube && moment.tube->validity != Validity::Lost)
         frame.bodies[kTube] = moment.tube->X_FO;
     return frame;

@@ -13,8 +13,10 @@ namespace carina
 /// The surfaces of a patient as parts of a scene, in their order; a part's id is its place + 1.
 [[nodiscard]] std::vector<ScenePart> sceneParts(const PatientModel& patient);
 
-/// A station's moment as a frame of that scene, in which the patient's chest moves by `field`. What
-/// is lost is not drawn; tools stay where they are while the patient is moved by an action.
-[[nodiscard]] SceneFrame sceneFrame(const StationMoment& moment, const ChestField& field);
+/// A station's moment as a frame of that scene, in which the patient's chest moves by `chest` and
+/// what hangs from the jaw by `throat`, without which it stays. What is lost is not drawn; tools
+/// stay where they are while the patient is moved by an action.
+[[nodiscard]] SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
+                                    const ThroatField& throat = {});
 
 } // namespace carina

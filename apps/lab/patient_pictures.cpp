@@ -5,6 +5,7 @@
 #include "apps/lab/drawn_lungs.h"
 #include "apps/lab/picture_series.h"
 #include "engine/lungs/chest_drawing.h"
+#include "engine/tracking/scripted_hands.h"
 #include "models/patient_source.h"
 #include "ui/scene_parts.h"
 
@@ -166,11 +167,14 @@ Result<std::vector<PosedPatient>> posed(const PatientModel& patient, const Patie
     return all;
 }
 
-SceneFrame frameOf(const PatientModel& patient, const ChestPose& pose)
+SceneFrame frameOf(const PatientModel& patient, const ChestPose& pose, const PictureOrder& order)
 {
     StationMoment moment;
     moment.pose = pose;
-    return sceneFrame(moment, patient.lungs().field());
+    moment.jaw.emplace().X_FO =
+        movedJaw(patient.landmarks().p_A_incisors, order.jawOpening, order.jawForward);
+    moment.jaw->validity = Validity::Tracked;
+    return sceneFrame(moment, patient.lungs().field(), patient.throat());
 }
 
 /// Draws each of them from each side into the folder.
@@ -192,7 +196,7 @@ Result<QJsonArray> drawAll(const PatientModel& patient, const std::vector<PosedP
                                    [&](SceneView& view, std::size_t i) {
                                        const auto [posed, from] = shown(i);
                                        view.showFrom(from.preset);
-                                       return frameOf(patient, posed.pose);
+                                       return frameOf(patient, posed.pose, order);
                                    },
                                .take = [&](std::size_t i, const QImage& picture) -> Result<void> {
                                    const auto [posed, from] = shown(i);
@@ -224,6 +228,8 @@ Result<QJsonObject> drawPictures(Subject subject, const PictureOrder& order)
                            {QStringLiteral("anatomy"), inWords((*patient)->name())},
                            {QStringLiteral("width"), order.size.width()},
                            {QStringLiteral("height"), order.size.height()},
+                           {QStringLiteral("jaw_deg"), inDegrees(order.jawOpening)},
+                           {QStringLiteral("jaw_forward_mm"), inMillimetres(order.jawForward)},
                            {QStringLiteral("pictures"), pictures}};
     });
 }

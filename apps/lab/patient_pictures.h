@@ -2,6 +2,7 @@
 
 #include "apps/lab/patient_options.h"
 #include "engine/core/result.h"
+#include "engine/core/units.h"
 
 #include <QDir>
 #include <QJsonObject>
@@ -18,6 +19,8 @@ struct PictureOrder {
     VentilationMode ventilator = VentilationMode::Spontaneous;
     QSize size;  ///< of each, pixels
     QDir folder; ///< made if need be
+    Angle jawOpening{};
+    Length jawForward{};
 };
 
 /// Draws a patient as the programs do, in full detail, at the end of expiration and of inspiration

@@ -13,6 +13,8 @@ namespace
 
 constexpr const char* kRender = "render";
 const QString kCheckGeometry = QStringLiteral("check-geometry");
+const QString kJawDegrees = QStringLiteral("jaw-deg");
+const QString kJawForward = QStringLiteral("jaw-forward-mm");
 constexpr double kSevere = 0.9; ///< the severest of the conditions that have published figures
 
 Result<GeometryTrial> trialOf(const QCommandLineParser& parser)
@@ -64,6 +66,24 @@ Result<std::vector<LungCondition>> conditionsOf(const QCommandLineParser& parser
     });
 }
 
+/// How the jaw is drawn: closed and in its place unless the options say something else.
+Result<void> readJaw(const QCommandLineParser& parser, PictureOrder& order)
+{
+    if (parser.isSet(kJawDegrees)) {
+        const auto opening = numberOption(parser, kRender, "jaw-deg", 0.0, 30.0);
+        if (!opening)
+            return tl::unexpected(opening.error());
+        order.jawOpening = degrees(*opening);
+    }
+    if (parser.isSet(kJawForward)) {
+        const auto forward = numberOption(parser, kRender, "jaw-forward-mm", 0.0, 15.0);
+        if (!forward)
+            return tl::unexpected(forward.error());
+        order.jawForward = millimetres(*forward);
+    }
+    return {};
+}
+
 Result<QJsonObject> drawnPictures(const QCommandLineParser& parser)
 {
     PictureOrder order;
@@ -80,6 +100,8 @@ Result<QJsonObject> drawnPictures(const QCommandLineParser& parser)
     if (!ventilator)
         return tl::unexpected(ventilator.error());
     order.ventilator = *ventilator;
+    if (const auto jaw = readJaw(parser, order); !jaw)
+        return tl::unexpected(jaw.error());
     return subjectOption(parser, kRender).and_then([&order](Subject subject) {
         return drawPictures(std::move(subject), order);
     });
@@ -117,7 +139,7 @@ Result<QJsonObject> render(const QStringList& arguments)
     addValueOptions(checking, {"seed"});
     QCommandLineParser drawing;
     addPatientOptions(drawing);
-    addValueOptions(drawing, {"pictures"});
+    addValueOptions(drawing, {"pictures", "jaw-deg", "jaw-forward-mm"});
     viewer::addSizeOption(drawing);
     QCommandLineParser mapping;
     addValueOptions(mapping, {"anatomy", "patient", "error-map", "landmarks", "fle"});
@@ -151,15 +173,17 @@ constexpr std::string_view kRenderHelp = R"(render --check-geometry [--seed K]
                                 distance from where the sphere should be seen
 render --pictures DIR [--anatomy DIR | --patient adult|child] [--size WxH]
         [--condition NAME [--severity 0..1] [--side both|right|left]]
-        [--ventilator none|volume|pressure]
+        [--ventilator none|volume|pressure] [--jaw-deg 0..30] [--jaw-forward-mm 0..15]
     Draws an anatomy set, or a built-in patient (child), as the programs do, in full detail, at the
     end of expiration and of inspiration of a quiet breath after a minute of them: from the front,
     from the right side, and as a trainee sees it who stands behind the head. In health, with a
     simple pneumothorax of the right lung and with COPD, both of severity 0.9; or with one condition
     of those of `mechanics`, of severity 0.6 unless given. Breathed by the patient, or by a
-    ventilator. Writes PNG of 1280x800 pixels or the size asked for. Needs a display. schema
+    ventilator. The jaw is closed and in its place, or opened about its condyles and brought
+    forward. Writes PNG of 1280x800 pixels or the size asked for. Needs a display. schema
     carina.render.pictures/1
-      anatomy, width, height    what was drawn, and pixels
+      anatomy, width, height, jaw_deg, jaw_forward_mm
+                                what was drawn, and pixels
       pictures                  per picture: file, view (front, side, trainee), phase (expired,
                                 inspired), condition, severity, side, ventilator; right and left:
                                 volume_ml (what the vertices drawn enclose), dome_descent_mm (how

@@ -31,8 +31,29 @@ ChestRegion regionOf(PartRole role)
     case PartRole::Heart:
     case PartRole::Vessel:
         return ChestRegion::Mediastinum;
+    case PartRole::Larynx:
+    case PartRole::Epiglottis:
+    case PartRole::Tongue:
+    case PartRole::Muscle:
+    case PartRole::Other:
+        return ChestRegion::Throat;
+    case PartRole::Pharynx:
+        return ChestRegion::Pharynx;
     default:
         return ChestRegion::Still;
+    }
+}
+
+std::optional<ThroatTissue> tissueOf(ChestRegion region)
+{
+    switch (region) {
+    case ChestRegion::Mediastinum:
+    case ChestRegion::Throat:
+        return ThroatTissue::Airway;
+    case ChestRegion::Pharynx:
+        return ThroatTissue::Pharynx;
+    default:
+        return std::nullopt;
     }
 }
 

@@ -118,6 +118,8 @@ ChestMotion motionOf(ChestRegion region, const ChestPose& pose, const ChestField
         return both(c);
     }
     case ChestRegion::Still:
+    case ChestRegion::Throat:
+    case ChestRegion::Pharynx:
         break;
     }
     return {};

@@ -196,12 +196,7 @@ RigidTransform ScriptedHands::jawAt(double phase) const
                           + (kMouthAroundTube - kOpenMouth)
                                 * (eased(phase, shutsFrom, shutsFrom + 0.08)
                                    - eased(phase, opensAgain, kWithdrawnFrom));
-    const Vec3 p_A_condyles = m_script.p_A_incisors + kCondyles;
-    const RigidTransform turn_A =
-        RigidTransform::translation(p_A_condyles)
-        * RigidTransform{rotationFromVector(opening.si * Vec3::UnitX()), Vec3::Zero()}
-        * RigidTransform::translation(-p_A_condyles);
-    return turn_A * closedJaw();
+    return movedJaw(m_script.p_A_incisors, opening) * closedJaw();
 }
 
 RigidTransform ScriptedHands::headAt(double phase) const
@@ -210,6 +205,14 @@ RigidTransform ScriptedHands::headAt(double phase) const
     const Vec3 sway_A{kSway * std::sin(turn), 0.5 * kSway * std::sin(3.0 * turn),
                       0.5 * kSway * std::sin(2.0 * turn)};
     return lookingAt(m_script.p_A_incisors + kEyes + sway_A, m_script.p_A_incisors);
+}
+
+RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward)
+{
+    const Vec3 p_A_condyles = p_A_incisors + kCondyles;
+    return RigidTransform::translation(p_A_condyles - forward.si * Vec3::UnitY())
+           * RigidTransform{rotationFromVector(opening.si * Vec3::UnitX()), Vec3::Zero()}
+           * RigidTransform::translation(-p_A_condyles);
 }
 
 RigidTransform patientBeforeTracker(const Vec3& p_A_incisors)

@@ -29,9 +29,8 @@ struct HandScript {
 /// the faster of tip and connector sets the pace, so that no bend is taken in a swing.
 ///
 /// J, the jaw: origin at the chin, axes parallel to A while the mouth is closed. It turns about the
-/// transverse axis through the condyles, which lie 88 mm from the incisors, 26 degrees above the
-/// plane of the teeth (Bonwill's triangle, Balkwill's angle): by 20 degrees to let the tube in or
-/// out, by 8 around the tube in place.
+/// transverse axis through the condyles (movedJaw) by 20 degrees to let the tube in or out, by 8
+/// around the tube in place.
 ///
 /// H, the head: at the eyes of someone who stands behind the patient's head; looks along -z of H at
 /// the incisors, +x to its right, +y up (anterior), and sways by 2 cm.
@@ -73,6 +72,11 @@ private:
     std::vector<double> m_along; // of each point of the path
     std::vector<Waypoint> m_waypoints;
 };
+
+/// X_AJ of a mandible that was in place with the mouth closed: brought forward, and turned about
+/// the transverse axis through the condyles, which lie 88 mm from the incisors, 26 degrees above
+/// the plane of the teeth (Bonwill's triangle, Balkwill's angle).
+[[nodiscard]] RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward = {});
 
 /// X_TA of a patient who lies so that a tracker 1.25 m to the left of and above a point before the
 /// face looks at that point: all four tools stay inside its working volume with a tube of common

@@ -2,8 +2,9 @@
 
 // The one vertex shader of everything made of organs. What breathes is moved by the field of the
 // chest, written out in engine/geometry/chest_formula.h and worked out on the processor by
-// engine/geometry/moved_vertex.h; the names here are theirs. Nothing is uploaded while it breathes
-// but a matrix for each region.
+// engine/geometry/moved_vertex.h; what then follows the jaw is moved by that of the throat, written
+// out in engine/geometry/throat_formula.h. The names here are theirs. Nothing is uploaded meanwhile
+// but a matrix for each region, and one for the jaw.
 
 in vec3 vertexPosition;
 in vec3 vertexNormal;
@@ -15,8 +16,10 @@ uniform mat4 modelMatrix;
 uniform mat4 mvp;
 uniform mat3 modelNormalMatrix;
 uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; left hilum
-uniform mat4 motions[9]; // by region; columns: descent, forward, flare, lift; bulkBack, bulkDown,
-                         // shrink, shift; of the right lung, then of the left
+uniform mat4 motions[11]; // by region; columns: descent, forward, flare, lift; bulkBack, bulkDown,
+                          // shrink, shift; of the right lung, then of the left
+uniform mat4 throat; // columns: up and upFrom; incisors and perLength; anchor
+uniform mat4 jaw;    // columns: turn; shift; all 0 while the mouth is closed
 uniform vec4 section;  // what lies where dot(xyz, p) > w, in A, is cut away; xyz 0: nothing is
 uniform float cutAway; // 1: the airway stays whole
 
@@ -46,6 +49,9 @@ const vec4 kLooks[8] = vec4[8](
 const float kTool = 2.0; // MaterialGroup
 const float kAirway = 3.0;
 
+const float kMediastinum = 8.0; // ChestRegion: it and those after it follow the jaw
+const float kPharynx = 10.0;
+
 mat4 motion; // of this vertex's region
 
 const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
@@ -54,6 +60,12 @@ const float kTendon = 0.3;
 const float kSpread = 0.28;
 const float kRibsFade = 0.3;
 const float kRibsEnd = 1.0;
+
+const float kChin = 0.07;
+const float kArch = 7.0;
+const float kArchEnd = 12.0;
+const vec3 kReachOfAirway = vec3(1.40, 0.17, 0.69); // back, roofFrom, roofTo
+const vec3 kReachOfPharynx = vec3(1.075, -0.17, 0.08);
 
 // Each gives a value and its slope.
 vec2 step3(float x)
@@ -155,6 +167,42 @@ void deform(out vec3 position, out vec3 normal)
     normal = normalize(perMetre * vec3(dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n)));
 }
 
+// How far a place follows the jaw, and how that changes from place to place.
+float jawShare(vec3 reach, vec3 p, out vec3 slope)
+{
+    float perLength = throat[1].w;
+    vec3 q = perLength * (p - throat[1].xyz);
+    float narrow = 1.0 / (1.0 + kArchEnd * q.x * q.x);
+    float arch = kArch * q.x * q.x * narrow;
+    float perDepth = 1.0 / (reach.x - kChin);
+    float perRoof = 1.0 / (reach.z - reach.y);
+    vec2 high = step3(dot(throat[0].xyz, p) + throat[0].w);
+    vec2 fore = step3((reach.x - q.y + arch) * perDepth);
+    vec2 roof = step3((q.z - reach.y) * perRoof);
+    float below = 1.0 - roof.x;
+    float forward = perLength * high.x * below * perDepth * fore.y;
+    slope = (high.y * fore.x * below) * throat[0].xyz;
+    slope.x += forward * 2.0 * kArch * q.x * narrow * narrow;
+    slope.y -= forward;
+    slope.z -= perLength * high.x * fore.x * perRoof * roof.y;
+    return high.x * fore.x * below;
+}
+
+void followJaw(inout vec3 position, inout vec3 normal)
+{
+    if (vertexPart.y < kMediastinum || jaw == mat4(0.0))
+        return;
+    vec3 slope;
+    float s = jawShare(vertexPart.y == kPharynx ? kReachOfPharynx : kReachOfAirway, position, slope);
+    vec3 anchor = mat3(jaw) * throat[2].xyz + jaw[3].xyz;
+    vec3 turned = mat3(jaw) * (position - throat[2].xyz);
+    position += s * (anchor + s * turned);
+    vec3 along = anchor + 2.0 * s * turned;
+    mat3 j = mat3(1.0) + s * s * mat3(jaw) + outerProduct(along, slope);
+    normal = normalize(normal.x * cross(j[1], j[2]) + normal.y * cross(j[2], j[0])
+                       + normal.z * cross(j[0], j[1]));
+}
+
 // A headlight, a soft sky that is brighter from above and in front of the patient, a small
 // highlight, and a rim that turns towards the silhouette. Both faces are lit. Worked out here and
 // not for each pixel: of a whole patient there are fewer vertices than pixels to shade.
@@ -185,6 +233,7 @@ void main()
     vec3 position;
     vec3 normal;
     deform(position, normal);
+    followJaw(position, normal);
 
     worldPosition = vec3(modelMatrix * vec4(position, 1.0));
     worldNormal = normalize(modelNormalMatrix * normal);

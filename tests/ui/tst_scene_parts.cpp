@@ -20,6 +20,22 @@ private Q_SLOTS:
         QVERIFY(!frame.bodies.contains("tube"));
     }
 
+    void drawsTheThroatWithTheJawThatIsDrawn()
+    {
+        StationMoment moment;
+        moment.jaw.emplace().X_FO = RigidTransform::translation({0.0, -0.01, 0.0});
+        moment.jaw->validity = Validity::Tracked;
+        const ThroatField throat{Vec3::Zero(), {0.0, -0.03, 0.12}, {0.0, -0.1, 0.17}};
+        const Vec3 tongue{0.0, -0.06, 0.16};
+        const auto movedBy = [&tongue](const FollowingThroat& following) {
+            return following.field.at(tongue, following.X_AJ, ThroatTissue::Airway).d_A.y();
+        };
+        QVERIFY(movedBy(sceneFrame(moment, {}, throat).throat) < -0.005);
+        QCOMPARE(movedBy(sceneFrame(moment, {}).throat), 0.0);
+        moment.jaw->validity = Validity::Lost;
+        QCOMPARE(movedBy(sceneFrame(moment, {}, throat).throat), 0.0);
+    }
+
     void movesThePatientAndItsJawAndNoTool()
     {
         constexpr double kSmall_m = 1e-12;

@@ -76,9 +76,9 @@ public:
     ~Card();
     Q_DISABLE_COPY_MOVE(Card)
 
-    Result<void> start(const TriangleMesh& mesh);
+    Result<void> start(const TriangleMesh& mesh, ChestRegion region);
     Result<std::vector<Vec3f>> draw(const ChestField& field, const ChestMotion& motion,
-                                    std::size_t captured);
+                                    const FollowingThroat& throat, std::size_t captured);
 
 private:
     struct Objects {
@@ -90,12 +90,14 @@ private:
 
     Result<void> link();
     void upload(const char* attribute, const std::vector<Vec3f>& values);
-    void runShader(const ChestField& field, const ChestMotion& motion);
+    void runShader(const ChestField& field, const ChestMotion& motion,
+                   const FollowingThroat& throat);
 
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
     std::unique_ptr<Objects> m_objects; // made and destroyed while m_context is current
     std::size_t m_vertexCount = 0;
+    ChestRegion m_region = ChestRegion::Still;
 };
 
 DrawnVertices::Card::~Card()
@@ -106,8 +108,9 @@ DrawnVertices::Card::~Card()
     m_objects.reset();
 }
 
-Result<void> DrawnVertices::Card::start(const TriangleMesh& mesh)
+Result<void> DrawnVertices::Card::start(const TriangleMesh& mesh, ChestRegion region)
 {
+    m_region = region;
     m_surface.setFormat(coreProfile());
     m_surface.create();
     m_context.setFormat(coreProfile());
@@ -156,7 +159,8 @@ void DrawnVertices::Card::upload(const char* attribute, const std::vector<Vec3f>
     m_objects->program.setAttributeBuffer(attribute, GL_FLOAT, 0, 3);
 }
 
-void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& motion)
+void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& motion,
+                                    const FollowingThroat& throat)
 {
     QOpenGLShaderProgram& program = m_objects->program;
     QOpenGLExtraFunctions& gl = *m_context.extraFunctions();
@@ -166,7 +170,12 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.setUniformValue("mvp", QMatrix4x4{});
     program.setUniformValue("modelNormalMatrix", QMatrix3x3{});
     program.setUniformValue("chest", chestUniform(field));
-    program.setUniformValue("motions[0]", motionUniform(motion)); // of region 0, of all vertices
+    const auto region = static_cast<int>(m_region);
+    const int motionOfRegion = program.uniformLocation(QStringLiteral("motions[%1]").arg(region));
+    program.setUniformValue(motionOfRegion, motionUniform(motion));
+    program.setUniformValue("throat", throatUniform(throat.field));
+    program.setUniformValue("jaw", jawUniform(throat.X_AJ));
+    program.setAttributeValue("vertexPart", 0.0F, static_cast<float>(region), 0.0F);
     for (std::size_t k = 0; k < kCaptured.size(); ++k) {
         gl.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(k),
                             m_objects->outputs[k].bufferId());
@@ -181,13 +190,15 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.release();
 }
 
-Result<std::vector<Vec3f>>
-DrawnVertices::Card::draw(const ChestField& field, const ChestMotion& motion, std::size_t captured)
+Result<std::vector<Vec3f>> DrawnVertices::Card::draw(const ChestField& field,
+                                                     const ChestMotion& motion,
+                                                     const FollowingThroat& throat,
+                                                     std::size_t captured)
 {
     const CurrentFor current{m_context, m_surface};
     if (!current)
         return fail(Errc::NoGraphics, "the OpenGL context was lost");
-    runShader(field, motion);
+    runShader(field, motion, throat);
     std::vector<Vec3f> values(m_vertexCount);
     QOpenGLBuffer& output = m_objects->outputs[captured];
     output.bind();
@@ -203,25 +214,27 @@ DrawnVertices::DrawnVertices(DrawnVertices&&) noexcept = default;
 DrawnVertices& DrawnVertices::operator=(DrawnVertices&&) noexcept = default;
 DrawnVertices::~DrawnVertices() = default;
 
-Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh)
+Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh, ChestRegion region)
 {
     CARINA_EXPECTS(!mesh.positions.empty());
     auto card = std::make_unique<Card>();
-    if (const Result<void> started = card->start(mesh); !started)
+    if (const Result<void> started = card->start(mesh, region); !started)
         return tl::unexpected(started.error());
     return DrawnVertices{std::move(card)};
 }
 
 Result<std::vector<Vec3f>> DrawnVertices::positions(const ChestField& field,
-                                                    const ChestMotion& motion)
+                                                    const ChestMotion& motion,
+                                                    const FollowingThroat& throat)
 {
-    return m_card->draw(field, motion, kPositions);
+    return m_card->draw(field, motion, throat, kPositions);
 }
 
 Result<std::vector<Vec3f>> DrawnVertices::normals(const ChestField& field,
-                                                  const ChestMotion& motion)
+                                                  const ChestMotion& motion,
+                                                  const FollowingThroat& throat)
 {
-    return m_card->draw(field, motion, kNormals);
+    return m_card->draw(field, motion, throat, kNormals);
 }
 
 } // namespace carina

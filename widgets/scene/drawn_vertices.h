@@ -1,7 +1,9 @@
 #pragma once
 
+#include "engine/anatomy/chest_region.h"
 #include "engine/core/result.h"
 #include "engine/geometry/chest_field.h"
+#include "engine/geometry/throat_field.h"
 
 #include <memory>
 
@@ -17,9 +19,11 @@ namespace carina
 class DrawnVertices
 {
 public:
+    /// @param region as which the mesh follows the jaw
     /// @returns NoGraphics where there is no OpenGL 3.3 core context or the shader does not run.
     /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
-    [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh);
+    [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh,
+                                                  ChestRegion region = ChestRegion::Still);
 
     DrawnVertices(DrawnVertices&&) noexcept;
     DrawnVertices& operator=(DrawnVertices&&) noexcept;
@@ -29,10 +33,11 @@ public:
     ///
     /// @returns NoGraphics when the context is lost.
     [[nodiscard]] Result<std::vector<Vec3f>> positions(const ChestField& field,
-                                                       const ChestMotion& motion);
+                                                       const ChestMotion& motion,
+                                                       const FollowingThroat& throat = {});
     /// One unit normal per vertex, likewise.
-    [[nodiscard]] Result<std::vector<Vec3f>> normals(const ChestField& field,
-                                                     const ChestMotion& motion);
+    [[nodiscard]] Result<std::vector<Vec3f>>
+    normals(const ChestField& field, const ChestMotion& motion, const FollowingThroat& throat = {});
 
 private:
     class Card;

@@ -5,6 +5,7 @@
 #include "engine/display/eye_picture.h"
 #include "engine/geometry/chest_field.h"
 #include "engine/geometry/rigid_transform.h"
+#include "engine/geometry/throat_field.h"
 
 #include <array>
 #include <cstddef>
@@ -47,6 +48,7 @@ struct SceneFrame {
     SessionTime time{}; ///< for which this holds
 
     BreathingChest chest;
+    FollowingThroat throat;
 
     /// Each moving body's place, by name. A body that is not in here is not drawn: lost
     /// is never an identity.

@@ -95,7 +95,9 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_cornerList(cornerList(m_corners)),
       m_X_AF(new Qt3DCore::QTransform),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
-      m_motions(new Qt3DRender::QParameter)
+      m_motions(new Qt3DRender::QParameter),
+      m_throat(new Qt3DRender::QParameter(QStringLiteral("throat"), throatUniform({}))),
+      m_jaw(new Qt3DRender::QParameter(QStringLiteral("jaw"), jawUniform({})))
 {
     if (m_key.layer == DrawLayer::Blended)
         for (const SurfaceVertex& vertex : surface.vertices)
@@ -112,6 +114,8 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
     material->setEffect(effect);
     material->addParameter(m_chest);
     material->addParameter(m_motions);
+    material->addParameter(m_throat);
+    material->addParameter(m_jaw);
     m_entity->addComponent(m_renderer);
     m_entity->addComponent(m_X_AF);
     m_entity->addComponent(material);
@@ -144,6 +148,8 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     }
     m_chest->setValue(chestUniform(frame.chest.field));
     setMotions(frame);
+    m_throat->setValue(throatUniform(frame.throat.field));
+    m_jaw->setValue(jawUniform(frame.throat.X_AJ));
 }
 
 void SurfaceEntity::show(std::span<const int> levels, const Vec3& forward_A)

@@ -23,9 +23,9 @@ class QParameter;
 namespace carina
 {
 
-/// One merged surface in Qt 3D's scene: its buffers, the place of its body and how it breathes. The
-/// vertices of all levels of detail stay where they are; which triangles are drawn, and in which
-/// order, is a list of corners that is written anew when that changes.
+/// One merged surface in Qt 3D's scene: its buffers, the place of its body and how it moves within.
+/// The vertices of all levels of detail stay where they are; which triangles are drawn, and in
+/// which order, is a list of corners that is written anew when that changes.
 class SurfaceEntity
 {
 public:
@@ -64,6 +64,8 @@ private:
     Qt3DCore::QTransform* m_X_AF;
     Qt3DRender::QParameter* m_chest;
     Qt3DRender::QParameter* m_motions;
+    Qt3DRender::QParameter* m_throat;
+    Qt3DRender::QParameter* m_jaw;
     bool m_isPlaced = true;
 };
 

@@ -43,6 +43,7 @@ private Q_SLOTS:
     void drawsTheVolumesOfARestingBreath();
     void drawsACollapsedLungOnItsSide();
     void drawsTheBreathsOfAVentilator();
+    void opensTheMouthAndLeavesTheLungs();
 
 private:
     [[nodiscard]] QImage picture(int i) const;
@@ -134,6 +135,25 @@ void TestPatientPictures::drawsTheBreathsOfAVentilator()
         QStringLiteral("ventilator-volume")));
     const double breath_ml = total_ml(pictures[3]) - total_ml(pictures[0]);
     QVERIFY(std::abs(breath_ml - kRestingBreath_ml) < kBreathTolerance_ml);
+}
+
+void TestPatientPictures::opensTheMouthAndLeavesTheLungs()
+{
+    const QString folder = m_folder.filePath(QStringLiteral("open"));
+    const auto object = lab::renderCommand().run(
+        {QStringLiteral("--pictures"), folder, QStringLiteral("--size"), QStringLiteral("320x200"),
+         QStringLiteral("--condition"), QStringLiteral("normal"), QStringLiteral("--jaw-deg"),
+         QStringLiteral("20"), QStringLiteral("--jaw-forward-mm"), QStringLiteral("5")});
+    QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+    QCOMPARE(object.value()[QStringLiteral("jaw_deg")].toDouble(), 20.0);
+    QCOMPARE(object.value()[QStringLiteral("jaw_forward_mm")].toDouble(), 5.0);
+    const QJsonArray open = object.value()[QStringLiteral("pictures")].toArray();
+    QCOMPARE(open.size(), kPerCondition);
+    for (int i = 0; i < kPerCondition; ++i) {
+        const QString file = open[i][QStringLiteral("file")].toString();
+        QCOMPARE(open[i][QStringLiteral("volume_ml")], m_pictures[i][QStringLiteral("volume_ml")]);
+        QVERIFY(QImage{folder + QLatin1Char{'/'} + file} != picture(i));
+    }
 }
 
 QTEST_MAIN(TestPatientPictures)

@@ -1,3 +1,4 @@
+#include "engine/geometry/rotation.h"
 #include "engine/lungs/lung_pair.h"
 #include "tests/engine/lungs/lung_like_mesh.h"
 #include "widgets/scene/drawn_vertices.h"
@@ -32,6 +33,15 @@ Anatomy patient()
     return anatomy;
 }
 
+/// A throat in the lungs' place, so that all of its ramps run through them.
+ThroatField throat() { return {{0.0, 0.03, -0.2}, {0.0, 0.0, -0.06}, {0.0, -0.07, 0.0}}; }
+
+/// Opened by 20 degrees, brought forward and aside.
+RigidTransform openJaw()
+{
+    return {rotationFromVector(degrees(20.0).si * Vec3::UnitX()), {0.003, -0.012, 0.03}};
+}
+
 } // namespace
 
 class TestDrawnVertices : public QObject
@@ -41,7 +51,10 @@ class TestDrawnVertices : public QObject
 private Q_SLOTS:
     void drawsAsTheReferenceDeforms_data();
     void drawsAsTheReferenceDeforms();
+    void drawsTheThroatAsTheReferenceFollows_data();
+    void drawsTheThroatAsTheReferenceFollows();
     void leavesRestExactlyAsItIs();
+    void keepsEveryOtherRegionFromTheJaw();
     void followsTheCommandedVolume();
     void leavesTheContextThatWasCurrent();
     void movesWithItsUploadedMesh();
@@ -84,6 +97,40 @@ void TestDrawnVertices::drawsAsTheReferenceDeforms()
     }
 }
 
+void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows_data()
+{
+    QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("trachea and heart") << ChestRegion::Mediastinum;
+    QTest::newRow("tongue and larynx") << ChestRegion::Throat;
+    QTest::newRow("pharynx") << ChestRegion::Pharynx;
+}
+
+void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows()
+{
+    constexpr float kMoved_m = 0.005F;
+    QFETCH(ChestRegion, region);
+    const ChestPose breath{{LungPose{1.0, 0.5, 0.3, 0.2}, LungPose{3.0, 1.0, -0.2, 0.1}}, 0.1};
+    const LungPair lungs = LungPair::of(patient()).value();
+    const ChestMotion motion = motionOf(region, breath, lungs.field());
+    const FollowingThroat following{throat(), openJaw()};
+    for (const BreathingPart& part : lungs.parts()) {
+        const TriangleMesh& mesh = part.levels.front();
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const TriangleMesh reference =
+            deformed(deformed(mesh, lungs.field(), motion), following, *tissueOf(region));
+        const auto positions = drawn.positions(lungs.field(), motion, following).value();
+        const auto normals = drawn.normals(lungs.field(), motion, following).value();
+        float furthest = 0.0F;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            QVERIFY((positions[i] - reference.positions[i]).cwiseAbs().maxCoeff()
+                    < kPositionTolerance_m);
+            QVERIFY((normals[i] - reference.normals[i]).norm() < kNormalTolerance);
+            furthest = std::max(furthest, (positions[i] - mesh.positions[i]).norm());
+        }
+        QVERIFY(furthest > kMoved_m);
+    }
+}
+
 void TestDrawnVertices::leavesRestExactlyAsItIs()
 {
     const LungPair lungs = LungPair::of(patient()).value();
@@ -91,6 +138,29 @@ void TestDrawnVertices::leavesRestExactlyAsItIs()
     Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
     QVERIFY(drawn.has_value());
     QVERIFY(drawn->positions(lungs.field(), {}).value() == mesh.positions);
+    for (const ChestRegion region :
+         {ChestRegion::Mediastinum, ChestRegion::Throat, ChestRegion::Pharynx}) {
+        DrawnVertices closed = DrawnVertices::of(mesh, region).value();
+        QVERIFY(closed.positions(lungs.field(), {}, {throat(), {}}).value() == mesh.positions);
+        QVERIFY(closed.normals(lungs.field(), {}, {throat(), {}}).value() == mesh.normals);
+    }
+}
+
+// So their volumes are what they are while the mouth is closed.
+void TestDrawnVertices::keepsEveryOtherRegionFromTheJaw()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    const ChestPose breath = lungs.pose(millilitres(300.0), 0).value();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
+    for (std::size_t n = 0; n < kChestRegions; ++n) {
+        const auto region = static_cast<ChestRegion>(n);
+        if (tissueOf(region))
+            continue;
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const ChestMotion motion = motionOf(region, breath, lungs.field());
+        QVERIFY(drawn.positions(lungs.field(), motion, {throat(), openJaw()}).value()
+                == drawn.positions(lungs.field(), motion).value());
+    }
 }
 
 // Two breaths of 280 ml, in 380 frames.

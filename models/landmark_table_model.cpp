@@ -42,7 +42,7 @@ QVariant LandmarkTableModel::data(const QModelIndex& index, int role) const
         return spoken(row, index.column());
     if (role == kValueRole && index.column() == Residual && row.residual_mm)
         return *row.residual_mm;
-    if (role == Qt::TextAlignmentRole && index.column() == Residual)
+    if (role == Qt::TextAlignmentRole && index.column() >= Residual)
         return int{Qt::AlignRight | Qt::AlignVCenter};
     if (role == Qt::FontRole && row.isNext) {
         QFont bold;
@@ -60,9 +60,13 @@ QString LandmarkTableModel::cell(const LandmarkRow& row, int column)
     case Touched:
         if (row.isNext)
             return tr("● now");
+        if (row.isStale)
+            return tr("▲ stale");
         return row.spread_mm ? tr("✓ ±%1").arg(inWords_mm(*row.spread_mm)) : tr("○ open");
     case Residual:
         return row.residual_mm ? inWords_mm(*row.residual_mm) : kNoResidual;
+    case LeftOut:
+        return row.leftOut_mm ? inWords_mm(*row.leftOut_mm) : kNoResidual;
     default:
         return {};
     }
@@ -88,6 +92,8 @@ QVariant LandmarkTableModel::headerData(int section, Qt::Orientation orientation
             return tr("How far the tip swayed while it was held");
         if (section == Residual)
             return tr("How far the landmark stays from its place after the fit");
+        if (section == LeftOut)
+            return tr("How far it lies from where the fit of all others puts it");
         return {};
     }
     if (role != Qt::DisplayRole)
@@ -99,6 +105,8 @@ QVariant LandmarkTableModel::headerData(int section, Qt::Orientation orientation
         return tr("Touched");
     case Residual:
         return tr("Residual");
+    case LeftOut:
+        return tr("Left out");
     default:
         return {};
     }
@@ -107,7 +115,7 @@ QVariant LandmarkTableModel::headerData(int section, Qt::Orientation orientation
 int LandmarkTableModel::touchedCount() const
 {
     return int(std::ranges::count_if(
-        m_rows, [](const LandmarkRow& row) { return row.spread_mm.has_value(); }));
+        m_rows, [](const LandmarkRow& row) { return row.spread_mm && !row.isStale; }));
 }
 
 double LandmarkTableModel::largestResidual_mm() const

@@ -9,14 +9,14 @@
 namespace carina
 {
 
-/// The landmarks of a registration: which, how still the stylus was when it touched them, and how
-/// far they stay from their places after the fit.
+/// The landmarks of a registration: which, how still the stylus was when it touched them, how far
+/// they stay from their places after the fit, and how far from where all others put them.
 class LandmarkTableModel : public QAbstractTableModel
 {
     Q_OBJECT
 
 public:
-    enum Column { Name, Touched, Residual, ColumnCount };
+    enum Column { Name, Touched, Residual, LeftOut, ColumnCount };
     static constexpr int kValueRole = Qt::UserRole; ///< a residual as a number, in millimetres
 
     /// @pre registration outlives this.

@@ -1,11 +1,8 @@
 #include "models/registration_model.h"
 
-#include "engine/registration/pivot_calibration.h"
-#include "models/error_text.h"
+#include "engine/io/site_file.h"
 #include "models/registration_words.h"
 #include "models/site_changes.h"
-
-#include <QDateTime>
 
 #include <algorithm>
 
@@ -16,6 +13,22 @@ namespace
 
 constexpr int kStylusInterval_ms = 33;
 
+/// Whether a site is of this patient, or of none yet.
+bool isOf(const Site& site, const PatientModel& patient)
+{
+    return !site.catalogue || site.catalogue->anatomy.empty()
+           || site.catalogue->anatomy == patient.contentHash();
+}
+
+/// Its own, and the landmarks, of which a fit may leave some out.
+std::vector<Landmark> placesToCheck(const RegistrationModel::Workplace& workplace)
+{
+    std::vector<Landmark> places = workplace.checks;
+    const auto& landmarks = workplace.landmarks.front().landmarks;
+    places.insert(places.end(), landmarks.begin(), landmarks.end());
+    return places;
+}
+
 } // namespace
 
 Result<Site> RegistrationModel::siteOf(const std::filesystem::path& file,
@@ -24,8 +37,7 @@ Result<Site> RegistrationModel::siteOf(const std::filesystem::path& file,
     Result<Site> site = readSiteFile(file);
     if (!site && site.error().code == Errc::FileNotFound)
         return Site{};
-    if (site && site->catalogue && !site->catalogue->anatomy.empty()
-        && site->catalogue->anatomy != patient.contentHash())
+    if (site && !isOf(*site, patient))
         return fail(Errc::OtherPatient, file.string());
     return site;
 }
@@ -34,37 +46,69 @@ RegistrationModel::RegistrationModel(Workplace workplace, Site site, const Patie
                                      QObject* parent)
     : QObject{parent},
       m_workplace{std::move(workplace)},
-      m_site{std::move(site)},
       m_patient{patient},
-      m_stylus{*m_workplace.tracker, m_workplace.clock},
-      m_surfaces{patient}
+      m_editor{m_workplace.file, std::move(site), m_workplace.today},
+      m_watch{*m_workplace.tracker, m_workplace.clock},
+      m_surfaces{patient},
+      m_stylusTask{m_editor, m_watch},
+      m_landmarkTask{m_editor, patient, m_surfaces, m_workplace.landmarks},
+      m_touchTask{m_editor, m_watch, m_landmarkTask},
+      m_fitTask{m_editor, m_watch, patient, m_surfaces},
+      m_verifyTask{m_editor, m_watch, patient, m_surfaces, placesToCheck(m_workplace)}
 {
+    connect(&m_editor, &SiteEditor::changed, this, &RegistrationModel::followStep);
+    connect(&m_editor, &SiteEditor::told, this, &RegistrationModel::told);
+    followStep();
     connect(&m_timer, &QTimer::timeout, this, &RegistrationModel::look);
     m_timer.start(kStylusInterval_ms);
 }
 
-bool RegistrationModel::isDone(SiteStep step) const
+/// The stylus is watched for what the page needs, with the tip as it is known now.
+void RegistrationModel::followStep()
 {
-    switch (step) {
-    case SiteStep::Tracker:
-        return m_site.tracker == m_workplace.trackerName.toStdString();
-    case SiteStep::Stylus:
-        return m_site.stylus.has_value();
-    case SiteStep::Landmarks:
-        return m_site.catalogue.has_value();
-    case SiteStep::Touch:
-        return m_site.catalogue && m_site.touched.size() == m_site.catalogue->landmarks.size();
-    case SiteStep::Fit:
-        return m_site.registration.has_value();
-    case SiteStep::Verify:
-        break; // goes on for as long as somebody likes
+    const StylusTip* tip = m_stylusTask.tip();
+    const Vec3 p_SQ = tip ? tip->p_SQ : Vec3::Zero();
+    if (m_followed != step() || m_followedTip != p_SQ) {
+        m_followed = step();
+        m_followedTip = p_SQ;
+        beginWatching();
     }
-    return false;
+    Q_EMIT changed();
 }
 
-QString RegistrationModel::whyNot(SiteStep step) const { return whyNotYet(*this, step); }
+void RegistrationModel::beginWatching()
+{
+    const StylusTip* tip = m_stylusTask.tip();
+    const bool touches = step() == SiteStep::Touch || step() == SiteStep::Verify;
+    if (step() == SiteStep::Stylus && !tip)
+        m_watch.watchFor(StylusUse::Pivot, std::nullopt);
+    else if (touches && tip)
+        m_watch.watchFor(StylusUse::Touch, tip->p_SQ);
+    else
+        m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+}
 
-bool RegistrationModel::canEnter(SiteStep step) const { return whyNot(step).isEmpty(); }
+SiteTask RegistrationModel::task(SiteStep step) const
+{
+    return siteTask(site(), step, m_watch.tool(), trackerName());
+}
+
+SiteStep RegistrationModel::nextStep() const
+{
+    return nextTask(site(), m_watch.tool(), trackerName());
+}
+
+QStringList RegistrationModel::health() const
+{
+    return siteHealth(site(), m_watch.tool(), trackerName(), m_editor.today(),
+                      expectedAtGlottis_mm());
+}
+
+std::optional<double> RegistrationModel::expectedAtGlottis_mm() const
+{
+    const std::vector<ExpectedError> expected = m_fitTask.expected();
+    return expected.empty() ? std::nullopt : std::optional{expected.front().bound_mm};
+}
 
 QString RegistrationModel::instruction() const { return registrationInstruction(*this); }
 
@@ -74,218 +118,158 @@ std::vector<ToolStatus> RegistrationModel::tools() const
     return now ? toolStatus(*m_workplace.tracker, *now) : std::vector<ToolStatus>{};
 }
 
-const LandmarkCatalogue& RegistrationModel::catalogue() const
-{
-    return m_site.catalogue ? *m_site.catalogue : m_workplace.landmarks;
-}
-
 std::vector<LandmarkRow> RegistrationModel::landmarks() const
 {
     const std::optional<std::size_t> next = nextLandmark();
     std::vector<LandmarkRow> rows;
-    for (const Landmark& landmark : catalogue().landmarks) {
+    for (const Landmark& landmark : m_landmarkTask.catalogue().landmarks) {
         LandmarkRow row{.name = QString::fromStdString(landmark.name),
                         .p_AQ = landmark.p_AQ,
                         .isNext = next == rows.size()};
-        if (const TouchedPoint* touch = touchOf(m_site, landmark.name))
+        if (const TouchedPoint* touch = touchOf(site(), landmark.name)) {
             row.spread_mm = inMillimetres(metres(touch->spread));
-        if (m_site.registration) {
-            const auto& residuals = m_site.registration->residuals;
-            const auto residual =
-                std::ranges::find(residuals, landmark.name, &LandmarkResidual::landmark);
-            if (residual != residuals.end())
-                row.residual_mm = inMillimetres(metres(residual->residual));
+            row.isStale = touch->stale.has_value();
+        }
+        const auto& registration = site().registration;
+        for (const LandmarkResidual& residual :
+             registration ? registration->residuals : std::vector<LandmarkResidual>{}) {
+            if (residual.landmark != landmark.name)
+                continue;
+            row.residual_mm = inMillimetres(metres(residual.residual));
+            if (residual.leftOut)
+                row.leftOut_mm = inMillimetres(metres(*residual.leftOut));
         }
         rows.push_back(std::move(row));
     }
     return rows;
 }
 
+std::vector<LandmarkRow> RegistrationModel::places() const
+{
+    if (step() != SiteStep::Verify)
+        return landmarks();
+    std::vector<LandmarkRow> rows;
+    const std::optional<std::size_t> next = m_verifyTask.next();
+    for (const CheckPoint& point : m_verifyTask.points())
+        rows.push_back({.name = point.name,
+                        .p_AQ = point.p_AQ,
+                        .spread_mm = point.error_mm,
+                        .isNext = next == rows.size()});
+    return rows;
+}
+
 std::optional<std::size_t> RegistrationModel::nextLandmark() const
 {
-    const auto& all = catalogue().landmarks;
-    if (m_chosen && *m_chosen < all.size())
-        return m_chosen;
-    if (step() != SiteStep::Touch)
-        return std::nullopt;
-    const auto untouched = std::ranges::find_if(
-        all, [this](const Landmark& landmark) { return !touchOf(m_site, landmark.name); });
-    return untouched == all.end() ? std::nullopt
-                                  : std::optional{std::size_t(untouched - all.begin())};
+    if (step() == SiteStep::Landmarks)
+        return m_landmarkTask.chosen();
+    return step() == SiteStep::Touch ? m_touchTask.next() : std::nullopt;
 }
 
 double RegistrationModel::progress() const
 {
-    if (m_stylus.isSwinging())
-        return m_stylus.swingProgress();
-    return step() == SiteStep::Touch && nextLandmark() ? m_stylus.holdProgress() : 0.0;
+    const bool touches = step() == SiteStep::Touch || step() == SiteStep::Verify;
+    const bool asked = step() == SiteStep::Touch ? m_touchTask.next().has_value()
+                                                 : m_verifyTask.next().has_value();
+    return touches && !asked ? 0.0 : m_watch.progress();
 }
 
-void RegistrationModel::enter(SiteStep step)
+std::optional<StylusOnAnatomy> RegistrationModel::stylusOnAnatomy() const
 {
-    if (!canEnter(step))
-        return;
-    m_stylus.cancelSwing();
-    m_stylus.forgetHold();
-    m_chosen.reset();
-    Site next = m_site;
-    next.step = step;
-    if (!save(std::move(next)))
-        m_site.step = step; // a page can be looked at, whatever the disk says
-    Q_EMIT changed();
-}
-
-void RegistrationModel::useTracker()
-{
-    Site next = withTracker(m_site, m_workplace.trackerName.toStdString());
-    next.step = SiteStep::Stylus;
-    become(std::move(next));
-}
-
-void RegistrationModel::startSwing()
-{
-    m_stylus.startSwing();
-    m_problem.clear();
-    Q_EMIT changed();
-}
-
-void RegistrationModel::cancelSwing()
-{
-    m_stylus.cancelSwing();
-    Q_EMIT changed();
-}
-
-void RegistrationModel::acceptLandmarks()
-{
-    Site next = withLandmarks(m_site, catalogue());
-    next.step = m_site.stylus ? SiteStep::Touch : SiteStep::Stylus;
-    m_stylus.forgetHold();
-    m_chosen.reset();
-    become(std::move(next));
-}
-
-void RegistrationModel::useBuiltinLandmarks()
-{
-    if (catalogue() != m_workplace.landmarks)
-        become(withLandmarks(m_site, m_workplace.landmarks));
-}
-
-void RegistrationModel::choose(std::size_t landmark)
-{
-    m_chosen = landmark;
-    m_stylus.forgetHold();
-    Q_EMIT changed();
-}
-
-void RegistrationModel::pick(const Vec3& p_A_eye, const Vec3& dir_A)
-{
-    if (step() != SiteStep::Landmarks || !m_chosen || *m_chosen >= catalogue().landmarks.size())
-        return;
-    const auto met = m_surfaces.along(p_A_eye, dir_A);
-    if (!met) {
-        m_problem = tr("There is nothing of the patient at that place: click on the model.");
-        Q_EMIT changed();
-        return;
-    }
-    LandmarkCatalogue moved = catalogue();
-    moved.landmarks[*m_chosen].p_AQ = p_A_eye + met->distance * dir_A.normalized();
-    become(withLandmarks(m_site, std::move(moved)));
-}
-
-void RegistrationModel::fit()
-{
-    if (!canEnter(SiteStep::Fit))
-        return;
-    Result<Site> next = withFit(m_site, m_stylus.chin());
-    if (!next)
-        return refuse(next.error());
-    next->step = SiteStep::Fit;
-    become(std::move(*next));
-}
-
-void RegistrationModel::undo()
-{
-    if (m_past.empty() || !save(m_past.back()))
-        return;
-    m_past.pop_back();
-    m_stylus.cancelSwing();
-    m_chosen.reset();
-    m_stylus.forgetHold();
-    Q_EMIT changed();
-}
-
-void RegistrationModel::look()
-{
-    const bool touching = step() == SiteStep::Touch && nextLandmark();
-    const auto tip = touching && m_site.stylus ? std::optional{m_site.stylus->p_SQ} : std::nullopt;
-    const StylusWatch::News news = m_stylus.look(tip);
-    if (!news.swing.empty())
-        takeSwing(news.swing);
-    if (news.touch && touching)
-        takeTouch(*news.touch);
-    m_stylusOnAnatomy = step() == SiteStep::Verify ? foundStylus() : std::nullopt;
-}
-
-void RegistrationModel::takeSwing(const std::vector<RigidTransform>& X_TS)
-{
-    const Result<PivotCalibration> pivot = calibratePivot(X_TS);
-    if (!pivot)
-        return refuse(pivot.error());
-    const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
-    become(withStylus(m_site, {pivot->p_SQ, pivot->rms, now.toStdString()}));
-}
-
-void RegistrationModel::takeTouch(const DwellPoint& point)
-{
-    const std::string& landmark = catalogue().landmarks[*nextLandmark()].name;
-    m_chosen.reset();
-    if (become(withTouch(m_site, landmark, point)))
-        Q_EMIT touched();
-}
-
-std::optional<StylusOnAnatomy> RegistrationModel::foundStylus() const
-{
-    const auto X_TS = m_stylus.stylus();
-    if (!X_TS || !m_site.registration || !m_site.stylus)
+    const auto X_TS = m_watch.stylus();
+    const StylusTip* tip = m_stylusTask.tip();
+    if (!X_TS || !tip || !site().registration)
         return std::nullopt;
-    StylusOnAnatomy found{.X_AS = m_site.registration->X_AT * *X_TS};
-    found.p_AQ = found.X_AS * m_site.stylus->p_SQ;
+    StylusOnAnatomy found{.X_AS = site().registration->X_AT * *X_TS};
+    found.p_AQ = found.X_AS * tip->p_SQ;
     if (const auto surface = m_surfaces.nearest(found.p_AQ)) {
         found.nearestSurface = QString::fromStdString(surface->name);
         found.surface_mm = inMillimetres(metres(surface->distance));
     }
     const auto distance = [&](const Landmark& q) { return (q.p_AQ - found.p_AQ).norm(); };
-    const Landmark& nearest = std::ranges::min(catalogue().landmarks, {}, distance);
+    const Landmark& nearest = std::ranges::min(m_landmarkTask.catalogue().landmarks, {}, distance);
     found.nearestLandmark = QString::fromStdString(nearest.name);
     found.landmark_mm = inMillimetres(metres(distance(nearest)));
     return found;
 }
 
-bool RegistrationModel::become(Site next)
+void RegistrationModel::look()
 {
-    Site past = m_site;
-    if (!save(std::move(next)))
-        return false;
-    m_past.push_back(std::move(past));
-    Q_EMIT changed();
-    return true;
-}
-
-bool RegistrationModel::save(Site next)
-{
-    if (const auto written = writeSiteFile(m_workplace.file, next); !written) {
-        refuse(written.error());
-        return false;
+    const StylusNews news = m_watch.look();
+    switch (step()) {
+    case SiteStep::Stylus:
+        return m_stylusTask.take(news);
+    case SiteStep::Touch:
+        return m_touchTask.take(news);
+    case SiteStep::Verify:
+        return m_verifyTask.take(news);
+    case SiteStep::Overview:
+    case SiteStep::Tracker:
+    case SiteStep::Landmarks:
+    case SiteStep::Fit:
+        return;
     }
-    m_site = std::move(next);
-    m_problem.clear();
-    return true;
 }
 
-void RegistrationModel::refuse(const Error& error)
+void RegistrationModel::enter(SiteStep step)
 {
-    m_problem = errorText(error);
-    Q_EMIT changed();
+    m_landmarkTask.choose(std::nullopt);
+    m_touchTask.choose(std::nullopt);
+    m_followed.reset();
+    m_editor.enter(step);
+}
+
+void RegistrationModel::setOperator(const QString& name)
+{
+    Site next = site();
+    next.operatorName = name.trimmed().toStdString();
+    if (next.operatorName != site().operatorName)
+        m_editor.become(std::move(next));
+}
+
+void RegistrationModel::useTracker()
+{
+    Site next = withTracker(site(), trackerName().toStdString());
+    next.step = SiteStep::Stylus;
+    m_editor.become(std::move(next));
+}
+
+void RegistrationModel::pick(const Vec3& p_A_eye, const Vec3& dir_A)
+{
+    if (step() == SiteStep::Landmarks)
+        m_landmarkTask.pick(p_A_eye, dir_A);
+    else if (step() == SiteStep::Verify && site().registration)
+        m_verifyTask.pick(p_A_eye, dir_A);
+}
+
+void RegistrationModel::takeNow()
+{
+    if (step() == SiteStep::Touch)
+        m_touchTask.takeNow();
+    else if (step() == SiteStep::Verify)
+        m_verifyTask.takeNow();
+}
+
+void RegistrationModel::undo()
+{
+    m_followed.reset();
+    m_editor.undo();
+}
+
+void RegistrationModel::exportSite(const QString& file)
+{
+    if (const auto written = writeSiteFile(file.toStdString(), site()); !written)
+        m_editor.refuse(written.error());
+}
+
+void RegistrationModel::importSite(const QString& file)
+{
+    Result<Site> imported = readSiteFile(file.toStdString());
+    if (!imported)
+        return m_editor.refuse(imported.error());
+    if (!isOf(*imported, m_patient))
+        return m_editor.refuse(Error{Errc::OtherPatient, file.toStdString()});
+    imported->step = SiteStep::Overview;
+    m_editor.become(std::move(*imported));
 }
 
 } // namespace carina

@@ -1,10 +1,16 @@
 #pragma once
 
-#include "engine/io/site_file.h"
+#include "models/fit_task.h"
+#include "models/landmark_task.h"
 #include "models/patient_model.h"
+#include "models/site_editor.h"
+#include "models/site_tasks.h"
+#include "models/stylus_task.h"
 #include "models/stylus_watch.h"
 #include "models/surface_finder.h"
 #include "models/tool_status.h"
+#include "models/touch_task.h"
+#include "models/verify_task.h"
 
 #include <QObject>
 #include <QString>
@@ -23,6 +29,8 @@ struct LandmarkRow {
     Vec3 p_AQ = Vec3::Zero();
     std::optional<double> spread_mm{};   ///< of the stylus while it was touched; none before
     std::optional<double> residual_mm{}; ///< after the fit
+    std::optional<double> leftOut_mm{};  ///< from the fit of all others
+    bool isStale = false;                ///< touched, but something beneath has changed since
     bool isNext = false;                 ///< the one to touch, or to pick on the model
 };
 
@@ -36,12 +44,9 @@ struct StylusOnAnatomy {
     double landmark_mm = 0.0;
 };
 
-/// Registers a patient's anatomy to a manikin, step by step: the logic of the wizard. Everything a
-/// person achieves is in the site file before it is shown as done; a new model on the same file
-/// goes on where the last one stood.
-///
-/// A change takes away what rests on it: a new stylus tip the touched points and the fit, another
-/// place of a landmark its touch and the fit. Each change can be undone as a whole.
+/// Registers a patient's anatomy to a manikin: the logic of the wizard. Its pages can be entered in
+/// any order; a task that waits for another says so. Everything a person achieves is in the site
+/// file before it is shown as done; a new model on the same file goes on where the last one stood.
 class RegistrationModel : public QObject
 {
     Q_OBJECT
@@ -55,11 +60,13 @@ public:
 
     /// What a registration is made with.
     struct Workplace {
-        std::filesystem::path file;  ///< of the site
-        const Tracker* tracker;      ///< started and stopped by its owner
-        QString trackerName;         ///< as shown
-        ReadSessionClock clock;      ///< the clock of the tracker's samples
-        LandmarkCatalogue landmarks; ///< those offered for this patient
+        std::filesystem::path file;               ///< of the site
+        const Tracker* tracker = nullptr;         ///< started and stopped by its owner
+        QString trackerName;                      ///< as shown
+        ReadSessionClock clock;                   ///< the clock of the tracker's samples
+        std::vector<LandmarkCatalogue> landmarks; ///< sets of this patient, the recommended first
+        std::vector<Landmark> checks{};           ///< places to check a registration at
+        SiteEditor::Today today = &QDateTime::currentDateTimeUtc;
     };
 
     /// @param site as siteOf gave it
@@ -67,85 +74,87 @@ public:
     RegistrationModel(Workplace workplace, Site site, const PatientModel& patient,
                       QObject* parent = nullptr);
 
-    [[nodiscard]] const Site& site() const { return m_site; }
+    [[nodiscard]] const Site& site() const { return m_editor.site(); }
     [[nodiscard]] const PatientModel& patient() const { return m_patient; }
     [[nodiscard]] QString trackerName() const { return m_workplace.trackerName; }
 
-    [[nodiscard]] SiteStep step() const { return m_site.step; }
-    [[nodiscard]] bool isDone(SiteStep step) const;
-    /// Whether what the step needs is there.
-    [[nodiscard]] bool canEnter(SiteStep step) const;
-    /// Why not, in a sentence; empty where it can.
-    [[nodiscard]] QString whyNot(SiteStep step) const;
+    [[nodiscard]] SiteStep step() const { return site().step; }
+    [[nodiscard]] SiteTask task(SiteStep step) const;
+    /// The first page whose task is not done; Overview where all are.
+    [[nodiscard]] SiteStep nextStep() const;
+    [[nodiscard]] QStringList health() const;
 
     /// What to do now, in a sentence.
     [[nodiscard]] QString instruction() const;
     /// What went wrong last, in a sentence; empty since something went right.
-    [[nodiscard]] QString problem() const { return m_problem; }
+    [[nodiscard]] QString problem() const { return m_editor.problem(); }
+
+    [[nodiscard]] StylusTask& stylus() { return m_stylusTask; }
+    [[nodiscard]] const StylusTask& stylus() const { return m_stylusTask; }
+    [[nodiscard]] LandmarkTask& landmarkTask() { return m_landmarkTask; }
+    [[nodiscard]] const LandmarkTask& landmarkTask() const { return m_landmarkTask; }
+    [[nodiscard]] TouchTask& touching() { return m_touchTask; }
+    [[nodiscard]] const TouchTask& touching() const { return m_touchTask; }
+    [[nodiscard]] FitTask& fitting() { return m_fitTask; }
+    [[nodiscard]] const FitTask& fitting() const { return m_fitTask; }
+    [[nodiscard]] VerifyTask& verifying() { return m_verifyTask; }
+    [[nodiscard]] const VerifyTask& verifying() const { return m_verifyTask; }
 
     /// The tools that the tracker reports, and how it sees them now.
     [[nodiscard]] std::vector<ToolStatus> tools() const;
 
     [[nodiscard]] std::vector<LandmarkRow> landmarks() const;
-    /// Index of the landmark that is touched or picked next; nothing once all are touched.
+    /// What is marked on the model: the landmarks, or the places to check while these are.
+    [[nodiscard]] std::vector<LandmarkRow> places() const;
+    /// Index of the landmark that is touched or picked next; nothing where none is.
     [[nodiscard]] std::optional<std::size_t> nextLandmark() const;
     /// How much of the present task's hold or swing is done, 0 to 1.
     [[nodiscard]] double progress() const;
-    [[nodiscard]] bool isSwinging() const { return m_stylus.isSwinging(); }
 
     /// The tip on the anatomy, once it is registered and while the stylus is seen.
-    [[nodiscard]] const std::optional<StylusOnAnatomy>& stylusOnAnatomy() const
-    {
-        return m_stylusOnAnatomy;
-    }
+    [[nodiscard]] std::optional<StylusOnAnatomy> stylusOnAnatomy() const;
 
-    [[nodiscard]] bool canUndo() const { return !m_past.empty(); }
+    [[nodiscard]] bool canUndo() const { return m_editor.canUndo(); }
 
 public Q_SLOTS:
     /// Takes in what the tracker saw since the last look; happens by itself 30 times a second.
     void look();
     void enter(carina::SiteStep step);
+    void setOperator(const QString& name);
     void useTracker();
-    /// Begins to collect poses of the stylus, its tip in a divot; ends by itself.
-    void startSwing();
-    void cancelSwing();
-    /// Takes the landmarks as landmarks() lists them, and goes on to touching.
-    void acceptLandmarks();
-    /// Puts all landmarks back to their built-in places.
-    void useBuiltinLandmarks();
-    /// Chooses the landmark to touch again, or to pick on the model.
-    void choose(std::size_t landmark);
-    /// Takes the point where a ray first meets the patient as the chosen landmark's place.
+    /// A click on the model: moves a landmark, or names a place to check.
     void pick(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
-    void fit();
+    /// Takes the point that the tip is at, for a key or a foot switch.
+    void takeNow();
     void undo();
+    /// Puts this site's file beside another name, whole.
+    void exportSite(const QString& file);
+    /// Takes over what another file has of this patient; can be undone.
+    void importSite(const QString& file);
 
 Q_SIGNALS:
     /// The site, the step or a problem changed.
     void changed();
-    /// A landmark was touched: for a sound.
-    void touched();
+    /// Something was achieved by hand, away from the screen: to be heard.
+    void told(const QString& words);
 
 private:
-    void takeSwing(const std::vector<RigidTransform>& X_TS);
-    void takeTouch(const DwellPoint& point);
-    [[nodiscard]] std::optional<StylusOnAnatomy> foundStylus() const;
-    /// Saves a change, which can then be undone, and shows it.
-    bool become(Site next);
-    /// Shown is only what is in the file.
-    bool save(Site next);
-    void refuse(const Error& error);
-    [[nodiscard]] const LandmarkCatalogue& catalogue() const;
+    void followStep();
+    void beginWatching();
+    [[nodiscard]] std::optional<double> expectedAtGlottis_mm() const;
 
     Workplace m_workplace;
-    Site m_site;
     const PatientModel& m_patient;
-    StylusWatch m_stylus;
+    SiteEditor m_editor;
+    StylusWatch m_watch;
     SurfaceFinder m_surfaces;
-    std::vector<Site> m_past; ///< what undo goes back to
-    QString m_problem;
-    std::optional<std::size_t> m_chosen;
-    std::optional<StylusOnAnatomy> m_stylusOnAnatomy;
+    StylusTask m_stylusTask;
+    LandmarkTask m_landmarkTask;
+    TouchTask m_touchTask;
+    FitTask m_fitTask;
+    VerifyTask m_verifyTask;
+    std::optional<SiteStep> m_followed; ///< the page that the stylus is watched for
+    Vec3 m_followedTip = Vec3::Zero();
     QTimer m_timer;
 };
 

@@ -14,36 +14,46 @@ class RegistrationWords
     Q_DECLARE_TR_FUNCTIONS(RegistrationWords)
 
 public:
+    static QString overview(const RegistrationModel& model)
+    {
+        const SiteStep next = model.nextStep();
+        if (next == SiteStep::Overview)
+            return tr("Everything is done. The session can begin.");
+        return tr("Go on with: %1.").arg(stepTitle(next));
+    }
+
     static QString tracker(const RegistrationModel& model)
     {
-        return model.isDone(SiteStep::Tracker)
+        return model.task(SiteStep::Tracker).state == TaskState::Done
                    ? tr("The %1 is in use. Go on to the stylus.").arg(model.trackerName())
                    : tr("See that stylus and chin probe are visible, then use this tracker.");
     }
 
     static QString stylus(const RegistrationModel& model)
     {
-        if (model.isSwinging())
-            return tr("Keep the tip in the divot and swing the stylus slowly to all sides.");
-        if (const auto& stylus = model.site().stylus)
-            return tr("The tip is %1 mm from the markers; it stayed within %2 mm (RMS) of its "
-                      "divot. Go on, or swing again.")
-                .arg(1e3 * stylus->p_SQ.norm(), 0, 'f', 1)
-                .arg(1e3 * stylus->rms, 0, 'f', 2);
-        return tr("Set the stylus's tip into a divot that does not move, then start swinging.");
+        const StylusTask& stylus = model.stylus();
+        if (stylus.isSpinning())
+            return tr("Turn the stylus about its shaft, to and fro, by half a turn or more.");
+        if (stylus.isLookingForTip())
+            return missing(stylus.pivot().need);
+        if (stylus.tip())
+            return tr("The tip is known. Go on, or find it again after the stylus was bent.");
+        return tr("Find the tip: set it into a divot and swing the stylus.");
     }
 
     static QString landmarks(const RegistrationModel& model)
     {
-        const auto next = model.nextLandmark();
-        return tr("Use these landmarks, or choose one and click on the model where it shall be%1.")
-            .arg(next ? tr(" (now: %1)").arg(model.landmarks()[*next].name) : QString{});
+        if (const auto chosen = model.landmarkTask().chosen())
+            return tr("Click on the model where this landmark shall be: %1.")
+                .arg(model.landmarks()[*chosen].name);
+        return tr("Use these landmarks, or choose one in the list to move it.");
     }
 
     static QString touch(const RegistrationModel& model)
     {
-        const auto next = model.nextLandmark();
-        if (next)
+        if (!model.stylus().tip())
+            return tr("Find the tip of the stylus first.");
+        if (const auto next = model.nextLandmark())
             return tr("Touch this place on the manikin and hold still for a second: %1.")
                 .arg(model.landmarks()[*next].name);
         return tr("All landmarks are touched. Go on to the fit, or choose one to touch again.");
@@ -51,33 +61,49 @@ public:
 
     static QString fit(const RegistrationModel& model)
     {
-        if (const auto& registration = model.site().registration)
-            return tr("Fitted: the landmarks stay %1 mm (RMS) from their places. Touch one with a "
-                      "much longer bar again.")
-                .arg(1e3 * registration->rms, 0, 'f', 1);
-        return tr("Close the manikin's mouth, then fit the anatomy to the touched landmarks.");
+        if (model.fitting().isSwabbing())
+            return tr("Slide the tip to and fro over this surface, then refine: %1 points so far.")
+                .arg(model.fitting().swabPoints());
+        const SiteTask task = model.task(SiteStep::Fit);
+        if (task.state == TaskState::Done)
+            return tr("Fitted: the landmarks stay %1 mm (RMS) from their places. What counts is "
+                      "the error that is expected in the airway.")
+                .arg(inMillimetres(metres(model.site().registration->rms)), 0, 'f', 1);
+        return task.why.isEmpty() || task.state == TaskState::Stale
+                   ? tr("Close the manikin's mouth, then fit the patient to the landmarks.")
+                   : task.why;
     }
 
-    static QString missingFor(SiteStep step, const RegistrationModel& model)
+    static QString verify(const RegistrationModel& model)
     {
-        const Site& site = model.site();
-        if (step != SiteStep::Tracker && !model.isDone(SiteStep::Tracker))
-            return tr("Choose the tracker first.");
-        if (step == SiteStep::Touch && !site.stylus)
-            return tr("Find the tip of the stylus first.");
-        if (step == SiteStep::Touch && !site.catalogue)
-            return tr("Choose the landmarks first.");
-        if (step == SiteStep::Fit && !model.isDone(SiteStep::Touch))
-            return tr("Touch all landmarks first.");
-        if (step == SiteStep::Verify && !site.registration)
-            return tr("Fit the anatomy first.");
+        const SiteTask task = model.task(SiteStep::Verify);
+        if (task.state == TaskState::Waits)
+            return task.why;
+        if (const auto next = model.verifying().next())
+            return tr("Touch this place, which the fit did not use: %1. Or click on the model to "
+                      "add one.")
+                .arg(model.verifying().points()[*next].name);
+        return tr("All places are checked. Record the verdict.");
+    }
+
+private:
+    static QString missing(PivotNeed need)
+    {
+        switch (need) {
+        case PivotNeed::Swing:
+            return tr("Set the tip into a divot and swing the stylus: it begins by itself.");
+        case PivotNeed::Motion:
+            return tr("Swing it further, by 30 degrees to every side.");
+        case PivotNeed::Directions:
+            return tr("Swing it in the other direction too: across the way it went so far.");
+        case PivotNeed::Stillness:
+            return tr("The tip slips: keep it in the divot.");
+        case PivotNeed::Poses:
+            return tr("Good. Keep swinging until the bar is full.");
+        case PivotNeed::Nothing:
+            break;
+        }
         return {};
-    }
-
-    static QString verify()
-    {
-        return tr("Touch places that you know on the manikin and compare: the stylus has to be "
-                  "where you see it on the anatomy.");
     }
 };
 
@@ -86,6 +112,8 @@ public:
 QString registrationInstruction(const RegistrationModel& model)
 {
     switch (model.step()) {
+    case SiteStep::Overview:
+        return RegistrationWords::overview(model);
     case SiteStep::Tracker:
         return RegistrationWords::tracker(model);
     case SiteStep::Stylus:
@@ -97,14 +125,9 @@ QString registrationInstruction(const RegistrationModel& model)
     case SiteStep::Fit:
         return RegistrationWords::fit(model);
     case SiteStep::Verify:
-        return RegistrationWords::verify();
+        return RegistrationWords::verify(model);
     }
     return {};
-}
-
-QString whyNotYet(const RegistrationModel& model, SiteStep step)
-{
-    return RegistrationWords::missingFor(step, model);
 }
 
 } // namespace carina

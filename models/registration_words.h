@@ -1,7 +1,5 @@
 #pragma once
 
-#include "engine/io/site_file.h"
-
 #include <QString>
 
 namespace carina
@@ -11,8 +9,5 @@ class RegistrationModel;
 
 /// What the technician has to do now, in a sentence.
 [[nodiscard]] QString registrationInstruction(const RegistrationModel& model);
-
-/// What has to be done before a step can be entered; empty where it can be.
-[[nodiscard]] QString whyNotYet(const RegistrationModel& model, SiteStep step);
 
 } // namespace carina

@@ -1,27 +1,111 @@
 #include "models/site_changes.h"
 
+#include "engine/core/expects.h"
+#include "engine/registration/leave_one_out.h"
 #include "engine/registration/manikin_fit.h"
+#include "engine/registration/registration_error.h"
 
 #include <algorithm>
 
 namespace carina
 {
+namespace
+{
+
+/// The first cause stays.
+void makeStale(std::optional<StaleCause>& stale, StaleCause cause)
+{
+    if (!stale)
+        stale = cause;
+}
+
+void makeFitStale(Site& site, StaleCause cause)
+{
+    if (site.registration)
+        makeStale(site.registration->stale, cause);
+    if (site.verification)
+        makeStale(site.verification->stale, cause);
+}
+
+void makeTouchesStale(Site& site, StaleCause cause)
+{
+    for (TouchedPoint& touch : site.touched)
+        makeStale(touch.stale, cause);
+    makeFitStale(site, cause);
+}
+
+/// Touches that count, with the places of their landmarks.
+struct FreshTouches {
+    std::vector<const TouchedPoint*> touches;
+    std::vector<TouchedLandmark> landmarks;
+};
+
+FreshTouches freshOnes(const Site& site)
+{
+    FreshTouches fresh;
+    for (const Landmark& landmark : site.catalogue.value_or(LandmarkCatalogue{}).landmarks) {
+        const TouchedPoint* touch = touchOf(site, landmark.name);
+        if (!touch || touch->stale)
+            continue;
+        fresh.touches.push_back(touch);
+        fresh.landmarks.push_back({.p_AQ = landmark.p_AQ, .p_TQ = touch->p_TQ});
+    }
+    return fresh;
+}
+
+std::vector<LandmarkResidual> residualsOf(const FreshTouches& fresh, const ManikinFit& fitted)
+{
+    std::vector<LandmarkPair> pairs;
+    for (const TouchedLandmark& landmark : fresh.landmarks)
+        pairs.push_back({landmark.p_AQ, landmark.p_TQ});
+    const auto leftOut = leaveOneOut(pairs);
+    std::vector<LandmarkResidual> residuals;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        residuals.push_back({.landmark = fresh.touches[i]->landmark,
+                             .residual = fitted.fit.residuals[i],
+                             .leftOut = leftOut ? (*leftOut)[i] : std::nullopt});
+    return residuals;
+}
+
+Result<RegistrationError> errorOf(const FreshTouches& fresh, const ManikinFit& fitted,
+                                  const Mat3& tip_S)
+{
+    const Mat3 R_AT = fitted.X_AT().rotation().toRotationMatrix();
+    std::vector<Vec3> places;
+    std::vector<Mat3> held;
+    for (std::size_t i = 0; i < fresh.touches.size(); ++i) {
+        places.push_back(fresh.landmarks[i].p_AQ);
+        held.push_back(R_AT * fresh.touches[i]->q_TS.toRotationMatrix());
+    }
+    return registrationError(places, held, tip_S, metres(fitted.fit.rms));
+}
+
+} // namespace
 
 Site withTracker(Site site, std::string tracker)
 {
     if (site.tracker == tracker)
         return site;
     site.tracker = std::move(tracker);
-    site.touched.clear();
-    site.registration.reset();
+    makeTouchesStale(site, StaleCause::Tracker);
     return site;
 }
 
 Site withStylus(Site site, StylusTip stylus)
 {
-    site.stylus = std::move(stylus);
-    site.touched.clear();
-    site.registration.reset();
+    std::erase_if(site.styluses, [&](const StylusTip& tip) {
+        return tip.tool == stylus.tool || tip.tool.empty();
+    });
+    site.styluses.push_back(std::move(stylus));
+    makeTouchesStale(site, StaleCause::Stylus);
+    return site;
+}
+
+Site withStylusAxis(Site site, const std::string& tool, StylusAxis axis)
+{
+    for (StylusTip& tip : site.styluses)
+        if (&tip == site.stylus(tool))
+            tip.axis = axis;
     return site;
 }
 
@@ -29,46 +113,115 @@ Site withLandmarks(Site site, LandmarkCatalogue catalogue)
 {
     if (site.catalogue == catalogue)
         return site;
-    const auto& before = site.catalogue ? site.catalogue->landmarks : catalogue.landmarks;
-    std::erase_if(site.touched, [&](const TouchedPoint& touch) {
-        const auto was = std::ranges::find(before, touch.landmark, &Landmark::name);
-        return was == before.end() || std::ranges::count(catalogue.landmarks, *was) == 0;
+    const LandmarkCatalogue before = site.catalogue.value_or(LandmarkCatalogue{});
+    std::erase_if(site.touched, [&](TouchedPoint& touch) {
+        const auto now = std::ranges::find(catalogue.landmarks, touch.landmark, &Landmark::name);
+        if (now == catalogue.landmarks.end())
+            return true;
+        if (std::ranges::count(before.landmarks, *now) == 0)
+            makeStale(touch.stale, StaleCause::Landmarks);
+        return false;
     });
     site.catalogue = std::move(catalogue);
-    site.registration.reset();
+    makeFitStale(site, StaleCause::Landmarks);
     return site;
 }
 
-Site withTouch(Site site, const std::string& landmark, const DwellPoint& point_T)
+Site withTouch(Site site, const std::string& landmark, const StylusTouch& touch)
 {
     std::erase_if(site.touched,
-                  [&](const TouchedPoint& touch) { return touch.landmark == landmark; });
-    site.touched.push_back({landmark, point_T.p_FQ, point_T.spread});
-    site.registration.reset();
+                  [&](const TouchedPoint& before) { return before.landmark == landmark; });
+    site.touched.push_back({.landmark = landmark,
+                            .p_TQ = touch.point.p_FQ,
+                            .spread = touch.point.spread,
+                            .q_TS = touch.q_TS});
+    makeFitStale(site, StaleCause::Touches);
     return site;
 }
 
-Result<Site> withFit(Site site, const std::optional<RigidTransform>& X_TJ)
+Site withOrder(Site site, const std::vector<std::size_t>& touchOf)
 {
-    std::vector<TouchedLandmark> landmarks;
-    std::vector<LandmarkResidual> residuals;
-    for (const Landmark& landmark : site.catalogue.value_or(LandmarkCatalogue{}).landmarks) {
-        if (const TouchedPoint* touch = touchOf(site, landmark.name)) {
-            landmarks.push_back({.p_AQ = landmark.p_AQ, .p_TQ = touch->p_TQ});
-            residuals.push_back({.landmark = landmark.name});
-        }
+    const Site before = site;
+    const FreshTouches fresh = freshOnes(before);
+    CARINA_EXPECTS(fresh.touches.size() == touchOf.size());
+    for (std::size_t i = 0; i < touchOf.size(); ++i) {
+        const std::string& landmark = fresh.touches[i]->landmark;
+        TouchedPoint touch = *fresh.touches[touchOf[i]];
+        touch.landmark = landmark;
+        *std::ranges::find(site.touched, landmark, &TouchedPoint::landmark) = std::move(touch);
     }
-    const Result<ManikinFit> fitted = fitManikin(landmarks);
+    makeFitStale(site, StaleCause::Touches);
+    return site;
+}
+
+Result<Site> withFit(Site site, const FitInputs& inputs)
+{
+    const FreshTouches fresh = freshOnes(site);
+    const Result<ManikinFit> fitted = fitManikin(fresh.landmarks);
     if (!fitted)
         return tl::unexpected(fitted.error());
-    for (std::size_t i = 0; i < residuals.size(); ++i)
-        residuals[i].residual = fitted->fit.residuals[i];
-    site.registration = SiteRegistration{.X_AM = fitted->fit.X_AM,
-                                         .X_AT = fitted->X_AT(),
-                                         .rms = fitted->fit.rms,
-                                         .residuals = std::move(residuals)};
-    if (X_TJ)
-        site.registration->X_JM = X_TJ->inverse() * fitted->X_TM;
+    const StylusTip* stylus = site.stylus(inputs.tool);
+    const auto error = errorOf(fresh, *fitted, stylus ? stylus->covariance_S : Mat3::Zero());
+    if (!error)
+        return tl::unexpected(error.error());
+    SiteRegistration registration{.X_AM = fitted->fit.X_AM,
+                                  .X_AT = fitted->X_AT(),
+                                  .rms = fitted->fit.rms,
+                                  .residuals = residualsOf(fresh, *fitted),
+                                  .covariance_A = error->covariance_A,
+                                  .fle = error->fle.rms.si,
+                                  .degrees = error->fle.degrees,
+                                  .madeAt = inputs.at,
+                                  .operatorName = site.operatorName};
+    if (inputs.X_TJ)
+        registration.X_JM = inputs.X_TJ->inverse() * fitted->X_TM;
+    if (inputs.X_TB)
+        registration.X_BM = inputs.X_TB->inverse() * fitted->X_TM;
+    site.registration = std::move(registration);
+    if (site.verification)
+        makeStale(site.verification->stale, StaleCause::Fit);
+    return site;
+}
+
+Site withSwab(Site site, const std::string& surface, std::size_t points,
+              const SurfaceRefinement& refinement)
+{
+    CARINA_EXPECTS(site.registration);
+    SiteRegistration& registration = *site.registration;
+    const RigidTransform X_MT = registration.X_AM.inverse() * registration.X_AT;
+    registration.X_AM = refinement.X_AM;
+    registration.X_AT = refinement.X_AM * X_MT;
+    registration.covariance_A = refinedCovariance(registration.covariance_A, refinement);
+    registration.swab = SiteSwab{.surface = surface,
+                                 .points = int(points),
+                                 .outliers = refinement.outliers,
+                                 .startRms = refinement.startRms,
+                                 .rms = refinement.rms,
+                                 .moved = refinement.moved};
+    if (site.verification)
+        makeStale(site.verification->stale, StaleCause::Fit);
+    return site;
+}
+
+Site withVerified(Site site, VerifiedPoint point)
+{
+    CARINA_EXPECTS(site.registration);
+    if (!site.verification || site.verification->stale)
+        site.verification = SiteVerification{};
+    site.verification->verdict = Verdict::Open;
+    site.verification->at.clear();
+    auto& points = site.verification->points;
+    std::erase_if(points, [&](const VerifiedPoint& before) { return before.name == point.name; });
+    points.push_back(std::move(point));
+    return site;
+}
+
+Site withVerdict(Site site, Verdict verdict, std::string at)
+{
+    CARINA_EXPECTS(site.verification);
+    site.verification->verdict = verdict;
+    site.verification->at = std::move(at);
+    site.verification->operatorName = site.operatorName;
     return site;
 }
 
@@ -76,6 +229,16 @@ const TouchedPoint* touchOf(const Site& site, const std::string& landmark)
 {
     const auto touch = std::ranges::find(site.touched, landmark, &TouchedPoint::landmark);
     return touch == site.touched.end() ? nullptr : &*touch;
+}
+
+std::size_t freshTouches(const Site& site) { return freshOnes(site).touches.size(); }
+
+std::vector<LandmarkPair> touchedPairs(const Site& site)
+{
+    std::vector<LandmarkPair> pairs;
+    for (const TouchedLandmark& landmark : freshOnes(site).landmarks)
+        pairs.push_back({landmark.p_AQ, landmark.p_TQ});
+    return pairs;
 }
 
 } // namespace carina

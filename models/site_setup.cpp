@@ -5,7 +5,7 @@ namespace carina
 
 Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
 {
-    if (!site.registration || !site.catalogue)
+    if (!site.registration || !site.catalogue || site.registration->stale == StaleCause::Tracker)
         return fail(Errc::NotRegistered, "");
     const std::string& anatomy = site.catalogue->anatomy;
     if (!anatomy.empty() && anatomy != patient.contentHash())

@@ -10,9 +10,10 @@ namespace carina
 namespace
 {
 
-constexpr std::size_t kSwingPoses = 480; ///< eight seconds at 60 Hz
+constexpr std::size_t kSpunPoses = 360; ///< six seconds at 60 Hz
 constexpr Duration kSilence = std::chrono::milliseconds{300};
 constexpr Duration kMeanOf = std::chrono::seconds{1};
+constexpr Duration kTakenOf = std::chrono::milliseconds{250};
 
 /// The mean of poses that differ by no more than noise.
 /// @pre there are some
@@ -35,36 +36,109 @@ StylusWatch::StylusWatch(const Tracker& tracker, ReadSessionClock clock)
 {
 }
 
-StylusWatch::News StylusWatch::look(const std::optional<Vec3>& p_SQ)
+std::string StylusWatch::tool() const
 {
-    News news;
+    const auto stylus = std::ranges::find(m_tools, ToolRole::Stylus, &TrackedTool::role);
+    return stylus == m_tools.end() ? std::string{} : stylus->name;
+}
+
+void StylusWatch::watchFor(StylusUse use, const std::optional<Vec3>& p_SQ)
+{
+    m_use = use;
+    m_p_SQ = p_SQ;
+    m_pivot.restart();
+    m_spun.clear();
+    m_dwell = {};
+    m_swab.clear();
+}
+
+StylusNews StylusWatch::look()
+{
+    StylusNews news;
     for (const PoseSample& sample : seen(ToolRole::Stylus)) {
         if (m_looked && sample.time <= *m_looked)
             continue;
         m_looked = sample.time;
-        if (m_swinging && sample.validity != Validity::Lost)
-            m_swing.push_back(sample.X_FO);
-        if (p_SQ) {
-            if (const auto touch = m_dwell.push(sample.time, sample.X_FO * *p_SQ, sample.validity))
-                news.touch = touch;
-        }
-    }
-    if (m_swinging && m_swing.size() >= kSwingPoses) {
-        m_swinging = false;
-        news.swing = std::exchange(m_swing, {});
+        take(sample, news);
     }
     return news;
 }
 
-void StylusWatch::startSwing()
+void StylusWatch::take(const PoseSample& sample, StylusNews& news)
 {
-    m_swing.clear();
-    m_swinging = true;
+    const bool isSeen = sample.validity != Validity::Lost;
+    switch (m_use) {
+    case StylusUse::Nothing:
+        return;
+    case StylusUse::Pivot:
+        if (auto tip = m_pivot.push(sample.time, sample.X_FO, sample.validity))
+            news.tip = std::move(tip);
+        return;
+    case StylusUse::Spin:
+        if (isSeen)
+            takeSpun(sample.X_FO, news);
+        return;
+    case StylusUse::Touch:
+        if (m_p_SQ)
+            if (const auto point =
+                    m_dwell.push(sample.time, sample.X_FO * *m_p_SQ, sample.validity))
+                news.touch = StylusTouch{*point, sample.X_FO.rotation()};
+        return;
+    case StylusUse::Swab:
+        if (m_p_SQ && isSeen)
+            takeSwabbed(sample.X_FO * *m_p_SQ);
+        return;
+    }
 }
 
-double StylusWatch::swingProgress() const
+void StylusWatch::takeSpun(const RigidTransform& X_TS, StylusNews& news)
 {
-    return m_swinging ? double(m_swing.size()) / double(kSwingPoses) : 0.0;
+    m_spun.push_back(X_TS);
+    if (m_spun.size() < kSpunPoses || !m_p_SQ)
+        return;
+    news.axis = calibrateSpin(std::exchange(m_spun, {}), *m_p_SQ);
+    m_use = StylusUse::Nothing;
+}
+
+void StylusWatch::takeSwabbed(const Vec3& p_TQ)
+{
+    if (m_swab.size() >= kMostSwabPoints)
+        return;
+    if (m_swab.empty() || (p_TQ - m_swab.back()).norm() >= kSwabStep.si)
+        m_swab.push_back(p_TQ);
+}
+
+double StylusWatch::progress() const
+{
+    switch (m_use) {
+    case StylusUse::Pivot:
+        return m_pivot.progress().share;
+    case StylusUse::Spin:
+        return double(m_spun.size()) / double(kSpunPoses);
+    case StylusUse::Touch:
+        return m_dwell.progress();
+    case StylusUse::Nothing:
+    case StylusUse::Swab:
+        break;
+    }
+    return 0.0;
+}
+
+std::optional<StylusTouch> StylusWatch::pointNow(const Vec3& p_SQ) const
+{
+    const std::vector<PoseSample> samples = latest(ToolRole::Stylus, kTakenOf);
+    if (samples.empty())
+        return std::nullopt;
+    StylusTouch touch{.point = {.samples = int(samples.size()),
+                                .from = samples.front().time,
+                                .until = samples.back().time},
+                      .q_TS = samples.back().X_FO.rotation()};
+    for (const PoseSample& sample : samples)
+        touch.point.p_FQ += sample.X_FO * p_SQ / double(samples.size());
+    for (const PoseSample& sample : samples)
+        touch.point.spread =
+            std::max(touch.point.spread, (sample.X_FO * p_SQ - touch.point.p_FQ).norm());
+    return touch;
 }
 
 std::optional<RigidTransform> StylusWatch::stylus() const
@@ -75,16 +149,22 @@ std::optional<RigidTransform> StylusWatch::stylus() const
     return samples.back().X_FO;
 }
 
-std::optional<RigidTransform> StylusWatch::chin() const
+std::optional<RigidTransform> StylusWatch::probe(ToolRole role) const
 {
-    std::vector<PoseSample> samples = seen(ToolRole::Jaw);
+    const std::vector<PoseSample> samples = latest(role, kMeanOf);
+    return samples.empty() ? std::nullopt : std::optional{meanOf(samples)};
+}
+
+std::vector<PoseSample> StylusWatch::latest(ToolRole role, Duration time) const
+{
+    std::vector<PoseSample> samples = seen(role);
     if (samples.empty())
-        return std::nullopt;
-    const SessionTime from = samples.back().time - kMeanOf;
+        return samples;
+    const SessionTime from = samples.back().time - time;
     std::erase_if(samples, [from](const PoseSample& sample) {
         return sample.validity == Validity::Lost || sample.time < from;
     });
-    return samples.empty() ? std::nullopt : std::optional{meanOf(samples)};
+    return samples;
 }
 
 std::vector<PoseSample> StylusWatch::seen(ToolRole role) const

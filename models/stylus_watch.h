@@ -1,56 +1,94 @@
 #pragma once
 
 #include "engine/registration/dwell_detector.h"
+#include "engine/registration/pivot_collector.h"
+#include "engine/registration/spin_calibration.h"
 #include "engine/tracking/simulated_tracker.h"
 
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace carina
 {
 
-/// A tracker's stylus, and the chin probe beside it, as a technician works with them: collects the
-/// poses of a swing and finds the points that the tip was held at.
+/// What the stylus is watched for.
+enum class StylusUse : std::uint8_t {
+    Nothing,
+    Pivot, ///< its tip: swung with the tip in a divot
+    Spin,  ///< its axis: spun about the shaft
+    Touch, ///< points that it is held at
+    Swab,  ///< a surface that it slides over
+};
+
+/// A point that was touched, and how the stylus was held.
+struct StylusTouch {
+    DwellPoint point; ///< in T
+    Quat q_TS = Quat::Identity();
+};
+
+/// What came of the samples since the last look.
+struct StylusNews {
+    std::optional<PivotCalibration> tip{};
+    std::optional<Result<SpinCalibration>> axis{};
+    std::optional<StylusTouch> touch{};
+};
+
+/// A tracker's stylus, and the probes on chin and body beside it, as a technician works with them.
 class StylusWatch
 {
 public:
-    /// What came since the last look.
-    struct News {
-        std::vector<RigidTransform> swing; ///< X_TS of a whole swing; empty until there is one
-        std::optional<DwellPoint> touch;   ///< the latest, in T
-    };
-
     /// @pre tracker outlives this.
     StylusWatch(const Tracker& tracker, ReadSessionClock clock);
 
-    /// Looks at the samples that came in. @param p_SQ the tip, once it is known
-    [[nodiscard]] News look(const std::optional<Vec3>& p_SQ);
+    /// The tracker's name of the stylus; empty for a tracker without one.
+    [[nodiscard]] std::string tool() const;
 
-    void startSwing();
-    void cancelSwing() { m_swinging = false; }
-    [[nodiscard]] bool isSwinging() const { return m_swinging; }
-    /// Shares of the swing and of the hold that are done, 0 to 1.
-    [[nodiscard]] double swingProgress() const;
-    [[nodiscard]] double holdProgress() const { return m_dwell.progress(); }
-    /// Begins any hold anew.
-    void forgetHold() { m_dwell = {}; }
+    /// Watches for something else from now on, or for the same anew. @param p_SQ the tip, where it
+    /// is known: nothing is touched or swabbed without
+    void watchFor(StylusUse use, const std::optional<Vec3>& p_SQ);
+    [[nodiscard]] StylusUse use() const { return m_use; }
+
+    [[nodiscard]] StylusNews look();
+
+    [[nodiscard]] const PivotProgress& pivot() const { return m_pivot.progress(); }
+    /// How much of what is watched for is done, 0 to 1; always 0 for a swab, which has no end.
+    [[nodiscard]] double progress() const;
+    /// p_TQ on the surface so far, at least kSwabStep apart.
+    [[nodiscard]] const std::vector<Vec3>& swab() const { return m_swab; }
+
+    /// The point that the tip is at, the mean of its latest quarter of a second; nothing while the
+    /// stylus is not seen.
+    [[nodiscard]] std::optional<StylusTouch> pointNow(const Vec3& p_SQ) const;
 
     /// X_TS now; nothing while the stylus is not seen.
     [[nodiscard]] std::optional<RigidTransform> stylus() const;
 
-    /// X_TJ of the chin probe, the mean of its latest second; nothing while it is not seen.
-    [[nodiscard]] std::optional<RigidTransform> chin() const;
+    /// X_T<probe>, the mean of its latest second; nothing while it is not seen.
+    [[nodiscard]] std::optional<RigidTransform> probe(ToolRole role) const;
+
+    static constexpr Length kSwabStep = millimetres(1.5);
+    static constexpr std::size_t kMostSwabPoints = 400;
 
 private:
+    void take(const PoseSample& sample, StylusNews& news);
+    void takeSpun(const RigidTransform& X_TS, StylusNews& news);
+    void takeSwabbed(const Vec3& p_TQ);
     /// The samples of a tool, if it is seen now.
     [[nodiscard]] std::vector<PoseSample> seen(ToolRole role) const;
+    /// Those of its latest time that were not lost.
+    [[nodiscard]] std::vector<PoseSample> latest(ToolRole role, Duration time) const;
 
     std::vector<TrackedTool> m_tools;
     ReadSessionClock m_clock;
     std::optional<SessionTime> m_looked; ///< newest sample that was looked at
-    bool m_swinging = false;
-    std::vector<RigidTransform> m_swing; ///< X_TS
+    StylusUse m_use = StylusUse::Nothing;
+    std::optional<Vec3> m_p_SQ;
+    PivotCollector m_pivot;
+    std::vector<RigidTransform> m_spun; ///< X_TS
     DwellDetector m_dwell;
+    std::vector<Vec3> m_swab;
 };
 
 } // namespace carina

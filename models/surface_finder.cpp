@@ -1,6 +1,9 @@
 #include "models/surface_finder.h"
 
+#include "engine/geometry/surface_feature.h"
 #include "engine/geometry/surface_query.h"
+
+#include <algorithm>
 
 namespace carina
 {
@@ -31,9 +34,7 @@ std::optional<SurfaceFinder::Found> SurfaceFinder::nearest(const Vec3& p_AQ) con
     for (const Surface& surface : m_surfaces) {
         if (found && distanceTo(surface.bounds, p_AQ) >= found->distance)
             continue;
-        if (!surface.tree)
-            surface.tree.emplace(*surface.mesh);
-        const double distance = surface.tree->distanceTo(p_AQ);
+        const double distance = treeOf(surface).distanceTo(p_AQ);
         if (!found || distance < found->distance)
             found = Found{*surface.name, distance};
     }
@@ -52,6 +53,36 @@ std::optional<SurfaceFinder::Found> SurfaceFinder::along(const Vec3& p_A_eye,
             found = Found{*surface.name, *hit};
     }
     return found;
+}
+
+std::optional<Vec3> SurfaceFinder::picked(const Vec3& p_A_eye, const Vec3& dir_A, bool snaps) const
+{
+    const auto hit = along(p_A_eye, dir_A);
+    if (!hit)
+        return std::nullopt;
+    const Vec3 p_AQ = p_A_eye + hit->distance * dir_A.normalized();
+    if (!snaps)
+        return p_AQ;
+    const auto surface =
+        std::ranges::find(m_surfaces, hit->name, [](const Surface& each) { return *each.name; });
+    for (const SurfaceFeature kind : {SurfaceFeature::Tip, SurfaceFeature::Ridge})
+        if (const auto feature = nearestFeature(*surface->mesh, p_AQ, kind))
+            return feature->p;
+    return p_AQ;
+}
+
+const SurfaceTree* SurfaceFinder::surface(const std::string& name) const
+{
+    const auto found =
+        std::ranges::find(m_surfaces, name, [](const Surface& each) { return *each.name; });
+    return found == m_surfaces.end() ? nullptr : &treeOf(*found);
+}
+
+const SurfaceTree& SurfaceFinder::treeOf(const Surface& surface) const
+{
+    if (!surface.tree)
+        surface.tree.emplace(*surface.mesh);
+    return *surface.tree;
 }
 
 } // namespace carina

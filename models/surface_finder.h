@@ -30,6 +30,14 @@ public:
     /// The first surface along a ray, its distance in metres; nothing where the ray meets none.
     [[nodiscard]] std::optional<Found> along(const Vec3& p_A_eye, const Vec3& dir_A) const;
 
+    /// The place that a click means: where the ray first meets a surface, or of this surface the
+    /// nearest tip, or else ridge, that a finger finds there.
+    [[nodiscard]] std::optional<Vec3> picked(const Vec3& p_A_eye, const Vec3& dir_A,
+                                             bool snaps) const;
+
+    /// The surface of a name; nothing where there is none.
+    [[nodiscard]] const SurfaceTree* surface(const std::string& name) const;
+
 private:
     struct Surface {
         const std::string* name;
@@ -37,6 +45,8 @@ private:
         Box bounds;
         mutable std::optional<SurfaceTree> tree; ///< once it was asked for the first time
     };
+
+    [[nodiscard]] const SurfaceTree& treeOf(const Surface& surface) const;
 
     std::vector<Surface> m_surfaces;
 };

@@ -5,6 +5,8 @@
 #include "widgets/scene/marker_shapes.h"
 #include "widgets/scene/scene_view.h"
 
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -36,7 +38,7 @@ Marker markerOf(const LandmarkRow& landmark, LocalTime time)
         const double pulses = kPulsesPerSecond * toSeconds(time.time_since_epoch());
         return pulses - std::floor(pulses) < 0.5 ? Marker::Next : Marker::NextSwollen;
     }
-    return landmark.spread_mm ? Marker::Touched : Marker::Open;
+    return landmark.spread_mm && !landmark.isStale ? Marker::Touched : Marker::Open;
 }
 
 /// X_AF of a pointer whose tip is at the stylus's tip and that runs along its shaft.
@@ -58,13 +60,14 @@ RegistrationScene::RegistrationScene(SceneView& scene, const RegistrationModel& 
 
 void RegistrationScene::refresh()
 {
-    m_landmarks = m_registration.landmarks();
+    m_landmarks = m_registration.places();
     if (m_landmarks.size() > m_marked)
         addMarkers();
-    const std::optional<std::size_t> next = m_registration.nextLandmark();
-    if (next && next != m_next)
+    const auto next = std::ranges::find_if(m_landmarks, &LandmarkRow::isNext);
+    const QString name = next == m_landmarks.end() ? QString{} : next->name;
+    if (!name.isEmpty() && name != m_next)
         m_scene.showFrom(ViewPreset::Front);
-    m_next = next;
+    m_next = name;
 }
 
 void RegistrationScene::addMarkers()

@@ -28,9 +28,9 @@ private:
 
     SceneView& m_scene;
     const RegistrationModel& m_registration;
-    std::vector<LandmarkRow> m_landmarks;
-    std::size_t m_marked = 0; ///< landmarks that there are markers for
-    std::optional<std::size_t> m_next;
+    std::vector<LandmarkRow> m_landmarks; ///< or places to check
+    std::size_t m_marked = 0;             ///< landmarks that there are markers for
+    QString m_next;                       ///< name of the place that is next
 };
 
 } // namespace carina

@@ -1,13 +1,19 @@
 #include "ui/registration_window.h"
 
+#include "ui/fit_page.h"
+#include "ui/landmarks_page.h"
+#include "ui/overview_page.h"
+#include "ui/stylus_page.h"
+#include "ui/touch_page.h"
+#include "ui/tracker_page.h"
+#include "ui/verify_page.h"
 #include "ui_registration_window.h"
-#include "widgets/residual_bar.h"
 
+#include <QAccessible>
 #include <QApplication>
-#include <QHeaderView>
 #include <QShortcut>
 
-#include <algorithm>
+#include <array>
 
 namespace carina
 {
@@ -16,30 +22,25 @@ namespace
 
 constexpr int kLiveInterval_ms = 66;
 constexpr int kToolsInterval_ms = 500; ///< slow enough to read the numbers
-constexpr int kLeastRow = 34;          ///< pixels, to be hit without aiming
-constexpr double kLeastFullScale_mm = 2.0;
-constexpr std::array kSteps{SiteStep::Tracker, SiteStep::Stylus, SiteStep::Landmarks,
-                            SiteStep::Touch,   SiteStep::Fit,    SiteStep::Verify};
+constexpr std::array kSteps{SiteStep::Overview,  SiteStep::Tracker, SiteStep::Stylus,
+                            SiteStep::Landmarks, SiteStep::Touch,   SiteStep::Fit,
+                            SiteStep::Verify};
 
-QString stepTitle(SiteStep step, const LandmarkTableModel& landmarks)
+StepState stateOf(TaskState state)
 {
-    switch (step) {
-    case SiteStep::Tracker:
-        return RegistrationWindow::tr("Tracker");
-    case SiteStep::Stylus:
-        return RegistrationWindow::tr("Stylus");
-    case SiteStep::Landmarks:
-        return RegistrationWindow::tr("Landmarks");
-    case SiteStep::Touch:
-        return RegistrationWindow::tr("Touch %1/%2")
-            .arg(landmarks.touchedCount())
-            .arg(landmarks.rowCount());
-    case SiteStep::Fit:
-        return RegistrationWindow::tr("Fit");
-    case SiteStep::Verify:
-        return RegistrationWindow::tr("Verify");
+    switch (state) {
+    case TaskState::Open:
+        return StepState::Open;
+    case TaskState::Waits:
+        return StepState::Waits;
+    case TaskState::Begun:
+        return StepState::Begun;
+    case TaskState::Done:
+        return StepState::Done;
+    case TaskState::Stale:
+        return StepState::Stale;
     }
-    return {};
+    return StepState::Open;
 }
 
 /// What a registration needs to see.
@@ -65,22 +66,18 @@ void keepPlaceWhenHidden(QWidget& widget)
 } // namespace
 
 RegistrationWindow::RegistrationWindow(RegistrationModel& registration)
-    : m_ui{std::make_unique<Ui::RegistrationWindow>()},
-      m_registration{registration},
-      m_landmarks{registration},
-      m_bars{new ResidualBar{tr("mm"), this}}
+    : m_ui{std::make_unique<Ui::RegistrationWindow>()}, m_registration{registration}
 {
     m_ui->setupUi(this);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_ui->progress, m_ui->builtin, m_ui->primary, m_ui->next})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_ui->progress, m_ui->next})
         keepPlaceWhenHidden(*widget);
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_ui->patient->setText(
         tr("Patient: %1").arg(QString::fromStdString(m_registration.patient().name())));
     m_ui->tracker->setText(tr("Tracker: %1").arg(m_registration.trackerName()));
+    addPages();
     m_scene = std::make_unique<RegistrationScene>(*m_ui->scene, m_registration);
     connectButtons();
-    connectTable();
     connectModel();
     refresh();
     m_ui->primary->setFocus();
@@ -88,166 +85,128 @@ RegistrationWindow::RegistrationWindow(RegistrationModel& registration)
 
 RegistrationWindow::~RegistrationWindow() = default;
 
+void RegistrationWindow::addPages()
+{
+    auto* overview = new OverviewPage{m_registration};
+    connect(overview, &OverviewPage::finished, this, &QWidget::close);
+    m_pages = {overview,
+               new TrackerPage{m_registration},
+               new StylusPage{m_registration},
+               new LandmarksPage{m_registration},
+               new TouchPage{m_registration},
+               new FitPage{m_registration},
+               new VerifyPage{m_registration}};
+    for (RegistrationPage* each : m_pages)
+        m_ui->pages->addWidget(each);
+}
+
 void RegistrationWindow::connectButtons()
 {
     connect(m_ui->steps, &StepList::chosen, this,
             [this](int step) { m_registration.enter(kSteps[std::size_t(step)]); });
-    connect(m_ui->primary, &QPushButton::clicked, this, &RegistrationWindow::act);
+    connect(m_ui->primary, &QPushButton::clicked, this, [this] { page().act(); });
     connect(m_ui->next, &QPushButton::clicked, this, &RegistrationWindow::enterNext);
     connect(m_ui->undo, &QPushButton::clicked, &m_registration, &RegistrationModel::undo);
-    connect(m_ui->builtin, &QPushButton::clicked, &m_registration,
-            &RegistrationModel::useBuiltinLandmarks);
+    connect(m_ui->scene, &SceneView::clicked, &m_registration, &RegistrationModel::pick);
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
         auto* goOn = new QShortcut{key, this};
         connect(goOn, &QShortcut::activated, this, [this] { mainButton().click(); });
     }
-}
-
-void RegistrationWindow::connectTable()
-{
-    m_ui->landmarks->setModel(&m_landmarks);
-    m_ui->landmarks->setItemDelegateForColumn(LandmarkTableModel::Residual, m_bars);
-    QHeaderView* header = m_ui->landmarks->horizontalHeader();
-    header->setSectionResizeMode(QHeaderView::Stretch);
-    header->setSectionResizeMode(LandmarkTableModel::Touched, QHeaderView::ResizeToContents);
-    header->setSectionResizeMode(LandmarkTableModel::Residual, QHeaderView::ResizeToContents);
-    m_ui->landmarks->verticalHeader()->setMinimumSectionSize(kLeastRow);
-    m_ui->landmarks->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    connect(m_ui->landmarks, &QTableView::clicked, this,
-            [this](const QModelIndex& cell) { chooseLandmark(cell.row()); });
-    auto* choose = new QShortcut{Qt::Key_Space, m_ui->landmarks};
-    choose->setContext(Qt::WidgetShortcut);
-    connect(choose, &QShortcut::activated, this,
-            [this] { chooseLandmark(m_ui->landmarks->currentIndex().row()); });
-    connect(m_ui->scene, &SceneView::clicked, &m_registration, &RegistrationModel::pick);
+    auto* take = new QShortcut{Qt::Key_PageDown, this};
+    connect(take, &QShortcut::activated, &m_registration, &RegistrationModel::takeNow);
+    auto* undo = new QShortcut{QKeySequence::Undo, this};
+    connect(undo, &QShortcut::activated, &m_registration, &RegistrationModel::undo);
 }
 
 void RegistrationWindow::connectModel()
 {
     connect(&m_registration, &RegistrationModel::changed, this, &RegistrationWindow::refresh);
-    connect(&m_registration, &RegistrationModel::touched, this, [] { QApplication::beep(); });
+    connect(&m_registration, &RegistrationModel::told, this, &RegistrationWindow::hear);
     auto* live = new QTimer{this};
     connect(live, &QTimer::timeout, this, &RegistrationWindow::refreshProgress);
     live->start(kLiveInterval_ms);
     auto* slow = new QTimer{this};
     connect(slow, &QTimer::timeout, this, &RegistrationWindow::refreshTools);
-    connect(slow, &QTimer::timeout, this, &RegistrationWindow::refreshStylus);
+    connect(slow, &QTimer::timeout, this, [this] {
+        page().refreshLive();
+        m_ui->instruction->setText(m_registration.instruction());
+    });
     slow->start(kToolsInterval_ms);
+}
+
+RegistrationPage& RegistrationWindow::page() const
+{
+    return *m_pages[std::size_t(m_registration.step())];
 }
 
 void RegistrationWindow::refresh()
 {
-    m_bars->setFullScale(std::max(kLeastFullScale_mm, m_landmarks.largestResidual_mm()));
     m_scene->refresh();
     m_ui->instruction->setText(m_registration.instruction());
     const QString problem = m_registration.problem();
     m_ui->problem->setText(problem.isEmpty() ? QString{} : QStringLiteral("▲ ") + problem);
-    m_ui->place->setVisible(m_registration.step() == SiteStep::Verify);
-    if (!m_registration.nextLandmark()) // what is marked is what a click would move
-        m_ui->landmarks->clearSelection();
+    m_ui->pages->setCurrentWidget(&page());
+    page().refresh();
     refreshSteps();
     refreshButtons();
     refreshProgress();
     refreshTools();
-    refreshStylus();
 }
 
 void RegistrationWindow::refreshSteps()
 {
     std::vector<StepList::Step> steps;
     for (const SiteStep step : kSteps) {
-        StepState state = m_registration.isDone(step) ? StepState::Done : StepState::Open;
-        if (step == m_registration.step())
-            state = StepState::Now;
-        steps.push_back({stepTitle(step, m_landmarks), state, m_registration.whyNot(step)});
+        const SiteTask task = m_registration.task(step);
+        steps.push_back({.title = stepTitle(step),
+                         .state = stateOf(task.state),
+                         .isHere = step == m_registration.step(),
+                         .why = task.why});
     }
     m_ui->steps->setSteps(steps);
 }
 
 void RegistrationWindow::refreshButtons()
 {
-    const SiteStep step = m_registration.step();
-    m_ui->primary->setText(actionText());
-    m_ui->primary->setVisible(step != SiteStep::Touch);
-    m_ui->builtin->setVisible(step == SiteStep::Landmarks);
+    m_ui->primary->setText(page().actionText());
+    m_ui->primary->setEnabled(page().canAct());
     m_ui->undo->setEnabled(m_registration.canUndo());
-    m_ui->next->setVisible(step != SiteStep::Verify);
-    if (step != SiteStep::Verify) {
-        const QString whyNot = m_registration.whyNot(kSteps[std::size_t(step) + 1]);
-        m_ui->next->setEnabled(whyNot.isEmpty() && !m_registration.isSwinging());
-        m_ui->next->setToolTip(whyNot);
-    }
+    m_ui->next->setVisible(m_registration.step() != SiteStep::Overview);
+    m_ui->next->setText(m_registration.step() == SiteStep::Verify ? tr("To the &overview")
+                                                                  : tr("Ne&xt"));
     for (QPushButton* button : {m_ui->primary, m_ui->next})
         button->setDefault(button == &mainButton());
 }
 
-QString RegistrationWindow::actionText() const
-{
-    const bool again = m_registration.isDone(m_registration.step());
-    switch (m_registration.step()) {
-    case SiteStep::Tracker:
-        return tr("&Use this tracker");
-    case SiteStep::Stylus:
-        if (m_registration.isSwinging())
-            return tr("&Cancel");
-        return again ? tr("&Swing again") : tr("&Start swinging");
-    case SiteStep::Landmarks:
-        return tr("&Use these landmarks");
-    case SiteStep::Touch:
-        break;
-    case SiteStep::Fit:
-        return again ? tr("&Fit again") : tr("&Fit");
-    case SiteStep::Verify:
-        return tr("&Finish");
-    }
-    return {};
-}
-
 QPushButton& RegistrationWindow::mainButton() const
 {
-    const SiteStep step = m_registration.step();
-    const bool goesOn = m_registration.isDone(step) && !m_registration.isSwinging();
-    return *(goesOn || step == SiteStep::Touch ? m_ui->next : m_ui->primary);
-}
-
-void RegistrationWindow::act()
-{
-    switch (m_registration.step()) {
-    case SiteStep::Tracker:
-        return m_registration.useTracker();
-    case SiteStep::Stylus:
-        return m_registration.isSwinging() ? m_registration.cancelSwing()
-                                           : m_registration.startSwing();
-    case SiteStep::Landmarks:
-        return m_registration.acceptLandmarks();
-    case SiteStep::Touch:
-        return;
-    case SiteStep::Fit:
-        return m_registration.fit();
-    case SiteStep::Verify:
-        close();
-    }
+    const bool goesOn = m_registration.task(m_registration.step()).state == TaskState::Done
+                        && !m_registration.stylus().isLookingForTip();
+    return *(goesOn || !page().canAct() ? m_ui->next : m_ui->primary);
 }
 
 void RegistrationWindow::enterNext()
 {
-    m_registration.enter(kSteps[std::size_t(m_registration.step()) + 1]);
-}
-
-void RegistrationWindow::chooseLandmark(int row)
-{
-    const SiteStep step = m_registration.step();
-    if (row >= 0 && (step == SiteStep::Landmarks || step == SiteStep::Touch))
-        m_registration.choose(std::size_t(row));
+    const std::size_t next = std::size_t(m_registration.step()) + 1;
+    m_registration.enter(next < kSteps.size() ? kSteps[next] : SiteStep::Overview);
 }
 
 void RegistrationWindow::refreshProgress()
 {
     const int percent = qRound(100.0 * m_registration.progress());
-    m_ui->progress->setVisible(m_registration.isSwinging() || percent > 0);
+    const bool swings = m_registration.step() == SiteStep::Stylus;
+    m_ui->progress->setVisible(percent > 0);
     m_ui->progress->setValue(percent);
-    m_ui->progress->setFormat(m_registration.isSwinging() ? tr("Swing %p %")
-                                                          : tr("Hold still %p %"));
+    m_ui->progress->setFormat(swings ? tr("Calibration %p %") : tr("Hold still %p %"));
+}
+
+/// By a sound, and by what reads the screen aloud.
+void RegistrationWindow::hear(const QString& words)
+{
+    QApplication::beep();
+    m_ui->instruction->setAccessibleDescription(words);
+    QAccessibleEvent event{m_ui->instruction, QAccessible::Alert};
+    QAccessible::updateAccessibility(&event);
 }
 
 void RegistrationWindow::refreshTools()
@@ -257,17 +216,6 @@ void RegistrationWindow::refreshTools()
         if (isOfUse(tool))
             texts << toolText(tool);
     m_ui->tools->setText(texts.join(QLatin1Char('\n')));
-}
-
-void RegistrationWindow::refreshStylus()
-{
-    const auto stylus = m_registration.stylusOnAnatomy();
-    m_ui->stylus->setText(stylus ? tr("%1 mm from %2\n%3 mm from the surface of %4")
-                                       .arg(stylus->landmark_mm, 0, 'f', 1)
-                                       .arg(stylus->nearestLandmark)
-                                       .arg(stylus->surface_mm, 0, 'f', 1)
-                                       .arg(stylus->nearestSurface)
-                                 : tr("▲ The stylus is out of view"));
 }
 
 } // namespace carina

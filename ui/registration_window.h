@@ -1,12 +1,12 @@
 #pragma once
 
-#include "models/landmark_table_model.h"
 #include "models/registration_model.h"
 #include "ui/registration_scene.h"
 
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 class QPushButton;
 
@@ -18,11 +18,12 @@ class RegistrationWindow;
 namespace carina
 {
 
-class ResidualBar;
+class RegistrationPage;
 
-/// The wizard that registers a patient's anatomy to a manikin: the steps, the patient in three
-/// dimensions with the landmarks, what the tracker sees and what was touched, and one sentence that
-/// says what to do now. Return presses the button that goes on.
+/// The wizard that registers a patient's anatomy to a manikin: the steps and how far each is, the
+/// patient in three dimensions, the page of the present step, what the tracker sees, and one
+/// sentence that says what to do now. Return presses the button that goes on; Page Down, or a foot
+/// switch that sends it, takes a point.
 class RegistrationWindow : public QWidget
 {
     Q_OBJECT
@@ -33,26 +34,23 @@ public:
     ~RegistrationWindow() override;
 
 private:
+    void addPages();
     void connectButtons();
-    void connectTable();
     void connectModel();
     void refresh();
     void refreshSteps();
     void refreshButtons();
     void refreshProgress();
     void refreshTools();
-    void refreshStylus();
-    void act();
+    void hear(const QString& words);
     void enterNext();
-    void chooseLandmark(int row);
-    [[nodiscard]] QString actionText() const;
+    [[nodiscard]] RegistrationPage& page() const;
     /// The button that goes on.
     [[nodiscard]] QPushButton& mainButton() const;
 
     std::unique_ptr<Ui::RegistrationWindow> m_ui;
     RegistrationModel& m_registration;
-    LandmarkTableModel m_landmarks;
-    ResidualBar* m_bars; ///< a child of this
+    std::vector<RegistrationPage*> m_pages; ///< of kSteps, children of this
     std::unique_ptr<RegistrationScene> m_scene;
 };
 

@@ -6,15 +6,17 @@
 #include <cstdint>
 #include <vector>
 
+class QLabel;
 class QPushButton;
 
 namespace carina
 {
 
-enum class StepState : std::uint8_t { Open, Now, Done };
+enum class StepState : std::uint8_t { Open, Waits, Begun, Done, Stale };
 
 /// The steps of a task as a column of buttons, each with its number, its state as shape and word,
-/// and Alt and its number as shortcut. Which step is shown as entered is up to who feeds it.
+/// Alt and its number as shortcut, and a line beneath that says why it is no further. All can be
+/// entered.
 class StepList : public QWidget
 {
     Q_OBJECT
@@ -23,7 +25,8 @@ public:
     struct Step {
         QString title;
         StepState state = StepState::Open;
-        QString whyNot{}; ///< why the step cannot be entered; empty where it can
+        bool isHere = false; ///< the one that is entered
+        QString why{};       ///< why it waits or is stale; may be empty
     };
 
     explicit StepList(QWidget* parent = nullptr);
@@ -35,10 +38,15 @@ Q_SIGNALS:
     void chosen(int step);
 
 private:
-    void addButton();
-    static void show(QPushButton& button, int number, const Step& step);
+    struct Row {
+        QPushButton* button; ///< both are children of this
+        QLabel* why;
+    };
 
-    std::vector<QPushButton*> m_buttons; ///< children of this
+    void addRow();
+    static void show(const Row& row, int number, const Step& step);
+
+    std::vector<Row> m_rows;
 };
 
 } // namespace carina

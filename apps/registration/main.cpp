@@ -4,6 +4,7 @@
 #include "apps/registration/scripted_hand.h"
 #include "apps/registration/scripted_technician.h"
 #include "apps/viewer/program.h"
+#include "engine/io/site_file.h"
 #include "engine/io/whole_file.h"
 #include "ui/registration_window.h"
 #include "widgets/scene/graphics.h"
@@ -132,7 +133,8 @@ Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& 
                                     .tracker = workplace->tracker.get(),
                                     .trackerName = words("Simulated tracker"),
                                     .clock = workplace->clock,
-                                    .landmarks = landmarksOf(patient)},
+                                    .landmarks = landmarkSetsOf(patient),
+                                    .checks = checkPlacesOf(patient)},
                                    std::move(*site),
                                    *patient.model};
     const auto journal = journalOf(registration, parser);

@@ -3,11 +3,17 @@
 #include "apps/viewer/patient_option.h"
 #include "engine/registration/landmark_catalogue.h"
 
+#include <vector>
+
 namespace carina
 {
 
-/// The landmarks offered for a patient: those on its bones, or, for a patient without all of these
-/// bones, those of a rib cage of its height.
-[[nodiscard]] LandmarkCatalogue landmarksOf(const viewer::ChosenPatient& patient);
+/// The landmarks offered for a patient, on its bones where it has them and by the proportions of a
+/// body of its height where not: eight on rib cage and jaw, the first six of these, and the four of
+/// the rib cage.
+[[nodiscard]] std::vector<LandmarkCatalogue> landmarkSetsOf(const viewer::ChosenPatient& patient);
+
+/// Places of its bones to check a registration at, none of them a landmark.
+[[nodiscard]] std::vector<Landmark> checkPlacesOf(const viewer::ChosenPatient& patient);
 
 } // namespace carina

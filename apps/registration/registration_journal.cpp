@@ -1,7 +1,9 @@
 #include "apps/registration/registration_journal.h"
 
+#include "engine/io/site_json.h"
+#include "models/site_changes.h"
+
 #include <QJsonDocument>
-#include <QJsonObject>
 
 namespace carina
 {
@@ -10,21 +12,7 @@ namespace
 
 QString stepName(SiteStep step)
 {
-    switch (step) {
-    case SiteStep::Tracker:
-        return QStringLiteral("tracker");
-    case SiteStep::Stylus:
-        return QStringLiteral("stylus");
-    case SiteStep::Landmarks:
-        return QStringLiteral("landmarks");
-    case SiteStep::Touch:
-        return QStringLiteral("touch");
-    case SiteStep::Fit:
-        return QStringLiteral("fit");
-    case SiteStep::Verify:
-        return QStringLiteral("verify");
-    }
-    return {};
+    return QString::fromLatin1(kStepWords[static_cast<std::size_t>(step)]);
 }
 
 int inMicrometres(double length) { return qRound(1e6 * length); }
@@ -53,11 +41,13 @@ void RegistrationJournal::writeLine()
     const Site& site = m_registration.site();
     QJsonObject line{{QStringLiteral("step"), stepName(site.step)},
                      {QStringLiteral("tracker"), QString::fromStdString(site.tracker)},
-                     {QStringLiteral("touched"), qint64(site.touched.size())}};
-    if (site.stylus)
-        line[QStringLiteral("stylus_rms_um")] = inMicrometres(site.stylus->rms);
+                     {QStringLiteral("touched"), qint64(freshTouches(site))}};
+    if (!site.styluses.empty())
+        line[QStringLiteral("stylus_rms_um")] = inMicrometres(site.styluses.front().rms);
     if (site.registration)
         line[QStringLiteral("rms_um")] = inMicrometres(site.registration->rms);
+    if (site.verification)
+        line[QStringLiteral("checked")] = qint64(site.verification->points.size());
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
     m_file.flush();
 }

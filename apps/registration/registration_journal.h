@@ -10,7 +10,8 @@ namespace carina
 
 /// What the wizard shows, as one JSON object a line whenever it changes, for whoever has to
 /// understand later how far a registration had come. Keys: step, tracker, touched (how many
-/// landmarks), and, once they are known, stylus_rms_um and rms_um of the fit.
+/// landmarks), and, once they are known, stylus_rms_um, rms_um of the fit and checked (how many
+/// places).
 class RegistrationJournal : public QObject
 {
     Q_OBJECT

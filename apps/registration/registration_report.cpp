@@ -76,10 +76,12 @@ QJsonObject registrationReport(const Site& site, const AirwayLandmarks& airway,
         {QStringLiteral("X_TA_true_mm"), poseInMillimetres(workplace.X_TA)},
         {QStringLiteral("localisation_error_mm_rms"), inMillimetres(kLocalisationError)},
         {QStringLiteral("overlay_error_mm"), overlayErrors(site, airway, workplace.X_TA)}};
-    if (site.stylus)
+    if (!site.styluses.empty()) {
+        const StylusTip& stylus = site.styluses.front();
         report[QStringLiteral("stylus")] =
-            QJsonObject{{QStringLiteral("tip_mm"), pointInMillimetres(site.stylus->p_SQ)},
-                        {QStringLiteral("rms_mm"), inMillimetres(metres(site.stylus->rms))}};
+            QJsonObject{{QStringLiteral("tip_mm"), pointInMillimetres(stylus.p_SQ)},
+                        {QStringLiteral("rms_mm"), inMillimetres(metres(stylus.rms))}};
+    }
     return report;
 }
 

@@ -1,30 +1,26 @@
 #include "apps/registration/scripted_hand.h"
 
+#include <algorithm>
+
 namespace carina
 {
 namespace
 {
 
 constexpr int kLookInterval_ms = 50;
-constexpr qint64 kVerifyEach_ms = 3000;
 
 } // namespace
 
 ScriptedHand::ScriptedHand(const RegistrationModel& registration,
                            const SimulatedWorkplace& workplace)
-    : m_registration{registration}, m_workplace{workplace}, m_step{registration.step()}
+    : m_registration{registration}, m_workplace{workplace}
 {
-    m_inStep.start();
     connect(&m_timer, &QTimer::timeout, this, &ScriptedHand::work);
     m_timer.start(kLookInterval_ms);
 }
 
 void ScriptedHand::work()
 {
-    if (m_registration.step() != m_step) {
-        m_step = m_registration.step();
-        m_inStep.restart();
-    }
     const Order order = wanted();
     if (order != m_order)
         obey(order);
@@ -33,30 +29,16 @@ void ScriptedHand::work()
 
 ScriptedHand::Order ScriptedHand::wanted() const
 {
-    switch (m_step) {
-    case SiteStep::Stylus:
-        if (m_registration.isSwinging())
-            return {Task::Swing};
-        return {m_registration.isDone(SiteStep::Stylus) ? Task::Park : Task::Ready};
-    case SiteStep::Touch:
-        if (const auto next = m_registration.nextLandmark())
-            return {Task::Hold, *next};
+    if (m_registration.stylus().isLookingForTip())
+        return {.task = Task::Swing};
+    const SiteStep step = m_registration.step();
+    if (step != SiteStep::Touch && step != SiteStep::Verify)
         return {};
-    case SiteStep::Verify:
-        return wantedToVerify();
-    case SiteStep::Tracker:
-    case SiteStep::Landmarks:
-    case SiteStep::Fit:
-        break;
-    }
-    return {};
-}
-
-ScriptedHand::Order ScriptedHand::wantedToVerify() const
-{
-    const auto turn = std::size_t(m_inStep.elapsed() / kVerifyEach_ms);
-    const std::size_t landmarks = m_registration.landmarks().size();
-    return {Task::Hold, turn % landmarks, int(turn / landmarks)};
+    const std::vector<LandmarkRow> places = m_registration.places();
+    const auto next = std::ranges::find_if(places, &LandmarkRow::isNext);
+    if (next == places.end())
+        return {};
+    return {.task = Task::Hold, .place = next->name, .p_AQ = next->p_AQ};
 }
 
 void ScriptedHand::obey(const Order& order)
@@ -65,22 +47,20 @@ void ScriptedHand::obey(const Order& order)
     switch (order.task) {
     case Task::Park:
         return m_workplace.hand->park(now);
-    case Task::Ready:
-        return m_workplace.hand->hold(m_workplace.p_TQ_divot, now);
     case Task::Swing:
         return m_workplace.hand->swing(m_workplace.p_TQ_divot, now);
     case Task::Hold:
-        return m_workplace.hand->hold(localised(order.landmark), now);
+        return m_workplace.hand->hold(localised(order.p_AQ), now);
     }
 }
 
-/// Where the technician takes a landmark to be on the manikin, in T.
-Vec3 ScriptedHand::localised(std::size_t landmark)
+/// Where the technician takes a place to be on the manikin, in T.
+Vec3 ScriptedHand::localised(const Vec3& p_AQ)
 {
     // Of three equal and independent components.
     std::normal_distribution<double> component{0.0, kLocalisationError.si / std::sqrt(3.0)};
     const Vec3 error{component(m_random), component(m_random), component(m_random)};
-    return m_workplace.X_TA * m_registration.landmarks()[landmark].p_AQ + error;
+    return m_workplace.X_TA * p_AQ + error;
 }
 
 } // namespace carina

@@ -1,5 +1,7 @@
 #include "apps/registration/scripted_technician.h"
 
+#include "engine/io/site_json.h"
+
 #include <QAbstractButton>
 #include <QScreen>
 
@@ -9,28 +11,17 @@ namespace
 {
 
 constexpr int kActInterval_ms = 100;
-constexpr qint64 kRead_ms = 1200; ///< a person reads a page before acting
-constexpr qint64 kVerified_ms = 4500;
+constexpr qint64 kRead_ms = 1200;        ///< a person reads a page before acting
 constexpr qint64 kPatience_ms = 120'000; ///< a loaded computer draws slowly
 constexpr double kMidway = 0.5;
 
+/// Pages in the order in which they are worked at, the overview last.
 QString pictureName(SiteStep step)
 {
-    switch (step) {
-    case SiteStep::Tracker:
-        return QStringLiteral("registration-1-tracker.png");
-    case SiteStep::Stylus:
-        return QStringLiteral("registration-2-stylus.png");
-    case SiteStep::Landmarks:
-        return QStringLiteral("registration-3-landmarks.png");
-    case SiteStep::Touch:
-        return QStringLiteral("registration-4-touch.png");
-    case SiteStep::Fit:
-        return QStringLiteral("registration-5-fit.png");
-    case SiteStep::Verify:
-        return QStringLiteral("registration-6-verify.png");
-    }
-    return {};
+    const int page = step == SiteStep::Overview ? 7 : int(step);
+    return QStringLiteral("registration-%1-%2.png")
+        .arg(page)
+        .arg(QLatin1StringView{kStepWords[std::size_t(step)]});
 }
 
 } // namespace
@@ -78,17 +69,17 @@ void ScriptedTechnician::workAtStep()
         return fit();
     case SiteStep::Verify:
         return verify();
+    case SiteStep::Overview:
+        return overview();
     }
 }
 
 void ScriptedTechnician::swing()
 {
-    if (m_registration.isSwinging()) {
-        if (m_registration.progress() >= kMidway)
-            photographOnce();
-        return;
-    }
-    press(m_registration.isDone(m_step) ? "next" : "primary");
+    if (m_registration.progress() >= kMidway)
+        photographOnce();
+    if (m_registration.task(m_step).state == TaskState::Done)
+        press("next");
 }
 
 void ScriptedTechnician::touch()
@@ -102,7 +93,7 @@ void ScriptedTechnician::touch()
 
 void ScriptedTechnician::fit()
 {
-    if (!m_registration.isDone(m_step)) {
+    if (m_registration.task(m_step).state != TaskState::Done) {
         m_inStep.restart();
         return press("primary");
     }
@@ -112,8 +103,17 @@ void ScriptedTechnician::fit()
 
 void ScriptedTechnician::verify()
 {
-    if (m_inStep.elapsed() < kVerified_ms || !m_registration.stylusOnAnatomy())
+    if (m_registration.verifying().next())
         return;
+    photographOnce();
+    press(m_registration.task(m_step).state == TaskState::Done ? "next" : "primary");
+}
+
+/// Everything is done, or a run before has ended before it was.
+void ScriptedTechnician::overview()
+{
+    if (m_registration.nextStep() != SiteStep::Overview)
+        return press("primary");
     photographOnce();
     m_timer.stop();
     Q_EMIT done();

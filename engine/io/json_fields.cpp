@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double kKilometreInMillimetres = 1e6;
+constexpr double kMostCounted = 1e6;
 
 /// Numbers of a JSON array of exactly that many; nothing where it is none, or one is out of range.
 std::optional<std::vector<double>> numbersOf(const QJsonValue& value, qsizetype count)
@@ -74,6 +75,33 @@ double JsonFields::length(const char* key)
         return 0.0;
     }
     return millimetres(length_mm).si;
+}
+
+std::vector<double> JsonFields::numbers(const char* key, std::size_t count)
+{
+    const auto numbers = numbersOf(m_object.value(QLatin1StringView{key}), qsizetype(count));
+    if (!numbers)
+        refuse(key, std::to_string(count) + " numbers are due");
+    return numbers.value_or(std::vector<double>(count, 0.0));
+}
+
+int JsonFields::count(const char* key)
+{
+    const double number = m_object.value(QLatin1StringView{key}).toDouble(-1.0);
+    if (!(number >= 0.0 && number <= kMostCounted) || number != std::floor(number)) {
+        refuse(key, "a whole number is due");
+        return 0;
+    }
+    return int(number);
+}
+
+std::size_t JsonFields::oneOf(const char* key, std::span<const char* const> words)
+{
+    const std::string word = text(key);
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end())
+        refuse(key, "\"" + word + "\" is none of its words");
+    return found == words.end() ? 0 : std::size_t(found - words.begin());
 }
 
 Vec3 JsonFields::point(const char* key)

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,12 @@ public:
     [[nodiscard]] std::string firstText(const char* key);
     /// Not negative.
     [[nodiscard]] double length(const char* key);
+    /// So many numbers, each below a million.
+    [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
+    /// A whole number from 0 to a million.
+    [[nodiscard]] int count(const char* key);
+    /// The place of a text among these words.
+    [[nodiscard]] std::size_t oneOf(const char* key, std::span<const char* const> words);
     /// [x, y, z], each below a kilometre.
     [[nodiscard]] Vec3 point(const char* key);
     /// Four rows of four numbers: a proper rotation, and a translation below a kilometre.

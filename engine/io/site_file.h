@@ -1,75 +1,35 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/display/display_geometry.h"
-#include "engine/geometry/rigid_transform.h"
-#include "engine/registration/landmark_catalogue.h"
+#include "engine/io/site.h"
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace carina
 {
 
-/// The steps of preparing a site, in their order.
-enum class SiteStep : std::uint8_t { Tracker, Stylus, Landmarks, Touch, Fit, Verify };
-
-/// The tip of the site's stylus, from pivot calibration.
-struct StylusTip {
-    Vec3 p_SQ = Vec3::Zero();   ///< in the stylus frame S, metres
-    double rms = 0.0;           ///< of the calibration, metres
-    std::string calibratedAt{}; ///< ISO 8601, such as "2004-03-27T10:15:00Z"
-};
-
-/// A landmark as it was touched.
-struct TouchedPoint {
-    std::string landmark{};   ///< its name in the catalogue
-    Vec3 p_TQ = Vec3::Zero(); ///< in the tracker frame T, metres
-    double spread = 0.0;      ///< of the tip's positions, metres
-};
-
-/// How far a touched landmark stays from its place in the anatomy.
-struct LandmarkResidual {
-    std::string landmark{};
-    double residual = 0.0; ///< metres
-};
-
-/// Where the anatomy lies on the manikin.
-struct SiteRegistration {
-    RigidTransform X_AM;
-    RigidTransform X_AT; ///< when the landmarks were touched; ever since, if the manikin is static
-    /// The manikin in the frame of its chin probe while the mouth is closed: with a chin probe the
-    /// manikin may be moved, X_AT = X_AM * X_JM^-1 * X_JT.
-    std::optional<RigidTransform> X_JM{};
-    double rms = 0.0; ///< FRE, metres
-    std::vector<LandmarkResidual> residuals{};
-};
-
-/// All that is known of a site: its tracker, stylus, manikin and display.
-struct Site {
-    SiteStep step = SiteStep::Tracker; ///< the one that is next
-    std::string tracker{};             ///< which tracker, in words; empty before it is chosen
-    std::optional<StylusTip> stylus{};
-    std::optional<LandmarkCatalogue> catalogue{};
-    std::vector<TouchedPoint> touched{}; ///< of the catalogue, none twice
-    std::optional<SiteRegistration> registration{};
-    std::optional<DisplayGeometry> display{};
-};
-
-/// Reads a site file: a JSON object with lengths in millimetres and poses as four rows of four
-/// numbers. What is not known yet is left out.
+/// Reads a site file: a JSON object with lengths in millimetres, angles in degrees, poses as four
+/// rows of four numbers and times as in ISO 8601. What is not known yet is left out.
 ///
-///     schema        "carina.site/1"
-///     step          "tracker", "stylus", "landmarks", "touch", "fit" or "verify"
+///     schema        "carina.site/2"
+///     step          "overview", "tracker", "stylus", "landmarks", "touch", "fit" or "verify"
+///     operator      text
 ///     tracker       text
-///     stylus        p_SQ_mm, rms_mm, calibrated_at
+///     styluses      a list of tool, p_SQ_mm, rms_mm, calibrated_at, covariance_S_mm2 (xx, xy, xz,
+///                   yy, yz, zz), poses, outliers, axis: axis_S, wobble_deg, calibrated_at
 ///     catalogue     name, anatomy, landmarks: a list of name and p_AQ_mm
-///     touched       a list of landmark, p_TQ_mm and spread_mm
-///     registration  X_AM_mm, X_AT_mm, X_JM_mm, rms_mm, residuals_mm: a list of name and mm
+///     touched       a list of landmark, p_TQ_mm, spread_mm, q_TS (x, y, z, w) and stale
+///     registration  X_AM_mm, X_AT_mm, X_JM_mm, X_BM_mm, rms_mm, residuals_mm: a list of name, mm
+///                   and left_out_mm; covariance_mm_mrad: the upper triangle, row by row, turns in
+///                   milliradians before shifts in millimetres; fle_mm, degrees_of_freedom,
+///                   made_at, operator, swab: surface, points, outliers, start_rms_mm, rms_mm,
+///                   moved_mm; relays: a list of at, operator, landmarks and rms_mm; stale
+///     verification  verdict ("open", "good", "not good"), at, operator, points: a list of name,
+///                   p_AQ_mm, p_TQ_mm, error_mm and bound_mm; stale
 ///     display       p_HDl_mm, p_HDr_mm, p_HQ_screen_centre_mm, screen_width_mm, screen_height_mm
+///
+/// stale is what was changed beneath: "tracker", "stylus", "landmarks", "touches" or "fit". A file
+/// of the version before, "carina.site/1", is read too: it has one "stylus" and less of everything.
 ///
 /// @returns FileNotFound, FileUnreadable, FileEmpty; UnknownFormat for another schema;
 ///          FileMalformed where a field is missing, of the wrong kind, unknown, or contradicts

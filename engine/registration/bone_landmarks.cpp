@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace carina
@@ -68,6 +69,18 @@ Vec3 ribBelow(Points clavicle, Points rib)
     return foremostOf(slice.empty() ? rib : Points{slice});
 }
 
+/// Of the points on one side, the furthest down and back.
+std::optional<Vec3> jawAngle(Points mandible, float side)
+{
+    const auto downAndBack = [side](const Vec3f& p) {
+        return side * p.x() > 0.0F ? p.y() - p.z() : -std::numeric_limits<float>::infinity();
+    };
+    if (mandible.empty())
+        return std::nullopt;
+    const Vec3f& angle = std::ranges::max(mandible, {}, downAndBack);
+    return side * angle.x() > 0.0F ? std::optional{Vec3{angle.cast<double>()}} : std::nullopt;
+}
+
 } // namespace
 
 std::optional<LandmarkCatalogue> boneLandmarks(std::span<const Bone> bones, std::string anatomy)
@@ -88,6 +101,35 @@ std::optional<LandmarkCatalogue> boneLandmarks(std::span<const Bone> bones, std:
     catalogue.landmarks[2].p_AQ = ribBelow(leftClavicle, leftRib);
     catalogue.landmarks[3].p_AQ = ribBelow(rightClavicle, rightRib);
     return catalogue;
+}
+
+FurtherPlaces onBones(FurtherPlaces places, std::span<const Bone> bones)
+{
+    const Points mandible = pointsOf(bones, "mandible");
+    places.p_A_leftJawAngle = jawAngle(mandible, 1.0F).value_or(places.p_A_leftJawAngle);
+    places.p_A_rightJawAngle = jawAngle(mandible, -1.0F).value_or(places.p_A_rightJawAngle);
+    if (const Points rib = pointsOf(bones, "tenth rib", "left"); !rib.empty())
+        places.p_A_leftTenthRib = foremostOf(rib);
+    if (const Points rib = pointsOf(bones, "tenth rib", "right"); !rib.empty())
+        places.p_A_rightTenthRib = foremostOf(rib);
+    return places;
+}
+
+std::vector<Landmark> boneCheckPlaces(std::span<const Bone> bones)
+{
+    const Points manubrium = pointsOf(bones, "manubrium");
+    const Points left = pointsOf(bones, "clavicle", "left");
+    const Points right = pointsOf(bones, "clavicle", "right");
+    if (manubrium.empty() || left.empty() || right.empty())
+        return {};
+    const float middle = middleOf(manubrium);
+    const auto inner = [middle](Points clavicle) {
+        return Vec3{std::ranges::min(clavicle, {}, [middle](const Vec3f& p) {
+                        return std::abs(p.x() - middle);
+                    }).cast<double>()};
+    };
+    return {{"Inner end of the left clavicle", inner(left)},
+            {"Inner end of the right clavicle", inner(right)}};
 }
 
 } // namespace carina

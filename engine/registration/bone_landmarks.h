@@ -31,4 +31,18 @@ struct Bone {
 [[nodiscard]] std::optional<LandmarkCatalogue> boneLandmarks(std::span<const Bone> bones,
                                                              std::string anatomy);
 
+/// Further places taken from bones where a patient has them:
+///
+///     angle of the jaw   the point of the mandible's half that lies furthest down and back, the
+///                        mouth shut
+///     end of tenth rib   its foremost point
+///
+/// Known by "mandible" and "tenth rib" with "left" or "right". @param places those that stay where
+/// a bone is missing
+[[nodiscard]] FurtherPlaces onBones(FurtherPlaces places, std::span<const Bone> bones);
+
+/// Places to check a registration at, none of them a landmark: the inner ends of both clavicles,
+/// their points nearest to the middle of the manubrium. None where one of these bones is missing.
+[[nodiscard]] std::vector<Landmark> boneCheckPlaces(std::span<const Bone> bones);
+
 } // namespace carina

@@ -185,6 +185,7 @@ void describe(const Search& search, double leastHold, SurfaceRefinement& result)
     const Equations equations{search.touches, search.limit};
     result.outliers = static_cast<int>(search.touches.size()) - equations.count;
     result.p_AC = equations.p_AC;
+    result.extent = equations.extent;
     Vec6 scale;
     scale << Vec3::Constant(1.0 / equations.extent), Vec3::Ones();
     for (int i = 0; i < 6; ++i) {

@@ -30,6 +30,7 @@ struct SurfaceRefinement {
     /// the loose motions.
     Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
     Vec3 p_AC = Vec3::Zero(); ///< the swab's centre
+    double extent = 0.0;      ///< RMS distance of the swab from its centre, metres
     /// Motions that the swab does not hold: the surface slides along itself. They were left as the
     /// landmarks had them.
     std::vector<SmallMotion> loose{};

@@ -1,0 +1,171 @@
+#include "models/fit_task.h"
+
+#include "models/site_changes.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr Length kOrderFle = millimetres(2.0); ///< of a hand that is not careful
+constexpr double kStandsOut = 3.0;             ///< times the FLE from the fit of all others
+
+class FitWords
+{
+    Q_DECLARE_TR_FUNCTIONS(FitTask)
+
+public:
+    static QString ofOrder(TouchOrder order)
+    {
+        switch (order) {
+        case TouchOrder::AsGiven:
+            return {};
+        case TouchOrder::Exchanged:
+            return tr("Landmarks were exchanged: the touches fit in another order.");
+        case TouchOrder::MirrorImage:
+            return tr("The touches are the mirror image of the landmarks: the patient's left and "
+                      "right, or an axis of an imported file, are exchanged.");
+        case TouchOrder::Unexplained:
+            return tr("No order of the landmarks explains the touches: one was touched at a wrong "
+                      "place, or the patient is not this manikin's.");
+        }
+        return {};
+    }
+
+    static QString standsOut(const LandmarkResidual& residual)
+    {
+        return tr("%1 lies %2 mm from where the other landmarks put it: touch it again.")
+            .arg(QString::fromStdString(residual.landmark))
+            .arg(inMillimetres(metres(*residual.leftOut)), 0, 'f', 1);
+    }
+};
+
+/// Surfaces under thin skin, which a stylus can be pressed on.
+bool canBeSwabbed(const PatientSurface& surface)
+{
+    return surface.description.role == PartRole::Rib
+           || surface.description.role == PartRole::Mandible;
+}
+
+} // namespace
+
+FitTask::FitTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& patient,
+                 const SurfaceFinder& surfaces)
+    : m_editor{editor},
+      m_watch{watch},
+      m_patient{patient},
+      m_surfaces{surfaces},
+      m_targets{registrationTargets(patient)}
+{
+}
+
+void FitTask::fit()
+{
+    auto next = withFit(m_editor.site(), {.tool = m_watch.tool(),
+                                          .X_TJ = m_watch.probe(ToolRole::Jaw),
+                                          .X_TB = m_watch.probe(ToolRole::Manikin),
+                                          .at = m_editor.now()});
+    if (!next)
+        return m_editor.refuse(next.error());
+    m_editor.become(std::move(*next));
+}
+
+std::optional<OrderFinding> FitTask::orderFound() const
+{
+    const auto found = recogniseOrder(touchedPairs(m_editor.site()), kOrderFle);
+    return found ? std::optional{*found} : std::nullopt;
+}
+
+TouchOrder FitTask::order() const
+{
+    const auto found = orderFound();
+    return found ? found->order : TouchOrder::AsGiven;
+}
+
+void FitTask::repairOrder()
+{
+    const auto found = orderFound();
+    if (!found || found->order != TouchOrder::Exchanged)
+        return;
+    auto next = withFit(withOrder(m_editor.site(), found->touchOf),
+                        {.tool = m_watch.tool(),
+                         .X_TJ = m_watch.probe(ToolRole::Jaw),
+                         .X_TB = m_watch.probe(ToolRole::Manikin),
+                         .at = m_editor.now()});
+    if (!next)
+        return m_editor.refuse(next.error());
+    m_editor.become(std::move(*next));
+}
+
+QStringList FitTask::findings() const
+{
+    QStringList sentences;
+    if (const auto found = orderFound(); found && found->order != TouchOrder::AsGiven)
+        sentences << FitWords::ofOrder(found->order);
+    const auto& registration = m_editor.site().registration;
+    if (!registration || registration->stale)
+        return sentences;
+    const auto worst =
+        std::ranges::max_element(registration->residuals, {}, [](const LandmarkResidual& residual) {
+            return residual.leftOut.value_or(0.0);
+        });
+    if (worst != registration->residuals.end()
+        && worst->leftOut.value_or(0.0) > kStandsOut * registration->fle)
+        sentences << FitWords::standsOut(*worst);
+    return sentences;
+}
+
+std::vector<ExpectedError> FitTask::expected() const
+{
+    const auto& registration = m_editor.site().registration;
+    if (!registration || registration->degrees == 0.0)
+        return {};
+    return expectedErrors(registration->covariance_A, registration->degrees, m_targets);
+}
+
+QStringList FitTask::swabSurfaces() const
+{
+    QStringList names;
+    for (const PatientSurface& surface : m_patient.surfaces())
+        if (canBeSwabbed(surface))
+            names << QString::fromStdString(surface.name);
+    return names;
+}
+
+void FitTask::startSwab()
+{
+    const StylusTip* tip = m_editor.site().stylus(m_watch.tool());
+    if (!tip || !m_editor.site().registration)
+        return;
+    m_watch.watchFor(StylusUse::Swab, tip->p_SQ);
+    Q_EMIT m_editor.changed();
+}
+
+void FitTask::cancelSwab()
+{
+    m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+    Q_EMIT m_editor.changed();
+}
+
+void FitTask::refine(const QString& surface)
+{
+    const SurfaceTree* tree = m_surfaces.surface(surface.toStdString());
+    const auto& registration = m_editor.site().registration;
+    if (!tree || !registration)
+        return;
+    const RigidTransform X_MT = registration->X_AM.inverse() * registration->X_AT;
+    std::vector<Vec3> p_MQ;
+    for (const Vec3& p_TQ : m_watch.swab())
+        p_MQ.push_back(X_MT * p_TQ);
+    m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+    const auto refinement = refineOnSurface(*tree, p_MQ, registration->X_AM);
+    if (!refinement)
+        return m_editor.refuse(refinement.error());
+    m_editor.become(withSwab(m_editor.site(), surface.toStdString(), p_MQ.size(), *refinement));
+}
+
+} // namespace carina

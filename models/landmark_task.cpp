@@ -1,0 +1,137 @@
+#include "models/landmark_task.h"
+
+#include "engine/core/expects.h"
+#include "engine/io/landmark_exchange.h"
+#include "engine/registration/layout_check.h"
+#include "models/site_changes.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+class LandmarkWords
+{
+    Q_DECLARE_TR_FUNCTIONS(LandmarkTask)
+};
+
+std::vector<Vec3> placesOf(const LandmarkCatalogue& catalogue)
+{
+    std::vector<Vec3> places;
+    for (const Landmark& landmark : catalogue.landmarks)
+        places.push_back(landmark.p_AQ);
+    return places;
+}
+
+} // namespace
+
+LandmarkTask::LandmarkTask(SiteEditor& editor, const PatientModel& patient,
+                           const SurfaceFinder& surfaces, std::vector<LandmarkCatalogue> offered)
+    : m_editor{editor},
+      m_patient{patient},
+      m_surfaces{surfaces},
+      m_offered{std::move(offered)},
+      m_targets{registrationTargets(patient)}
+{
+    CARINA_EXPECTS(!m_offered.empty());
+}
+
+const LandmarkCatalogue& LandmarkTask::catalogue() const
+{
+    const auto& catalogue = m_editor.site().catalogue;
+    return catalogue ? *catalogue : m_offered.front();
+}
+
+std::optional<std::size_t> LandmarkTask::chosenSet() const
+{
+    const auto found = std::ranges::find(m_offered, catalogue());
+    return found == m_offered.end() ? std::nullopt
+                                    : std::optional{std::size_t(found - m_offered.begin())};
+}
+
+void LandmarkTask::chooseSet(std::size_t offered)
+{
+    m_chosen.reset();
+    if (m_offered.at(offered) != catalogue())
+        m_editor.become(withLandmarks(m_editor.site(), m_offered[offered]));
+}
+
+void LandmarkTask::choose(std::optional<std::size_t> landmark)
+{
+    m_chosen = landmark;
+    Q_EMIT m_editor.changed();
+}
+
+void LandmarkTask::setSnapping(bool snapping)
+{
+    m_snapping = snapping;
+    Q_EMIT m_editor.changed();
+}
+
+void LandmarkTask::pick(const Vec3& p_A_eye, const Vec3& dir_A)
+{
+    if (!m_chosen || *m_chosen >= catalogue().landmarks.size())
+        return;
+    const auto place = m_surfaces.picked(p_A_eye, dir_A, m_snapping);
+    if (!place)
+        return m_editor.refuse(LandmarkWords::tr(
+            "There is nothing of the patient at that place: click on the model."));
+    LandmarkCatalogue moved = catalogue();
+    moved.landmarks[*m_chosen].p_AQ = *place;
+    m_editor.become(withLandmarks(m_editor.site(), std::move(moved)));
+}
+
+void LandmarkTask::importFrom(const std::filesystem::path& file)
+{
+    auto imported = importLandmarks(file, m_patient.contentHash());
+    if (!imported)
+        return m_editor.refuse(imported.error());
+    m_chosen.reset();
+    m_editor.become(withLandmarks(m_editor.site(), std::move(*imported)));
+}
+
+void LandmarkTask::exportTo(const std::filesystem::path& file)
+{
+    if (const auto exported = exportLandmarks(file, catalogue()); !exported)
+        m_editor.refuse(exported.error());
+}
+
+void LandmarkTask::accept()
+{
+    Site next = withLandmarks(m_editor.site(), catalogue());
+    next.step = SiteStep::Touch;
+    m_chosen.reset();
+    m_editor.become(std::move(next));
+}
+
+std::vector<ExpectedError> LandmarkTask::forecast() const
+{
+    const auto covariance = fitCovariance(equalErrors(placesOf(catalogue()), kForecastFle));
+    return covariance ? expectedErrors(*covariance, kKnownExactly, m_targets)
+                      : std::vector<ExpectedError>{};
+}
+
+std::optional<std::pair<QString, double>> LandmarkTask::wouldHelp() const
+{
+    std::vector<Landmark> others = m_offered.front().landmarks;
+    std::erase_if(others, [&](const Landmark& other) {
+        return std::ranges::count(catalogue().landmarks, other.name, &Landmark::name) > 0;
+    });
+    std::vector<Vec3> targets;
+    for (const RegistrationTarget& target : m_targets)
+        targets.push_back(target.p_A);
+    const auto next = nextLandmark(
+        equalErrors(placesOf(catalogue()), kForecastFle),
+        equalErrors(placesOf({.name = {}, .anatomy = {}, .landmarks = others}), kForecastFle),
+        targets);
+    if (!next || !*next)
+        return std::nullopt;
+    return std::pair{QString::fromStdString(others[(*next)->candidate].name),
+                     inMillimetres((*next)->worstRms)};
+}
+
+} // namespace carina

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "engine/registration/landmark_catalogue.h"
+#include "models/registration_targets.h"
+#include "models/site_editor.h"
+#include "models/surface_finder.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace carina
+{
+
+/// Chooses the landmarks and their places on the patient, and tells beforehand what they are good
+/// for.
+class LandmarkTask
+{
+public:
+    /// @param offered the sets of landmarks of this patient, the recommended one first
+    /// @pre editor, patient and surfaces outlive this; there is one offered.
+    LandmarkTask(SiteEditor& editor, const PatientModel& patient, const SurfaceFinder& surfaces,
+                 std::vector<LandmarkCatalogue> offered);
+
+    [[nodiscard]] const std::vector<LandmarkCatalogue>& offered() const { return m_offered; }
+    /// The site's, or, before it has one, the recommended one.
+    [[nodiscard]] const LandmarkCatalogue& catalogue() const;
+    /// Which of the offered ones that is; nothing where it was changed.
+    [[nodiscard]] std::optional<std::size_t> chosenSet() const;
+    void chooseSet(std::size_t offered);
+
+    /// The landmark that is being moved.
+    [[nodiscard]] std::optional<std::size_t> chosen() const { return m_chosen; }
+    void choose(std::optional<std::size_t> landmark);
+    /// Takes the place where a ray first meets the patient as the chosen landmark's: of it the
+    /// nearest tip or ridge that a finger finds, while snapping.
+    void pick(const Vec3& p_A_eye, const Vec3& dir_A);
+    [[nodiscard]] bool isSnapping() const { return m_snapping; }
+    void setSnapping(bool snapping);
+
+    void importFrom(const std::filesystem::path& file);
+    void exportTo(const std::filesystem::path& file);
+
+    /// Takes the landmarks as they are, and goes on to touching.
+    void accept();
+
+    /// What to expect of touches that stray by kForecastFle; empty for a layout that is none.
+    [[nodiscard]] std::vector<ExpectedError> forecast() const;
+    /// The landmark of the recommended set that would help most, with the error at the worst target
+    /// in millimetres; nothing where none does.
+    [[nodiscard]] std::optional<std::pair<QString, double>> wouldHelp() const;
+
+    static constexpr Length kForecastFle = millimetres(1.0);
+
+private:
+    SiteEditor& m_editor;
+    const PatientModel& m_patient;
+    const SurfaceFinder& m_surfaces;
+    std::vector<LandmarkCatalogue> m_offered;
+    std::vector<RegistrationTarget> m_targets;
+    std::optional<std::size_t> m_chosen;
+    bool m_snapping = true;
+};
+
+} // namespace carina

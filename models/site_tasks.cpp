@@ -1,0 +1,219 @@
+#include "models/site_tasks.h"
+
+#include "models/site_changes.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <array>
+
+namespace carina
+{
+namespace
+{
+
+constexpr std::size_t kFewestTouches = 3;
+constexpr qint64 kOld_days = 30;
+constexpr std::array kTasks{SiteStep::Tracker, SiteStep::Stylus, SiteStep::Landmarks,
+                            SiteStep::Touch,   SiteStep::Fit,    SiteStep::Verify};
+
+class TaskWords
+{
+    Q_DECLARE_TR_FUNCTIONS(SiteTasks)
+
+public:
+    static QString changed(StaleCause cause)
+    {
+        switch (cause) {
+        case StaleCause::Tracker:
+            return tr("Stale: the tracker has changed since.");
+        case StaleCause::Stylus:
+            return tr("Stale: the stylus was calibrated since.");
+        case StaleCause::Landmarks:
+            return tr("Stale: landmarks were changed since.");
+        case StaleCause::Touches:
+            return tr("Stale: landmarks were touched again since.");
+        case StaleCause::Fit:
+            return tr("Stale: the patient was fitted again since.");
+        }
+        return {};
+    }
+
+    static SiteTask tracker(const Site& site, const QString& tracker)
+    {
+        if (site.tracker.empty())
+            return {};
+        if (site.tracker == tracker.toStdString())
+            return {.state = TaskState::Done};
+        return {.state = TaskState::Stale,
+                .why = tr("This site was prepared with another tracker: %1.")
+                           .arg(QString::fromStdString(site.tracker))};
+    }
+
+    static SiteTask touch(const Site& site, const std::string& tool)
+    {
+        if (!site.stylus(tool))
+            return {.state = TaskState::Waits, .why = tr("Find the tip of the stylus first.")};
+        const std::size_t fresh = freshTouches(site);
+        for (const TouchedPoint& touch : site.touched)
+            if (touch.stale)
+                return {.state = TaskState::Stale, .why = changed(*touch.stale)};
+        if (!site.catalogue || fresh == 0)
+            return {};
+        const std::size_t all = site.catalogue->landmarks.size();
+        if (fresh == all)
+            return {.state = TaskState::Done};
+        return {.state = TaskState::Begun, .why = tr("%1 of %2 are touched.").arg(fresh).arg(all)};
+    }
+
+    static SiteTask fit(const Site& site)
+    {
+        if (site.registration && !site.registration->stale)
+            return {.state = TaskState::Done};
+        if (site.registration)
+            return {.state = TaskState::Stale, .why = changed(*site.registration->stale)};
+        if (freshTouches(site) < kFewestTouches)
+            return {.state = TaskState::Waits, .why = tr("Touch at least three landmarks first.")};
+        return {};
+    }
+
+    static SiteTask verify(const Site& site)
+    {
+        if (!site.registration)
+            return {.state = TaskState::Waits, .why = tr("Fit the patient first.")};
+        if (!site.verification || site.verification->points.empty())
+            return {};
+        if (site.verification->stale)
+            return {.state = TaskState::Stale, .why = changed(*site.verification->stale)};
+        if (site.verification->verdict != Verdict::Open)
+            return {.state = TaskState::Done};
+        return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
+    }
+
+    static QString registered(const Site& site, const QDateTime& today,
+                              const std::optional<double>& glottis_mm)
+    {
+        const SiteRegistration& registration = *site.registration;
+        QString sentence = registration.madeAt.empty()
+                               ? tr("Registered; when is not known.")
+                               : tr("Registered %1.").arg(howLongAgo(registration.madeAt, today));
+        if (!registration.operatorName.empty())
+            sentence += tr(" By %1.").arg(QString::fromStdString(registration.operatorName));
+        if (glottis_mm)
+            sentence += tr(" At the glottis less than %1 mm are expected, in 95 of 100 cases.")
+                            .arg(*glottis_mm, 0, 'f', 1);
+        return sentence;
+    }
+
+    static QString verified(const Site& site, const QDateTime& today)
+    {
+        const auto& verification = site.verification;
+        if (!verification || verification->verdict == Verdict::Open || verification->stale)
+            return tr("Not verified as it is now: touch two points to verify it.");
+        const QString when = howLongAgo(verification->at, today);
+        return verification->verdict == Verdict::Good
+                   ? tr("Verified %1: good.").arg(when)
+                   : tr("Verified %1: not good. Register it again.").arg(when);
+    }
+
+    static bool isOld(const Site& site, const QDateTime& today)
+    {
+        const auto made =
+            QDateTime::fromString(QString::fromStdString(site.registration->madeAt), Qt::ISODate);
+        return made.isValid() && made.daysTo(today) > kOld_days;
+    }
+
+    static QString old() { return tr("That is long ago: verify two points before a session."); }
+
+    static QString relaid(const SiteRelay& relay, const QDateTime& today)
+    {
+        return tr("The manikin was laid anew by %1 landmarks %2.")
+            .arg(relay.landmarks)
+            .arg(howLongAgo(relay.at, today));
+    }
+};
+
+} // namespace
+
+SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool, const QString& tracker)
+{
+    switch (step) {
+    case SiteStep::Overview:
+        return {.state = nextTask(site, tool, tracker) == SiteStep::Overview ? TaskState::Done
+                                                                             : TaskState::Begun};
+    case SiteStep::Tracker:
+        return TaskWords::tracker(site, tracker);
+    case SiteStep::Stylus:
+        return {.state = site.stylus(tool) ? TaskState::Done : TaskState::Open};
+    case SiteStep::Landmarks:
+        return {.state = site.catalogue ? TaskState::Done : TaskState::Open};
+    case SiteStep::Touch:
+        return TaskWords::touch(site, tool);
+    case SiteStep::Fit:
+        return TaskWords::fit(site);
+    case SiteStep::Verify:
+        return TaskWords::verify(site);
+    }
+    return {};
+}
+
+QString stepTitle(SiteStep step)
+{
+    switch (step) {
+    case SiteStep::Overview:
+        return TaskWords::tr("Overview");
+    case SiteStep::Tracker:
+        return TaskWords::tr("Tracker");
+    case SiteStep::Stylus:
+        return TaskWords::tr("Stylus");
+    case SiteStep::Landmarks:
+        return TaskWords::tr("Landmarks");
+    case SiteStep::Touch:
+        return TaskWords::tr("Touch");
+    case SiteStep::Fit:
+        return TaskWords::tr("Fit");
+    case SiteStep::Verify:
+        return TaskWords::tr("Verify");
+    }
+    return {};
+}
+
+SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker)
+{
+    for (const SiteStep step : kTasks)
+        if (siteTask(site, step, tool, tracker).state != TaskState::Done)
+            return step;
+    return SiteStep::Overview;
+}
+
+QStringList siteHealth(const Site& site, const std::string& tool, const QString& tracker,
+                       const QDateTime& today, const std::optional<double>& glottis_mm)
+{
+    QStringList sentences;
+    if (!site.registration) {
+        sentences << TaskWords::tr("This manikin is not registered yet.");
+    } else {
+        sentences << TaskWords::registered(site, today, glottis_mm);
+        if (!site.registration->relays.empty())
+            sentences << TaskWords::relaid(site.registration->relays.back(), today);
+        sentences << TaskWords::verified(site, today);
+        if (TaskWords::isOld(site, today))
+            sentences << TaskWords::old();
+    }
+    for (const SiteStep step : kTasks)
+        if (const SiteTask task = siteTask(site, step, tool, tracker);
+            task.state == TaskState::Stale)
+            sentences << QStringLiteral("%1: %2").arg(stepTitle(step), task.why);
+    return sentences;
+}
+
+QString howLongAgo(const std::string& time, const QDateTime& today)
+{
+    const auto then = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
+    const qint64 days = then.isValid() ? then.daysTo(today) : 0;
+    if (days <= 0)
+        return TaskWords::tr("today");
+    return days == 1 ? TaskWords::tr("yesterday") : TaskWords::tr("%1 days ago").arg(days);
+}
+
+} // namespace carina

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "models/patient_model.h"
+#include "models/site_editor.h"
+#include "models/stylus_watch.h"
+#include "models/surface_finder.h"
+
+#include <vector>
+
+namespace carina
+{
+
+/// A place to check the registration at, and how it did.
+struct CheckPoint {
+    QString name{};
+    Vec3 p_AQ = Vec3::Zero();
+    std::optional<double> error_mm{}; ///< once it was touched
+    double bound_mm = 0.0;            ///< that 95 % of such errors stay below
+    [[nodiscard]] bool isWithin() const { return error_mm && *error_mm <= bound_mm; }
+};
+
+/// Checks a registration at places that were not used in its fit, and keeps the verdict.
+class VerifyTask
+{
+public:
+    /// Fewer tell nothing.
+    static constexpr std::size_t kFewestPoints = 2;
+
+    /// @param places to check at besides; those that the fit uses are left out
+    /// @pre the references outlive this.
+    VerifyTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& patient,
+               const SurfaceFinder& surfaces, std::vector<Landmark> places);
+
+    /// The upper incisors' edge, places that the fit did not use, and those that were picked.
+    [[nodiscard]] std::vector<CheckPoint> points() const;
+    /// The place that is checked by the next touch.
+    [[nodiscard]] std::optional<std::size_t> next() const;
+    void choose(std::size_t point);
+
+    /// Adds the place that a ray first meets.
+    void pick(const Vec3& p_A_eye, const Vec3& dir_A);
+
+    void start();
+    void takeNow();
+    void take(const StylusNews& news);
+
+    /// What the points touched so far say; Open while they are too few.
+    [[nodiscard]] Verdict suggestion() const;
+    /// @pre at least kFewestPoints were touched.
+    void record(Verdict verdict);
+
+private:
+    void take(const StylusTouch& touch);
+    /// Of 95 % at a place, for a touch as uncertain as those of the fit.
+    [[nodiscard]] double boundAt(const Vec3& p_AQ, double share) const;
+
+    SiteEditor& m_editor;
+    StylusWatch& m_watch;
+    const PatientModel& m_patient;
+    const SurfaceFinder& m_surfaces;
+    std::vector<Landmark> m_places;   ///< of this patient, to be checked at
+    std::vector<CheckPoint> m_picked; ///< not yet touched
+    std::optional<std::size_t> m_chosen;
+};
+
+} // namespace carina

@@ -1,0 +1,31 @@
+#include "ui/touch_page.h"
+
+#include "ui/landmark_list.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace carina
+{
+
+TouchPage::TouchPage(RegistrationModel& registration)
+    : RegistrationPage{registration}, m_list{new LandmarkList{registration, this}}
+{
+    m_list->setObjectName(QStringLiteral("touches"));
+    m_list->showColumns({LandmarkTableModel::Name, LandmarkTableModel::Touched});
+    connect(m_list, &LandmarkList::chosen, this,
+            [this](std::size_t landmark) { this->registration().touching().choose(landmark); });
+    auto* hint = new QLabel{tr("Hold still for a second, or press Page Down or a foot switch that "
+                               "sends it. Choose a landmark in the list to touch it again."),
+                            this};
+    hint->setWordWrap(true);
+    auto* column = new QVBoxLayout{this};
+    column->setContentsMargins({});
+    column->addWidget(m_list);
+    column->addWidget(hint);
+    column->addStretch();
+}
+
+void TouchPage::refresh() { m_list->refresh(); }
+
+} // namespace carina

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ui/registration_page.h"
+
+namespace carina
+{
+
+class LandmarkList;
+
+/// The landmarks as they are touched on the manikin, one by one.
+class TouchPage : public RegistrationPage
+{
+    Q_OBJECT
+
+public:
+    explicit TouchPage(RegistrationModel& registration);
+
+    void refresh() override;
+    [[nodiscard]] QString actionText() const override { return tr("&Take this point"); }
+    [[nodiscard]] bool canAct() const override { return registration().nextLandmark().has_value(); }
+    void act() override { registration().takeNow(); }
+
+private:
+    LandmarkList* m_list; ///< a child of this
+};
+
+} // namespace carina

@@ -12,11 +12,11 @@ namespace carina
 namespace
 {
 
-/// The first cause stays.
+/// The deepest cause stays: a result from before the tracker was changed is of no use whatever else
+/// has changed since.
 void makeStale(std::optional<StaleCause>& stale, StaleCause cause)
 {
-    if (!stale)
-        stale = cause;
+    stale = std::min(stale.value_or(cause), cause);
 }
 
 void makeFitStale(Site& site, StaleCause cause)

@@ -16,7 +16,8 @@ namespace carina
 /// The pages of preparing a site, in their order.
 enum class SiteStep : std::uint8_t { Overview, Tracker, Stylus, Landmarks, Touch, Fit, Verify };
 
-/// What was changed beneath a result, so that it no longer follows from what it rests on.
+/// What was changed beneath a result, so that it no longer follows from what it rests on: the
+/// deepest first.
 enum class StaleCause : std::uint8_t { Tracker, Stylus, Landmarks, Touches, Fit };
 
 /// The axis of a tool, from a spin calibration.

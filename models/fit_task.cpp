@@ -1,10 +1,12 @@
 #include "models/fit_task.h"
 
+#include "engine/registration/registration_error.h"
 #include "models/site_changes.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
@@ -12,7 +14,7 @@ namespace
 {
 
 constexpr Length kOrderFle = millimetres(2.0); ///< of a hand that is not careful
-constexpr double kStandsOut = 3.0;             ///< times the FLE from the fit of all others
+constexpr double kFalseAlarm = 0.01;           ///< share of good fits of which a landmark is named
 
 class FitWords
 {
@@ -36,13 +38,61 @@ public:
         return {};
     }
 
-    static QString standsOut(const LandmarkResidual& residual)
+    static QString standsOut(const std::string& landmark, double distance)
     {
         return tr("%1 lies %2 mm from where the other landmarks put it: touch it again.")
-            .arg(QString::fromStdString(residual.landmark))
-            .arg(inMillimetres(metres(*residual.leftOut)), 0, 'f', 1);
+            .arg(QString::fromStdString(landmark))
+            .arg(inMillimetres(metres(distance)), 0, 'f', 1);
     }
 };
+
+/// A touch, and how far it lies from where the fit of all others puts it.
+struct LeftOut {
+    Vec3 p_AQ = Vec3::Zero(); ///< of its landmark
+    double distance = 0.0;    ///< metres
+    Mat3 covariance_A = Mat3::Zero();
+    double degrees = 0.0;
+
+    [[nodiscard]] double ratio() const { return distance / std::sqrt(covariance_A.trace()); }
+    [[nodiscard]] bool isTooFar(std::size_t landmarks) const
+    {
+        return distance
+               > errorBound(covariance_A, degrees, 1.0 - kFalseAlarm / double(landmarks)).si;
+    }
+};
+
+/// How uncertain that is by the residuals of the others: of the touch itself, and of their fit.
+std::optional<LeftOut> leftOut(std::vector<LandmarkPair> pairs, std::size_t landmark)
+{
+    const LandmarkPair out = pairs[landmark];
+    pairs.erase(pairs.begin() + std::ptrdiff_t(landmark));
+    const auto others = fitRigid(pairs);
+    if (!others)
+        return std::nullopt;
+    LocalisationError fle = localisationError(metres(others->rms), pairs.size());
+    fle.rms = std::max(fle.rms, kLeastFle);
+    std::vector<Vec3> p_A;
+    for (const LandmarkPair& pair : pairs)
+        p_A.push_back(pair.p_AQ);
+    const auto covariance = fitCovariance(equalErrors(p_A, fle.rms));
+    if (!covariance)
+        return std::nullopt;
+    return LeftOut{.p_AQ = out.p_AQ,
+                   .distance = (out.p_AQ - others->X_AM * out.p_MQ).norm(),
+                   .covariance_A = pointCovariance(*covariance, out.p_AQ)
+                                   + fle.rms.si * fle.rms.si / 3.0 * Mat3::Identity(),
+                   .degrees = fle.degrees};
+}
+
+/// The touch that all others contradict, if there is one.
+std::optional<LeftOut> standsOut(const std::vector<LandmarkPair>& pairs)
+{
+    std::optional<LeftOut> worst;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (const auto each = leftOut(pairs, i); each && (!worst || each->ratio() > worst->ratio()))
+            worst = each;
+    return worst && worst->isTooFar(pairs.size()) ? worst : std::nullopt;
+}
 
 /// Surfaces under thin skin, which a stylus can be pressed on.
 bool canBeSwabbed(const PatientSurface& surface)
@@ -109,13 +159,11 @@ QStringList FitTask::findings() const
     const auto& registration = m_editor.site().registration;
     if (!registration || registration->stale)
         return sentences;
-    const auto worst =
-        std::ranges::max_element(registration->residuals, {}, [](const LandmarkResidual& residual) {
-            return residual.leftOut.value_or(0.0);
-        });
-    if (worst != registration->residuals.end()
-        && worst->leftOut.value_or(0.0) > kStandsOut * registration->fle)
-        sentences << FitWords::standsOut(*worst);
+    if (const auto worst = standsOut(touchedPairs(m_editor.site())))
+        sentences << FitWords::standsOut(
+            std::ranges::find(m_editor.site().catalogue->landmarks, worst->p_AQ, &Landmark::p_AQ)
+                ->name,
+            worst->distance);
     return sentences;
 }
 

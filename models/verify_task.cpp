@@ -108,6 +108,9 @@ void VerifyTask::takeNow()
         return;
     if (const auto touch = m_watch.pointNow(tip->p_SQ))
         take(*touch);
+    else
+        m_editor.refuse(VerifyWords::tr("The stylus is out of view: turn its markers to the "
+                                        "tracker and press again."));
 }
 
 void VerifyTask::take(const StylusNews& news)

@@ -46,6 +46,8 @@ void StylusWatch::watchFor(StylusUse use, const std::optional<Vec3>& p_SQ)
 {
     m_use = use;
     m_p_SQ = p_SQ;
+    if (const auto now = m_clock())
+        m_looked = now; // what was seen before tells nothing of this
     m_pivot.restart();
     m_spun.clear();
     m_dwell = {};

@@ -82,7 +82,7 @@ private:
 
     std::vector<TrackedTool> m_tools;
     ReadSessionClock m_clock;
-    std::optional<SessionTime> m_looked; ///< newest sample that was looked at
+    std::optional<SessionTime> m_looked; ///< what was seen until then does not count any more
     StylusUse m_use = StylusUse::Nothing;
     std::optional<Vec3> m_p_SQ;
     PivotCollector m_pivot;

@@ -2,8 +2,6 @@
 #include "engine/io/landmark_file.h"
 #include "engine/io/site_json.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <QDateTime>
 
 #include <algorithm>
@@ -15,8 +13,7 @@ namespace carina
 namespace
 {
 
-constexpr double kUnitTolerance = 1e-6;  ///< of a direction and a quaternion that a person wrote
-constexpr double kLeastVariance = -1e-9; ///< as a share of the largest: rounding in the file
+constexpr double kUnitTolerance = 1e-6; ///< of a direction and a quaternion that a person wrote
 
 std::string readText(JsonFields& fields, const char* key)
 {
@@ -51,8 +48,7 @@ Eigen::Matrix<double, Size, Size> readCovariance(JsonFields& fields, const char*
     for (int row = 0; row < Size; ++row)
         for (int column = row; column < Size; ++column)
             covariance(row, column) = covariance(column, row) = kCovarianceUnit * *next++;
-    const auto variances = Eigen::SelfAdjointEigenSolver<Matrix>{covariance}.eigenvalues().eval();
-    if (variances.minCoeff() < kLeastVariance * variances.cwiseAbs().maxCoeff())
+    if (!isCovariance(covariance))
         fields.refuse(key, "no error has such a covariance");
     return covariance;
 }

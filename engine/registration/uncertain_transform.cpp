@@ -1,9 +1,13 @@
 #include "engine/registration/uncertain_transform.h"
 
+#include <Eigen/Eigenvalues>
+
 namespace carina
 {
 namespace
 {
+
+constexpr double kLeastVariance = -1e-9; ///< as a share of the largest
 
 /// Takes (w, v) of O's points to that of F's.
 Mat6 adjointOf(const RigidTransform& X_FO)
@@ -17,6 +21,14 @@ Mat6 adjointOf(const RigidTransform& X_FO)
 }
 
 } // namespace
+
+bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix)
+{
+    const Eigen::VectorXd variances =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>{matrix, Eigen::EigenvaluesOnly}
+            .eigenvalues();
+    return variances.minCoeff() >= kLeastVariance * variances.cwiseAbs().maxCoeff();
+}
 
 Mat3 crossMatrix(const Vec3& a)
 {

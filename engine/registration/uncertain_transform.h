@@ -35,6 +35,10 @@ struct UncertainTransform {
 [[nodiscard]] Mat3 pointCovariance(const UncertainTransform& X_FO, const Vec3& p_OQ,
                                    const Mat3& covariance_O);
 
+/// Whether errors can have such a covariance: no variance is negative, but for rounding.
+/// @pre it is symmetric.
+[[nodiscard]] bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+
 /// The matrix of the cross product: crossMatrix(a) b = a x b.
 [[nodiscard]] Mat3 crossMatrix(const Vec3& a);
 

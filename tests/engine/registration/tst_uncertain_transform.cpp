@@ -113,6 +113,21 @@ private Q_SLOTS:
         QVERIFY((pointCovariance(X_FO, {0.1, 0.2, 0.3}, point) - expected).norm() < 1e-15);
     }
 
+    void knowsWhatNoErrorHas()
+    {
+        Mat3 covariance = Mat3::Identity();
+        covariance(0, 1) = covariance(1, 0) = 0.99;
+        QVERIFY(isCovariance(covariance));
+        covariance(0, 1) = covariance(1, 0) = 1.01; // correlated by more than one
+        QVERIFY(!isCovariance(covariance));
+        QVERIFY(isCovariance(Mat6::Zero()));
+        Mat6 rounded = 1e-6 * Mat6::Identity();
+        rounded(5, 5) = -1e-18;
+        QVERIFY(isCovariance(rounded));
+        rounded(5, 5) = -1e-9;
+        QVERIFY(!isCovariance(rounded));
+    }
+
     void crossesVectors()
     {
         const Vec3 a{1.0, -2.0, 3.0};

@@ -85,6 +85,16 @@ std::vector<double> JsonFields::numbers(const char* key, std::size_t count)
     return numbers.value_or(std::vector<double>(count, 0.0));
 }
 
+double JsonFields::amount(const char* key)
+{
+    const double number = m_object.value(QLatin1StringView{key}).toDouble(-1.0);
+    if (!(number >= 0.0 && number <= kMostCounted)) {
+        refuse(key, "a number that is not negative is due");
+        return 0.0;
+    }
+    return number;
+}
+
 int JsonFields::count(const char* key)
 {
     const double number = m_object.value(QLatin1StringView{key}).toDouble(-1.0);

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::string firstText(const char* key);
     /// Not negative.
     [[nodiscard]] double length(const char* key);
+    /// A number from 0 to a million.
+    [[nodiscard]] double amount(const char* key);
     /// So many numbers, each below a million.
     [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
     /// A whole number from 0 to a million.

@@ -60,7 +60,7 @@ StylusAxis readAxis(JsonFields fields)
     const Vec3 axis_S{axis[0], axis[1], axis[2]};
     if (std::abs(axis_S.norm() - 1.0) > kUnitTolerance)
         fields.refuse("axis_S", "a direction of length 1 is due");
-    const double wobble_deg = fields.numbers("wobble_deg", 1)[0];
+    const double wobble_deg = fields.amount("wobble_deg");
     return {axis_S, degrees(wobble_deg), readTime(fields, "calibrated_at")};
 }
 

@@ -12,7 +12,7 @@ namespace carina
 namespace
 {
 
-constexpr double kExact = 1e-8; // m, of single precision
+constexpr double kExact = 1e-7; // m, of single precision
 
 /// Bones by a few of their points each, in millimetres: a manubrium with a notch, ribs of which the
 /// left crosses the plane of its clavicle and the right ends before it.
@@ -36,6 +36,13 @@ struct Thorax {
                 p *= 1e-3F;
     }
 
+    void add(const char* name, std::vector<Vec3f> points_mm)
+    {
+        for (Vec3f& p : points_mm)
+            p *= 1e-3F;
+        surfaces.emplace_back(name, std::move(points_mm));
+    }
+
     [[nodiscard]] std::vector<Bone> bones() const
     {
         std::vector<Bone> bones;
@@ -45,10 +52,9 @@ struct Thorax {
     }
 };
 
-bool isAt(const Landmark& landmark, const Vec3& p_mm)
-{
-    return (landmark.p_AQ - 1e-3 * p_mm).norm() < kExact;
-}
+bool isAt(const Vec3& p_AQ, const Vec3& p_mm) { return (p_AQ - 1e-3 * p_mm).norm() < kExact; }
+
+bool isAt(const Landmark& landmark, const Vec3& p_mm) { return isAt(landmark.p_AQ, p_mm); }
 
 /// The vertices of an OBJ file, in metres.
 std::vector<Vec3f> verticesOf(const std::filesystem::path& file)
@@ -117,6 +123,70 @@ private Q_SLOTS:
         Thorax thorax;
         thorax.surfaces[4].second.clear();
         QVERIFY(!boneLandmarks(thorax.bones(), {}));
+    }
+
+    /// The angle of the jaw lies furthest down and back of its half; the end of a rib is its
+    /// foremost point.
+    void findsTheFurtherPlaces()
+    {
+        Thorax thorax;
+        thorax.add("Mandible", {{0, -90, 160},
+                                {48, -20, 170},
+                                {50, -10, 172},
+                                {45, 0, 200},
+                                {-49, -18, 171},
+                                {-47, -30, 160}});
+        thorax.add("LEFT TENTH RIB", {{110, 20, -240}, {118, -36, -255}, {100, 60, -200}});
+        thorax.add("right tenth rib", {{-121, -33, -251}, {-118, -20, -255}});
+        const FurtherPlaces places = onBones({}, thorax.bones());
+        QVERIFY(isAt(places.p_A_leftJawAngle, {50, -10, 172})); // not 30 mm higher, further back
+        QVERIFY(isAt(places.p_A_rightJawAngle, {-49, -18, 171}));
+        QVERIFY(isAt(places.p_A_leftTenthRib, {118, -36, -255}));
+        QVERIFY(isAt(places.p_A_rightTenthRib, {-121, -33, -251}));
+    }
+
+    void leavesPlacesOfBonesThatAreMissing()
+    {
+        Thorax thorax;
+        const FurtherPlaces before = furtherPlaces(metres(1.7));
+        const FurtherPlaces without = onBones(before, thorax.bones());
+        QVERIFY(without.p_A_leftJawAngle == before.p_A_leftJawAngle);
+        QVERIFY(without.p_A_rightTenthRib == before.p_A_rightTenthRib);
+        thorax.add("Left half of mandible", {{48, -20, 170}, {50, -10, 172}});
+        thorax.add("Right tenth rib", {{-121, -33, -251}});
+        const FurtherPlaces half = onBones(before, thorax.bones());
+        QVERIFY(isAt(half.p_A_leftJawAngle, {50, -10, 172}));
+        QVERIFY(half.p_A_rightJawAngle == before.p_A_rightJawAngle);
+        QVERIFY(half.p_A_leftTenthRib == before.p_A_leftTenthRib);
+        QVERIFY(isAt(half.p_A_rightTenthRib, {-121, -33, -251}));
+    }
+
+    void findsPlacesToCheckThatAreNoLandmarks()
+    {
+        const Thorax thorax;
+        const std::vector<Landmark> checks = boneCheckPlaces(thorax.bones());
+        QCOMPARE(checks.size(), 2U);
+        QVERIFY(isAt(checks[0], {10, -60, 50}));
+        QVERIFY(isAt(checks[1], {-10, -60, 50}));
+        const auto catalogue = boneLandmarks(thorax.bones(), {});
+        for (const Landmark& check : checks)
+            for (const Landmark& landmark : catalogue->landmarks)
+                QVERIFY(check.name != landmark.name && check.p_AQ != landmark.p_AQ);
+    }
+
+    void findsNoPlacesToCheckWithoutTheirBones_data()
+    {
+        QTest::addColumn<int>("missing");
+        for (const int bone : {0, 1, 2})
+            QTest::newRow(Thorax{}.surfaces[std::size_t(bone)].first.c_str()) << bone;
+    }
+
+    void findsNoPlacesToCheckWithoutTheirBones()
+    {
+        QFETCH(int, missing);
+        Thorax thorax;
+        thorax.surfaces.erase(thorax.surfaces.begin() + missing);
+        QVERIFY(boneCheckPlaces(thorax.bones()).empty());
     }
 
     /// A grown man's: the sternum is 15 to 18 cm long to the tip of its xiphoid process, and both

@@ -1,5 +1,6 @@
 #include "widgets/step_list.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -14,8 +15,9 @@ class TestStepList : public QObject
 private Q_SLOTS:
     void saysEachStateByShapeAndWord();
     void speaksEachStep();
-    void setsTheStepOfNowOff();
-    void letsNobodyInWhereTheReasonIsGiven();
+    void setsTheStepThatIsShownOff();
+    void saysBeneathWhyAStepIsNoFurther();
+    void letsAnyStepBeEntered();
     void tellsWhichStepWasChosen();
     void hidesTheStepsThatAreNoMore();
 };
@@ -24,15 +26,30 @@ namespace
 {
 
 const std::vector<StepList::Step> kSteps{
-    {QStringLiteral("Tracker"), StepState::Done},
-    {QStringLiteral("Stylus"), StepState::Now},
-    {QStringLiteral("Touch"), StepState::Open, QStringLiteral("Find the tip first.")}};
+    {.title = QStringLiteral("Tracker"), .state = StepState::Done},
+    {.title = QStringLiteral("Stylus"), .state = StepState::Open, .isHere = true},
+    {.title = QStringLiteral("Touch"),
+     .state = StepState::Waits,
+     .why = QStringLiteral("Find the tip first.")},
+    {.title = QStringLiteral("Fit"), .state = StepState::Begun},
+    {.title = QStringLiteral("Verify"),
+     .state = StepState::Stale,
+     .why = QStringLiteral("Fitted again since.")}};
 
 struct Shown {
     Shown() { list.setSteps(kSteps); }
     [[nodiscard]] QPushButton& button(int step) const
     {
         return *list.findChild<QPushButton*>(QStringLiteral("step%1").arg(step));
+    }
+    /// What is said beneath the steps, from the top.
+    [[nodiscard]] QStringList reasons() const
+    {
+        QStringList reasons;
+        for (const QLabel* label : list.findChildren<QLabel*>())
+            if (!label->isHidden())
+                reasons << label->text();
+        return reasons;
     }
     StepList list;
 };
@@ -43,45 +60,54 @@ void TestStepList::saysEachStateByShapeAndWord()
 {
     const Shown shown;
     QCOMPARE(shown.button(1).text(), QStringLiteral("✓  &1  Tracker – done"));
-    QCOMPARE(shown.button(2).text(), QStringLiteral("●  &2  Stylus – now"));
-    QCOMPARE(shown.button(3).text(), QStringLiteral("○  &3  Touch – open"));
+    QCOMPARE(shown.button(2).text(), QStringLiteral("○  &2  Stylus – open"));
+    QCOMPARE(shown.button(3).text(), QStringLiteral("·  &3  Touch – waits"));
+    QCOMPARE(shown.button(4).text(), QStringLiteral("◐  &4  Fit – begun"));
+    QCOMPARE(shown.button(5).text(), QStringLiteral("▲  &5  Verify – stale"));
 }
 
 void TestStepList::speaksEachStep()
 {
     const Shown shown;
     QCOMPARE(shown.button(1).accessibleName(), QStringLiteral("Step 1, Tracker: done"));
-    QCOMPARE(shown.button(3).accessibleName(), QStringLiteral("Step 3, Touch: open"));
+    QCOMPARE(shown.button(2).accessibleName(), QStringLiteral("Step 2, Stylus: open, shown now"));
+    QCOMPARE(shown.button(3).accessibleName(), QStringLiteral("Step 3, Touch: waits"));
+    QCOMPARE(shown.button(3).accessibleDescription(), QStringLiteral("Find the tip first."));
+    QVERIFY(shown.button(1).accessibleDescription().isEmpty());
 }
 
-void TestStepList::setsTheStepOfNowOff()
+void TestStepList::setsTheStepThatIsShownOff()
 {
     const Shown shown;
-    QVERIFY(!shown.button(1).isDefault());
-    QVERIFY(shown.button(2).isDefault());
-    QVERIFY(!shown.button(3).isDefault());
+    for (int step = 1; step <= 5; ++step)
+        QCOMPARE(shown.button(step).isDefault(), step == 2);
 }
 
-void TestStepList::letsNobodyInWhereTheReasonIsGiven()
+void TestStepList::saysBeneathWhyAStepIsNoFurther()
 {
     Shown shown;
-    QVERIFY(shown.button(1).isEnabled());
-    QVERIFY(!shown.button(3).isEnabled());
-    QCOMPARE(shown.button(3).toolTip(), QStringLiteral("Find the tip first."));
+    QCOMPARE(shown.reasons(), (QStringList{QStringLiteral("Find the tip first."),
+                                           QStringLiteral("Fitted again since.")}));
     std::vector<StepList::Step> later = kSteps;
-    later[2].whyNot.clear();
+    later[2].why.clear();
     shown.list.setSteps(later);
-    QVERIFY(shown.button(3).isEnabled());
-    QVERIFY(shown.button(3).toolTip().isEmpty());
+    QCOMPARE(shown.reasons(), QStringList{QStringLiteral("Fitted again since.")});
+}
+
+void TestStepList::letsAnyStepBeEntered()
+{
+    const Shown shown;
+    for (int step = 1; step <= 5; ++step)
+        QVERIFY(shown.button(step).isEnabled());
 }
 
 void TestStepList::tellsWhichStepWasChosen()
 {
     const Shown shown;
     QSignalSpy chosen{&shown.list, &StepList::chosen};
-    shown.button(2).click();
+    shown.button(3).click();
     QCOMPARE(chosen.count(), 1);
-    QCOMPARE(chosen[0][0].toInt(), 1);
+    QCOMPARE(chosen[0][0].toInt(), 2);
 }
 
 void TestStepList::hidesTheStepsThatAreNoMore()
@@ -90,8 +116,10 @@ void TestStepList::hidesTheStepsThatAreNoMore()
     shown.list.setSteps({kSteps[0]});
     QVERIFY(!shown.button(1).isHidden());
     QVERIFY(shown.button(2).isHidden());
+    QVERIFY(shown.reasons().isEmpty());
     shown.list.setSteps(kSteps);
     QVERIFY(!shown.button(2).isHidden());
+    QCOMPARE(shown.reasons().size(), 2);
 }
 
 } // namespace carina

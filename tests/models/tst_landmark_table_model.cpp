@@ -17,6 +17,8 @@ private Q_SLOTS:
     void namesItsColumns();
     void showsHowFarTheTouchingHasCome();
     void showsResidualsOnceTheyAreKnown();
+    void showsHowFarALandmarkLiesFromTheOthers();
+    void marksTouchesThatAreStale();
     void speaksEachCell();
     void changesCellsWithoutLosingTheSelection();
 };
@@ -26,11 +28,14 @@ namespace
 
 using Column = LandmarkTableModel::Column;
 
+/// Of the four landmarks on the rib cage.
 struct Table {
     RegistrationSite site;
     std::unique_ptr<RegistrationModel> registration = site.model();
     LandmarkTableModel model{*registration};
     QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
+
+    Table() { registration->landmarkTask().chooseSet(2); }
 
     [[nodiscard]] QVariant at(int row, int column, int role = Qt::DisplayRole) const
     {
@@ -38,12 +43,14 @@ struct Table {
     }
     [[nodiscard]] QString cell(int row, int column) const { return at(row, column).toString(); }
 
+    void touch(std::size_t landmark, const Vec3& off_A = Vec3::Zero())
+    {
+        site.hold(*registration, site.X_TA * Vec3{site.sets()[2].landmarks[landmark].p_AQ + off_A});
+    }
     void touchTheFirst()
     {
-        registration->useTracker();
-        site.swing(*registration);
-        registration->acceptLandmarks();
-        site.hold(*registration, site.X_TA * site.landmarks().landmarks[0].p_AQ);
+        site.prepare(*registration);
+        touch(0);
     }
 };
 
@@ -56,7 +63,7 @@ void TestLandmarkTableModel::namesItsColumns()
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
     QCOMPARE(headers, (QStringList{QStringLiteral("Landmark"), QStringLiteral("Touched"),
-                                   QStringLiteral("Residual")}));
+                                   QStringLiteral("Residual"), QStringLiteral("Left out")}));
 }
 
 void TestLandmarkTableModel::showsHowFarTheTouchingHasCome()
@@ -84,20 +91,44 @@ void TestLandmarkTableModel::showsResidualsOnceTheyAreKnown()
     QCOMPARE(table.model.largestResidual_mm(), 0.0);
     // The two ribs are touched 6 mm too far from each other. The triangle of the others holds the
     // rest: by symmetry each rib stays at most 3 mm from its place.
-    const auto landmarks = table.site.landmarks().landmarks;
+    const auto landmarks = table.site.landmarks();
     const Vec3 outward = (landmarks[2].p_AQ - landmarks[3].p_AQ).normalized();
-    table.site.hold(*table.registration, table.site.X_TA * landmarks[1].p_AQ);
-    table.site.hold(*table.registration,
-                    table.site.X_TA * Vec3{landmarks[2].p_AQ + 0.003 * outward});
-    table.site.hold(*table.registration,
-                    table.site.X_TA * Vec3{landmarks[3].p_AQ - 0.003 * outward});
-    table.registration->fit();
+    table.touch(1);
+    table.touch(2, 0.003 * outward);
+    table.touch(3, -0.003 * outward);
+    table.registration->fitting().fit();
     const double left = table.at(2, Column::Residual, LandmarkTableModel::kValueRole).toDouble();
     const double right = table.at(3, Column::Residual, LandmarkTableModel::kValueRole).toDouble();
     QVERIFY(std::abs(left - 3.0) < 1e-3); // mm
     QVERIFY(std::abs(right - 3.0) < 1e-3);
     QCOMPARE(table.cell(2, Column::Residual), QStringLiteral("3.0 mm"));
     QCOMPARE(table.model.largestResidual_mm(), std::max(left, right));
+}
+
+/// All others are exact: it lies as far from where they put it as it was touched off its place.
+void TestLandmarkTableModel::showsHowFarALandmarkLiesFromTheOthers()
+{
+    Table table;
+    table.touchTheFirst();
+    table.touch(1);
+    table.touch(2);
+    table.touch(3, {0.0, 0.004, 0.0});
+    QCOMPARE(table.cell(3, Column::LeftOut), QStringLiteral("–"));
+    table.registration->fitting().fit();
+    QCOMPARE(table.cell(3, Column::LeftOut), QStringLiteral("4.0 mm"));
+}
+
+void TestLandmarkTableModel::marksTouchesThatAreStale()
+{
+    Table table;
+    table.touchTheFirst();
+    table.registration->enter(SiteStep::Stylus);
+    table.registration->stylus().findTip();
+    table.site.swing(*table.registration);
+    QCOMPARE(table.cell(0, Column::Touched), QStringLiteral("▲ stale"));
+    QCOMPARE(table.at(0, Column::Touched, Qt::AccessibleTextRole).toString(),
+             QStringLiteral("Touched: stale"));
+    QCOMPARE(table.model.touchedCount(), 0);
 }
 
 void TestLandmarkTableModel::speaksEachCell()

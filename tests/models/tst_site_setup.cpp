@@ -1,5 +1,6 @@
 #include "models/site_setup.h"
 
+#include "models/site_changes.h"
 #include "tests/models/registration_site.h"
 
 #include <QTest>
@@ -22,8 +23,7 @@ private Q_SLOTS:
     {
         RegistrationSite site;
         const auto model = site.model();
-        site.touchAll(*model);
-        model->fit();
+        site.fitAll(*model);
         const auto setup = siteSetup(model->site(), site.patient());
         QVERIFY(setup.has_value());
         QVERIFY((setup->registration.X_AT * site.X_TA).matrix().isApprox(Mat4::Identity(), kExact));
@@ -36,8 +36,7 @@ private Q_SLOTS:
     {
         RegistrationSite site;
         const auto model = site.model();
-        site.touchAll(*model);
-        model->fit();
+        site.fitAll(*model);
         Site without = model->site();
         without.registration->X_JM.reset();
         without.display = DisplayGeometry{.screenWidth = 0.5};
@@ -55,12 +54,26 @@ private Q_SLOTS:
         QCOMPARE(siteSetup(model->site(), site.patient()).error().code, Errc::NotRegistered);
     }
 
+    /// X_AT is of the tracker that the landmarks were touched with.
+    void refusesASiteOfAnotherTracker()
+    {
+        RegistrationSite site;
+        const auto model = site.model();
+        site.fitAll(*model);
+        model->touching().choose(0); // stale beforehand
+        site.hold(*model, site.X_TA * site.landmarks()[0].p_AQ);
+        QVERIFY(siteSetup(model->site(), site.patient()).has_value());
+        const Site other = withTracker(model->site(), "Another tracker");
+        QCOMPARE(siteSetup(other, site.patient()).error().code, Errc::NotRegistered);
+        const Site first = withTracker(other, model->site().tracker); // it stood elsewhere since
+        QCOMPARE(siteSetup(first, site.patient()).error().code, Errc::NotRegistered);
+    }
+
     void refusesTheSiteOfAnotherPatient()
     {
         RegistrationSite site;
         const auto model = site.model();
-        site.touchAll(*model);
-        model->fit();
+        site.fitAll(*model);
         Site foreign = model->site();
         foreign.catalogue->anatomy = "somebody else";
         QCOMPARE(siteSetup(foreign, site.patient()).error().code, Errc::OtherPatient);

@@ -1,14 +1,11 @@
-#include "tests/models/registration_site.h"
-#include "ui/registration_window.h"
+#include "tests/ui/registration_desk.h"
 #include "widgets/scene/graphics.h"
 #include "widgets/scene/scene_view.h"
 
-#include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QTableView>
-#include <QTest>
 
 namespace carina
 {
@@ -21,176 +18,194 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void leadsThroughTheSteps();
+    void leadsFromTheTrackerToTheTouches();
+    void leadsFromTheTouchesToTheEnd();
     void obeysTheReturnKey();
-    void saysWhyAStepIsClosed();
+    void opensEveryStepAndSaysWhatItWaitsFor();
     void showsProgressOnlyWhileThereIsSome();
     void choosesALandmarkByMouseAndKeyboard();
     void movesALandmarkToWhereTheModelIsClicked();
+    void showsWhatIsStale();
+    void offersToRepairExchangedLandmarks();
+    void choosesAPlaceToCheck();
     void tellsHowFarTheStylusIsFromTheAnatomy();
-    void namesEveryControlForAScreenReader();
 };
 
-namespace
+void TestRegistrationWindow::leadsFromTheTrackerToTheTouches()
 {
-
-struct Desk {
-    RegistrationSite site;
-    std::unique_ptr<RegistrationModel> model = site.model();
-    std::unique_ptr<RegistrationWindow> window = std::make_unique<RegistrationWindow>(*model);
-
-    Desk()
-    {
-        window->resize(1280, 800);
-        window->show();
-    }
-    template <class Widget> [[nodiscard]] Widget& find(const char* name) const
-    {
-        return *window->findChild<Widget*>(QLatin1String{name});
-    }
-    [[nodiscard]] QPushButton& button(const char* name) const { return find<QPushButton>(name); }
-
-    void touchAll() { site.touchAll(*model); }
-};
-
-} // namespace
-
-void TestRegistrationWindow::leadsThroughTheSteps()
-{
-    Desk desk;
-    QVERIFY(!desk.button("next").isEnabled());
+    RegistrationDesk desk;
     QCOMPARE(desk.button("primary").text(), QStringLiteral("&Use this tracker"));
-    desk.button("primary").click();
+    QVERIFY(desk.click("primary"));
     QCOMPARE(desk.model->step(), SiteStep::Stylus);
-    QCOMPARE(desk.button("primary").text(), QStringLiteral("&Start swinging"));
-    desk.button("primary").click();
-    QVERIFY(desk.model->isSwinging());
-    QCOMPARE(desk.button("primary").text(), QStringLiteral("&Cancel"));
-    desk.button("primary").click();
-    QVERIFY(!desk.model->isSwinging());
+    QCOMPARE(desk.button("primary").text(), QStringLiteral("&Stop")); // it looks for the tip
+    QVERIFY(desk.click("primary"));
+    QVERIFY(!desk.model->stylus().isLookingForTip());
+    QCOMPARE(desk.button("primary").text(), QStringLiteral("&Find the tip"));
+    QVERIFY(desk.click("primary"));
     desk.site.swing(*desk.model);
-    desk.button("next").click();
+    QCOMPARE(desk.button("primary").text(), QStringLiteral("Find the tip &again"));
+    QVERIFY(desk.click("next"));
     QCOMPARE(desk.model->step(), SiteStep::Landmarks);
-    QVERIFY(desk.button("builtin").isVisible());
-    desk.button("primary").click();
+    QVERIFY(desk.click("primary"));
     QCOMPARE(desk.model->step(), SiteStep::Touch);
-    QVERIFY(!desk.button("builtin").isVisible());
-    QVERIFY(!desk.button("primary").isVisible()); // touching is done by hand
-    QCOMPARE(desk.button("step4").text(), QStringLiteral("●  &4  Touch 0/4 – now"));
-    for (const Landmark& landmark : desk.site.landmarks().landmarks)
-        desk.site.hold(*desk.model, desk.site.X_TA * landmark.p_AQ);
-    QCOMPARE(desk.button("step4").text(), QStringLiteral("●  &4  Touch 4/4 – now"));
-    desk.button("next").click();
-    desk.button("primary").click();
-    QVERIFY(desk.model->isDone(SiteStep::Fit));
-    desk.button("next").click();
+    QCOMPARE(desk.button("step5").text(), QStringLiteral("○  &5  Touch – open"));
+    desk.site.touchFirst(*desk.model, 1);
+    QCOMPARE(desk.button("step5").text(), QStringLiteral("◐  &5  Touch – begun"));
+}
+
+void TestRegistrationWindow::leadsFromTheTouchesToTheEnd()
+{
+    RegistrationDesk desk;
+    desk.site.touchAll(*desk.model);
+    QCOMPARE(desk.button("step5").text(), QStringLiteral("✓  &5  Touch – done"));
+    QVERIFY(!desk.button("primary").isEnabled()); // nothing is left to be touched
+    QVERIFY(desk.click("next"));
+    QVERIFY(desk.click("primary"));
+    QCOMPARE(desk.model->task(SiteStep::Fit).state, TaskState::Done);
+    QVERIFY(desk.click("next"));
     QCOMPARE(desk.model->step(), SiteStep::Verify);
+    QVERIFY(!desk.button("primary").isEnabled()); // nothing is checked yet
+    desk.site.verifyAll(*desk.model);
+    QCOMPARE(desk.button("primary").text(), QStringLiteral("&Record: good"));
+    QVERIFY(desk.click("primary"));
+    QVERIFY(desk.click("next"));
+    QCOMPARE(desk.model->step(), SiteStep::Overview);
     QVERIFY(!desk.button("next").isVisible());
     QCOMPARE(desk.button("primary").text(), QStringLiteral("&Finish"));
-    desk.button("primary").click();
+    QVERIFY(desk.click("primary"));
     QVERIFY(!desk.window->isVisible());
 }
 
 void TestRegistrationWindow::obeysTheReturnKey()
 {
-    Desk desk;
-    QApplication::setActiveWindow(desk.window.get()); // the display has no window manager
-    QTest::keyClick(desk.window.get(), Qt::Key_Return);
+    RegistrationDesk desk;
+    desk.press(Qt::Key_Return);
     QCOMPARE(desk.model->step(), SiteStep::Stylus);
     desk.site.swing(*desk.model);
     QVERIFY(desk.button("next").isDefault()); // what is done is not done again
-    QTest::keyClick(desk.window.get(), Qt::Key_Return);
+    desk.press(Qt::Key_Return);
     QCOMPARE(desk.model->step(), SiteStep::Landmarks);
 }
 
-void TestRegistrationWindow::saysWhyAStepIsClosed()
+void TestRegistrationWindow::opensEveryStepAndSaysWhatItWaitsFor()
 {
-    const Desk desk;
-    for (const char* step : {"step2", "step3", "step4", "step5", "step6"}) {
-        QVERIFY(!desk.button(step).isEnabled());
-        QVERIFY(!desk.button(step).toolTip().isEmpty());
+    const RegistrationDesk desk;
+    for (int step = 1; step <= 7; ++step) {
+        const QByteArray name = QStringLiteral("step%1").arg(step).toLatin1();
+        QVERIFY(desk.click(name));
+        QCOMPARE(int(desk.model->step()), step - 1);
+        QVERIFY(desk.button(name).isDefault());
     }
-    desk.button("primary").click();
-    QVERIFY(desk.button("step2").isDefault());
-    QVERIFY(desk.button("step3").isEnabled());
-    desk.button("step3").click();
-    QCOMPARE(desk.model->step(), SiteStep::Landmarks);
+    QVERIFY(desk.button("step5").text().contains(QStringLiteral("waits")));
+    QCOMPARE(desk.button("step5").accessibleDescription(),
+             QStringLiteral("Find the tip of the stylus first."));
 }
 
 void TestRegistrationWindow::showsProgressOnlyWhileThereIsSome()
 {
-    Desk desk;
-    desk.button("primary").click();
+    RegistrationDesk desk;
+    QVERIFY(desk.click("primary"));
     QVERIFY(!desk.find<QProgressBar>("progress").isVisible());
-    desk.model->startSwing();
-    for (int i = 0; i < 120; ++i) {
-        desk.site.tipAt({0.1, 0.0, -1.0});
-        desk.model->look();
-    }
-    QTRY_COMPARE(desk.find<QProgressBar>("progress").value(), 25); // of 480 poses
+    desk.site.swingFor(*desk.model, 200);
+    QTRY_COMPARE(desk.find<QProgressBar>("progress").value(),
+                 qRound(100.0 * desk.model->progress()));
+    QVERIFY(desk.find<QProgressBar>("progress").value() > 20);
     QVERIFY(desk.find<QProgressBar>("progress").isVisible());
+    desk.site.swing(*desk.model);
+    QTRY_VERIFY(!desk.find<QProgressBar>("progress").isVisible());
 }
 
 void TestRegistrationWindow::choosesALandmarkByMouseAndKeyboard()
 {
-    Desk desk;
-    auto& table = desk.find<QTableView>("landmarks");
-    const auto click = [&](int row) {
-        const QPoint place = table.visualRect(table.model()->index(row, 0)).center();
-        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place);
-    };
-    click(2);
-    QVERIFY(!desk.model->nextLandmark()); // nothing to choose one for yet
-    desk.button("primary").click();
+    RegistrationDesk desk;
     desk.model->enter(SiteStep::Landmarks);
-    click(2);
+    auto& table = desk.find<QTableView>("landmarks");
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                      table.visualRect(table.model()->index(2, 0)).center());
     QCOMPARE(desk.model->nextLandmark(), std::optional<std::size_t>{2});
-    QApplication::setActiveWindow(desk.window.get()); // the display has no window manager
-    table.setFocus();
-    QTest::keyClick(&table, Qt::Key_Up);
+    QVERIFY(desk.tabTo("landmarks"));
+    desk.press(Qt::Key_Up);
     QCOMPARE(desk.model->nextLandmark(), std::optional<std::size_t>{2}); // only looked at
-    QTest::keyClick(&table, Qt::Key_Space);
+    desk.press(Qt::Key_Space);
     QCOMPARE(desk.model->nextLandmark(), std::optional<std::size_t>{1});
 }
 
 void TestRegistrationWindow::movesALandmarkToWhereTheModelIsClicked()
 {
-    Desk desk;
-    desk.button("primary").click();
+    RegistrationDesk desk;
     desk.model->enter(SiteStep::Landmarks);
-    desk.model->choose(0);
+    desk.find<QCheckBox>("snapping").setChecked(false);
+    desk.model->landmarkTask().choose(0);
     const Vec3 before = desk.model->landmarks()[0].p_AQ;
     // From in front of the right lung straight back.
     Q_EMIT desk.find<SceneView>("scene").clicked({-0.06, -1.0, -0.05}, Vec3::UnitY());
     const Vec3 after = desk.model->landmarks()[0].p_AQ;
     QVERIFY((after - before).norm() > 0.01);
     QVERIFY(std::abs(after.x() + 0.06) < 1e-9 && std::abs(after.z() + 0.05) < 1e-9);
-    desk.button("undo").click();
+    QVERIFY(desk.click("undo"));
     QVERIFY((desk.model->landmarks()[0].p_AQ - before).norm() < 1e-9);
+}
+
+void TestRegistrationWindow::showsWhatIsStale()
+{
+    RegistrationDesk desk;
+    desk.site.fitAll(*desk.model);
+    desk.model->enter(SiteStep::Stylus);
+    QVERIFY(desk.click("primary"));
+    desk.site.swing(*desk.model);
+    for (const char* step : {"step5", "step6"}) {
+        QVERIFY(desk.button(step).text().startsWith(QStringLiteral("▲")));
+        QCOMPARE(desk.button(step).accessibleDescription(),
+                 QStringLiteral("Stale: the stylus was calibrated since."));
+    }
+    QVERIFY(desk.click("step1"));
+    QVERIFY(desk.find<QLabel>("health").text().contains(QStringLiteral("Touch: Stale")));
+    QCOMPARE(desk.button("primary").text(), QStringLiteral("&Go on: Touch"));
+    QVERIFY(desk.click("undo"));
+    QVERIFY(desk.button("step5").text().startsWith(QStringLiteral("✓")));
+}
+
+void TestRegistrationWindow::offersToRepairExchangedLandmarks()
+{
+    RegistrationDesk desk;
+    desk.site.prepare(*desk.model);
+    for (const std::size_t landmark : {0U, 1U, 3U, 2U, 4U, 5U, 6U, 7U})
+        desk.site.hold(*desk.model, desk.site.X_TA * desk.site.landmarks()[landmark].p_AQ);
+    QVERIFY(desk.click("next"));
+    QVERIFY(desk.find<QLabel>("findings").isVisible());
+    QVERIFY(desk.click("repair"));
+    QVERIFY(!desk.find<QLabel>("findings").isVisible());
+    QVERIFY(!desk.button("repair").isVisible());
+    QVERIFY(desk.model->site().registration->rms < 1e-9);
+}
+
+void TestRegistrationWindow::choosesAPlaceToCheck()
+{
+    RegistrationDesk desk;
+    desk.site.fitAll(*desk.model);
+    desk.model->enter(SiteStep::Verify);
+    auto& table = desk.find<QTableView>("checks");
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                      table.visualRect(table.model()->index(2, 0)).center());
+    QCOMPARE(desk.model->verifying().next(), std::optional<std::size_t>{2});
+    QVERIFY(desk.tabTo("checks"));
+    desk.press(Qt::Key_Up);
+    desk.press(Qt::Key_Space);
+    QCOMPARE(desk.model->verifying().next(), std::optional<std::size_t>{1});
 }
 
 void TestRegistrationWindow::tellsHowFarTheStylusIsFromTheAnatomy()
 {
-    Desk desk;
-    desk.touchAll();
-    desk.model->fit();
-    QVERIFY(desk.find<QWidget>("place").isHidden());
+    RegistrationDesk desk;
+    desk.site.fitAll(*desk.model);
     desk.model->enter(SiteStep::Verify);
-    QVERIFY(desk.find<QWidget>("place").isVisible());
-    const Vec3 xiphoid = desk.site.landmarks().landmarks[1].p_AQ;
+    const Vec3 xiphoid = desk.site.landmarks()[1].p_AQ;
     desk.site.tipAt(desk.site.X_TA * Vec3{xiphoid + Vec3{0.0, -0.003, 0.004}});
     desk.model->look();
     QTRY_VERIFY(desk.find<QLabel>("stylus").text().startsWith(
-        QStringLiteral("5.0 mm from Xiphoid process")));
-}
-
-void TestRegistrationWindow::namesEveryControlForAScreenReader()
-{
-    const Desk desk;
-    for (const QPushButton* button : desk.window->findChildren<QPushButton*>())
-        QVERIFY2(!button->text().isEmpty(), qPrintable(button->objectName()));
-    for (const char* name : {"scene", "landmarks", "progress", "steps", "instruction", "tools"})
-        QVERIFY2(!desk.find<QWidget>(name).accessibleName().isEmpty(), name);
+        QStringLiteral("The tip is 5.0 mm from Xiphoid process")));
+    desk.site.m_now += std::chrono::seconds{1};
+    QTRY_VERIFY(desk.find<QLabel>("stylus").text().contains(QStringLiteral("out of view")));
 }
 
 } // namespace carina

@@ -116,4 +116,10 @@ double chiSquaredShare(double degrees, double share)
                   share);
 }
 
+double chiSquaredTail(double chiSquared, double degrees)
+{
+    CARINA_EXPECTS(degrees > 0.0 && chiSquared >= 0.0);
+    return Eigen::numext::igammac(0.5 * degrees, 0.5 * chiSquared);
+}
+
 } // namespace carina

@@ -38,4 +38,9 @@ inline constexpr double kBoundShare = 0.95;
 /// @param share   between 0 and 1
 [[nodiscard]] double chiSquaredShare(double degrees, double share);
 
+/// The probability that chi-squared is more than this.
+/// @param chiSquared 0 or more
+/// @param degrees    above 0
+[[nodiscard]] double chiSquaredTail(double chiSquared, double degrees);
+
 } // namespace carina

@@ -118,6 +118,14 @@ private Q_SLOTS:
         QFETCH(double, share);
         QFETCH(double, quantile);
         QVERIFY(std::abs(chiSquaredShare(degrees, share) * degrees / quantile - 1.0) < 1e-4);
+        QVERIFY(std::abs(chiSquaredTail(quantile, degrees) / (1.0 - share) - 1.0) < 1e-3);
+    }
+
+    /// Of two degrees it is exp(-x / 2), however far out.
+    void knowsSmallChances()
+    {
+        for (const double x : {0.0, 1.0, 20.0, 60.0, 200.0})
+            QVERIFY(std::abs(chiSquaredTail(x, 2.0) / std::exp(-0.5 * x) - 1.0) < 1e-9);
     }
 };
 

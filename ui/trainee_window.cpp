@@ -121,8 +121,7 @@ void TraineeWindow::makeMenu()
     m_menu.addAction(m_parts->toggleViewAction());
     m_menu.addSeparator();
     addFetching();
-    if (m_chinProbe.isThere())
-        addChinProbe();
+    addMotion();
     m_menu.addAction(tr("F&ull screen on or off"), this,
                      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     m_menu.addAction(tr("&Leave"), this, &QWidget::close);
@@ -160,6 +159,22 @@ void TraineeWindow::addPresets()
     add(ViewPreset::Trainee, tr("From the &head end"));
 }
 
+void TraineeWindow::addMotion()
+{
+    if (m_chinProbe.isThere())
+        addChinProbe();
+    QAction* assumed = m_menu.addAction(QString{});
+    assumed->setEnabled(false);
+    QAction* end = m_menu.addSeparator();
+    const auto say = [=, this] {
+        assumed->setText(m_chinProbe.assumption());
+        assumed->setVisible(!assumed->text().isEmpty());
+        end->setVisible(assumed->isVisible());
+    };
+    connect(&m_menu, &QMenu::aboutToShow, this, say);
+    say();
+}
+
 void TraineeWindow::addChinProbe()
 {
     auto* choices = new QActionGroup{this};
@@ -172,7 +187,6 @@ void TraineeWindow::addChinProbe()
     };
     add(false, tr("Manikin lies still, chin probe moves the &jaw"));
     add(true, tr("&Manikin is moved with its mouth closed"));
-    m_menu.addSeparator();
 }
 
 void TraineeWindow::addFetching()
@@ -224,8 +238,8 @@ QPoint TraineeWindow::menuPlace() const
 QString TraineeWindow::notice() const
 {
     QString notice = stationNotice(m_node, m_stationScene.moment(), m_stationScene.output());
-    if (notice.isEmpty() && m_chinProbe.movesManikin())
-        notice = tr("The patient follows the chin probe: keep the manikin's mouth closed");
+    if (notice.isEmpty())
+        notice = m_chinProbe.notice();
     const QString patient = m_patient.notice();
     return notice.isEmpty() || patient.isEmpty() ? notice + patient
                                                  : notice + QLatin1Char('\n') + patient;

@@ -51,6 +51,7 @@ private:
     void makeMenu();
     void addOutputs();
     void addPresets();
+    void addMotion();
     void addChinProbe();
     void addFetching();
     [[nodiscard]] QString notice() const;

@@ -1,5 +1,7 @@
 #include "models/fit_task.h"
 
+#include "engine/registration/error_quadric.h"
+#include "engine/registration/localisation_error.h"
 #include "engine/registration/registration_error.h"
 #include "models/site_changes.h"
 
@@ -173,6 +175,23 @@ std::vector<ExpectedError> FitTask::expected() const
     if (!registration || registration->degrees == 0.0)
         return {};
     return expectedErrors(registration->covariance_A, registration->degrees, m_targets);
+}
+
+std::optional<FitTask::Localisation> FitTask::localisation() const
+{
+    const auto& registration = m_editor.site().registration;
+    if (!registration || registration->degrees == 0.0)
+        return std::nullopt;
+    const LocalisationError fle{metres(registration->fle), registration->degrees};
+    return Localisation{fle.rms, fle.limit()};
+}
+
+std::optional<Mat4> FitTask::errorQuadric() const
+{
+    const auto& registration = m_editor.site().registration;
+    if (!registration || registration->degrees == 0.0)
+        return std::nullopt;
+    return carina::errorQuadric(registration->covariance_A);
 }
 
 QStringList FitTask::swabSurfaces() const

@@ -34,6 +34,17 @@ public:
     /// By the registration's own error; empty before there is one.
     [[nodiscard]] std::vector<ExpectedError> expected() const;
 
+    /// What its residuals tell of the touches: root mean square error of one (FLE), and the limit
+    /// that the true one is below with 95 %.
+    struct Localisation {
+        Length rms;
+        Length limit;
+    };
+    [[nodiscard]] std::optional<Localisation> localisation() const;
+
+    /// Its mean squared error at p in A: [p 1] Q [p 1]^T, m^2; nothing before there is one.
+    [[nodiscard]] std::optional<Mat4> errorQuadric() const;
+
     /// Surfaces that a stylus can slide over on a manikin.
     [[nodiscard]] QStringList swabSurfaces() const;
     void startSwab();

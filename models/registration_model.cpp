@@ -126,10 +126,10 @@ std::vector<LandmarkRow> RegistrationModel::landmarks() const
         LandmarkRow row{.name = QString::fromStdString(landmark.name),
                         .p_AQ = landmark.p_AQ,
                         .isNext = next == rows.size()};
-        if (const TouchedPoint* touch = touchOf(site(), landmark.name)) {
+        if (const TouchedPoint* touch = m_touchTask.touchOf(landmark))
             row.spread_mm = inMillimetres(metres(touch->spread));
-            row.isStale = touch->stale.has_value();
-        }
+        else if (!m_touchTask.isRelaying())
+            row.isStale = touchOf(site(), landmark.name) != nullptr;
         const auto& registration = site().registration;
         for (const LandmarkResidual& residual :
              registration ? registration->residuals : std::vector<LandmarkResidual>{}) {

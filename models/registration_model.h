@@ -78,6 +78,8 @@ public:
     [[nodiscard]] const PatientModel& patient() const { return m_patient; }
     [[nodiscard]] QString trackerName() const { return m_workplace.trackerName; }
 
+    [[nodiscard]] const std::filesystem::path& siteFile() const { return m_workplace.file; }
+
     [[nodiscard]] SiteStep step() const { return site().step; }
     [[nodiscard]] SiteTask task(SiteStep step) const;
     /// The first page whose task is not done; Overview where all are.

@@ -53,6 +53,9 @@ public:
     {
         if (!model.stylus().tip())
             return tr("Find the tip of the stylus first.");
+        if (model.touching().isRelaying())
+            return tr("Touch any three landmarks where the manikin lies now, and a fourth if it is "
+                      "asked for.");
         if (const auto next = model.nextLandmark())
             return tr("Touch this place on the manikin and hold still for a second: %1.")
                 .arg(model.landmarks()[*next].name);

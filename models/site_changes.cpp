@@ -34,6 +34,16 @@ void makeTouchesStale(Site& site, StaleCause cause)
     makeFitStale(site, cause);
 }
 
+void putTouch(std::vector<TouchedPoint>& touched, const std::string& landmark,
+              const StylusTouch& touch)
+{
+    std::erase_if(touched, [&](const TouchedPoint& before) { return before.landmark == landmark; });
+    touched.push_back({.landmark = landmark,
+                       .p_TQ = touch.point.p_FQ,
+                       .spread = touch.point.spread,
+                       .q_TS = touch.q_TS});
+}
+
 /// Touches that count, with the places of their landmarks.
 struct FreshTouches {
     std::vector<const TouchedPoint*> touches;
@@ -129,12 +139,7 @@ Site withLandmarks(Site site, LandmarkCatalogue catalogue)
 
 Site withTouch(Site site, const std::string& landmark, const StylusTouch& touch)
 {
-    std::erase_if(site.touched,
-                  [&](const TouchedPoint& before) { return before.landmark == landmark; });
-    site.touched.push_back({.landmark = landmark,
-                            .p_TQ = touch.point.p_FQ,
-                            .spread = touch.point.spread,
-                            .q_TS = touch.q_TS});
+    putTouch(site.touched, landmark, touch);
     makeFitStale(site, StaleCause::Touches);
     return site;
 }
@@ -200,6 +205,37 @@ Site withSwab(Site site, const std::string& surface, std::size_t points,
                                  .moved = refinement.moved};
     if (site.verification)
         makeStale(site.verification->stale, StaleCause::Fit);
+    return site;
+}
+
+Site withRelayTouch(Site site, const std::string& landmark, const StylusTouch& touch)
+{
+    CARINA_EXPECTS(site.relay);
+    putTouch(*site.relay, landmark, touch);
+    return site;
+}
+
+Site withRelay(Site site, const ReRegistration& relay, std::string at)
+{
+    CARINA_EXPECTS(site.registration && site.relay);
+    SiteRegistration& registration = *site.registration;
+    const RigidTransform X_TnowT = relay.X_AT.inverse() * registration.X_AT;
+    for (TouchedPoint& touch : site.touched) {
+        touch.p_TQ = X_TnowT * touch.p_TQ;
+        touch.q_TS = X_TnowT.rotation() * touch.q_TS;
+    }
+    if (site.verification) {
+        for (VerifiedPoint& point : site.verification->points)
+            point.p_TQ = X_TnowT * point.p_TQ;
+        makeStale(site.verification->stale, StaleCause::Fit);
+    }
+    registration.X_AT = relay.X_AT;
+    registration.covariance_A = relay.covariance_A;
+    registration.relays.push_back({.at = std::move(at),
+                                   .operatorName = site.operatorName,
+                                   .landmarks = int(site.relay->size()),
+                                   .rms = relay.rms});
+    site.relay.reset();
     return site;
 }
 

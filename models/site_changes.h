@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/site.h"
+#include "engine/registration/re_registration.h"
 #include "engine/registration/rigid_fit.h"
 #include "engine/registration/surface_refinement.h"
 #include "models/stylus_watch.h"
@@ -49,6 +50,14 @@ struct FitInputs {
 /// @pre it is registered.
 [[nodiscard]] Site withSwab(Site site, const std::string& surface, std::size_t points,
                             const SurfaceRefinement& refinement);
+
+/// One more landmark touched since the manikin was moved; a touch from before is replaced.
+/// @pre it is being laid anew.
+[[nodiscard]] Site withRelayTouch(Site site, const std::string& landmark, const StylusTouch& touch);
+
+/// The manikin laid anew, with all that was touched on it.
+/// @pre it is registered and being laid anew.
+[[nodiscard]] Site withRelay(Site site, const ReRegistration& relay, std::string at);
 
 /// A point that was touched to check the registration; one of the same name is replaced.
 /// @pre it is registered.

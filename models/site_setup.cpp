@@ -3,6 +3,22 @@
 namespace carina
 {
 
+namespace
+{
+
+std::optional<GuardedRegistration> guardOf(const Site& site)
+{
+    const SiteRegistration& fitted = *site.registration;
+    if (fitted.degrees == 0.0 || site.styluses.empty())
+        return std::nullopt;
+    return GuardedRegistration{.p_SQ = site.styluses.back().p_SQ,
+                               .landmarks = site.catalogue->landmarks,
+                               .covariance_A = fitted.covariance_A,
+                               .fle = metres(fitted.fle)};
+}
+
+} // namespace
+
 Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
 {
     if (!site.registration || !site.catalogue || site.registration->stale == StaleCause::Tracker)
@@ -16,6 +32,9 @@ Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
     setup->display = site.display;
     if (fitted.X_JM)
         setup->registration.X_JA = *fitted.X_JM * fitted.X_AM.inverse();
+    if (fitted.X_BM)
+        setup->registration.X_BA = *fitted.X_BM * fitted.X_AM.inverse();
+    setup->guard = guardOf(site);
     return setup;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/io/site_file.h"
 #include "engine/session/station_tracking.h"
 #include "models/patient_model.h"
+#include "models/registration_guard.h"
 
 namespace carina
 {
@@ -10,6 +11,8 @@ namespace carina
 /// What a station takes from its site file.
 struct SiteSetup {
     StationRegistration registration;
+    /// What to watch it by; nothing where its error is not known.
+    std::optional<GuardedRegistration> guard{};
     std::optional<DisplayGeometry> display{}; ///< of the headset, if it was measured
 };
 

@@ -54,6 +54,8 @@ public:
     {
         if (!site.stylus(tool))
             return {.state = TaskState::Waits, .why = tr("Find the tip of the stylus first.")};
+        if (site.relay)
+            return {.state = TaskState::Begun, .why = tr("The manikin is being laid anew.")};
         const std::size_t fresh = freshTouches(site);
         for (const TouchedPoint& touch : site.touched)
             if (touch.stale)

@@ -1,8 +1,11 @@
 #include "models/touch_task.h"
 
+#include "engine/core/expects.h"
+#include "engine/registration/re_registration.h"
 #include "models/site_changes.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 
@@ -11,10 +14,40 @@ namespace carina
 namespace
 {
 
+constexpr std::size_t kFewestToRelay = 3;
+
 class TouchWords
 {
     Q_DECLARE_TR_FUNCTIONS(TouchTask)
+
+public:
+    static QString ambiguous(const QStringList& names)
+    {
+        return tr("This may be one of several: %1. Choose it in the list and touch it again.")
+            .arg(names.join(tr(" or ")));
+    }
+
+    static QString nowhere(const QString& nearest, const std::optional<Length>& distance)
+    {
+        if (!distance)
+            return tr("This is none of the landmarks. To take it all the same, choose its landmark "
+                      "in the list and touch it again.");
+        return tr("This is none of the landmarks: it is %1\u00a0mm from %2. To take it all the "
+                  "same, choose the landmark in the list and touch it again.")
+            .arg(inMillimetres(*distance), 0, 'f', 0)
+            .arg(nearest);
+    }
+
+    static QString oneMore()
+    {
+        return tr("These could be left or right: touch one more landmark.");
+    }
 };
+
+StylusTouch touchIn(const TouchedPoint& touched)
+{
+    return {.point = {.p_FQ = touched.p_TQ, .spread = touched.spread}, .q_TS = touched.q_TS};
+}
 
 } // namespace
 
@@ -23,14 +56,34 @@ TouchTask::TouchTask(SiteEditor& editor, StylusWatch& watch, const LandmarkTask&
 {
 }
 
+const std::vector<Landmark>& TouchTask::landmarks() const
+{
+    return m_landmarks.catalogue().landmarks;
+}
+
+const TouchedPoint* TouchTask::touchOf(const Landmark& landmark) const
+{
+    const auto& touched = isRelaying() ? *m_editor.site().relay : m_editor.site().touched;
+    const auto found = std::ranges::find(touched, landmark.name, &TouchedPoint::landmark);
+    return found == touched.end() || found->stale ? nullptr : &*found;
+}
+
+/// A manikin is laid anew by what it was registered by.
+bool TouchTask::canBeTouched(const Landmark& landmark) const
+{
+    if (!isRelaying())
+        return true;
+    const TouchedPoint* touch = carina::touchOf(m_editor.site(), landmark.name);
+    return touch && !touch->stale;
+}
+
 std::optional<std::size_t> TouchTask::next() const
 {
-    const auto& all = m_landmarks.catalogue().landmarks;
-    if (m_chosen && *m_chosen < all.size())
+    const auto& all = landmarks();
+    if (m_chosen && *m_chosen < all.size() && canBeTouched(all[*m_chosen]))
         return m_chosen;
     const auto open = std::ranges::find_if(all, [this](const Landmark& landmark) {
-        const TouchedPoint* touch = touchOf(m_editor.site(), landmark.name);
-        return !touch || touch->stale;
+        return canBeTouched(landmark) && !touchOf(landmark);
     });
     return open == all.end() ? std::nullopt : std::optional{std::size_t(open - all.begin())};
 }
@@ -67,19 +120,134 @@ void TouchTask::take(const StylusNews& news)
         take(*news.touch);
 }
 
-void TouchTask::take(const StylusTouch& touch) { take(touch, *next()); }
+Result<TouchFinding> TouchTask::recognise(const StylusTouch& touch) const
+{
+    std::vector<Vec3> places;
+    std::vector<std::optional<Vec3>> touched;
+    for (const Landmark& landmark : landmarks()) {
+        const TouchedPoint* earlier = touchOf(landmark);
+        places.push_back(landmark.p_AQ);
+        touched.push_back(earlier ? std::optional{earlier->p_TQ} : std::nullopt);
+    }
+    return recogniseTouch({places, touched}, touch.point.p_FQ, kHandFle, next());
+}
+
+void TouchTask::take(const StylusTouch& touch)
+{
+    if (m_chosen)
+        return take(touch, *next());
+    const Result<TouchFinding> finding = recognise(touch);
+    if (!finding)
+        return m_editor.refuse(finding.error());
+    switch (finding->verdict) {
+    case TouchVerdict::Landmark:
+    case TouchVerdict::Again:
+        return take(touch, finding->landmark);
+    case TouchVerdict::Renamed:
+        return rename(touch, *finding);
+    case TouchVerdict::Ambiguous:
+    case TouchVerdict::Nowhere:
+        return refuse(*finding);
+    }
+}
+
+void TouchTask::refuse(const TouchFinding& finding)
+{
+    if (finding.verdict == TouchVerdict::Nowhere)
+        return m_editor.refuse(TouchWords::nowhere(
+            QString::fromStdString(landmarks()[finding.landmark].name), finding.distance));
+    QStringList names;
+    for (const std::size_t candidate : finding.candidates)
+        names << QString::fromStdString(landmarks()[candidate].name);
+    m_editor.refuse(TouchWords::ambiguous(names));
+}
 
 void TouchTask::take(const StylusTouch& touch, std::size_t landmark)
 {
-    const std::string name = m_landmarks.catalogue().landmarks[landmark].name;
+    const std::string name = landmarks()[landmark].name;
     Site base = m_editor.site();
     if (!base.catalogue)
         base.catalogue = m_landmarks.catalogue();
-    if (!m_editor.become(withTouch(std::move(base), name, touch)))
+    const bool kept = m_editor.become(isRelaying() ? withRelayTouch(std::move(base), name, touch)
+                                                   : withTouch(std::move(base), name, touch));
+    if (!kept)
         return;
     m_chosen.reset();
     m_editor.tell(QString::fromStdString(name));
+    if (isRelaying())
+        relayIfItTells();
     Q_EMIT m_editor.changed();
+}
+
+/// All touches by the landmarks that the geometry gives them.
+void TouchTask::rename(const StylusTouch& touch, const TouchFinding& finding)
+{
+    Site next = m_editor.site();
+    auto& touched = isRelaying() ? *next.relay : next.touched;
+    std::vector<StylusTouch> all{touch};
+    for (const Landmark& landmark : landmarks())
+        if (const TouchedPoint* earlier = touchOf(landmark))
+            all.push_back(touchIn(*earlier));
+    std::erase_if(touched, [](const TouchedPoint& earlier) { return !earlier.stale; });
+    for (std::size_t i = 0; i < landmarks().size(); ++i) {
+        if (!finding.renamed_p_TQ[i])
+            continue;
+        const auto own = std::ranges::find_if(all, [&](const StylusTouch& each) {
+            return each.point.p_FQ == *finding.renamed_p_TQ[i];
+        });
+        CARINA_EXPECTS(own != all.end());
+        next = isRelaying() ? withRelayTouch(std::move(next), landmarks()[i].name, *own)
+                            : withTouch(std::move(next), landmarks()[i].name, *own);
+    }
+    if (!m_editor.become(std::move(next)))
+        return;
+    m_editor.tell(TouchWords::tr("The touches were given other landmarks"));
+    if (isRelaying())
+        relayIfItTells();
+}
+
+void TouchTask::beginRelay()
+{
+    Site next = m_editor.site();
+    CARINA_EXPECTS(next.registration);
+    next.relay.emplace();
+    next.step = SiteStep::Touch;
+    m_chosen.reset();
+    m_editor.become(std::move(next));
+}
+
+void TouchTask::cancelRelay()
+{
+    Site next = m_editor.site();
+    next.relay.reset();
+    m_chosen.reset();
+    m_editor.become(std::move(next));
+}
+
+void TouchTask::relayIfItTells()
+{
+    const Site& site = m_editor.site();
+    if (site.relay->size() < kFewestToRelay)
+        return;
+    EarlierRegistration earlier{.X_AM = site.registration->X_AM, .landmarks = {}};
+    const RigidTransform X_MT = site.registration->X_AM.inverse() * site.registration->X_AT;
+    std::vector<Retouch> again;
+    for (const Landmark& landmark : landmarks()) {
+        const TouchedPoint* first = carina::touchOf(site, landmark.name);
+        if (!first || first->stale)
+            continue;
+        if (const TouchedPoint* now = touchOf(landmark))
+            again.push_back({.landmark = earlier.landmarks.size(), .p_TQ = now->p_TQ});
+        earlier.landmarks.push_back({landmark.name, landmark.p_AQ, X_MT * first->p_TQ});
+    }
+    const Length fle = metres(std::max(site.registration->fle, millimetres(0.1).si));
+    const auto relay = reRegister(earlier, again, {.first = fle, .again = fle});
+    if (!relay)
+        return m_editor.refuse(relay.error());
+    if (relay->explanations > 1)
+        return m_editor.refuse(TouchWords::oneMore());
+    if (m_editor.become(withRelay(site, *relay, m_editor.now())))
+        m_editor.tell(TouchWords::tr("The manikin is laid anew"));
 }
 
 } // namespace carina

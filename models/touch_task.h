@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/registration/touch_recognition.h"
 #include "models/landmark_task.h"
 #include "models/stylus_watch.h"
 
@@ -7,10 +8,14 @@ namespace carina
 {
 
 /// Takes the landmarks on the manikin: by holding the stylus still, or by a key or foot switch. In
-/// any order, where the geometry tells which one was touched.
+/// any order: the geometry tells which one was touched. The same lays a manikin anew that was moved
+/// after its registration, by three of its landmarks.
 class TouchTask
 {
 public:
+    /// How far touches stray, at most, of a hand that takes care.
+    static constexpr Length kHandFle = millimetres(2.0);
+
     /// @pre all outlive this.
     TouchTask(SiteEditor& editor, StylusWatch& watch, const LandmarkTask& landmarks);
 
@@ -18,7 +23,9 @@ public:
     [[nodiscard]] std::optional<std::size_t> next() const;
     /// The landmark that shall be touched now, whatever the geometry says.
     void choose(std::optional<std::size_t> landmark);
-    [[nodiscard]] std::optional<std::size_t> chosen() const { return m_chosen; }
+
+    /// The touch of a landmark that counts; null where there is none.
+    [[nodiscard]] const TouchedPoint* touchOf(const Landmark& landmark) const;
 
     /// Watches for touches from now on, if the tip of the stylus is known.
     void start();
@@ -26,9 +33,21 @@ public:
     void takeNow();
     void take(const StylusNews& news);
 
+    /// The manikin was moved: its landmarks are touched again, until they tell where it lies.
+    /// @pre it is registered.
+    void beginRelay();
+    void cancelRelay();
+    [[nodiscard]] bool isRelaying() const { return m_editor.site().relay.has_value(); }
+
 private:
+    [[nodiscard]] const std::vector<Landmark>& landmarks() const;
+    [[nodiscard]] bool canBeTouched(const Landmark& landmark) const;
+    [[nodiscard]] Result<TouchFinding> recognise(const StylusTouch& touch) const;
     void take(const StylusTouch& touch);
     void take(const StylusTouch& touch, std::size_t landmark);
+    void rename(const StylusTouch& touch, const TouchFinding& finding);
+    void refuse(const TouchFinding& finding);
+    void relayIfItTells();
 
     SiteEditor& m_editor;
     StylusWatch& m_watch;

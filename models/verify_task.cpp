@@ -33,6 +33,15 @@ VerifyTask::VerifyTask(SiteEditor& editor, StylusWatch& watch, const PatientMode
 
 std::vector<CheckPoint> VerifyTask::points() const
 {
+    std::vector<CheckPoint> points = places();
+    for (CheckPoint& point : points)
+        point.bound_mm = inMillimetres(metres(boundAt(point.p_AQ, kBoundShare)));
+    return points;
+}
+
+/// Without their bounds, which take their time.
+std::vector<CheckPoint> VerifyTask::places() const
+{
     const Site& site = m_editor.site();
     if (!site.registration)
         return {};
@@ -56,14 +65,12 @@ std::vector<CheckPoint> VerifyTask::points() const
     for (const CheckPoint& picked : m_picked)
         if (std::ranges::count(points, picked.name, &CheckPoint::name) == 0)
             points.push_back(picked);
-    for (CheckPoint& point : points)
-        point.bound_mm = inMillimetres(metres(boundAt(point.p_AQ, kBoundShare)));
     return points;
 }
 
 std::optional<std::size_t> VerifyTask::next() const
 {
-    const std::vector<CheckPoint> all = points();
+    const std::vector<CheckPoint> all = places();
     if (m_chosen && *m_chosen < all.size())
         return m_chosen;
     const auto open =
@@ -86,9 +93,9 @@ void VerifyTask::pick(const Vec3& p_A_eye, const Vec3& dir_A)
     const auto isPicked = [](const CheckPoint& point) {
         return point.name.startsWith(VerifyWords::tr("Place"));
     };
-    const auto number = 1 + std::ranges::count_if(points(), isPicked);
+    const auto number = 1 + std::ranges::count_if(places(), isPicked);
     m_picked.push_back({.name = VerifyWords::tr("Place %1").arg(number), .p_AQ = *place});
-    m_chosen = points().size() - 1;
+    m_chosen = places().size() - 1;
     start();
 }
 
@@ -121,7 +128,7 @@ void VerifyTask::take(const StylusNews& news)
 
 void VerifyTask::take(const StylusTouch& touch)
 {
-    const CheckPoint point = points()[*next()];
+    const CheckPoint point = places()[*next()];
     const Vec3 p_AQ = m_editor.site().registration->X_AT * touch.point.p_FQ;
     if (m_editor.become(
             withVerified(m_editor.site(), {.name = point.name.toStdString(),

@@ -31,7 +31,8 @@ public:
     VerifyTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& patient,
                const SurfaceFinder& surfaces, std::vector<Landmark> places);
 
-    /// The upper incisors' edge, places that the fit did not use, and those that were picked.
+    /// All with their bounds. The upper incisors' edge, places that the fit did not use, and those
+    /// that were picked.
     [[nodiscard]] std::vector<CheckPoint> points() const;
     /// The place that is checked by the next touch.
     [[nodiscard]] std::optional<std::size_t> next() const;
@@ -50,6 +51,7 @@ public:
     void record(Verdict verdict);
 
 private:
+    [[nodiscard]] std::vector<CheckPoint> places() const;
     void take(const StylusTouch& touch);
     /// Of 95 % at a place, for a touch as uncertain as those of the fit.
     [[nodiscard]] double boundAt(const Vec3& p_AQ, double share) const;

@@ -29,6 +29,12 @@ OverviewPage::OverviewPage(RegistrationModel& registration)
     report->setObjectName(QStringLiteral("report"));
     connect(report, &QPushButton::clicked, this, &OverviewPage::reportWanted);
 
+    auto* moved = new QPushButton{tr("The manikin was &moved…"), this};
+    moved->setObjectName(QStringLiteral("moved"));
+    moved->setToolTip(tr("Lay it anew by touching three of its landmarks"));
+    connect(moved, &QPushButton::clicked, this,
+            [this] { this->registration().touching().beginRelay(); });
+
     auto* form = new QFormLayout;
     form->addRow(tr("&Your name"), m_operator);
     auto* files = new QHBoxLayout;
@@ -38,6 +44,7 @@ OverviewPage::OverviewPage(RegistrationModel& registration)
     column->setContentsMargins({});
     column->addWidget(m_health);
     column->addLayout(form);
+    column->addWidget(moved);
     column->addLayout(files);
     column->addStretch();
 }
@@ -47,8 +54,9 @@ void OverviewPage::refresh()
     m_health->setText(registration().health().join(QStringLiteral("\n\n")));
     if (!m_operator->hasFocus())
         m_operator->setText(QString::fromStdString(registration().site().operatorName));
-    findChild<QPushButton*>(QStringLiteral("report"))
-        ->setEnabled(registration().site().registration.has_value());
+    for (const char* button : {"report", "moved"})
+        findChild<QPushButton*>(QLatin1StringView{button})
+            ->setEnabled(registration().site().registration.has_value());
 }
 
 QString OverviewPage::actionText() const

@@ -6,6 +6,7 @@
 #include "widgets/scene/scene_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
@@ -38,7 +39,15 @@ Marker markerOf(const LandmarkRow& landmark, LocalTime time)
         const double pulses = kPulsesPerSecond * toSeconds(time.time_since_epoch());
         return pulses - std::floor(pulses) < 0.5 ? Marker::Next : Marker::NextSwollen;
     }
-    return landmark.spread_mm && !landmark.isStale ? Marker::Touched : Marker::Open;
+    return landmark.spread_mm ? Marker::Touched : Marker::Open;
+}
+
+/// The side that a place of the body is best seen from.
+ViewPreset viewOf(const Vec3& p_AQ)
+{
+    if (std::abs(p_AQ.x()) <= -p_AQ.y())
+        return ViewPreset::Front;
+    return p_AQ.x() > 0.0 ? ViewPreset::Left : ViewPreset::Right;
 }
 
 /// X_AF of a pointer whose tip is at the stylus's tip and that runs along its shaft.
@@ -65,9 +74,24 @@ void RegistrationScene::refresh()
         addMarkers();
     const auto next = std::ranges::find_if(m_landmarks, &LandmarkRow::isNext);
     const QString name = next == m_landmarks.end() ? QString{} : next->name;
-    if (!name.isEmpty() && name != m_next)
-        m_scene.showFrom(ViewPreset::Front);
+    if (name != m_next)
+        m_scene.showFrom(name.isEmpty() ? ViewPreset::Front : viewOf(next->p_AQ));
     m_next = name;
+}
+
+std::optional<RegistrationScene::ShownError> RegistrationScene::showError(bool shown)
+{
+    const auto quadric_A = m_registration.fitting().errorQuadric();
+    const auto range = shown && quadric_A
+                           ? errorRange(*quadric_A, m_scene.parts(), frameAt(LocalTime{}))
+                           : std::nullopt;
+    if (!range) {
+        m_scene.setErrorMap(std::nullopt);
+        return std::nullopt;
+    }
+    const ErrorBands bands = bandsOver(*range);
+    m_scene.setErrorMap(ErrorMap{*quadric_A, bands});
+    return ShownError{bands, *range};
 }
 
 void RegistrationScene::addMarkers()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/registration_model.h"
+#include "widgets/error_bands.h"
 #include "widgets/scene/scene_frame.h"
 
 namespace carina
@@ -19,6 +20,16 @@ public:
 
     /// Takes in that the registration changed, and turns to the landmark that is next.
     void refresh();
+
+    /// What an error on the patient is drawn with.
+    struct ShownError {
+        ErrorBands bands;
+        ErrorRange range;
+    };
+
+    /// Draws the error that is expected everywhere on the patient, or no more.
+    /// @returns nothing where none is drawn
+    std::optional<ShownError> showError(bool shown);
 
     /// What is drawn at a time.
     [[nodiscard]] SceneFrame frameAt(LocalTime time) const;

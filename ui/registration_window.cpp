@@ -1,8 +1,10 @@
 #include "ui/registration_window.h"
 
+#include "models/error_text.h"
 #include "ui/fit_page.h"
 #include "ui/landmarks_page.h"
 #include "ui/overview_page.h"
+#include "ui/registration_paper.h"
 #include "ui/stylus_page.h"
 #include "ui/touch_page.h"
 #include "ui/tracker_page.h"
@@ -11,6 +13,8 @@
 
 #include <QAccessible>
 #include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QShortcut>
 
 #include <array>
@@ -89,6 +93,7 @@ void RegistrationWindow::addPages()
 {
     auto* overview = new OverviewPage{m_registration};
     connect(overview, &OverviewPage::finished, this, &QWidget::close);
+    connect(overview, &OverviewPage::reportWanted, this, &RegistrationWindow::askForReport);
     m_pages = {overview,
                new TrackerPage{m_registration},
                new StylusPage{m_registration},
@@ -106,11 +111,16 @@ void RegistrationWindow::connectButtons()
             [this](int step) { m_registration.enter(kSteps[std::size_t(step)]); });
     connect(m_ui->primary, &QPushButton::clicked, this, [this] { page().act(); });
     connect(m_ui->next, &QPushButton::clicked, this, &RegistrationWindow::enterNext);
+    connect(m_ui->showError, &QCheckBox::toggled, this, &RegistrationWindow::refreshError);
     connect(m_ui->undo, &QPushButton::clicked, &m_registration, &RegistrationModel::undo);
     connect(m_ui->scene, &SceneView::clicked, &m_registration, &RegistrationModel::pick);
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
         auto* goOn = new QShortcut{key, this};
-        connect(goOn, &QShortcut::activated, this, [this] { mainButton().click(); });
+        connect(goOn, &QShortcut::activated, this, [this] {
+            if (auto* typed = qobject_cast<QLineEdit*>(focusWidget()))
+                typed->clearFocus(); // which takes what was typed
+            mainButton().click();
+        });
     }
     auto* take = new QShortcut{Qt::Key_PageDown, this};
     connect(take, &QShortcut::activated, &m_registration, &RegistrationModel::takeNow);
@@ -149,8 +159,39 @@ void RegistrationWindow::refresh()
     page().refresh();
     refreshSteps();
     refreshButtons();
+    refreshError();
     refreshProgress();
     refreshTools();
+}
+
+/// The error is looked at where no landmark is asked for.
+void RegistrationWindow::refreshError()
+{
+    const SiteStep step = m_registration.step();
+    const bool isOfUse = m_registration.fitting().errorQuadric()
+                         && (step == SiteStep::Overview || step == SiteStep::Fit);
+    m_ui->showError->setVisible(isOfUse);
+    const auto shown = m_scene->showError(isOfUse && m_ui->showError->isChecked());
+    m_ui->errorScale->setVisible(shown.has_value());
+    if (shown)
+        m_ui->errorScale->setScale(shown->bands, shown->range);
+}
+
+Result<void> RegistrationWindow::writeReport(const QString& file)
+{
+    return writeRegistrationReport(file.toStdString(),
+                                   reportOf(m_registration, m_ui->scene->picture()));
+}
+
+void RegistrationWindow::askForReport()
+{
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Report of the registration"),
+                                     QStringLiteral("registration.pdf"), tr("PDF (*.pdf)"));
+    if (file.isEmpty())
+        return;
+    if (const auto written = writeReport(file); !written)
+        m_ui->problem->setText(QStringLiteral("▲ ") + errorText(written.error()));
 }
 
 void RegistrationWindow::refreshSteps()

@@ -33,6 +33,9 @@ public:
     explicit RegistrationWindow(RegistrationModel& registration);
     ~RegistrationWindow() override;
 
+    /// The registration as PDF. @returns what writeRegistrationReport does.
+    [[nodiscard]] Result<void> writeReport(const QString& file);
+
 private:
     void addPages();
     void connectButtons();
@@ -42,6 +45,8 @@ private:
     void refreshButtons();
     void refreshProgress();
     void refreshTools();
+    void refreshError();
+    void askForReport();
     void hear(const QString& words);
     void enterNext();
     [[nodiscard]] RegistrationPage& page() const;

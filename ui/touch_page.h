@@ -2,6 +2,8 @@
 
 #include "ui/registration_page.h"
 
+class QPushButton;
+
 namespace carina
 {
 
@@ -21,7 +23,8 @@ public:
     void act() override { registration().takeNow(); }
 
 private:
-    LandmarkList* m_list; ///< a child of this
+    LandmarkList* m_list; ///< children of this
+    QPushButton* m_keep;
 };
 
 } // namespace carina

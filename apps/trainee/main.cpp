@@ -205,15 +205,9 @@ Result<int> run(const QCommandLineParser& parser)
     const auto simulated = simulation(parser, entered->role);
     if (!simulated)
         return tl::unexpected(simulated.error());
-    TraineeStation station{std::move(entered->node), kStation, *simulated,
-                           [&parser](const PatientModel& of) -> Result<TraineeStation::Place> {
-                               return viewer::siteOption(parser, of)
-                                   .map([](const auto& setup) -> TraineeStation::Place {
-                                       if (!setup)
-                                           return std::nullopt;
-                                       return setup->registration;
-                                   });
-                           }};
+    TraineeStation station{
+        std::move(entered->node), kStation, *simulated,
+        [&parser](const PatientModel& of) { return viewer::siteOption(parser, of); }};
     if (const auto laid = station.lay(patient->model); !laid)
         return tl::unexpected(laid.error());
 
@@ -228,6 +222,7 @@ Result<int> run(const QCommandLineParser& parser)
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });
     });
+    viewer::watchSite(parser, window, [&station] { station.takePlace(); });
     const auto journal =
         viewer::journalFromOptions(parser, station.node(), kStation, window.stationScene());
     if (!journal)

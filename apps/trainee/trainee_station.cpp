@@ -4,6 +4,25 @@
 
 namespace carina
 {
+namespace
+{
+
+constexpr int kLookInterval_ms = 50; ///< at the stylus
+
+std::optional<StationRegistration> registrationIn(const TraineeStation::Place& place)
+{
+    return place ? std::optional{place->registration} : std::nullopt;
+}
+
+std::unique_ptr<RegistrationGuard> guardOf(const StationTracking& tracking,
+                                           const TraineeStation::Place& place)
+{
+    if (!place || !place->guard)
+        return nullptr;
+    return std::make_unique<RegistrationGuard>(tracking, *place->guard);
+}
+
+} // namespace
 
 TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId station,
                                const Simulation& simulation, PlaceOf placeOf)
@@ -14,6 +33,11 @@ TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId stat
 {
     if (m_simulation.tracker)
         publish();
+    QObject::connect(&m_looking, &QTimer::timeout, &m_looking, [this] {
+        if (m_laid && m_laid->guard)
+            m_laid->guard->look();
+    });
+    m_looking.start(kLookInterval_ms);
 }
 
 /// The node asks the tracking for poses, the tracking reads the node's clock: neither may end while
@@ -75,7 +99,8 @@ Result<void> TraineeStation::watchHands(Laid& laid)
         return tl::unexpected(place.error());
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(),
-        [node = m_node.get()] { return node->now(); }, *place, m_simulation.manikinBreathes);
+        [node = m_node.get()] { return node->now(); }, registrationIn(*place),
+        m_simulation.manikinBreathes);
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,
@@ -84,7 +109,19 @@ Result<void> TraineeStation::watchHands(Laid& laid)
         return X_TH ? std::optional{X_TH->inverse() * X_TA} : std::nullopt;
     };
     laid.tracking = std::move(simulated->tracking);
+    laid.guard = guardOf(*laid.tracking, *place);
     return laid.tracking->start();
+}
+
+void TraineeStation::takePlace()
+{
+    if (!m_laid || !m_laid->tracking)
+        return;
+    const auto place = m_placeOf(*m_laid->patient);
+    if (!place || !*place)
+        return;
+    m_laid->tracking->takeRegistration((*place)->registration);
+    m_laid->guard = guardOf(*m_laid->tracking, *place);
 }
 
 } // namespace carina

@@ -6,7 +6,10 @@
 #include "models/chin_probe_model.h"
 #include "models/manikin_breaths.h"
 #include "models/patient_source.h"
+#include "models/site_setup.h"
 #include "models/station_view.h"
+
+#include <QTimer>
 
 #include <atomic>
 
@@ -18,8 +21,8 @@ namespace carina
 class TraineeStation
 {
 public:
-    /// How the manikin was registered for a patient; without it, exactly.
-    using Place = std::optional<StationRegistration>;
+    /// What the site says of a patient; without it, the manikin is registered exactly.
+    using Place = std::optional<SiteSetup>;
     using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
 
     /// What stands in for hardware.
@@ -39,6 +42,8 @@ public:
     /// @returns what its site, or the simulated tracker, says against it; nothing is changed then.
     [[nodiscard]] Result<void> lay(const SharedPatientModel& patient,
                                    const std::function<void()>& show = {});
+    /// Takes over what the site says now; as before where it says nothing that can be used.
+    void takePlace();
     /// Called after another patient was laid.
     void onLaid(std::function<void()> callback) { m_onLaid = std::move(callback); }
 
@@ -47,7 +52,7 @@ public:
     [[nodiscard]] const StationView& view() const { return *m_laid->view; }
     [[nodiscard]] ChinProbeModel chinProbe() const
     {
-        return ChinProbeModel{m_laid->tracking.get()};
+        return ChinProbeModel{m_laid->tracking.get(), &m_laid->guard};
     }
     /// What the simulated head truly has before it; empty without one.
     [[nodiscard]] const viewer::TrueView& truth() const { return m_laid->truth; }
@@ -59,6 +64,7 @@ private:
         std::shared_ptr<StationTracking> tracking;
         viewer::TrueView truth;
         std::unique_ptr<StationView> view;
+        std::unique_ptr<RegistrationGuard> guard; ///< of the tracking; none without a site
     };
 
     [[nodiscard]] Result<void> watchHands(Laid& laid);
@@ -71,6 +77,7 @@ private:
     std::function<void()> m_onLaid;
     std::unique_ptr<Laid> m_laid;
     std::atomic<std::shared_ptr<StationTracking>> m_published;
+    QTimer m_looking;                          ///< of the guard
     std::unique_ptr<ManikinBreaths> m_manikin; ///< last: asks what is above
 };
 

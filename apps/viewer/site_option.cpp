@@ -1,6 +1,10 @@
 #include "apps/viewer/site_option.h"
 
+#include "engine/io/site_file.h"
+
 #include <QCoreApplication>
+#include <QFileInfo>
+#include <QFileSystemWatcher>
 
 namespace carina::viewer
 {
@@ -35,6 +39,24 @@ Result<std::optional<SiteSetup>> siteOption(const QCommandLineParser& parser,
         return fail(setup.error().code,
                     file + (setup.error().detail.empty() ? "" : ": " + setup.error().detail));
     return std::optional{std::move(*setup)};
+}
+
+void watchSite(const QCommandLineParser& parser, QObject& context,
+               const std::function<void()>& written)
+{
+    if (!parser.isSet(kSiteFile))
+        return;
+    QFileInfo site{parser.value(kSiteFile)};
+    // The folder: a file that is written whole takes the place of the one before.
+    auto* watcher = new QFileSystemWatcher{{site.absolutePath()}, &context};
+    auto look = [site, written, last = site.lastModified()]() mutable {
+        site.refresh();
+        if (!site.exists() || site.lastModified() == last)
+            return;
+        last = site.lastModified();
+        written();
+    };
+    QObject::connect(watcher, &QFileSystemWatcher::directoryChanged, &context, look);
 }
 
 } // namespace carina::viewer

@@ -3,6 +3,9 @@
 #include "models/site_setup.h"
 
 #include <QCommandLineParser>
+#include <QObject>
+
+#include <functional>
 
 namespace carina::viewer
 {
@@ -14,5 +17,10 @@ void addSiteOption(QCommandLineParser& parser);
 /// @returns what readSiteFile and siteSetup refuse, with the file's name.
 [[nodiscard]] Result<std::optional<SiteSetup>> siteOption(const QCommandLineParser& parser,
                                                           const PatientModel& patient);
+
+/// Calls back whenever the file that `--site` names was written anew. @pre context outlives neither
+/// the callback nor what it uses.
+void watchSite(const QCommandLineParser& parser, QObject& context,
+               const std::function<void()>& written);
 
 } // namespace carina::viewer

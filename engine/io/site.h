@@ -122,6 +122,8 @@ struct Site {
     std::optional<LandmarkCatalogue> catalogue{};
     std::vector<TouchedPoint> touched{}; ///< of the catalogue, none twice
     std::optional<SiteRegistration> registration{};
+    /// While the manikin, which was moved, is laid anew: its landmarks touched again so far.
+    std::optional<std::vector<TouchedPoint>> relay{};
     std::optional<SiteVerification> verification{};
     std::optional<DisplayGeometry> display{};
 

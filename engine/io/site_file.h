@@ -24,6 +24,7 @@ namespace carina
 ///                   milliradians before shifts in millimetres; fle_mm, degrees_of_freedom,
 ///                   made_at, operator, swab: surface, points, outliers, start_rms_mm, rms_mm,
 ///                   moved_mm; relays: a list of at, operator, landmarks and rms_mm; stale
+///     relay         as touched: while the manikin is laid anew
 ///     verification  verdict ("open", "good", "not good"), at, operator, points: a list of name,
 ///                   p_AQ_mm, p_TQ_mm, error_mm and bound_mm; stale
 ///     display       p_HDl_mm, p_HDr_mm, p_HQ_screen_centre_mm, screen_width_mm, screen_height_mm

@@ -172,6 +172,8 @@ QJsonObject jsonSite(const Site& site)
         object.insert(QStringLiteral("touched"), jsonList(site.touched, jsonTouch));
     if (site.registration)
         object.insert(QStringLiteral("registration"), jsonRegistration(*site.registration));
+    if (site.relay)
+        object.insert(QStringLiteral("relay"), jsonList(*site.relay, jsonTouch));
     if (site.verification)
         object.insert(QStringLiteral("verification"), jsonVerification(*site.verification));
     if (site.display)

@@ -111,11 +111,12 @@ Quat readTurn(JsonFields& fields, const char* key)
     return turn.normalized();
 }
 
-std::vector<TouchedPoint> readTouched(JsonFields& fields, const LandmarkCatalogue& catalogue)
+std::vector<TouchedPoint> readTouched(JsonFields& fields, const char* key,
+                                      const LandmarkCatalogue& catalogue)
 {
     std::vector<TouchedPoint> touched;
     std::set<std::string> names;
-    for (JsonFields& point : fields.objects("touched")) {
+    for (JsonFields& point : fields.objects(key)) {
         point.allowOnly({"landmark", "p_TQ_mm", "spread_mm", "q_TS", "stale"});
         touched.push_back({.landmark = point.text("landmark"),
                            .p_TQ = point.point("p_TQ_mm"),
@@ -246,17 +247,20 @@ DisplayGeometry readDisplay(JsonFields fields)
 Site readSite(JsonFields& fields)
 {
     fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "catalogue",
-                      "touched", "registration", "verification", "display"});
+                      "touched", "registration", "relay", "verification", "display"});
     Site site{.step = static_cast<SiteStep>(fields.oneOf("step", kStepWords)),
               .operatorName = readText(fields, "operator"),
               .tracker = readText(fields, "tracker"),
               .styluses = readStyluses(fields)};
     if (fields.has("catalogue")) {
-        JsonFields catalogue = fields.object("catalogue");
-        site.catalogue = readCatalogue(catalogue);
+        JsonFields object = fields.object("catalogue");
+        site.catalogue = readCatalogue(object);
     }
+    const LandmarkCatalogue catalogue = site.catalogue.value_or(LandmarkCatalogue{});
     if (fields.has("touched"))
-        site.touched = readTouched(fields, site.catalogue.value_or(LandmarkCatalogue{}));
+        site.touched = readTouched(fields, "touched", catalogue);
+    if (fields.has("relay"))
+        site.relay = readTouched(fields, "relay", catalogue);
     if (fields.has("registration"))
         site.registration = readRegistration(fields.object("registration"));
     if (fields.has("verification"))

@@ -21,6 +21,12 @@ StationTracking::Assumption StationTracking::assumed() const
     return m_assumption;
 }
 
+void StationTracking::takeRegistration(const StationRegistration& registration)
+{
+    const std::scoped_lock lock{m_mutex};
+    m_assumption.registration = registration;
+}
+
 bool StationTracking::hasChinProbe() const
 {
     return historyOf(ToolRole::Jaw) && assumed().registration.X_JA;

@@ -64,6 +64,9 @@ public:
     /// started.
     void stop() { m_tracker->stop(); }
 
+    /// Takes a new registration over, as of a manikin that was laid anew.
+    void takeRegistration(const StationRegistration& registration);
+
     /// Takes the chin's motions for this from now on. When they are the jaw's again, the manikin
     /// stays where the probe was seen last.
     /// @returns false for a station without a chin probe, or with a body probe, which stays as it

@@ -25,8 +25,8 @@ public:
     static BarTable checked(const RegistrationReport& report)
     {
         BarTable table{.columns = {{.header = tr("Point"), .width_mm = 52.0},
-                                   {.header = tr("Measured"), .width_mm = 19.0, .isNumber = true},
-                                   {.header = tr("Bound"), .width_mm = 19.0, .isNumber = true},
+                                   {.header = tr("Measured"), .width_mm = 21.0, .isNumber = true},
+                                   {.header = tr("Bound"), .width_mm = 21.0, .isNumber = true},
                                    {.header = tr("Within"), .width_mm = 22.0}},
                        .barLabel = tr("Measured error"),
                        .markLabel = tr("Expected bound"),
@@ -45,8 +45,8 @@ public:
     {
         BarTable table{
             .columns = {{.header = tr("Target"), .width_mm = 40.0},
-                        {.header = tr("Root mean square"), .width_mm = 19.0, .isNumber = true},
-                        {.header = tr("95 % bound"), .width_mm = 19.0, .isNumber = true},
+                        {.header = tr("Root mean square"), .width_mm = 21.0, .isNumber = true},
+                        {.header = tr("95 % bound"), .width_mm = 21.0, .isNumber = true},
                         {.header = tr("Weakest direction"), .width_mm = 34.0}},
             .barLabel = tr("TRE, root mean square"),
             .markLabel = tr("95 % bound"),
@@ -63,10 +63,10 @@ public:
     static BarTable landmarks(const RegistrationReport& report)
     {
         BarTable table{.columns = {{.header = tr("Landmark"), .width_mm = 36.0},
-                                   {.header = tr("Spread"), .width_mm = 19.0, .isNumber = true},
-                                   {.header = tr("Residual"), .width_mm = 19.0, .isNumber = true},
-                                   {.header = tr("Expected"), .width_mm = 19.0, .isNumber = true},
-                                   {.header = tr("Left out"), .width_mm = 19.0, .isNumber = true}},
+                                   {.header = tr("Spread"), .width_mm = 21.0, .isNumber = true},
+                                   {.header = tr("Residual"), .width_mm = 21.0, .isNumber = true},
+                                   {.header = tr("Expected"), .width_mm = 21.0, .isNumber = true},
+                                   {.header = tr("Left out"), .width_mm = 21.0, .isNumber = true}},
                        .barLabel = tr("Residual"),
                        .markLabel = tr("Expected residual"),
                        .unit = tr("mm"),

@@ -74,7 +74,7 @@ void TraineeStation::publish()
 Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                  const std::function<void()>& show)
 {
-    auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr});
+    auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr, nullptr});
     if (m_simulation.tracker)
         if (const auto watched = watchHands(*next); !watched)
             return watched;

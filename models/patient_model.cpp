@@ -10,9 +10,12 @@ bool movesWithMandible(const AnatomyPart& part)
 {
     if (part.role == PartRole::Mandible)
         return true;
-    return part.role == PartRole::Tooth
-           && (part.name.find(" lower ") != std::string::npos
-               || part.name.find("lower jaw") != std::string::npos);
+    const auto holds = [&part](const char* words) {
+        return part.name.find(words) != std::string::npos;
+    };
+    if (part.role == PartRole::Tooth)
+        return holds(" lower ") || holds("lower jaw");
+    return part.role == PartRole::Other && holds("lower jaw");
 }
 
 std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh)

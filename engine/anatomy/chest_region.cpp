@@ -35,7 +35,6 @@ ChestRegion regionOf(PartRole role)
     case PartRole::Epiglottis:
     case PartRole::Tongue:
     case PartRole::Muscle:
-    case PartRole::Other:
         return ChestRegion::Throat;
     case PartRole::Pharynx:
         return ChestRegion::Pharynx;

@@ -8,7 +8,7 @@ namespace carina
 
 /// Parts of the body that breathing and the lower jaw move in the same way.
 enum class ChestRegion : std::uint8_t {
-    Still,          ///< skull, teeth, spine
+    Still,          ///< skull, teeth, spine, what is not recognised
     RightUpperLung, ///< upper and middle lobe, and a lung that is given whole
     RightLowerLung, ///< lower lobe, which slides along the oblique fissure
     LeftUpperLung,

@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <QTest>
 
-#include <numbers>
 #include <random>
 
 namespace carina
@@ -54,11 +53,24 @@ std::vector<RigidTransform> humanMotions()
     return motions;
 }
 
-/// Whether soft parts of a throat lie there, and not the air in front of the neck below the chin.
+/// Whether a tissue lies there: within the jaw or beside the larynx, and not in the air in front of
+/// the neck below the chin.
 bool isInThroat(const Vec3& p_A, ThroatTissue tissue)
 {
-    const bool inMouth = p_A.z() > (tissue == ThroatTissue::Airway ? 0.134 : 0.139);
-    return p_A.y() > (inMouth ? -0.1 : -0.062);
+    const bool isAirway = tissue == ThroatTissue::Airway;
+    const bool inMouth = p_A.z() > (isAirway ? 0.134 : 0.139);
+    return p_A.y() > (inMouth ? -0.1 : -0.062) && std::abs(p_A.x()) < (isAirway ? 0.06 : 0.035);
+}
+
+std::vector<Vec3> gridThrough(ThroatTissue tissue, double spacing)
+{
+    std::vector<Vec3> grid;
+    for (double x = -0.06; x <= 0.06; x += spacing)
+        for (double y = -0.10; y <= 0.04; y += spacing)
+            for (double z = 0.06; z <= 0.24; z += spacing)
+                if (isInThroat({x, y, z}, tissue))
+                    grid.emplace_back(x, y, z);
+    return grid;
 }
 
 std::vector<Vec3> places()
@@ -170,7 +182,7 @@ void TestThroatField::takesTheHyoidHalfOfTheWayForward()
 {
     constexpr double kTolerance_mm = 0.7;
     const RigidTransform X_AJ = RigidTransform::translation({0.0, -0.010, 0.0});
-    const Vec3 moved_mm = 1e3 * (movedTo(kHyoid, X_AJ, ThroatTissue::Airway) - kHyoid);
+    const Vec3 moved_mm = 1e3 * throat().at(kHyoid, X_AJ, ThroatTissue::Airway).d_A;
     QVERIFY(std::abs(moved_mm.y() + 5.1) < kTolerance_mm);
     QVERIFY(std::abs(moved_mm.x()) + std::abs(moved_mm.z()) < 1e-9);
 }
@@ -179,8 +191,8 @@ void TestThroatField::takesTheHyoidHalfOfTheWayForward()
 void TestThroatField::takesTheHyoidDownAndBackAsTheMouthOpens()
 {
     for (const double angle : {10.0, 20.0, 30.0}) {
-        const Vec3 moved_mm =
-            1e3 * (movedTo(kHyoid, opened(angle, {0, 0, 0}), ThroatTissue::Airway) - kHyoid);
+        const RigidTransform X_AJ = opened(angle, {0.0, 0.0, 0.0});
+        const Vec3 moved_mm = 1e3 * throat().at(kHyoid, X_AJ, ThroatTissue::Airway).d_A;
         QVERIFY(moved_mm.z() < -0.25 * angle && moved_mm.y() > 0.0);
         QVERIFY(moved_mm.y() < 0.7 * angle && moved_mm.z() > -0.7 * angle);
     }
@@ -196,19 +208,18 @@ void TestThroatField::stretchesTheUpperTracheaOnly()
           opened(20.0, {0, -10, -3}), opened(0.0, {0, -10, 10})}) {
         QVERIFY(1e3 * std::abs(lengthUpTo(82.0 / 136.0, X_AJ) - lengthUpTo(82.0 / 136.0, {}))
                 < 0.01);
-        const Vec3 top = kGlottis;
         const double longer_mm = 1e3 * (lengthUpTo(1.0, X_AJ) - lengthUpTo(1.0, {}));
-        const double motion_mm = 1e3 * (movedTo(top, X_AJ, ThroatTissue::Airway) - top).dot(up);
-        QVERIFY(std::abs(longer_mm - motion_mm) < kTolerance_mm);
+        const Vec3 moved_mm = 1e3 * throat().at(kGlottis, X_AJ, ThroatTissue::Airway).d_A;
+        QVERIFY(std::abs(longer_mm - moved_mm.dot(up)) < kTolerance_mm);
     }
     QVERIFY(lengthUpTo(1.0, RigidTransform::translation(0.015 * up)) > lengthUpTo(1.0, {}) + 0.002);
 }
 
 void TestThroatField::hasTheSlopesOfItsDisplacement()
 {
+    const RigidTransform X_AJ = opened(25.0, {4.0, -8.0, 3.0});
     for (const ThroatTissue tissue : kTissues) {
         for (const Vec3& p_A : places()) {
-            const RigidTransform X_AJ = opened(25.0, {4.0, -8.0, 3.0});
             const Mat3 gradient = throat().at(p_A, X_AJ, tissue).gradient;
             for (int axis = 0; axis < 3; ++axis) {
                 const Vec3 step = kStep_m * Vec3::Unit(axis);
@@ -257,33 +268,19 @@ void TestThroatField::deformsMeshesAsTheFieldSays()
     }
 }
 
-// On a grid of 2 mm, between whose points the determinant changes by less than 0.1.
+// On a grid of 2 mm.
 void TestThroatField::keepsItsOrientationWhereverJawsGo()
 {
-    constexpr double kGrid_m = 2e-3;
+    const std::vector<RigidTransform> motions = humanMotions();
     double least = 1.0;
-    Vec3 where = Vec3::Zero();
-    for (const RigidTransform& X_AJ : humanMotions()) {
-        for (const ThroatTissue tissue : kTissues) {
-            for (double x = -0.06; x <= 0.06; x += kGrid_m)
-                for (double y = -0.10; y <= 0.04; y += kGrid_m)
-                    for (double z = 0.06; z <= 0.24; z += kGrid_m) {
-                        const Vec3 p_A{x, y, z};
-                        if (!isInThroat(p_A, tissue))
-                            continue;
-                        const Mat3 j = Mat3::Identity() + throat().at(p_A, X_AJ, tissue).gradient;
-                        if (j.determinant() < least) {
-                            least = j.determinant();
-                            where = p_A;
-                        }
-                    }
-        }
-    }
-    QVERIFY2(least > kLeastDeterminant, qPrintable(QStringLiteral("%1 at %2 %3 %4")
-                                                       .arg(least)
-                                                       .arg(where.x())
-                                                       .arg(where.y())
-                                                       .arg(where.z())));
+    for (const ThroatTissue tissue : kTissues)
+        for (const Vec3& p_A : gridThrough(tissue, 2e-3))
+            for (const RigidTransform& X_AJ : motions) {
+                const Mat3 j = Mat3::Identity() + throat().at(p_A, X_AJ, tissue).gradient;
+                least = std::min(least, j.determinant());
+            }
+    qInfo("least determinant %.3f", least);
+    QVERIFY(least > kLeastDeterminant);
 }
 
 void TestThroatField::followsNothingWithoutLandmarks()

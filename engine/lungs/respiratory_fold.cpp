@@ -63,7 +63,10 @@ void RespiratoryFold::set(const RespiratorySettings& settings)
 {
     m_settings = settings;
     m_target = systemOf(settings);
-    m_healthy = healthySystem(settings.build);
+    if (const RespiratorySystem healthy = healthySystem(settings.build); healthy != m_healthy) {
+        m_healthy = healthy;
+        m_found.reset();
+    }
 }
 
 RespiratoryState RespiratoryFold::state() const
@@ -109,6 +112,14 @@ bool RespiratoryFold::ventilatorBegins() const
     return asked || since >= timing.breath;
 }
 
+/// Looked for once for each way to breathe.
+Pressure RespiratoryFold::effortOfHealth(const BreathingPattern& pattern)
+{
+    if (!m_found || m_found->pattern != pattern)
+        m_found = FoundEffort{pattern, effortFor(m_healthy, pattern)};
+    return m_found->effort;
+}
+
 /// The breath that ends is summed up, and the settings hold for the one that begins.
 void RespiratoryFold::beginBreath()
 {
@@ -134,8 +145,7 @@ void RespiratoryFold::beginBreath()
     pattern = m_settings.pattern;
     pattern.tidalVolume = std::min(pattern.tidalVolume, largestTidalVolume(m_settings.build));
     const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
-    m_state.effort =
-        (own / arrivedShare(m_healthy, pattern)) * effortFor(m_healthy, pattern.tidalVolume);
+    m_state.effort = own > 0.0 ? own * effortOfHealth(pattern) : Pressure{};
     m_state.ventilator.sinceBreath = 0;
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace carina
 {
@@ -105,18 +106,26 @@ public:
     [[nodiscard]] Pressure muscle() const { return m_state.muscle; }
 
 private:
+    /// With which m_healthy breathes.
+    struct FoundEffort {
+        BreathingPattern pattern;
+        Pressure effort;
+    };
+
     [[nodiscard]] bool isVentilated() const;
     [[nodiscard]] Pressure muscleAt(double breaths) const;
     [[nodiscard]] Pressure relaxedTo(double breaths, double before, double seconds) const;
     [[nodiscard]] bool ventilatorBegins() const;
     [[nodiscard]] bool inspires() const;
     [[nodiscard]] AirwayOpening openingNow() const;
+    [[nodiscard]] Pressure effortOfHealth(const BreathingPattern& pattern);
     void beginBreath();
     void tally(const ChestContent& content);
 
     RespiratorySettings m_settings;
     RespiratorySystem m_target;
     RespiratorySystem m_healthy;
+    std::optional<FoundEffort> m_found;
     RespiratoryState m_state; ///< but for the clock's
     BreathClock m_clock;
     ChestMoment m_moment;

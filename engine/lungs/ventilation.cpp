@@ -19,6 +19,45 @@ std::int64_t steps(double seconds, double step)
     return std::max<std::int64_t>(1, std::llround(seconds / step));
 }
 
+/// What holds a volume without flow and loops.
+Pressure elasticEffort(const RespiratorySystem& system, Volume volume)
+{
+    double compliance = 0.0;
+    for (const LungMechanics& lung : system.lungs)
+        compliance +=
+            1.0 / (1.0 / lung.curve.complianceAt(lung.wallVolume).si + 1.0 / lung.wall.si);
+    return {volume.si / compliance};
+}
+
+Volume gasIn(const ChestContent& content) { return content[0].gas + content[1].gas; }
+
+/// What the lungs gain and lose in a breath when each is like the last.
+Volume breathed(const RespiratorySystem& system, ChestContent content,
+                const BreathingPattern& pattern, Pressure effort)
+{
+    constexpr int kBreaths = 4; // by then
+    constexpr double kStep_s = 0.01;
+    const auto perBreath = std::llround(std::ceil(1.0 / (pattern.rate.si * kStep_s)));
+    const auto muscleAt = [&](double phase) {
+        return (phase < 1.0 ? muscleShare(phase, pattern.inspiratoryFraction) : 0.0) * effort;
+    };
+    Volume least;
+    Volume most;
+    for (int breath = 0; breath < kBreaths; ++breath) {
+        least = most = gasIn(content);
+        for (long i = 0; i < perBreath; ++i) {
+            const double whole = double(perBreath);
+            content = advanced(system, content,
+                               {muscleAt(double(i) / whole), muscleAt((double(i) + 0.5) / whole),
+                                muscleAt((double(i) + 1.0) / whole)},
+                               AirwayOpening::at({}), 1.0 / (pattern.rate.si * whole));
+            least = std::min(least, gasIn(content));
+            most = std::max(most, gasIn(content));
+        }
+    }
+    return most - least;
+}
+
 } // namespace
 
 double muscleShare(double phase, double inspiratoryFraction)
@@ -34,35 +73,25 @@ double muscleShare(double phase, double inspiratoryFraction)
     return 1.0 - halfSine(std::min(1.0, (phase - inspiratoryFraction) / fall));
 }
 
-Pressure effortFor(const RespiratorySystem& system, Volume tidalVolume)
+Pressure effortFor(const RespiratorySystem& system, const BreathingPattern& pattern)
 {
-    // Both lungs of a healthy patient are alike but for their size; the right one speaks for both.
-    const LungMechanics& lung = system.lungs[0];
-    const LungMechanics& other = system.lungs[1];
-    const double share = lung.wall.si / (lung.wall.si + other.wall.si);
-    const Volume taken = share * tidalVolume;
-    const Pressure elastic =
-        lung.curve.pressureAt(lung.wallVolume + taken) - lung.curve.pressureAt(lung.wallVolume);
-    const Pressure loop = std::tanh(0.5 * (taken / lung.limbVolume)) * lung.limbSpread;
-    return elastic + Pressure{taken.si / lung.wall.si} + loop;
-}
-
-double arrivedShare(const RespiratorySystem& system, const BreathingPattern& pattern)
-{
-    double compliance = 0.0;
-    double bronchi = 0.0;
-    for (const LungMechanics& lung : system.lungs) {
-        compliance +=
-            1.0 / (1.0 / lung.curve.complianceAt(lung.wallVolume).si + 1.0 / lung.wall.si);
-        bronchi += lung.bronchi.si;
+    constexpr int kMostTries = 8;
+    constexpr double kNear = 1e-3; // of the volume
+    const ChestContent rest = restingContent(system);
+    Pressure effort = elasticEffort(system, pattern.tidalVolume);
+    Pressure before;
+    Volume gained; // with that
+    for (int tried = 0; tried < kMostTries; ++tried) {
+        const Volume now = breathed(system, rest, pattern, effort);
+        const Volume missing = pattern.tidalVolume - now;
+        if (std::abs(missing.si) <= kNear * pattern.tidalVolume.si || now <= gained)
+            break;
+        const Compliance compliance{(now - gained).si / (effort - before).si};
+        before = effort;
+        gained = now;
+        effort = std::max(0.5 * before, before + Pressure{missing.si / compliance.si});
     }
-    const double tau = (system.upperLaminar.si + 1.0 / bronchi) * compliance;
-    const double inspiration = pattern.inspiratoryFraction / pattern.rate.si;
-    const double rise = kRiseShare * inspiration;
-    const double lag = std::numbers::pi * tau / rise; // w tau
-    const double behind =
-        (1.0 + std::exp(-rise / tau)) * lag * lag / (2.0 * (1.0 + lag * lag)); // as it is reached
-    return 1.0 - behind * std::exp(-(inspiration - rise) / tau);
+    return effort;
 }
 
 VentilatorTiming ventilatorTiming(const VentilatorSettings& settings,

@@ -33,18 +33,10 @@ struct VentilatorSettings {
 inline constexpr double kRiseShare = 0.75;
 inline constexpr double kFallShare = 0.5;
 
-/// The muscle's pressure that holds a tidal volume in a system without flow, in steady breathing:
-/// what its curves, wall and loops take.
-[[nodiscard]] Pressure effortFor(const RespiratorySystem& system, Volume tidalVolume);
-
-/// The share of that volume that has come in through the airway's resistance by the end of
-/// inspiration, of a first breath: a resistance R and a compliance C that follow the muscle, with
-/// tau = R C, w = pi / (time of its rise) and the time h for which it holds:
-///
-///     1 - exp(-h / tau) (1 + exp(-pi / (w tau))) (w tau)^2 / (2 (1 + (w tau)^2))
-///
+/// The muscle's greatest pressure with which a patient breathes the tidal volume of a pattern,
+/// breath after breath, to a thousandth of it: found by breathing.
 /// @pre the rate is above 0.
-[[nodiscard]] double arrivedShare(const RespiratorySystem& system, const BreathingPattern& pattern);
+[[nodiscard]] Pressure effortFor(const RespiratorySystem& system, const BreathingPattern& pattern);
 
 /// A ventilator's own clock, in steps of the fold.
 struct VentilatorState {

@@ -66,23 +66,31 @@ void TestRespiratoryFold::breathesTheVolumeThatWasSet_data()
 {
     QTest::addColumn<bool>("isChild");
     QTest::addColumn<double>("tidalVolume_ml");
-    QTest::newRow("adult, quiet") << false << 539.0;
-    QTest::newRow("adult, deep") << false << 1200.0;
-    QTest::newRow("12 years, quiet") << true << 280.0;
-    QTest::newRow("12 years, shallow") << true << 120.0;
+    QTest::addColumn<double>("rate_perMin");
+    QTest::newRow("adult, quiet") << false << 539.0 << 16.0;
+    QTest::newRow("adult, deep") << false << 1200.0 << 12.0;
+    QTest::newRow("adult, as deep as can be") << false << 1925.0 << 8.0;
+    QTest::newRow("adult, fast") << false << 350.0 << 40.0;
+    QTest::newRow("12 years, quiet") << true << 280.0 << 19.0;
+    QTest::newRow("12 years, shallow") << true << 120.0 << 19.0;
+    QTest::newRow("12 years, deep") << true << 350.0 << 19.0;
+    QTest::newRow("12 years, deep and faster") << true << 350.0 << 24.0;
+    QTest::newRow("12 years, fast") << true << 200.0 << 60.0;
 }
 
-/// Within 3 %: the effort is found without flow, and a little is missing at the end of inspiration.
 void TestRespiratoryFold::breathesTheVolumeThatWasSet()
 {
+    constexpr double kWithin = 0.01;
     QFETCH(const bool, isChild);
     QFETCH(const double, tidalVolume_ml);
+    QFETCH(const double, rate_perMin);
     RespiratorySettings settings = quiet(isChild ? twelveYears() : PatientBuild{});
     settings.pattern.tidalVolume = millilitres(tidalVolume_ml);
+    settings.pattern.rate = perMinute(rate_perMin);
     RespiratoryFold fold{settings};
     run(fold, 60 * kSecond);
     const BreathFigures& breath = fold.lastBreath();
-    VERIFY_WITHIN(inMillilitres(breath.tidalVolume) / tidalVolume_ml, 1.0, 0.03);
+    VERIFY_WITHIN(inMillilitres(breath.tidalVolume) / tidalVolume_ml, 1.0, kWithin);
     VERIFY_WITHIN(breath.tidalVolumeOfLung[0] / breath.tidalVolume, 0.525, 0.002);
     VERIFY_WITHIN(breath.tidalVolumeOfLung[1] / breath.tidalVolume, 0.475, 0.002);
 }

@@ -24,6 +24,8 @@ struct DrawnLung {
     double shift;
 
     [[nodiscard]] double shiftInto() const { return side == Side::Left ? shift : -shift; }
+    /// Of the range, what the mediastinum leaves it.
+    [[nodiscard]] double room() const { return 1.0 - std::max(0.0, shiftInto()) / kMostShift; }
     [[nodiscard]] VolumeCubic cubic(const LungPose& given, const LungPose& along) const
     {
         return lungs.volumeAlong(side, level, given, along, shift);
@@ -62,20 +64,21 @@ PosedLung alongTheEdge(const DrawnLung& lung, const LungPose& breath, double col
     const LungPose from = breath + collapse * kCollapse;
     const bool shrinks = volume < lung.cubic(from, kCollapse).at(0.0);
     const double all = shrinks ? kMostCollapse : kLeastCollapse;
-    const double room = 1.0 - std::max(0.0, lung.shiftInto()) / kMostShift;
-    const LungPose along = room * all * kCollapse + -1.0 * from;
+    const LungPose along = lung.room() * all * kCollapse + -1.0 * from;
     const VolumeCubic cubic = lung.cubic(from, along);
     const double amount = amountFor(cubic, volume, {0.0, 1.0});
     const double off_ml = inMillilitres(cubic.at(amount) - volume);
     return {from + amount * along, std::abs(off_ml) < kUnseen_ml};
 }
 
-PosedLung poseOf(const DrawnLung& lung, const LungPose& breath, Volume room, Volume volume)
+PosedLung poseOf(const DrawnLung& lung, double sag, const LungPose& breath, Volume room,
+                 Volume volume)
 {
-    const AmplitudeRange breaths = amplitudesWithin({}, breath, lung.shiftInto()).value();
-    // The wall stands where it does wherever the mediastinum is.
+    const LungPose lying{0.0, 0.0, lung.room() * sag, 0.0};
+    const AmplitudeRange breaths = amplitudesWithin(lying, breath, lung.shiftInto()).value();
+    // The wall stands where it does wherever mediastinum and inside of the lung are.
     const VolumeCubic unshifted = lung.lungs.volumeAlong(lung.side, lung.level, {}, breath, 0.0);
-    const LungPose given = amountFor(unshifted, room, breaths) * breath;
+    const LungPose given = lying + amountFor(unshifted, room, breaths) * breath;
     const AmplitudeRange collapses =
         amplitudesWithin(given, kCollapse, lung.shiftInto()).value_or(AmplitudeRange{});
     const double collapse = amountFor(lung.cubic(given, kCollapse), volume, collapses);
@@ -99,7 +102,7 @@ PosedChest posedWith(const LungPair& lungs, const ChestShape& shape, std::size_t
             continue;
         const LungShape& lung = shape.lungs[indexOf(side)];
         const PosedLung drawn = poseOf(
-            {lungs, side, level, shift}, breathOf(lungs, side, shape.ribShare),
+            {lungs, side, level, shift}, shape.sag, breathOf(lungs, side, shape.ribShare),
             lungs.restVolume(side) + lung.room - lung.healthy, drawnVolume(lungs, shape, side));
         posed.pose.lungs[indexOf(side)] = drawn.pose;
         posed.fits = posed.fits && drawn.fits;

@@ -14,6 +14,8 @@ namespace carina
 /// - Diaphragm and ribs stand where their side of the chest has the room that the mechanics say,
 ///   each with the share of it that the mechanics give them; the lung falls in from there towards
 ///   its hilum by the gas beside it.
+/// - The inside of a lung has sunk by the sag of the mechanics, less where the mediastinum leans on
+///   it.
 /// - The mediastinum goes aside as far as the mechanics say, at most by kDrawnShift of half the
 ///   chest's width: what it takes of the range, the lung that it leans on has no more for itself.
 ///

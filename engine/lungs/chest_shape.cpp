@@ -27,6 +27,7 @@ ChestShape chestShape(const PatientBuild& build, const RespiratorySystem& system
     }
     const double area = kMediastinalArea * std::pow(rest / kAdultRest, 2.0 / 3.0);
     shape.mediastinalShift = {moment.mediastinum.si / area};
+    shape.sag = system.sag;
     shape.ribShare = build.sex == Sex::Male ? 0.35 : 0.45;
     return shape;
 }

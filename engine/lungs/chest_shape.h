@@ -21,6 +21,7 @@ struct ChestShape {
     std::array<LungShape, 2> lungs; ///< right, left
     Length mediastinalShift;        ///< towards the patient's left
     double ribShare = 0.0; ///< of a change of volume, made by the ribs; else by the diaphragm
+    double sag = 0.0;      ///< of the inside of both lungs, as LungPose::gravity
 
     friend bool operator==(const ChestShape&, const ChestShape&) = default;
 };

@@ -47,11 +47,12 @@ void solvePleura(const RespiratorySystem& system, const ChestContent& content, d
     for (std::size_t i = 0; i < 2; ++i) {
         const LungMechanics& lung = system.lungs[i];
         const Volume held = content[i].gas + lung.pleuralGas + content[i].trapped;
-        alone[i] = (held - lung.wallVolume).si / lung.wall.si - lung.wallRecoil.si - muscle;
+        alone[i] =
+            (held - lung.wallVolume).si / lung.wall.si - lung.wallRecoil.si - lung.drive * muscle;
     }
     const double stiffness = 1.0 / system.lungs[0].wall.si + 1.0 / system.lungs[1].wall.si;
-    const double free =
-        system.mediastinum.si * (alone[0] - alone[1]) / (1.0 + system.mediastinum.si * stiffness);
+    const double free = system.mediastinum.si * (alone[0] - alone[1] + system.mediastinalWeight.si)
+                        / (1.0 + system.mediastinum.si * stiffness);
     const double most = system.mediastinumMost.si;
     moment.mediastinum = {std::clamp(free, -most, most)};
     moment.pleural[0] = {alone[0] - moment.mediastinum.si / system.lungs[0].wall.si};

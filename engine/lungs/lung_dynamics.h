@@ -60,9 +60,10 @@ inline constexpr Conductance kShut{1e-18};
 /// The equation of motion at one moment. In each side of the chest
 ///
 ///     alveolar = pleural + recoil(gas, limb),
-///     pleural = wall(gas + gas in the pleura -+ mediastinum) - muscle,
+///     pleural = wall(gas + gas in the pleura -+ mediastinum) - drive muscle,
 ///
-/// the mediastinum gives way to the difference of the pleural pressures, and gas flows from the
+/// the mediastinum gives way to the difference of the pleural pressures and to its own weight, and
+/// gas flows from the
 /// opening through K1 Q + K2 Q |Q| to the carina and on through each lung's bronchi, which conduct
 /// less by their compression where gas leaves and close in proportion below kClosingShare. Gas that
 /// came through a tear closes the lung in proportion, all but kLeastOpenShare when it is as much as

@@ -28,17 +28,26 @@ double perfusedShare(const RespiratorySystem& system, const ChestContent& conten
     return std::max(0.0, 1.0 - dead / gas);
 }
 
+RespiratorySystem healthyIn(const RespiratorySettings& settings)
+{
+    RespiratorySystem system = healthySystem(settings.build);
+    place(system, settings.position, healthySystem(settings.build));
+    return system;
+}
+
 } // namespace
 
 RespiratorySystem systemOf(const RespiratorySettings& settings)
 {
-    RespiratorySystem system = healthySystem(settings.build);
+    RespiratorySystem onBack = healthySystem(settings.build);
     const VentilatorSettings& ventilator = settings.ventilator;
     if (ventilator.mode != VentilationMode::Spontaneous && ventilator.ownEffort == 0.0)
-        relax(system);
+        relax(onBack, settings.position == BodyPosition::Sitting ? 1.0 : kRelaxedRest);
     if (settings.tube.si > 0.0)
-        intubate(system, settings.tube);
-    return afflicted(system, settings.condition);
+        intubate(onBack, settings.tube);
+    RespiratorySystem system = afflicted(onBack, settings.condition);
+    place(system, settings.position, onBack);
+    return system;
 }
 
 RespiratoryFold::RespiratoryFold(const RespiratorySettings& settings)
@@ -63,7 +72,7 @@ void RespiratoryFold::set(const RespiratorySettings& settings)
 {
     m_settings = settings;
     m_target = systemOf(settings);
-    if (const RespiratorySystem healthy = healthySystem(settings.build); healthy != m_healthy) {
+    if (const RespiratorySystem healthy = healthyIn(settings); healthy != m_healthy) {
         m_healthy = healthy;
         m_found.reset();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lungs/body_position.h"
 #include "engine/lungs/breath_clock.h"
 #include "engine/lungs/breathing_pattern.h"
 #include "engine/lungs/lung_condition.h"
@@ -20,12 +21,13 @@ struct RespiratorySettings {
     Length tube; ///< inner diameter; 0 without a tube
     BreathingPattern pattern;
     VentilatorSettings ventilator;
+    BodyPosition position = BodyPosition::Supine;
 
     friend bool operator==(const RespiratorySettings&, const RespiratorySettings&) = default;
 };
 
 /// The patient's lungs, chest and airway as the settings make them; relaxed where a ventilator
-/// alone breathes.
+/// alone breathes, which takes none of the resting volume of someone who sits.
 [[nodiscard]] RespiratorySystem systemOf(const RespiratorySettings& settings);
 
 /// What one whole breath came to.
@@ -75,7 +77,7 @@ struct RespiratoryState {
 ///
 /// A fold: the same settings, changes and triggers at the same steps give the same state, bit for
 /// bit, wherever it is run with the same mathematical library; one made from a checkpoint goes on
-/// as the one that wrote it. It reads no clock. What a condition, patient or tube changes in the
+/// as the one that wrote it. It reads no clock. What a condition, patient, position or tube changes
 /// system comes in over kChangeTime, so that nothing jumps; a tidal volume and an inspiratory
 /// fraction hold from the next breath on, the volume as far as largestTidalVolume.
 class RespiratoryFold
@@ -124,7 +126,7 @@ private:
 
     RespiratorySettings m_settings;
     RespiratorySystem m_target;
-    RespiratorySystem m_healthy;
+    RespiratorySystem m_healthy; ///< the patient in health, in that position
     std::optional<FoundEffort> m_found;
     RespiratoryState m_state; ///< but for the clock's
     BreathClock m_clock;

@@ -78,6 +78,7 @@ template <class Visit> void eachFigure(LungMechanics& a, const LungMechanics& b,
     visit(a.wall.si, b.wall.si);
     visit(a.wallVolume.si, b.wallVolume.si);
     visit(a.wallRecoil.si, b.wallRecoil.si);
+    visit(a.drive, b.drive);
     visit(a.pleuralGas.si, b.pleuralGas.si);
     visit(a.valve.si, b.valve.si);
     visit(a.relief.si, b.relief.si);
@@ -95,8 +96,10 @@ void eachFigure(RespiratorySystem& a, const RespiratorySystem& b, Visit visit)
     visit(a.upperTurbulent, b.upperTurbulent);
     visit(a.mediastinum.si, b.mediastinum.si);
     visit(a.mediastinumMost.si, b.mediastinumMost.si);
+    visit(a.mediastinalWeight.si, b.mediastinalWeight.si);
     visit(a.anatomicalDeadSpace.si, b.anatomicalDeadSpace.si);
     visit(a.effort, b.effort);
+    visit(a.sag, b.sag);
 }
 
 } // namespace
@@ -142,13 +145,12 @@ Volume largestTidalVolume(const PatientBuild& build)
     return 0.5 * (volumes.totalCapacity - volumes.functionalResidual);
 }
 
-void relax(RespiratorySystem& system)
+void relax(RespiratorySystem& system, double rest)
 {
-    constexpr double kRest = 25.0 / 30.0;
     constexpr double kCompliance = 0.4;
     for (LungMechanics& lung : system.lungs) {
         const Compliance before = lung.curve.complianceAt(lung.wallVolume);
-        const Volume lost = (1.0 - kRest) * lung.wallVolume;
+        const Volume lost = (1.0 - rest) * lung.wallVolume;
         lung.wallVolume = lung.wallVolume - lost;
         lung.wallRecoil = lung.wallRecoil + Pressure{lost.si / lung.wall.si};
         lung.curve =

@@ -47,10 +47,11 @@ struct LungMechanics {
     Compliance wall;
     Volume wallVolume;
     Pressure wallRecoil;
-    Volume pleuralGas; ///< held there whatever the pressures are
-    Conductance valve; ///< of a tear that lets gas from the airway into the pleura and not back
-    Frequency relief;  ///< at which gas that came through the valve leaves again
-    Frequency uptake;  ///< at which the blood takes up gas beyond `uptakeEnd`
+    double drive = 1.0; ///< of the muscles' pressure, what this side gets
+    Volume pleuralGas;  ///< held there whatever the pressures are
+    Conductance valve;  ///< of a tear that lets gas from the airway into the pleura and not back
+    Frequency relief;   ///< at which gas that came through the valve leaves again
+    Frequency uptake;   ///< at which the blood takes up gas beyond `uptakeEnd`
     Volume uptakeEnd;
     Volume alveolarDeadSpace; ///< gas of the lung at rest that no blood meets
 
@@ -64,11 +65,16 @@ struct RespiratorySystem {
     double upperTurbulent = 0.0;        ///< K2, Pa s^2/m^6
     Compliance mediastinum;             ///< gas that gives way to the other side, per difference
     Volume mediastinumMost;             ///< the most that gives way
+    Pressure mediastinalWeight;         ///< with which it leans towards the patient's left
     Volume anatomicalDeadSpace;
     double effort = 1.0; ///< of the muscles, as a share of what a healthy patient needs
+    double sag = 0.0;    ///< of the inside of the lungs, as LungPose::gravity; 0 lying on the back
 
     friend bool operator==(const RespiratorySystem&, const RespiratorySystem&) = default;
 };
+
+/// Of the resting volume of someone who lies, what is left without the muscles: 25 of 30 ml/kg.
+inline constexpr double kRelaxedRest = 25.0 / 30.0;
 
 /// The least of a lung that gas in the pleura leaves open.
 inline constexpr double kLeastOpenShare = 0.05;
@@ -79,7 +85,8 @@ inline constexpr double kLeastOpenShare = 0.05;
 /// index of 26 not counted: fat adds no lung.
 [[nodiscard]] LungVolumes lungVolumesOf(const PatientBuild& build);
 
-/// The healthy patient breathing through the natural airway. Sources: docs/mechanics.md.
+/// The healthy patient, lying on the back and breathing through the natural airway. Sources:
+/// docs/mechanics.md.
 /// @pre height and weight above 0, age not below 2.
 [[nodiscard]] RespiratorySystem healthySystem(const PatientBuild& build);
 
@@ -91,10 +98,10 @@ inline constexpr double kLeastOpenShare = 0.05;
 /// rest, 25 ml/kg, three and a half quiet breaths. The share is ours.
 [[nodiscard]] Volume largestTidalVolume(const PatientBuild& build);
 
-/// What a ventilator meets in a patient who does not breathe: the resting volume falls to 25 of 30
-/// ml/kg along the wall's line, as in anaesthesia, and each lung has 0.4 of its compliance there
+/// What a ventilator meets in a patient who does not breathe: the resting volume falls to a share
+/// of it along the wall's line, as in anaesthesia, and each lung has 0.4 of its compliance there
 /// (Pulse, lung under a ventilator), which leaves the system 50 to 80 ml/cmH2O in an adult.
-void relax(RespiratorySystem& system);
+void relax(RespiratorySystem& system, double rest = kRelaxedRest);
 
 /// Puts a tracheal tube of an inner diameter in place of the airway above the carina: Poiseuille's
 /// flow for K1 (128 mu L / (pi d^4)), and for K2 the loss of turbulent flow in a smooth tube at 1

@@ -71,6 +71,8 @@ inline constexpr std::tuple kFields<VentilatorSettings>{&VentilatorSettings::mod
 
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>
+inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};
+template <>
 inline constexpr std::tuple kFields<fact::ManikinBreathed>{&fact::ManikinBreathed::began};
 
 template <>
@@ -83,18 +85,22 @@ inline constexpr std::tuple kFields<RespiratoryState>{
     &RespiratoryState::effort, &RespiratoryState::muscle,     &RespiratoryState::opening,
     &RespiratoryState::tally,  &RespiratoryState::last};
 template <>
-inline constexpr std::tuple kFields<RespiratorySystem>{
-    &RespiratorySystem::lungs,           &RespiratorySystem::upperLaminar,
-    &RespiratorySystem::upperTurbulent,  &RespiratorySystem::mediastinum,
-    &RespiratorySystem::mediastinumMost, &RespiratorySystem::anatomicalDeadSpace,
-    &RespiratorySystem::effort};
+inline constexpr std::tuple kFields<RespiratorySystem>{&RespiratorySystem::lungs,
+                                                       &RespiratorySystem::upperLaminar,
+                                                       &RespiratorySystem::upperTurbulent,
+                                                       &RespiratorySystem::mediastinum,
+                                                       &RespiratorySystem::mediastinumMost,
+                                                       &RespiratorySystem::mediastinalWeight,
+                                                       &RespiratorySystem::anatomicalDeadSpace,
+                                                       &RespiratorySystem::effort,
+                                                       &RespiratorySystem::sag};
 template <>
 inline constexpr std::tuple kFields<LungMechanics>{
-    &LungMechanics::curve,      &LungMechanics::limbSpread,       &LungMechanics::limbVolume,
-    &LungMechanics::bronchi,    &LungMechanics::compression,      &LungMechanics::wall,
-    &LungMechanics::wallVolume, &LungMechanics::wallRecoil,       &LungMechanics::pleuralGas,
-    &LungMechanics::valve,      &LungMechanics::relief,           &LungMechanics::uptake,
-    &LungMechanics::uptakeEnd,  &LungMechanics::alveolarDeadSpace};
+    &LungMechanics::curve,      &LungMechanics::limbSpread,  &LungMechanics::limbVolume,
+    &LungMechanics::bronchi,    &LungMechanics::compression, &LungMechanics::wall,
+    &LungMechanics::wallVolume, &LungMechanics::wallRecoil,  &LungMechanics::drive,
+    &LungMechanics::pleuralGas, &LungMechanics::valve,       &LungMechanics::relief,
+    &LungMechanics::uptake,     &LungMechanics::uptakeEnd,   &LungMechanics::alveolarDeadSpace};
 template <>
 inline constexpr std::tuple kFields<PressureVolumeCurve>{
     &PressureVolumeCurve::floor, &PressureVolumeCurve::span, &PressureVolumeCurve::centre,
@@ -135,6 +141,7 @@ template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
 template <>
 inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;
 template <> inline constexpr ConditionSide kLastEnumerator<ConditionSide> = ConditionSide::Left;
+template <> inline constexpr BodyPosition kLastEnumerator<BodyPosition> = BodyPosition::LeftLateral;
 template <>
 inline constexpr VentilationMode kLastEnumerator<VentilationMode> =
     VentilationMode::PressureControl;

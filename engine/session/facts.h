@@ -111,13 +111,12 @@ struct InspiratoryFractionSet {
 } // namespace fact
 
 /// The order of the alternatives is the kind byte on the wire and on disk: new ones go to the end.
-using FactBody =
-    std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
-                 fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
-                 fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
-                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
-                 fact::PatientBuildSet, fact::LungConditionSet, fact::VentilatorSet,
-                 fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint>;
+using FactBody = std::variant<
+    fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
+    fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
+    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+    fact::PatientBuildSet, fact::LungConditionSet, fact::VentilatorSet, fact::TubePlaced,
+    fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet>;
 
 /// Whether a program proposes such a fact by itself: no person waits for what becomes of it.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

@@ -30,6 +30,12 @@ struct TubePlaced {
 
     friend bool operator==(const TubePlaced&, const TubePlaced&) = default;
 };
+/// The patient lies or sits otherwise.
+struct BodyPositionSet {
+    BodyPosition position = BodyPosition::Supine;
+
+    friend bool operator==(const BodyPositionSet&, const BodyPositionSet&) = default;
+};
 /// A sensor on the manikin's chest saw a breath begin.
 struct ManikinBreathed {
     SessionTime began{};

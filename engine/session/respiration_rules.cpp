@@ -59,6 +59,7 @@ Result<void> checkLung(const LungMechanics& lung)
         {"resting volume", lung.wallVolume.si, kLeastVolume, kLargestGas, " m3"},
         {"recoil of a chest wall", lung.wallRecoil.si, -kGreatestPressure, kGreatestPressure,
          " Pa"},
+        {"drive of the muscles", lung.drive, 0.0, 10.0, ""},
         {"gas in a pleura", lung.pleuralGas.si, 0.0, kLargestGas, " m3"},
         {"conductance of a tear", lung.valve.si, 0.0, 1e-3, " m3/(Pa s)"},
         {"relief of a pleura", lung.relief.si, 0.0, 10.0, " /s"},
@@ -79,8 +80,11 @@ Result<void> checkSystem(const RespiratorySystem& system)
         {"turbulence of an airway", system.upperTurbulent, 0.0, 1e15, " Pa s2/m6"},
         {"compliance of a mediastinum", system.mediastinum.si, 0.0, kGreatestCompliance, " m3/Pa"},
         {"room of a mediastinum", system.mediastinumMost.si, 0.0, kLargestGas, " m3"},
+        {"weight of a mediastinum", system.mediastinalWeight.si, -kGreatestPressure,
+         kGreatestPressure, " Pa"},
         {"anatomical dead space", system.anatomicalDeadSpace.si, 0.0, kLargestGas, " m3"},
         {"share of effort", system.effort, 0.0, 10.0, ""},
+        {"sag", system.sag, -1.0, 1.0, ""},
     });
 }
 
@@ -218,6 +222,8 @@ Result<void> checkRespiration(const fact::TubePlaced& fact)
     return checkNumber("tube", inMillimetres(fact.innerDiameter), inMillimetres(kNarrowestTube),
                        inMillimetres(kWidestTube), " mm");
 }
+
+Result<void> checkRespiration(const fact::BodyPositionSet&) { return {}; }
 
 Result<void> checkRespiration(const fact::ManikinBreathed&) { return {}; }
 

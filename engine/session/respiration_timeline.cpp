@@ -59,6 +59,12 @@ void RespirationTimeline::setTube(SessionTime from, Length innerDiameter)
     decide(from);
 }
 
+void RespirationTimeline::setPosition(SessionTime from, BodyPosition position)
+{
+    m_position.set(from, position);
+    decide(from);
+}
+
 void RespirationTimeline::setRunning(SessionTime from, bool running)
 {
     m_running.set(from, running);
@@ -83,9 +89,12 @@ void RespirationTimeline::addCheckpoint(const RespirationState& checkpoint)
 
 RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
 {
-    return {m_build.at(t), m_condition.at(t), m_tube.at(t),
+    return {m_build.at(t),
+            m_condition.at(t),
+            m_tube.at(t),
             BreathingPattern{m_rate.at(t), m_tidalVolume.at(t), m_inspiratoryFraction.at(t)},
-            m_ventilator.at(t)};
+            m_ventilator.at(t),
+            m_position.at(t)};
 }
 
 SessionTime RespirationTimeline::changeAfter(SessionTime t) const
@@ -93,7 +102,7 @@ SessionTime RespirationTimeline::changeAfter(SessionTime t) const
     return std::min({m_rate.changeAfter(t), m_tidalVolume.changeAfter(t),
                      m_inspiratoryFraction.changeAfter(t), m_build.changeAfter(t),
                      m_condition.changeAfter(t), m_ventilator.changeAfter(t), m_tube.changeAfter(t),
-                     m_running.changeAfter(t)});
+                     m_position.changeAfter(t), m_running.changeAfter(t)});
 }
 
 const RespirationState* RespirationTimeline::checkpointBefore(SessionTime t) const

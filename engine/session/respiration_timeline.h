@@ -24,7 +24,7 @@ struct RespirationState {
 
 /// What was decided about the breathing of one patient over the session, and whether the session
 /// runs. Before the first changes a healthy child of 12 years, 150 cm and 40 kg breathes without
-/// help as a BreathingPattern is made, and the session does not run.
+/// help as a BreathingPattern is made, on the back, and the session does not run.
 ///
 /// Changes may come in any order; of two of one kind for the same time the later one holds. Breaths
 /// and checkpoints come in the order of their facts.
@@ -40,6 +40,7 @@ public:
     void setCondition(SessionTime from, const LungCondition& condition);
     void setVentilator(SessionTime from, const VentilatorSettings& settings);
     void setTube(SessionTime from, Length innerDiameter);
+    void setPosition(SessionTime from, BodyPosition position);
     void setRunning(SessionTime from, bool running);
     /// One that began later than it is heard of, or more than kLongestNews before, is not believed.
     void addBreath(const HeardBreath& breath);
@@ -71,6 +72,7 @@ private:
     ParameterTimeline<LungCondition> m_condition{{}};
     ParameterTimeline<VentilatorSettings> m_ventilator{{}};
     ParameterTimeline<Length> m_tube{{}};
+    ParameterTimeline<BodyPosition> m_position{BodyPosition::Supine};
     ParameterTimeline<bool> m_running{false};
     std::vector<HeardBreath> m_breaths;
     std::vector<RespirationState> m_checkpoints;

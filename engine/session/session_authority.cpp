@@ -20,21 +20,18 @@ template <class... Functions> struct Overloaded : Functions... {
 };
 template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
 
+template <class... Facts> bool isOneOf(const FactBody& body)
+{
+    return (std::holds_alternative<Facts>(body) || ...);
+}
+
 /// Drives a patient or the phase, so that it has to take effect everywhere at once.
 bool takesEffectLater(const FactBody& body)
 {
-    return std::visit(Overloaded{[](const fact::PhaseChanged&) { return true; },
-                                 [](const fact::AnatomyChosen&) { return true; },
-                                 [](const fact::BreathingRateSet&) { return true; },
-                                 [](const fact::TidalVolumeSet&) { return true; },
-                                 [](const fact::InspiratoryFractionSet&) { return true; },
-                                 [](const fact::PatientBuildSet&) { return true; },
-                                 [](const fact::LungConditionSet&) { return true; },
-                                 [](const fact::VentilatorSet&) { return true; },
-                                 [](const fact::TubePlaced&) { return true; },
-                                 [](const fact::ManikinBreathed&) { return true; },
-                                 [](const auto&) { return false; }},
-                      body);
+    return isOneOf<fact::PhaseChanged, fact::AnatomyChosen, fact::BreathingRateSet,
+                   fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::PatientBuildSet,
+                   fact::LungConditionSet, fact::VentilatorSet, fact::TubePlaced,
+                   fact::BodyPositionSet, fact::ManikinBreathed>(body);
 }
 
 /// The id of the entry that is the same, else the next free one; 0 where none is left.
@@ -149,8 +146,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
 /// Nobody else creates a session or knows all that was decided by the time of a checkpoint.
 bool isOfTheHostAlone(const FactBody& body)
 {
-    return std::holds_alternative<fact::SessionCreated>(body)
-           || std::holds_alternative<fact::RespirationCheckpoint>(body);
+    return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint>(body);
 }
 
 Result<void> checkPermission(const SessionState& state, ParticipantId authorId, StationId station,

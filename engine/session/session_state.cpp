@@ -122,6 +122,11 @@ struct SessionState::Applier {
         if (Station* station = ofFact())
             station->respiration.setTube(around.effect, body.innerDiameter);
     }
+    void operator()(const fact::BodyPositionSet& body) const
+    {
+        if (Station* station = ofFact())
+            station->respiration.setPosition(around.effect, body.position);
+    }
     void operator()(const fact::ManikinBreathed& body) const
     {
         if (Station* station = ofFact())

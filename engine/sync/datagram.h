@@ -13,7 +13,7 @@ namespace carina
 {
 
 /// Of this layout; a peer with another number is refused.
-inline constexpr std::uint8_t kProtocolVersion = 5;
+inline constexpr std::uint8_t kProtocolVersion = 6;
 /// Leaves room for DTLS around it (29 bytes), so that no more than 1200 bytes travel in a UDP
 /// packet: they fit into any path's MTU, and nothing is ever fragmented.
 inline constexpr std::size_t kLargestDatagram = 1160;

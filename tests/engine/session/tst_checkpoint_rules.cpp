@@ -58,6 +58,9 @@ void TestCheckpointRules::refusesACheckpointThatNoFoldCanTake_data()
     row("airway", [](RespiratoryState& s) { s.system.upperLaminar.si = -1.0; });
     row("turbulence", [](RespiratoryState& s) { s.system.upperTurbulent = -1.0; });
     row("mediastinum", [](RespiratoryState& s) { s.system.mediastinum.si = -1.0; });
+    row("its weight", [](RespiratoryState& s) { s.system.mediastinalWeight.si = -1e7; });
+    row("drive", [](RespiratoryState& s) { s.system.lungs[1].drive = -0.1; });
+    row("sag", [](RespiratoryState& s) { s.system.sag = -1.1; });
     row("its room", [](RespiratoryState& s) { s.system.mediastinumMost.si = -1.0; });
     row("rate", [](RespiratoryState& s) { s.breath.rate.si = 0.0; });
     row("volume", [](RespiratoryState& s) { s.breath.tidalVolume.si = 0.0; });
@@ -136,6 +139,7 @@ void TestCheckpointRules::acceptsWhatAFoldComesTo()
         settings.build = {metres(height_m), weight_kg, years, Sex::Male};
         const bool isMainstem = kind == ConditionKind::MainstemIntubation;
         settings.condition = {kind, 1.0, isMainstem ? ConditionSide::Left : ConditionSide::Both};
+        settings.position = BodyPosition(static_cast<int>(kind) % 5);
         settings.pattern = {kFastestBreathing, kLargestTidalVolume, kShortestInspiration};
         settings.ventilator.pressureLimit = kHighestPressureLimit;
         settings.ventilator.drivingPressure = kHighestDrivingPressure;

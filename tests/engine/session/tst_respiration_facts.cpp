@@ -52,6 +52,7 @@ void TestRespirationFacts::writesTheDocumentedBytes_data()
         "0f 02 000000000000f03f 0000000000000040 000000000000e03f 000000000000e03f"
         "0000000000000040 000000000000f03f 0000000000000000");
     row("tube", fact::TubePlaced{metres(2.0)}, "10 0000000000000040");
+    row("position", fact::BodyPositionSet{BodyPosition::LeftLateral}, "13 04");
     row("breath", fact::ManikinBreathed{SessionTime{Duration{0x0102}}}, "11 0201000000000000");
 }
 
@@ -89,6 +90,7 @@ void TestRespirationFacts::refusesEnumeratorsThatDoNotExist_data()
     QTest::newRow("sex 2") << "0d" + zero + zero + zero + "02";
     QTest::newRow("condition 10") << "0e0a" + zero + "00";
     QTest::newRow("side 3") << "0e00" + zero + "03";
+    QTest::newRow("position 5") << QByteArray{"1305"};
     QTest::newRow("mode 3") << "0f03" + zero.repeated(7);
     QTest::newRow("time beyond 73 years") << QByteArray{"110100000000000020"};
     QTest::newRow("severity not a number") << QByteArray{"0e00000000000000f87f00"};
@@ -100,7 +102,7 @@ void TestRespirationFacts::refusesEnumeratorsThatDoNotExist()
     QCOMPARE(decodeBody(fromHex(hex)).error().code, Errc::PacketMalformed);
 }
 
-/// 92 numbers of 8 bytes, two flags, and the kind: less than a fact may have.
+/// 96 numbers of 8 bytes, two flags, and the kind: less than a fact may have.
 void TestRespirationFacts::carriesACheckpointBitForBit()
 {
     const fact::RespirationCheckpoint checkpoint{SessionTime{Duration{123456789}},

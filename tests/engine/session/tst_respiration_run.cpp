@@ -25,6 +25,7 @@ LogWriter eventfulSession()
     writer.add(atSeconds(20.5003), fact::PhaseChanged{SessionPhase::Paused});
     writer.add(atSeconds(25.1), fact::TubePlaced{millimetres(7.5)});
     writer.add(atSeconds(26.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(27.0), fact::BodyPositionSet{BodyPosition::LeftLateral});
     fact::VentilatorSet ventilator;
     ventilator.settings.mode = VentilationMode::VolumeControl;
     writer.add(atSeconds(28.0), ventilator);
@@ -97,6 +98,8 @@ void TestRespirationRun::takesEverySettingAtItsTime()
     QVERIFY(settingsAt(2.0).build == (PatientBuild{metres(1.75), 77.0, 40.0, Sex::Male}));
     QCOMPARE(settingsAt(2.0).pattern.rate, BreathingPattern{}.rate);
     QCOMPARE(settingsAt(26.5).tube, millimetres(7.5));
+    QCOMPARE(settingsAt(26.9).position, BodyPosition::Supine);
+    QCOMPARE(settingsAt(27.1).position, BodyPosition::LeftLateral);
     QVERIFY(settingsAt(27.9).ventilator.mode == VentilationMode::Spontaneous);
     QVERIFY(settingsAt(28.1).ventilator.mode == VentilationMode::VolumeControl);
     QCOMPARE(settingsAt(29.1).pattern.tidalVolume, millilitres(500.0));
@@ -199,7 +202,8 @@ void TestRespirationRun::namesTheNextChange()
     QVERIFY(timeline.changeAfter(atSeconds(25.1)) == atSeconds(26.0));
     QVERIFY(timeline.changeAfter(atSeconds(30.0)) == SessionTime::max());
     QVERIFY(timeline.changeAfter(atSeconds(3.0)) == atSeconds(20.5003));
-    QVERIFY(timeline.changeAfter(atSeconds(26.0)) == atSeconds(28.0));
+    QVERIFY(timeline.changeAfter(atSeconds(26.0)) == atSeconds(27.0));
+    QVERIFY(timeline.changeAfter(atSeconds(27.0)) == atSeconds(28.0));
     QVERIFY(timeline.changeAfter(atSeconds(28.0)) == atSeconds(29.0));
     QVERIFY(timeline.changeAfter(atSeconds(29.0)) == atSeconds(30.0));
     QVERIFY(timeline.runsAt(atSeconds(20.5)));

@@ -112,10 +112,10 @@ private Q_SLOTS:
     void tellsAnotherVersionFromNonsense()
     {
         auto bytes = fromHex(kPlainHeaderHex);
-        bytes[2] = std::byte{4};
-        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "4"}));
-        bytes[2] = std::byte{6};
-        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "6"}));
+        bytes[2] = std::byte{5};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "5"}));
+        bytes[2] = std::byte{7};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "7"}));
         bytes[2] = std::byte{0};
         QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "0"}));
         // Magic and version stay where they are in every version; nothing else need.

@@ -3,6 +3,7 @@
 #include "apps/lab/condition_sweep.h"
 #include "apps/lab/drawn_breathing.h"
 #include "apps/lab/patient_options.h"
+#include "apps/lab/position_option.h"
 
 #include <QCommandLineParser>
 #include <QJsonArray>
@@ -23,6 +24,7 @@ constexpr const char* kBreathe = "breathe";
 void addFlags(QCommandLineParser& parser)
 {
     addPatientOptions(parser);
+    addPositionOption(parser);
     addValueOptions(parser, {"rate-per-min", "tidal-volume-ml", "seconds", "level"});
     parser.addOption(QCommandLineOption{kEveryCondition});
 }
@@ -107,6 +109,8 @@ QJsonObject describeBreathing(const Anatomy& anatomy, const BreathingTrial& tria
     const BreathingPattern& pattern = trial.settings.pattern;
     return {{QStringLiteral("schema"), QStringLiteral("carina.breathe/1")},
             {QStringLiteral("anatomy"), QString::fromStdString(anatomy.name)},
+            {QStringLiteral("position"),
+             QString::fromStdString(std::string{positionName(trial.settings.position)})},
             {QStringLiteral("rate_per_min"), inPerMinute(pattern.rate)},
             {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
             {QStringLiteral("seconds"), trial.seconds},
@@ -132,6 +136,9 @@ Result<QJsonObject> breathe(const QCommandLineParser& parser)
     const auto level = levelOption(parser);
     if (!level)
         return tl::unexpected(level.error());
+    const auto position = positionOption(parser, kBreathe);
+    if (!position)
+        return tl::unexpected(position.error());
     const bool sweeps = parser.isSet(kEveryCondition);
     if (sweeps && isAskedForOneWay(parser))
         return fail(Errc::OutOfRange, "breathe takes --every-condition with --anatomy, --patient "
@@ -144,9 +151,10 @@ Result<QJsonObject> breathe(const QCommandLineParser& parser)
     if (!subject)
         return tl::unexpected(subject.error());
     if (sweeps)
-        return sweepConditions(subject->anatomy, subject->build, *level);
+        return sweepConditions(subject->anatomy, subject->build, *position, *level);
     BreathingTrial of = *trial;
     of.settings.build = subject->build;
+    of.settings.position = *position;
     return drawBreathing(subject->anatomy, {&of, 1}, *level).map([&](const DrawnBreathing& drawn) {
         return describeBreathing(subject->anatomy, of, drawn);
     });
@@ -169,13 +177,14 @@ Result<QJsonObject> run(const QStringList& arguments)
 constexpr std::string_view kHelp =
     R"(breathe --rate-per-min R --tidal-volume-ml V --seconds S
         [--condition NAME [--severity 0..1] [--side both|right|left]]
-        [--ventilator none|volume|pressure] [--anatomy DIR | --patient adult|child] [--level N]
+        [--ventilator none|volume|pressure] [--position NAME]
+        [--anatomy DIR | --patient adult|child] [--level N]
     Draws the lungs of an anatomy set, or of a built-in patient (child), breathing for S seconds at
     60 frames per second as the respiratory mechanics have it, reads back where the shader put their
     vertices, and compares the volume these enclose with the mechanics. Every level of detail, or
-    level N (0 is the finest). NAME is one of the conditions of `mechanics`; its severity is 0.6
+    level N (0 is the finest). Conditions and positions are those of `mechanics`; a severity is 0.6
     unless given. Needs a display. schema carina.breathe/1
-      anatomy                name of the anatomy drawn
+      anatomy, position      name of the anatomy drawn, and how the patient lies
       rate_per_min, tidal_volume_ml, seconds, frames_per_second
                              what was asked for
       max_volume_error_ml    largest error of either lung and of both together, in any level
@@ -186,11 +195,11 @@ constexpr std::string_view kHelp =
       lungs                  right and left: max_volume_error_ml, rest_volume_ml (in the finest
                              level drawn), levels (per level: level, vertices, triangles,
                              rest_volume_ml, max_volume_error_ml)
-breathe --every-condition [--anatomy DIR | --patient adult|child] [--level N]
+breathe --every-condition [--position NAME] [--anatomy DIR | --patient adult|child] [--level N]
     The same for every condition, on each side where it has one, at the severities 0.3, 0.6, 0.9 and
     1, breathed spontaneously and by volume and pressure control at 12, 20 and 40 breaths per
     minute: frames of one breath after a minute. schema carina.breathe.conditions/1
-      anatomy                name of the anatomy drawn
+      anatomy, position      name of the anatomy drawn, and how the patient lies
       trials, frames         how many ways to breathe were drawn, and frames in all levels
       max_volume_error_ml    as above, of all
       levels                 level, max_volume_error_ml

@@ -2,6 +2,7 @@
 
 #include "apps/lab/condition_names.h"
 #include "apps/lab/drawn_breathing.h"
+#include "apps/lab/position_option.h"
 
 #include <QJsonArray>
 
@@ -27,20 +28,23 @@ struct SweptCondition {
 };
 
 struct Sweep {
+    PatientBuild build;
+    BodyPosition position;
     std::vector<SweptCondition> conditions;
     std::vector<BreathingTrial> trials;
 };
 
-BreathingTrial trialOf(const PatientBuild& build, const LungCondition& condition,
-                       VentilationMode mode, double rate_perMin)
+BreathingTrial trialOf(const Sweep& sweep, const LungCondition& condition, VentilationMode mode,
+                       double rate_perMin)
 {
     BreathingTrial trial =
-        settledBreath(build, condition, perMinute(rate_perMin), kFramesPerBreath);
+        settledBreath(sweep.build, condition, perMinute(rate_perMin), kFramesPerBreath);
+    trial.settings.position = sweep.position;
     trial.settings.ventilator.mode = mode;
     return trial;
 }
 
-void add(const NamedCondition& named, ConditionSide side, const PatientBuild& build, Sweep& sweep)
+void add(const NamedCondition& named, ConditionSide side, Sweep& sweep)
 {
     const std::size_t first = sweep.trials.size();
     const bool isHealthy = named.kind == ConditionKind::Normal;
@@ -49,20 +53,20 @@ void add(const NamedCondition& named, ConditionSide side, const PatientBuild& bu
             for (const double rate : kRates_perMin)
                 if (!isHealthy || severity == kSeverities.front())
                     sweep.trials.push_back(
-                        trialOf(build, {named.kind, isHealthy ? 0.0 : severity, side}, mode, rate));
+                        trialOf(sweep, {named.kind, isHealthy ? 0.0 : severity, side}, mode, rate));
     sweep.conditions.push_back({named, side, first, sweep.trials.size()});
 }
 
-Sweep sweepOf(const PatientBuild& build)
+Sweep sweepOf(const PatientBuild& build, BodyPosition position)
 {
-    Sweep sweep;
+    Sweep sweep{build, position, {}, {}};
     for (const NamedCondition& named : kNamedConditions) {
         if (named.bothSides)
-            add(named, ConditionSide::Both, build, sweep);
+            add(named, ConditionSide::Both, sweep);
         if (!named.oneSide)
             continue;
-        add(named, ConditionSide::Right, build, sweep);
-        add(named, ConditionSide::Left, build, sweep);
+        add(named, ConditionSide::Right, sweep);
+        add(named, ConditionSide::Left, sweep);
     }
     return sweep;
 }
@@ -105,6 +109,8 @@ QJsonObject describeSweep(const Anatomy& anatomy, const Sweep& sweep, const Draw
     }
     return {{QStringLiteral("schema"), QStringLiteral("carina.breathe.conditions/1")},
             {QStringLiteral("anatomy"), QString::fromStdString(anatomy.name)},
+            {QStringLiteral("position"),
+             QString::fromStdString(std::string{positionName(sweep.position)})},
             {QStringLiteral("trials"), qint64(sweep.trials.size())},
             {QStringLiteral("frames"), frames},
             {QStringLiteral("max_volume_error_ml"), largest},
@@ -115,9 +121,9 @@ QJsonObject describeSweep(const Anatomy& anatomy, const Sweep& sweep, const Draw
 } // namespace
 
 Result<QJsonObject> sweepConditions(const Anatomy& anatomy, const PatientBuild& build,
-                                    std::optional<std::size_t> level)
+                                    BodyPosition position, std::optional<std::size_t> level)
 {
-    const Sweep sweep = sweepOf(build);
+    const Sweep sweep = sweepOf(build, position);
     return drawBreathing(anatomy, sweep.trials, level).map([&](const DrawnBreathing& drawn) {
         return describeSweep(anatomy, sweep, drawn);
     });

@@ -2,6 +2,7 @@
 
 #include "apps/lab/command_options.h"
 #include "apps/lab/mechanics_table.h"
+#include "apps/lab/position_option.h"
 #include "apps/lab/waveform_model.h"
 
 #include <QJsonArray>
@@ -17,16 +18,19 @@ constexpr const char* kMechanics = "mechanics";
 constexpr double kUsualFlow_lPerMin = 30.0;
 
 constexpr std::string_view kMechanicsHelp =
-    R"(mechanics [--patient adult|child] [--rate-per-min R]
+    R"(mechanics [--patient adult|child] [--rate-per-min R] [--position NAME]
     What the respiratory mechanics make of each condition at the severities 0.3, 0.6 and 0.9, after
     a minute of quiet breathing and of volume control through a tube with a PEEP of 5 cmH2O; R
     breaths per minute instead of as many as the patient breathes at rest. Conditions are normal,
     ards, copd, asthma, simple_pneumothorax, tension_pneumothorax, atelectasis, mainstem_intubation,
-    obstruction and stiff_chest.
+    obstruction and stiff_chest. NAME is supine (taken unless given), sitting, prone, right_lateral
+    or left_lateral.
     schema            "carina.mechanics/1"
+    position          how the patient lies
     patient           height_mm, weight_kg, age_years, rv_ml, frc_ml, tlc_ml,
                       compliance_ml_per_cmh2o at rest and resistance_cmh2o_s_per_l of the system,
-                      and the quiet breath: rate_per_min, tidal_volume_ml, inspiratory_fraction
+                      all on the back, and the quiet breath: rate_per_min, tidal_volume_ml,
+                      inspiratory_fraction
     seconds, rate_per_min
                       breathed in each case
     conditions        condition, severity, side, rest_volume_ml, compliance_ml_per_cmh2o at rest,
@@ -118,6 +122,10 @@ Result<QJsonObject> describeTable(const QCommandLineParser& parser)
         healthy.build = {metres(1.5), 40.0, 12.0, Sex::Female};
     else if (!patient.isEmpty() && patient != QStringLiteral("adult"))
         return fail(Errc::OutOfRange, "mechanics knows --patient adult and --patient child.");
+    const auto position = positionOption(parser, kMechanics);
+    if (!position)
+        return tl::unexpected(position.error());
+    healthy.position = *position;
     healthy.pattern = restingPattern(healthy.build);
     if (parser.isSet(QStringLiteral("rate-per-min"))) {
         const auto rate_perMin = numberOption(parser, kMechanics, "rate-per-min", 4.0, 60.0);
@@ -135,15 +143,17 @@ Result<QJsonObject> runMechanics(const QStringList& arguments)
     const QString waveform = QStringLiteral("waveform");
     QCommandLineParser parser;
     addValueOptions(parser, {"waveform", "inspiratory-flow-l-per-min", "patient", "rate-per-min"});
+    addPositionOption(parser);
     if (const auto parsed = parseOptions(parser, kMechanics, arguments); !parsed)
         return tl::unexpected(parsed.error());
     const bool hasFlow = parser.isSet(QStringLiteral("inspiratory-flow-l-per-min"));
     if (!parser.isSet(waveform) && !hasFlow)
         return describeTable(parser);
     if (!parser.isSet(waveform) || parser.isSet(QStringLiteral("patient"))
-        || parser.isSet(QStringLiteral("rate-per-min")))
-        return fail(Errc::OutOfRange, "mechanics takes --patient and --rate-per-min alone, or "
-                                      "--waveform with or without a flow.");
+        || parser.isSet(QStringLiteral("rate-per-min"))
+        || parser.isSet(QStringLiteral("position")))
+        return fail(Errc::OutOfRange, "mechanics takes --patient, --rate-per-min and --position "
+                                      "alone, or --waveform with or without a flow.");
     const auto assumed_lPerMin =
         hasFlow ? numberOption(parser, kMechanics, "inspiratory-flow-l-per-min", 1.0, 200.0)
                 : Result<double>{kUsualFlow_lPerMin};

@@ -1,6 +1,7 @@
 #include "apps/lab/mechanics_table.h"
 
 #include "apps/lab/condition_names.h"
+#include "apps/lab/position_option.h"
 #include "engine/lungs/chest_shape.h"
 #include "engine/lungs/respiratory_fold.h"
 
@@ -126,6 +127,7 @@ QJsonObject mechanicsTable(const RespiratorySettings& healthy)
             conditions.append(describeCondition(healthy, named, severity));
     }
     return {{QStringLiteral("patient"), describePatient(healthy.build)},
+            {QStringLiteral("position"), textOf(positionName(healthy.position))},
             {QStringLiteral("seconds"), kSeconds},
             {QStringLiteral("rate_per_min"), inPerMinute(healthy.pattern.rate)},
             {QStringLiteral("conditions"), conditions}};

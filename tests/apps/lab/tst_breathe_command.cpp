@@ -86,6 +86,16 @@ void TestBreatheCommand::drawsTheVolumeOfTheMechanicsInEveryLevel_data()
                           "--condition simple_pneumothorax --severity 0.9 --side right "
                           "--ventilator volume")
         << swing_ml(ill, 121) << 2310.0;
+    for (const auto& [name, position] : {std::pair{"sitting", BodyPosition::Sitting},
+                                         {"prone", BodyPosition::Prone},
+                                         {"left_lateral", BodyPosition::LeftLateral}}) {
+        RespiratorySettings turned = breathing(girl, 19.0, 280.0);
+        turned.position = position;
+        QTest::newRow(name) << QStringLiteral("--rate-per-min 19 --tidal-volume-ml 280 --seconds 2 "
+                                              "--position ")
+                                   + QString::fromLatin1(name)
+                            << swing_ml(turned, 121) << 1200.0;
+    }
 }
 
 void TestBreatheCommand::drawsTheVolumeOfTheMechanicsInEveryLevel()
@@ -157,6 +167,7 @@ void TestBreatheCommand::refusesWhatItCannotDo_data()
         QTest::newRow(name) << QString::fromLatin1(words) << QString::fromLatin1(mention);
     };
     row("nothing", "", "--rate-per-min");
+    row("unknown position", "--every-condition --position upside_down", "upside_down");
     row("a rate of nothing", "--rate-per-min 0 --tidal-volume-ml 280 --seconds 1", "from 4 to 60");
     row("a rate that is not a number", "--rate-per-min nan --tidal-volume-ml 280 --seconds 1",
         "--rate-per-min");

@@ -43,12 +43,21 @@ class TestConditionSweep : public QObject
 
 private Q_SLOTS:
     void drawsTheVolumeOfEveryCondition();
+    void drawsThatOfWhoDoesNotLieOnTheBack();
     void drawsThatOfRealLungs();
 };
 
 void TestConditionSweep::drawsTheVolumeOfEveryCondition()
 {
     verifySwept({QStringLiteral("--patient"), QStringLiteral("adult")}, 3);
+}
+
+void TestConditionSweep::drawsThatOfWhoDoesNotLieOnTheBack()
+{
+    for (const char* position : {"sitting", "prone", "right_lateral", "left_lateral"})
+        verifySwept({QStringLiteral("--level"), QStringLiteral("2"), QStringLiteral("--position"),
+                     QString::fromLatin1(position)},
+                    1);
 }
 
 void TestConditionSweep::drawsThatOfRealLungs()

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void describesThePatientAndEveryCondition();
     void trapsMoreGasTheFasterItBreathes();
     void describesAWaveform();
+    void describesAPosition();
     void refusesBadArguments_data();
     void refusesBadArguments();
 };
@@ -112,6 +113,16 @@ void TestMechanicsCommand::describesAWaveform()
     QCOMPARE((*printed)[QStringLiteral("disconnected_s")].toDouble(), 0.0);
 }
 
+/// 806 ml more of 2310 than on the back.
+void TestMechanicsCommand::describesAPosition()
+{
+    const auto printed = mechanics({QStringLiteral("--position"), QStringLiteral("sitting")});
+    QVERIFY(printed.has_value());
+    QCOMPARE((*printed)[QStringLiteral("position")].toString(), QStringLiteral("sitting"));
+    const QJsonObject healthy = (*printed)[QStringLiteral("conditions")].toArray()[0].toObject();
+    QVERIFY(std::abs(healthy[QStringLiteral("rest_volume_ml")].toDouble() - 3116.0) < 0.1);
+}
+
 void TestMechanicsCommand::refusesBadArguments_data()
 {
     QTest::addColumn<QStringList>("arguments");
@@ -123,6 +134,7 @@ void TestMechanicsCommand::refusesBadArguments_data()
     row("unknown flag", "--speed 3", "--speed");
     row("a word", "adult", "adult");
     row("unknown patient", "--patient horse", "--patient adult");
+    row("unknown position", "--position upside_down", "upside_down");
     row("patient and waveform", "--patient adult --waveform x", "alone, or --waveform");
     row("rate and waveform", "--rate-per-min 12 --waveform x", "alone, or --waveform");
     row("flow without waveform", "--inspiratory-flow-l-per-min 30", "alone, or --waveform");

@@ -21,6 +21,13 @@ ProposalRecord newProposal(StationId station, FactBody body)
     return toRecord(Proposal{id, kNobody, station, std::move(body)});
 }
 
+/// A person waits for it, or has to know that nothing is kept.
+bool isTold(const RefusedProposal& refused)
+{
+    const auto proposal = fromRecord(refused.proposal);
+    return !proposal || !isByItself(proposal->body) || refused.reason == Errc::StoreFailed;
+}
+
 LinkState linkState(SyncClient::State state)
 {
     switch (state) {
@@ -110,7 +117,8 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core.clock().mapping()->at(now));
     for (const RefusedProposal& refused : output.refused)
-        m_refusal = Error{refused.reason, {}};
+        if (isTold(refused))
+            m_refusal = Error{refused.reason, {}};
     show(now);
     if (wantsToken() && now >= m_nextTokenRequest) {
         m_nextTokenRequest = now + kTokenRequestInterval;

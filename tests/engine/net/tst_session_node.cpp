@@ -181,6 +181,26 @@ private Q_SLOTS:
         used = std::clock() - used;
         QVERIFY(static_cast<double>(used) / CLOCKS_PER_SEC < 0.05);
     }
+
+    void tellsNobodyOfWhatAProgramAsksByItself()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        instructor->propose(kStation, fact::PhaseChanged{SessionPhase::Running});
+        instructor->propose(kStation, fact::PhaseChanged{SessionPhase::Ended});
+        const auto hasEnded = [&] {
+            return anna->state()->phaseAt(SessionTime::max()) == SessionPhase::Ended;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(hasEnded(), kSoonMs);
+        anna->propose(kStation, fact::ManikinBreathed{}); // refused: it has ended
+        anna->propose(kStation, fact::ObjectShared{{}, anna->self(), ObjectKind::Jaw, "jaw"});
+        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kSoonMs);
+        QVERIFY(!anna->refusal());
+        anna->propose(kStation, fact::BreathingRateSet{perMinute(20.0)}); // a person's
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal(), kSoonMs);
+    }
 };
 
 } // namespace carina

@@ -119,8 +119,12 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
     if (role == Qt::ToolTipRole) {
         if (section == Age)
             return tr("Age of the oldest of the participant's newest samples");
-        if (section == DriftAngle || section == DriftDistance)
-            return tr("How far an object of the participant was off when its newest sample came");
+        if (section == DriftAngle)
+            return tr("By what angle an object of the participant was off when its newest sample "
+                      "came");
+        if (section == DriftDistance)
+            return tr("How far an object of the participant was from its place when its newest "
+                      "sample came");
         return {};
     }
     if (role != Qt::DisplayRole)
@@ -135,8 +139,9 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
     case Age:
         return tr("Age");
     case DriftAngle:
+        return tr("Drift °");
     case DriftDistance:
-        return tr("Drift");
+        return tr("Drift mm");
     default:
         return {};
     }

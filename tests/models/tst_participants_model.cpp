@@ -72,9 +72,9 @@ void TestParticipantsModel::listsEverybodyWithTheirRole()
 void TestParticipantsModel::namesItsColumns()
 {
     const Table table;
-    const QStringList expected{QStringLiteral("Name"),  QStringLiteral("State"),
-                               QStringLiteral("Age"),   QStringLiteral("Drift"),
-                               QStringLiteral("Drift"), QStringLiteral("Role")};
+    const QStringList expected{QStringLiteral("Name"),     QStringLiteral("State"),
+                               QStringLiteral("Age"),      QStringLiteral("Drift °"),
+                               QStringLiteral("Drift mm"), QStringLiteral("Role")};
     QStringList headers;
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();

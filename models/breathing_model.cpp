@@ -1,7 +1,10 @@
 #include "models/breathing_model.h"
 
+#include "engine/session/fact_rules.h"
+
 #include <QTimer>
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina
@@ -14,12 +17,17 @@ constexpr int kLookInterval_ms = 50;
 /// The coarsest rounding between what was asked and what a timeline gives back.
 constexpr double kSame = 1e-6;
 
-BreathingPattern patternAt(const SessionNode& node, StationId stationId, SessionTime t)
+RespiratorySettings settingsAt(const SessionNode& node, StationId stationId, SessionTime t)
 {
     const auto state = node.state();
     const auto station = state->stations().find(stationId);
-    return station != state->stations().end() ? station->second.respiration.settingsAt(t).pattern
-                                              : BreathingPattern{};
+    return station != state->stations().end() ? station->second.respiration.settingsAt(t)
+                                              : RespiratorySettings{};
+}
+
+BreathingPattern patternAt(const SessionNode& node, StationId stationId, SessionTime t)
+{
+    return settingsAt(node, stationId, t).pattern;
 }
 
 double expirationOf(double inspiratoryFraction)
@@ -67,13 +75,21 @@ std::optional<double> BreathingModel::pending(BreathingParameter parameter) cons
     return wish.latest ? wish.latest : wish.sent;
 }
 
+/// By what was last decided about the patient, as the host judges it.
+int BreathingModel::largestTidalVolume_ml() const
+{
+    const PatientBuild build = settingsAt(m_session.node(), m_station, SessionTime::max()).build;
+    const Volume largest = std::min(kLargestTidalVolume, largestTidalVolume(build));
+    return static_cast<int>(inMillilitres(largest) + kSame);
+}
+
 QString BreathingModel::travellingText() const
 {
     QStringList lines;
     if (const auto rate = pending(BreathingParameter::Rate))
-        lines << tr("Breathing rate → %1 /min").arg(*rate);
+        lines << tr("Breathing rate → %1\u00a0/min").arg(*rate);
     if (const auto volume = pending(BreathingParameter::TidalVolume))
-        lines << tr("Tidal volume → %1 ml").arg(*volume);
+        lines << tr("Tidal volume → %1\u00a0ml").arg(*volume);
     if (const auto expiration = pending(BreathingParameter::Expiration))
         lines << tr("Inspiration : expiration → 1 : %1").arg(*expiration, 0, 'f', 2);
     return lines.join(QLatin1Char('\n'));
@@ -147,9 +163,9 @@ void BreathingModel::refresh()
                 ask(parameter, *next);
         }
     }
-    Shown shown;
+    Shown shown{{}, largestTidalVolume_ml()};
     for (const BreathingParameter parameter : kBreathingParameters)
-        shown[std::size_t(parameter)] = {value(parameter), pending(parameter)};
+        shown.values[std::size_t(parameter)] = {value(parameter), pending(parameter)};
     if (std::exchange(m_shown, shown) != shown)
         Q_EMIT changed();
 }

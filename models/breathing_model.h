@@ -36,6 +36,8 @@ public:
     [[nodiscard]] double value(BreathingParameter parameter) const;
     /// The value asked for that is not in force yet.
     [[nodiscard]] std::optional<double> pending(BreathingParameter parameter) const;
+    /// The most that this patient's breaths may be set to, whole millilitres.
+    [[nodiscard]] int largestTidalVolume_ml() const;
     /// The changes that travel, one a line: "Breathing rate → 24 /min"; empty when none does.
     [[nodiscard]] QString travellingText() const;
 
@@ -46,7 +48,7 @@ public:
     void undo();
 
 Q_SIGNALS:
-    /// Values, what is pending, or whether undo is possible changed.
+    /// Values, their bounds, what is pending, or whether undo is possible changed.
     void changed();
 
 private:
@@ -60,7 +62,12 @@ private:
         std::optional<double> latest; ///< to be proposed when that is in force
     };
 
-    using Shown = std::array<std::pair<double, std::optional<double>>, kBreathingParameters.size()>;
+    struct Shown {
+        std::array<std::pair<double, std::optional<double>>, kBreathingParameters.size()> values;
+        int largestTidalVolume_ml = 0;
+
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
 
     void ask(BreathingParameter parameter, double value);
     [[nodiscard]] bool isUnderWay(BreathingParameter parameter, double sent) const;

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void givesUpWhatTheHostRefuses();
     void followsAnotherInstructor();
     void signalsOnlyWhatChanged();
+    void boundsABreathByThePatient();
 };
 
 namespace
@@ -74,9 +75,9 @@ void TestBreathingModel::setsAndTellsWhatTravels_data()
     QTest::addColumn<int>("parameter");
     QTest::addColumn<double>("value");
     QTest::addColumn<QString>("text");
-    QTest::newRow("rate") << int(Rate) << 24.0 << QStringLiteral("Breathing rate → 24 /min");
+    QTest::newRow("rate") << int(Rate) << 24.0 << QStringLiteral("Breathing rate → 24\u00a0/min");
     QTest::newRow("tidal volume") << int(TidalVolume) << 450.0
-                                  << QStringLiteral("Tidal volume → 450 ml");
+                                  << QStringLiteral("Tidal volume → 450\u00a0ml");
     QTest::newRow("expiration") << int(Expiration) << 3.0
                                 << QStringLiteral("Inspiration : expiration → 1 : 3.00");
 }
@@ -198,6 +199,17 @@ void TestBreathingModel::signalsOnlyWhatChanged()
     console.deliver();
     console.settle();
     QVERIFY(changes.count() >= 1);
+}
+
+/// 25 ml/kg, and no more than anybody may be set to.
+void TestBreathingModel::boundsABreathByThePatient()
+{
+    Console console;
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 1000); // the child of 40 kg
+    console.node.decide(fact::PatientBuildSet{{metres(1.75), 77.0, 40.0, Sex::Male}});
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 1925);
+    console.node.decide(fact::PatientBuildSet{{metres(2.1), 110.0, 40.0, Sex::Male}});
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 2000);
 }
 
 } // namespace carina

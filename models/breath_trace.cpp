@@ -50,8 +50,11 @@ void BreathTrace::take(const RespirationRun& run, SessionTime t)
     const RespiratoryFold& fold = run.fold();
     const Volume gas = fold.content()[0].gas + fold.content()[1].gas;
     const BreathTally& breath = fold.breath();
-    if (breath.steps < m_breathSteps || m_breathBegan.si == 0.0)
+    if (breath.steps < m_breathSteps || m_breathBegan.si == 0.0) {
         m_breathBegan = breath.least[0] + breath.least[1]; // as far as is known
+        m_wasVentilated = m_isVentilated;
+    }
+    m_isVentilated = fold.settings().ventilator.mode != VentilationMode::Spontaneous;
     m_breathSteps = breath.steps;
     m_figures = fold.lastBreath();
     Q_EMIT sampled({toSeconds(t.time_since_epoch()),
@@ -63,12 +66,14 @@ std::optional<BreathTrace::Figures> BreathTrace::lastBreath() const
 {
     if (m_figures.rate.si == 0.0)
         return std::nullopt;
+    std::optional<Figures::Airway> airway;
+    if (m_wasVentilated)
+        airway = Figures::Airway{inCmH2O(m_figures.peak), inCmH2O(m_figures.plateau)};
     return Figures{inMillilitres(m_figures.tidalVolume),
                    inMillilitres(m_figures.tidalVolumeOfLung[0]),
                    inMillilitres(m_figures.tidalVolumeOfLung[1]),
                    inPerMinute(m_figures.rate),
-                   inCmH2O(m_figures.peak),
-                   inCmH2O(m_figures.plateau),
+                   airway,
                    inCmH2O(m_figures.autoPeep),
                    60.0 * inLitresPerSecond(m_figures.alveolarVentilation)};
 }

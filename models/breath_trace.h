@@ -29,8 +29,12 @@ public:
         double right_ml = 0.0;
         double left_ml = 0.0;
         double rate_perMin = 0.0;
-        double peak_cmH2O = 0.0;
-        double plateau_cmH2O = 0.0;
+        /// At the airway, in a breath of a ventilator; nothing where nobody pushes.
+        struct Airway {
+            double peak_cmH2O = 0.0;
+            double plateau_cmH2O = 0.0;
+        };
+        std::optional<Airway> airway;
         double autoPeep_cmH2O = 0.0;
         double alveolarVentilation_lPerMin = 0.0; ///< that reaches alveoli with blood
     };
@@ -61,6 +65,8 @@ private:
     Volume m_breathBegan; ///< gas in both lungs as it did
     std::int64_t m_breathSteps = 0;
     BreathFigures m_figures;
+    bool m_isVentilated = false;  ///< the breath at the latest sample
+    bool m_wasVentilated = false; ///< the last whole breath
 };
 
 } // namespace carina

@@ -168,7 +168,7 @@ QString SessionPatient::progress() const
     if (m_step == Step::Making)
         return tr("The session's patient “%1” is being made ready …").arg(name);
     if (m_status.state == FetchStatus::State::Receiving)
-        return tr("The session's patient “%1” is coming: %2 of %3 MB (Esc: menu, to stop it)")
+        return tr("The session's patient “%1” is coming: %2 of %3\u00a0MB (Esc: menu, to stop it)")
             .arg(name, QString::number(megabytes(m_status.received)),
                  QString::number(megabytes(m_status.set.bytes)));
     if (m_status.fault)

@@ -74,13 +74,17 @@ void WaveformPanel::refreshFigures()
     const auto tenths = [](double value) {
         return QString::number(qRound(10.0 * value) / 10.0, 'f', 1);
     };
-    m_figures->setText(tr("Breath %1 ml (right %2, left %3)   %4\u00a0/min   peak %5, plateau %6, "
-                          "auto-PEEP %7\u00a0cmH2O   alveolar %8\u00a0L/min")
-                           .arg(whole(breath->tidalVolume_ml), whole(breath->right_ml),
-                                whole(breath->left_ml), tenths(breath->rate_perMin),
-                                tenths(breath->peak_cmH2O), tenths(breath->plateau_cmH2O),
-                                tenths(breath->autoPeep_cmH2O),
-                                tenths(breath->alveolarVentilation_lPerMin)));
+    // Numbers stay with their names and units where a line ends.
+    QStringList told{
+        tr("Breath\u00a0%1\u00a0ml (right\u00a0%2, left\u00a0%3)")
+            .arg(whole(breath->tidalVolume_ml), whole(breath->right_ml), whole(breath->left_ml)),
+        tr("%1\u00a0/min").arg(tenths(breath->rate_perMin))};
+    if (breath->airway)
+        told += tr("peak\u00a0%1, plateau\u00a0%2\u00a0cmH2O")
+                    .arg(tenths(breath->airway->peak_cmH2O), tenths(breath->airway->plateau_cmH2O));
+    told += tr("auto\u2011PEEP\u00a0%1\u00a0cmH2O").arg(tenths(breath->autoPeep_cmH2O));
+    told += tr("alveolar\u00a0%1\u00a0L/min").arg(tenths(breath->alveolarVentilation_lPerMin));
+    m_figures->setText(told.join(QStringLiteral("   ")));
 }
 
 } // namespace carina

@@ -13,7 +13,8 @@ namespace
 constexpr int kRespirationLook_ms = 50;
 constexpr std::array kThingNames{QT_TRANSLATE_NOOP("carina::RespirationModel", "Condition → %1"),
                                  QT_TRANSLATE_NOOP("carina::RespirationModel", "Ventilation → %1"),
-                                 QT_TRANSLATE_NOOP("carina::RespirationModel", "Airway → %1")};
+                                 QT_TRANSLATE_NOOP("carina::RespirationModel", "Airway → %1"),
+                                 QT_TRANSLATE_NOOP("carina::RespirationModel", "Position → %1")};
 
 bool isUsuallyOfOneLung(ConditionKind kind)
 {
@@ -28,6 +29,7 @@ struct DecisionText {
         return ventilatorText(settings);
     }
     QString operator()(Length innerDiameter) const { return tubeText(innerDiameter); }
+    QString operator()(BodyPosition position) const { return positionText(position); }
 };
 
 struct DecisionFact {
@@ -40,6 +42,7 @@ struct DecisionFact {
         return fact::VentilatorSet{settings};
     }
     FactBody operator()(Length innerDiameter) const { return fact::TubePlaced{innerDiameter}; }
+    FactBody operator()(BodyPosition position) const { return fact::BodyPositionSet{position}; }
 };
 
 } // namespace
@@ -59,6 +62,7 @@ VentilatorSettings RespirationModel::ventilator() const
     return std::get<VentilatorSettings>(shown(1));
 }
 Length RespirationModel::tube() const { return std::get<Length>(shown(2)); }
+BodyPosition RespirationModel::position() const { return std::get<BodyPosition>(shown(3)); }
 
 void RespirationModel::choose(ConditionKind kind)
 {
@@ -78,6 +82,16 @@ void RespirationModel::setCondition(LungCondition condition)
         && condition.side == ConditionSide::Both)
         condition.side = ConditionSide::Right;
     set(condition);
+}
+
+QString RespirationModel::inForceText() const
+{
+    const QString ailment = conditionText(std::get<LungCondition>(inForce(0)));
+    const auto position = std::get<BodyPosition>(inForce(3));
+    if (position == BodyPosition::Supine)
+        return ailment;
+    return tr("%1; %2", "what ails the patient; how it lies")
+        .arg(ailment, positionText(position).toLower());
 }
 
 QString RespirationModel::travellingText() const
@@ -110,7 +124,7 @@ RespirationModel::Decision RespirationModel::decidedAt(std::size_t thing, Sessio
                                              ? station->second.respiration.settingsAt(t)
                                              : RespiratorySettings{};
     const std::array<Decision, kThings> decisions{settings.condition, settings.ventilator,
-                                                  settings.tube};
+                                                  settings.tube, settings.position};
     return decisions[thing];
 }
 

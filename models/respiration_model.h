@@ -15,8 +15,8 @@
 namespace carina
 {
 
-/// What ails one station's patient, who breathes it and through what, as an instructor sees and
-/// changes it.
+/// What ails one station's patient, how it lies, who breathes it and through what, as an instructor
+/// sees and changes it.
 ///
 /// A change travels to every site before it takes effect; until then `shown` already has it and
 /// `travellingText` tells it. While one change of a thing is under way only the latest further one
@@ -34,6 +34,7 @@ public:
     [[nodiscard]] LungCondition condition() const;
     [[nodiscard]] VentilatorSettings ventilator() const;
     [[nodiscard]] Length tube() const; ///< inner diameter; 0 without one
+    [[nodiscard]] BodyPosition position() const;
 
     /// With the severity there was, or half of it; of one lung where it usually is of one, the one
     /// there was or the right.
@@ -42,7 +43,11 @@ public:
     void setCondition(LungCondition condition);
     void setVentilator(const VentilatorSettings& settings) { set(settings); }
     void setTube(Length innerDiameter) { set(innerDiameter); }
+    void setPosition(BodyPosition position) { set(position); }
 
+    /// What ails the patient now and, unless on the back, how it lies: "COPD, severity 0.60, both
+    /// lungs; prone".
+    [[nodiscard]] QString inForceText() const;
     /// The changes that travel, one a line: "Condition → COPD, severity 0.60, both lungs"; empty
     /// when none does.
     [[nodiscard]] QString travellingText() const;
@@ -59,7 +64,7 @@ Q_SIGNALS:
 
 private:
     /// One of the things that are decided; its place in the variant says which.
-    using Decision = std::variant<LungCondition, VentilatorSettings, Length>;
+    using Decision = std::variant<LungCondition, VentilatorSettings, Length, BodyPosition>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
 
     /// What is asked for of one thing.
@@ -68,7 +73,8 @@ private:
         std::optional<Decision> latest; ///< to be proposed when that is in force
     };
     struct Shown {
-        std::array<Decision, kThings> decisions{LungCondition{}, VentilatorSettings{}, Length{}};
+        std::array<Decision, kThings> decisions{LungCondition{}, VentilatorSettings{}, Length{},
+                                                BodyPosition{}};
         std::array<bool, kThings> pending{};
         QString obstacle;
 

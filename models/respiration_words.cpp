@@ -64,11 +64,28 @@ QString modeText(VentilationMode mode)
     return {};
 }
 
+QString positionText(BodyPosition position)
+{
+    switch (position) {
+    case BodyPosition::Supine:
+        return words(QT_TRANSLATE_NOOP("Respiration", "On the back"));
+    case BodyPosition::Sitting:
+        return words(QT_TRANSLATE_NOOP("Respiration", "Sitting"));
+    case BodyPosition::Prone:
+        return words(QT_TRANSLATE_NOOP("Respiration", "Prone"));
+    case BodyPosition::RightLateral:
+        return words(QT_TRANSLATE_NOOP("Respiration", "On the right side"));
+    case BodyPosition::LeftLateral:
+        return words(QT_TRANSLATE_NOOP("Respiration", "On the left side"));
+    }
+    return {};
+}
+
 QString conditionText(const LungCondition& condition)
 {
     if (condition.kind == ConditionKind::Normal)
         return conditionText(condition.kind);
-    return QCoreApplication::translate("Respiration", "%1, severity %2, %3",
+    return QCoreApplication::translate("Respiration", "%1, severity\u00a0%2, %3",
                                        "condition; 0 to 1; which lung")
         .arg(conditionText(condition.kind))
         .arg(condition.severity, 0, 'f', 2)
@@ -81,12 +98,13 @@ QString ventilatorText(const VentilatorSettings& settings)
     if (settings.mode == VentilationMode::Spontaneous)
         return mode;
     const QString withPeep =
-        QCoreApplication::translate("Respiration", "%1, PEEP %2 cmH2O", "how it is ventilated")
+        QCoreApplication::translate("Respiration", "%1, PEEP\u00a0%2\u00a0cmH2O",
+                                    "how it is ventilated")
             .arg(mode)
             .arg(inCmH2O(settings.peep), 0, 'f', 0);
     if (settings.mode == VentilationMode::VolumeControl)
         return withPeep;
-    return QCoreApplication::translate("Respiration", "%1, %2 cmH2O above it",
+    return QCoreApplication::translate("Respiration", "%1, %2\u00a0cmH2O above it",
                                        "ventilation with its PEEP; pressure")
         .arg(withPeep)
         .arg(inCmH2O(settings.drivingPressure), 0, 'f', 0);
@@ -96,7 +114,7 @@ QString tubeText(Length innerDiameter)
 {
     if (innerDiameter.si == 0.0)
         return words(QT_TRANSLATE_NOOP("Respiration", "no tube"));
-    return QCoreApplication::translate("Respiration", "%1 mm tube", "inner diameter")
+    return QCoreApplication::translate("Respiration", "%1\u00a0mm tube", "inner diameter")
         .arg(inMillimetres(innerDiameter), 0, 'f', 1);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lungs/body_position.h"
 #include "engine/lungs/lung_condition.h"
 #include "engine/lungs/ventilation.h"
 
@@ -11,6 +12,7 @@ namespace carina
 [[nodiscard]] QString conditionText(ConditionKind kind);
 [[nodiscard]] QString sideText(ConditionSide side);
 [[nodiscard]] QString modeText(VentilationMode mode);
+[[nodiscard]] QString positionText(BodyPosition position);
 
 /// "COPD, severity 0.60, both lungs"; "Normal".
 [[nodiscard]] QString conditionText(const LungCondition& condition);

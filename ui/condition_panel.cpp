@@ -46,6 +46,7 @@ ConditionPanel::ConditionPanel(QWidget* parent)
     : QWidget{parent},
       m_obstacle{new QLabel},
       m_controls{new QWidget},
+      m_position{new QComboBox},
       m_condition{new QComboBox},
       m_severity{new QDoubleSpinBox},
       m_severitySlider{new QSlider{Qt::Horizontal}},
@@ -74,6 +75,7 @@ void ConditionPanel::layOut()
         else
             rows->addRow(label, field);
     };
+    add(m_position, "position", tr("Pos&ition"), tr("How the patient lies or sits"));
     add(m_condition, "condition", tr("&Condition"), tr("Condition of the lungs"));
     add(m_severity, "severity", tr("Se&verity"), tr("Severity of the condition, 0 to 1"));
     add(m_severitySlider, "severitySlider", {}, tr("Severity slider"));
@@ -128,6 +130,8 @@ QDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* objectN
 
 void ConditionPanel::offerChoices()
 {
+    for (const BodyPosition position : kBodyPositions)
+        m_position->addItem(positionText(position));
     for (const ConditionKind kind : kConditionKinds)
         m_condition->addItem(conditionText(kind));
     for (const ConditionSide side :
@@ -157,7 +161,7 @@ void ConditionPanel::offerChoices()
     m_tube->setSuffix(tr(" mm"));
     m_tube->setSpecialValueText(tr("none"));
     m_tube->setToolTip(tr("Inner diameter, 2 to 12 mm; below that, none"));
-    for (QComboBox* box : {m_condition, m_side, m_mode}) {
+    for (QComboBox* box : {m_position, m_condition, m_side, m_mode}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(kShownLetters);
     }
@@ -179,6 +183,8 @@ void ConditionPanel::setModel(RespirationModel& model)
 
 void ConditionPanel::connectCondition()
 {
+    connect(m_position, &QComboBox::activated, m_model,
+            [this](int place) { m_model->setPosition(static_cast<BodyPosition>(place)); });
     connect(m_condition, &QComboBox::activated, m_model,
             [this](int place) { m_model->choose(static_cast<ConditionKind>(place)); });
     connect(m_side, &QComboBox::activated, this, &ConditionPanel::setCondition);
@@ -235,6 +241,7 @@ void ConditionPanel::refresh()
     m_controls->setEnabled(obstacle.isEmpty());
     const LungCondition condition = m_model->condition();
     const bool isIll = condition.kind != ConditionKind::Normal;
+    display(*m_position, static_cast<int>(m_model->position()));
     display(*m_condition, static_cast<int>(condition.kind));
     display(*m_severity, condition.severity);
     display(*m_side, static_cast<int>(condition.side));

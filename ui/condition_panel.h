@@ -14,9 +14,9 @@ class QSlider;
 namespace carina
 {
 
-/// What ails the patient and who breathes it, to see and to change. A control shows the value in
-/// force or, while a change travels, the value asked for; what travels is told beneath. To those
-/// who may change nothing it says so.
+/// How the patient lies, what ails it and who breathes it, to see and to change. A control shows
+/// the value in force or, while a change travels, the value asked for; what travels is told
+/// beneath. To those who may change nothing it says so.
 class ConditionPanel : public QWidget
 {
     Q_OBJECT
@@ -41,6 +41,7 @@ private:
     RespirationModel* m_model = nullptr;
     QLabel* m_obstacle;
     QWidget* m_controls;
+    QComboBox* m_position;
     QComboBox* m_condition;
     QDoubleSpinBox* m_severity;
     QSlider* m_severitySlider;

@@ -82,20 +82,29 @@ void TestRespirationModel::setsAndTellsWhatTravels()
     Console console;
     console.model.setCondition(kRightPneumothorax);
     QVERIFY(console.model.condition() == kRightPneumothorax);
+    QCOMPARE(console.model.inForceText(), QStringLiteral("Normal")); // until it has travelled
     QCOMPARE(console.model.travellingText(),
-             QStringLiteral("Condition → Pneumothorax, simple, severity 0.40, right lung"));
+             QStringLiteral("Condition → Pneumothorax, simple, severity\u00a00.40, right lung"));
     VentilatorSettings ventilator;
     ventilator.mode = VentilationMode::VolumeControl;
     ventilator.peep = cmH2O(8.0);
     console.model.setVentilator(ventilator);
     console.model.setTube(millimetres(6.5));
+    console.model.setPosition(BodyPosition::LeftLateral);
+    QCOMPARE(console.model.position(), BodyPosition::LeftLateral);
     QCOMPARE(console.model.travellingText().section(QLatin1Char('\n'), 1),
-             QStringLiteral("Ventilation → Volume control, PEEP 8 cmH2O\nAirway → 6.5 mm tube"));
+             QStringLiteral(
+                 "Ventilation → Volume control, PEEP\u00a08\u00a0cmH2O\nAirway → 6.5\u00a0mm tube\n"
+                 "Position → On the left side"));
     console.settle();
     QVERIFY(console.model.travellingText().isEmpty());
+    QCOMPARE(console.model.inForceText(),
+             QStringLiteral("Pneumothorax, simple, severity\u00a00.40, right lung; "
+                            "on the left side"));
     QVERIFY(console.decided().condition == kRightPneumothorax);
     QVERIFY(console.decided().ventilator == ventilator);
     QCOMPARE(console.decided().tube, millimetres(6.5));
+    QCOMPARE(console.decided().position, BodyPosition::LeftLateral);
 }
 
 void TestRespirationModel::choosesAConditionWithASeverityToBeSeen()
@@ -258,7 +267,9 @@ void TestRespirationModel::hasAWordForEverything()
     for (const VentilationMode mode : {VentilationMode::Spontaneous, VentilationMode::VolumeControl,
                                        VentilationMode::PressureControl})
         words.insert(modeText(mode));
-    QCOMPARE(words.size(), std::size_t{16});
+    for (const BodyPosition position : kBodyPositions)
+        words.insert(positionText(position));
+    QCOMPARE(words.size(), std::size_t{21});
     QVERIFY(!words.contains(QString{}));
     QCOMPARE(conditionText(LungCondition{}), QStringLiteral("Normal"));
     QCOMPARE(ventilatorText({}), QStringLiteral("Spontaneous"));
@@ -266,7 +277,7 @@ void TestRespirationModel::hasAWordForEverything()
     pressure.mode = VentilationMode::PressureControl;
     pressure.drivingPressure = cmH2O(14.0);
     QCOMPARE(ventilatorText(pressure),
-             QStringLiteral("Pressure control, PEEP 5 cmH2O, 14 cmH2O above it"));
+             QStringLiteral("Pressure control, PEEP\u00a05\u00a0cmH2O, 14\u00a0cmH2O above it"));
     QCOMPARE(tubeText({}), QStringLiteral("no tube"));
 }
 

@@ -1,5 +1,9 @@
 #include "models/patient_model.h"
 
+#include "engine/lungs/chest_drawing.h"
+
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -54,6 +58,24 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
     model.addAnatomy(std::move(anatomy.parts));
     model.addTube();
     return model;
+}
+
+Box PatientModel::reachOfLungs() const
+{
+    constexpr double kFullest = 2.1; // of the gas at rest: 1.77 of it, and a breath
+    constexpr double kRibShare = 0.4;
+    ChestShape full{.lungs = {}, .mediastinalShift = {}, .ribShare = kRibShare};
+    for (const Side side : {Side::Right, Side::Left}) {
+        const Volume rest = m_lungs->restVolume(side);
+        full.lungs[indexOf(side)] = {kFullest * rest, rest, kFullest * rest};
+    }
+    const std::size_t coarsest = std::max<std::size_t>(1, m_lungs->levelCount()) - 1;
+    const ChestPose pose = drawnPose(*m_lungs, full, coarsest);
+    Box reach;
+    for (const BreathingPart& part : m_lungs->parts())
+        reach.include(boundsOf(deformed(part.levels.back(), m_lungs->field(),
+                                        motionOf(part.region, pose, m_lungs->field()))));
+    return reach;
 }
 
 void PatientModel::addAnatomy(std::vector<AnatomyPart> parts)

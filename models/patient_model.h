@@ -46,6 +46,9 @@ public:
     /// How what lies between jaw and carina follows the jaw.
     [[nodiscard]] const ThroatField& throat() const { return m_throat; }
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
+    /// What the lungs take up, in A, as they are drawn at the end of a breath in severe COPD: a
+    /// view that holds it cuts off no base of a lung. Empty without lungs.
+    [[nodiscard]] Box reachOfLungs() const;
 
 private:
     PatientModel() = default;

@@ -9,7 +9,7 @@ namespace carina
 StationScene::StationScene(SceneView& scene, const PatientModel& patient, const StationView& view)
     : m_scene{scene}, m_patient{&patient}, m_view{&view}
 {
-    m_scene.setParts(sceneParts(patient));
+    m_scene.setParts(sceneParts(patient), patient.reachOfLungs());
     m_scene.setFrameSource([this](int level, LocalTime lit) {
         m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
         SceneFrame frame = sceneFrame(m_moment, m_patient->lungs().field(), m_patient->throat());
@@ -23,7 +23,7 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
 {
     m_patient = &patient;
     m_view = &view;
-    m_scene.setParts(sceneParts(patient));
+    m_scene.setParts(sceneParts(patient), patient.reachOfLungs());
 }
 
 void StationScene::showTo(const HeadsetView& headset, ViewOutput output)

@@ -189,7 +189,7 @@ Result<QJsonArray> drawAll(const PatientModel& patient, const std::vector<PosedP
                                .size = order.size,
                                .prepare =
                                    [&](SceneView& view) {
-                                       view.setParts(sceneParts(patient));
+                                       view.setParts(sceneParts(patient), patient.reachOfLungs());
                                        view.setFixedLevel(int(kFinest));
                                    },
                                .frame =

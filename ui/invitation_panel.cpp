@@ -37,6 +37,7 @@ InvitationPanel::InvitationPanel(QWidget* parent)
       m_picture{new QrCode},
       m_reach{new QLabel},
       m_certificate{new QLabel},
+      m_showPicture{new QPushButton{tr("Show &QR code")}},
       m_copy{new QPushButton{tr("Copy &link")}}
 {
     auto* rows = new QGridLayout;
@@ -45,6 +46,11 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     addRow(*rows, Role::Observer, tr("Observers"), tr("Code for observers"));
     setFocusProxy(m_invited.at(m_chosen).choice);
     m_picture->setObjectName(QStringLiteral("picture"));
+    m_picture->hide();
+    m_showPicture->setObjectName(QStringLiteral("showPicture"));
+    m_showPicture->setCheckable(true);
+    m_showPicture->setToolTip(tr("The link as a picture, for the camera of another computer"));
+    connect(m_showPicture, &QPushButton::toggled, m_picture, &QWidget::setVisible);
     for (QLabel* words : {m_reach, m_certificate})
         words->setWordWrap(true);
     m_copy->setObjectName(QStringLiteral("copy"));
@@ -56,8 +62,13 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     column->addLayout(rows);
     column->addWidget(m_reach);
     column->addWidget(m_certificate);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_showPicture);
+    buttons->addWidget(m_copy);
+    buttons->addStretch(1);
+    column->addLayout(buttons);
     column->addWidget(m_picture, 1);
-    column->addWidget(m_copy, 0, Qt::AlignHCenter);
+    column->addStretch();
 }
 
 void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
@@ -66,7 +77,7 @@ void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
     const Invited invited{new QRadioButton{name}, codeLabel(codeName)};
     invited.choice->setObjectName(role == Role::Trainee ? QStringLiteral("trainees")
                                                         : QStringLiteral("observers"));
-    invited.choice->setToolTip(tr("Show their link as a picture"));
+    invited.choice->setToolTip(tr("Their link is copied, or shown as a picture"));
     invited.choice->setChecked(role == m_chosen);
     connect(invited.choice, &QRadioButton::clicked, this, [this, role] { choose(role); });
     const int row = rows.rowCount();

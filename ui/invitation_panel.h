@@ -16,9 +16,9 @@ namespace carina
 
 class QrCode;
 
-/// By which codes others come into the session, large enough to be read across a room, the link of
-/// the role that is chosen as a QR code, and who can reach the session at all. The QR code grows
-/// with the panel, up to a screen of its own.
+/// By which codes others come into the session, large enough to be read across a room, who can
+/// reach the session at all, and, where a person wants to see it, the link of the role that is
+/// chosen as a QR code. It grows with the panel, up to a screen of its own.
 class InvitationPanel : public QWidget
 {
     Q_OBJECT
@@ -45,6 +45,7 @@ private:
     QrCode* m_picture;
     QLabel* m_reach;
     QLabel* m_certificate; ///< hidden where the host has none
+    QPushButton* m_showPicture;
     QPushButton* m_copy;
 };
 

@@ -71,6 +71,23 @@ private Q_SLOTS:
         QVERIFY(pictured(panel)->role == Role::Trainee);
     }
 
+    void pictureTakesNoRoomUntilItIsWanted()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node);
+        panel.QWidget::show();
+        auto& shows = find<QPushButton>(panel, "showPicture");
+        QVERIFY(!find<QrCode>(panel, "picture").isVisible());
+        const int without = panel.sizeHint().height();
+        QTest::keyClick(&shows, Qt::Key_Space);
+        QVERIFY(find<QrCode>(panel, "picture").isVisible());
+        QVERIFY(panel.sizeHint().height() > without);
+        QTest::keyClick(&shows, Qt::Key_Space);
+        QVERIFY(!find<QrCode>(panel, "picture").isVisible());
+    }
+
     void linkIsCopiedByKeyboard()
     {
         MemoryDisk disk;

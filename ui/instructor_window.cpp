@@ -14,7 +14,7 @@ namespace
 
 constexpr int kRefreshInterval_ms = 250;
 constexpr int kEndAsked_ms = 4000;
-constexpr int kBelowShare = 3; ///< of the height, against that of the participants
+constexpr int kBelowShare = 2; ///< of the height, against that of the participants
 
 /// Told by shape besides the word.
 QString phaseShape(SessionPhase phase)
@@ -53,6 +53,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
                                    StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
+      m_respiration{respiration},
       m_participants{participants},
       m_phase{new QLabel{this}},
       m_status{new QLabel{this}}
@@ -167,6 +168,7 @@ void InstructorWindow::refresh()
                          .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
                               m_session.runningTimeText()));
     m_phase->setMinimumWidth(std::max(m_phase->minimumWidth(), m_phase->sizeHint().width()));
+    m_ui->patientState->setText(tr("● Condition: %1").arg(m_respiration.inForceText()));
     m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
     m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
     m_ui->start->setEnabled(m_session.canStart());
@@ -191,7 +193,8 @@ void InstructorWindow::refreshStatus()
         told += tr("▲ larger than true");
     told += tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
     const auto oldest = m_participants.oldestSample_ms();
-    told += oldest ? tr("Oldest sample %1 ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
+    told +=
+        oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
     told += tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
     told += tr("Trainees join at port %1").arg(m_session.node().port());
     m_status->setText(told.join(QStringLiteral("      ")));

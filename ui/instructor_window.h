@@ -49,6 +49,7 @@ private:
 
     std::unique_ptr<Ui::InstructorWindow> m_ui;
     SessionModel& m_session;
+    const RespirationModel& m_respiration;
     ParticipantsModel& m_participants;
     std::unique_ptr<StationScene> m_stationScene;
     QLabel* m_phase;

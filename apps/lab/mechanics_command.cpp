@@ -150,8 +150,7 @@ Result<QJsonObject> runMechanics(const QStringList& arguments)
     if (!parser.isSet(waveform) && !hasFlow)
         return describeTable(parser);
     if (!parser.isSet(waveform) || parser.isSet(QStringLiteral("patient"))
-        || parser.isSet(QStringLiteral("rate-per-min"))
-        || parser.isSet(QStringLiteral("position")))
+        || parser.isSet(QStringLiteral("rate-per-min")) || parser.isSet(QStringLiteral("position")))
         return fail(Errc::OutOfRange, "mechanics takes --patient, --rate-per-min and --position "
                                       "alone, or --waveform with or without a flow.");
     const auto assumed_lPerMin =

@@ -7,13 +7,13 @@ namespace carina
 namespace
 {
 
-enum Column { Where, Rms, Bound, Direction, ColumnCount };
+enum ErrorTableColumn { Where, Rms, Bound, Direction, ErrorTableColumnCount };
 constexpr int kLeastRow = 28; ///< pixels
 constexpr int kFrame = 4;     ///< pixels around the rows
 
 } // namespace
 
-ErrorTable::ErrorTable(QWidget* parent) : QTableWidget{0, ColumnCount, parent}
+ErrorTable::ErrorTable(QWidget* parent) : QTableWidget{0, ErrorTableColumnCount, parent}
 {
     setHorizontalHeaderLabels({tr("Expected error at"), tr("RMS"), tr("95 % below"), tr("Mostly")});
     makeReadable(*this);

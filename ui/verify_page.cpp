@@ -13,13 +13,13 @@ namespace carina
 namespace
 {
 
-enum Column { PlaceColumn, ErrorColumn, BoundColumn, WithinColumn, ColumnCount };
+enum CheckColumn { PlaceColumn, ErrorColumn, BoundColumn, WithinColumn, CheckColumnCount };
 
 } // namespace
 
 VerifyPage::VerifyPage(RegistrationModel& registration)
     : RegistrationPage{registration},
-      m_points{new QTableWidget{0, ColumnCount, this}},
+      m_points{new QTableWidget{0, CheckColumnCount, this}},
       m_verdict{new QLabel{this}},
       m_stylus{new QLabel{this}},
       m_take{new QPushButton{tr("&Take this point"), this}}

@@ -13,9 +13,9 @@ namespace carina
 namespace
 {
 
-constexpr int kMargin = 6;    ///< pixels
-constexpr int kTick = 4;      ///< pixels, below the strip
-constexpr int kHintBand = 30; ///< pixels, of the widest scale
+constexpr int kScaleMargin = 6; ///< pixels
+constexpr int kTick = 4;        ///< pixels, below the strip
+constexpr int kHintBand = 30;   ///< pixels, of the widest scale
 
 QString withDecimals(Length length, int decimals)
 {
@@ -37,7 +37,7 @@ QString captionOf(const ErrorRange& range)
 int stepOf(double bandWidth, double numberWidth)
 {
     int step = 1;
-    while (step < 4 && step * bandWidth < numberWidth + kMargin)
+    while (step < 4 && step * bandWidth < numberWidth + kScaleMargin)
         step *= 2;
     return step;
 }
@@ -76,8 +76,9 @@ std::optional<ErrorScale::Drawing> ErrorScale::drawing() const
     const double line = metrics.height();
     Drawing drawn;
     drawn.caption = captionOf(m_scale->range);
-    drawn.strip = QRectF{rect()}.adjusted(kMargin + widest / 2.0, kMargin + line,
-                                          -kMargin - widest / 2.0, -kMargin - kTick - line);
+    drawn.strip =
+        QRectF{rect()}.adjusted(kScaleMargin + widest / 2.0, kScaleMargin + line,
+                                -kScaleMargin - widest / 2.0, -kScaleMargin - kTick - line);
     const double bandWidth = drawn.strip.width() / bands.count;
     const int step = stepOf(bandWidth, widest);
     for (int k = 0; k <= bands.count; ++k) {
@@ -101,8 +102,8 @@ QSize ErrorScale::sizeHint() const
 QSize ErrorScale::minimumSizeHint() const
 {
     constexpr Length kWidest = millimetres(88.8);
-    return {fontMetrics().horizontalAdvance(captionOf({kWidest, kWidest})) + 2 * kMargin,
-            3 * fontMetrics().height() + kTick + 2 * kMargin};
+    return {fontMetrics().horizontalAdvance(captionOf({kWidest, kWidest})) + 2 * kScaleMargin,
+            3 * fontMetrics().height() + kTick + 2 * kScaleMargin};
 }
 
 void ErrorScale::paintEvent(QPaintEvent*)
@@ -120,7 +121,7 @@ void ErrorScale::paintEvent(QPaintEvent*)
             painter.drawLine(band.topLeft(), band.bottomLeft());
     }
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QRectF{rect()}.adjusted(kMargin, kMargin / 2.0, -kMargin, 0),
+    painter.drawText(QRectF{rect()}.adjusted(kScaleMargin, kScaleMargin / 2.0, -kScaleMargin, 0),
                      Qt::AlignLeft | Qt::AlignTop, drawn->caption);
     for (const Drawing::Number& number : drawn->numbers) {
         painter.drawText(number.words, Qt::AlignCenter, number.text);

@@ -18,7 +18,7 @@ namespace
 /// Two roundings of a coordinate of up to a quarter metre, in single precision.
 constexpr double kPositionTolerance_m = 6e-8;
 constexpr double kNormalTolerance = 1e-6;
-constexpr double kTurnedTwiceTolerance = 5e-6; ///< likewise, by the chest and by the jaw
+constexpr double kTurnedTwiceTolerance = 2e-5; ///< likewise, by the chest and by the jaw
 constexpr double kVolumeTolerance_ml = 0.1;
 
 TriangleMesh lung(double x, std::uint32_t rings)

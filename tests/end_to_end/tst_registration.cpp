@@ -30,15 +30,10 @@ private Q_SLOTS:
         Program observer{QStringLiteral(CARINA_REGISTRATION),
                          common + QStringList{QStringLiteral("--hands"), QStringLiteral("off")},
                          folder.filePath(QStringLiteral("observer.jsonl"))};
-        for (const char* step : {"tracker", "stylus", "landmarks", "touch", "fit", "verify"}) {
+        for (const char* step :
+             {"tracker", "stylus", "landmarks", "touch", "fit", "verify", "overview"}) {
             technician.start();
-            const auto isThere = [&] {
-                const QJsonObject shown = technician.shown();
-                const bool midway = QLatin1String{step} != QLatin1String{"touch"}
-                                    || shown[QStringLiteral("touched")].toInt() == 2;
-                return shown[QStringLiteral("step")].toString() == QLatin1String{step} && midway;
-            };
-            QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatience_ms);
+            QTRY_VERIFY_WITH_TIMEOUT(isAt(technician.shown(), QLatin1String{step}), kPatience_ms);
             technician.kill();
             const QJsonObject last = technicianShowed(folder);
 
@@ -53,6 +48,16 @@ private Q_SLOTS:
     }
 
 private:
+    /// In the middle of what that page is for, where there is a middle.
+    static bool isAt(const QJsonObject& shown, QLatin1String step)
+    {
+        if (shown[QStringLiteral("step")].toString() != step)
+            return false;
+        if (step == QLatin1String{"touch"})
+            return shown[QStringLiteral("touched")].toInt() == 3;
+        return step != QLatin1String{"verify"} || shown[QStringLiteral("checked")].toInt() == 1;
+    }
+
     /// The last whole line of the technician's journal, whichever run wrote it.
     static QJsonObject technicianShowed(const QTemporaryDir& folder)
     {

@@ -221,6 +221,8 @@ void RegistrationWindow::refreshButtons()
 
 QPushButton& RegistrationWindow::mainButton() const
 {
+    if (m_registration.step() == SiteStep::Overview) // the last
+        return *m_ui->primary;
     const bool goesOn = m_registration.task(m_registration.step()).state == TaskState::Done
                         && !m_registration.stylus().isLookingForTip();
     return *(goesOn || !page().canAct() ? m_ui->next : m_ui->primary);

@@ -53,6 +53,8 @@ public:
 private:
     [[nodiscard]] std::vector<CheckPoint> places() const;
     void take(const StylusTouch& touch);
+    /// As points(), without their bounds, which take some milliseconds.
+    [[nodiscard]] std::vector<CheckPoint> places() const;
     /// Of 95 % at a place, for a touch as uncertain as those of the fit.
     [[nodiscard]] double boundAt(const Vec3& p_AQ, double share) const;
 

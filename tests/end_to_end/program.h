@@ -59,6 +59,12 @@ public:
                                           : QJsonObject{};
     }
 
+    /// And what was shown first.
+    [[nodiscard]] QJsonObject shownFirst() const
+    {
+        return QJsonDocument::fromJson(lines().value(m_linesBefore)).object();
+    }
+
 private:
     [[nodiscard]] QByteArrayList lines() const
     {

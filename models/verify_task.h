@@ -51,7 +51,6 @@ public:
     void record(Verdict verdict);
 
 private:
-    [[nodiscard]] std::vector<CheckPoint> places() const;
     void take(const StylusTouch& touch);
     /// As points(), without their bounds, which take some milliseconds.
     [[nodiscard]] std::vector<CheckPoint> places() const;

@@ -100,7 +100,8 @@ void RegistrationWatch::add(const LandmarkCheck& check)
 void RegistrationWatch::judge()
 {
     m_report = {};
-    double least = 2.0;
+    double least = 1.0;
+    double clearest = -1.0; // of a shift
     Window window{m_information};
     for (std::size_t n = 1; n <= m_latest.size(); ++n) {
         const LandmarkCheck& check = m_latest[m_latest.size() - n];
@@ -108,11 +109,11 @@ void RegistrationWatch::judge()
         if (!std::has_single_bit(n))
             continue;
         const auto [ofAll, ofShift, shift_A] = window.judged(varianceOf(m_settings.touch));
-        const double chance =
-            std::min(chiSquaredTail(ofAll, 3.0 * double(n)), chiSquaredTail(ofShift, 3.0));
-        if (chance >= least)
+        least = std::min({least, chiSquaredTail(std::max(0.0, ofAll), 3.0 * double(n)),
+                          chiSquaredTail(std::max(0.0, ofShift), 3.0)});
+        if (ofShift <= clearest)
             continue;
-        least = chance;
+        clearest = ofShift;
         m_report.checks = n;
         m_report.shift_A = shift_A;
         m_report.since = check.time;

@@ -28,7 +28,7 @@ struct WatchReport {
     WatchState state = WatchState::Unchecked;
     /// That a registration which still holds would show what the latest checks show; at most 1.
     double chance = 1.0;
-    std::size_t checks = 0;      ///< how many of the latest show it most clearly
+    std::size_t checks = 0;      ///< how many of the latest show a shift most clearly
     Vec3 shift_A = Vec3::Zero(); ///< of these, best estimate, metres: the anatomy lies so far
                                  ///< from where it is drawn
     std::optional<SessionTime> since{}; ///< of the first of these, where drifted

@@ -51,8 +51,9 @@ void addOptions(QCommandLineParser& parser)
                             "does what the wizard asks for, or off, nobody."),
                       QStringLiteral("WHO"), kScripted});
     parser.addOption({kMeasure,
-                      words("Go through all steps without a person, write pictures of the pages "
-                            "and registration.json into this folder, which is made if need be, and "
+                      words("Go through all steps without a person, write pictures of the pages, "
+                            "registration.json and registration.pdf into this folder, which is "
+                            "made if need be, and "
                             "leave."),
                       QStringLiteral("DIR")});
     parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
@@ -89,8 +90,10 @@ int measure(RegistrationWindow& window, const RegistrationModel& registration,
     const QDir folder{parser.value(kMeasure)};
     ScriptedTechnician technician{window, registration, folder};
     QObject::connect(&technician, &ScriptedTechnician::done, &window, [&] {
-        const auto wrote = writeReport(folder, parser.value(kSite).toStdString(),
-                                       registration.patient().landmarks(), workplace);
+        auto wrote = writeReport(folder, parser.value(kSite).toStdString(),
+                                 registration.patient().landmarks(), workplace);
+        if (wrote)
+            wrote = window.writeReport(folder.filePath(QStringLiteral("registration.pdf")));
         QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
     });
     QObject::connect(&technician, &ScriptedTechnician::stuck, &window, [](const QString& where) {

@@ -14,13 +14,15 @@ using namespace test;
 constexpr double kExact = 1e-9; // m
 constexpr Length kHand = millimetres(1.0);
 
-/// Touches each landmark at the place of another.
+/// Touches each landmark at the place of another, and insists on it.
 void touchInOrder(RegistrationSite& site, RegistrationModel& model,
                   const std::vector<std::size_t>& order)
 {
     site.prepare(model);
-    for (const std::size_t landmark : order)
-        site.hold(model, site.X_TA * site.landmarks()[landmark].p_AQ);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        model.touching().choose(i);
+        site.hold(model, site.X_TA * site.landmarks()[order[i]].p_AQ);
+    }
 }
 
 double errorAt(const Site& site, const RigidTransform& X_TA, const Vec3& p_AQ)

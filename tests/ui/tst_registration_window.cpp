@@ -169,8 +169,10 @@ void TestRegistrationWindow::offersToRepairExchangedLandmarks()
 {
     RegistrationDesk desk;
     desk.site.prepare(*desk.model);
-    for (const std::size_t landmark : {0U, 1U, 3U, 2U, 4U, 5U, 6U, 7U})
+    for (const std::size_t landmark : {0U, 1U, 3U, 2U, 4U, 5U, 6U, 7U}) {
+        desk.model->touching().choose(*desk.model->touching().next());
         desk.site.hold(*desk.model, desk.site.X_TA * desk.site.landmarks()[landmark].p_AQ);
+    }
     QVERIFY(desk.click("next"));
     QVERIFY(desk.find<QLabel>("findings").isVisible());
     QVERIFY(desk.click("repair"));

@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(!model->site().registration);
         model->importSite(QStringLiteral("/nowhere.json"));
         QVERIFY(!model->problem().isEmpty());
-        model->exportSite(QStringLiteral("/nowhere/at/all.json"));
+        model->exportSite(QStringLiteral("/proc/none/site.json"));
         QVERIFY(!model->problem().isEmpty());
     }
 

@@ -161,7 +161,7 @@ private Q_SLOTS:
         m_node->decide(somebody());
         follow();
         QTRY_VERIFY_WITH_TIMEOUT(
-            m_model->notice().contains(QStringLiteral("is coming: 0 of 40 MB")), kSoon_ms);
+            m_model->notice().contains(QStringLiteral("is coming: 0 of 40\u00a0MB")), kSoon_ms);
         QVERIFY(m_model->notice().endsWith(QStringLiteral("\nCC BY")));
         QVERIFY(m_model->canStop());
         m_model->stop();
@@ -183,7 +183,7 @@ private Q_SLOTS:
         const QString licence = QStringLiteral("\nCC BY");
         QTRY_VERIFY_WITH_TIMEOUT(m_model->notice().endsWith(licence), kSoon_ms);
         QTRY_VERIFY_WITH_TIMEOUT(!m_model->notice().contains(licence), kSoon_ms);
-        QVERIFY(m_model->notice().contains(QStringLiteral("is coming: 0 of 40 MB")));
+        QVERIFY(m_model->notice().contains(QStringLiteral("is coming: 0 of 40\u00a0MB")));
     }
 
     void keepsThePatientWhereTheOtherCannotBeLaid()

@@ -1,6 +1,7 @@
 #include "models/fit_task.h"
 
 #include "engine/registration/error_quadric.h"
+#include "engine/registration/leave_one_out.h"
 #include "engine/registration/localisation_error.h"
 #include "engine/registration/registration_error.h"
 #include "models/site_changes.h"
@@ -8,7 +9,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace carina
 {
@@ -16,7 +17,6 @@ namespace
 {
 
 constexpr Length kOrderFle = millimetres(2.0); ///< of a hand that is not careful
-constexpr double kFalseAlarm = 0.01;           ///< share of good fits of which a landmark is named
 
 class FitWords
 {
@@ -40,61 +40,13 @@ public:
         return {};
     }
 
-    static QString standsOut(const std::string& landmark, double distance)
+    static QString standsOut(const std::string& landmark, Length distance)
     {
-        return tr("%1 lies %2 mm from where the other landmarks put it: touch it again.")
+        return tr("%1 lies %2\u00a0mm from where the other landmarks put it: touch it again.")
             .arg(QString::fromStdString(landmark))
-            .arg(inMillimetres(metres(distance)), 0, 'f', 1);
+            .arg(inMillimetres(distance), 0, 'f', 1);
     }
 };
-
-/// A touch, and how far it lies from where the fit of all others puts it.
-struct LeftOut {
-    Vec3 p_AQ = Vec3::Zero(); ///< of its landmark
-    double distance = 0.0;    ///< metres
-    Mat3 covariance_A = Mat3::Zero();
-    double degrees = 0.0;
-
-    [[nodiscard]] double ratio() const { return distance / std::sqrt(covariance_A.trace()); }
-    [[nodiscard]] bool isTooFar(std::size_t landmarks) const
-    {
-        return distance
-               > errorBound(covariance_A, degrees, 1.0 - kFalseAlarm / double(landmarks)).si;
-    }
-};
-
-/// How uncertain that is by the residuals of the others: of the touch itself, and of their fit.
-std::optional<LeftOut> leftOut(std::vector<LandmarkPair> pairs, std::size_t landmark)
-{
-    const LandmarkPair out = pairs[landmark];
-    pairs.erase(pairs.begin() + std::ptrdiff_t(landmark));
-    const auto others = fitRigid(pairs);
-    if (!others)
-        return std::nullopt;
-    LocalisationError fle = localisationError(metres(others->rms), pairs.size());
-    fle.rms = std::max(fle.rms, kLeastFle);
-    std::vector<Vec3> p_A;
-    for (const LandmarkPair& pair : pairs)
-        p_A.push_back(pair.p_AQ);
-    const auto covariance = fitCovariance(equalErrors(p_A, fle.rms));
-    if (!covariance)
-        return std::nullopt;
-    return LeftOut{.p_AQ = out.p_AQ,
-                   .distance = (out.p_AQ - others->X_AM * out.p_MQ).norm(),
-                   .covariance_A = pointCovariance(*covariance, out.p_AQ)
-                                   + fle.rms.si * fle.rms.si / 3.0 * Mat3::Identity(),
-                   .degrees = fle.degrees};
-}
-
-/// The touch that all others contradict, if there is one.
-std::optional<LeftOut> standsOut(const std::vector<LandmarkPair>& pairs)
-{
-    std::optional<LeftOut> worst;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (const auto each = leftOut(pairs, i); each && (!worst || each->ratio() > worst->ratio()))
-            worst = each;
-    return worst && worst->isTooFar(pairs.size()) ? worst : std::nullopt;
-}
 
 /// Surfaces under thin skin, which a stylus can be pressed on.
 bool canBeSwabbed(const PatientSurface& surface)
@@ -115,9 +67,11 @@ FitTask::FitTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& pat
 {
 }
 
-void FitTask::fit()
+void FitTask::fit() { fit(m_editor.site()); }
+
+void FitTask::fit(Site site)
 {
-    auto next = withFit(m_editor.site(), {.tool = m_watch.tool(),
+    auto next = withFit(std::move(site), {.tool = m_watch.tool(),
                                           .X_TJ = m_watch.probe(ToolRole::Jaw),
                                           .X_TB = m_watch.probe(ToolRole::Manikin),
                                           .at = m_editor.now()});
@@ -143,14 +97,7 @@ void FitTask::repairOrder()
     const auto found = orderFound();
     if (!found || found->order != TouchOrder::Exchanged)
         return;
-    auto next = withFit(withOrder(m_editor.site(), found->touchOf),
-                        {.tool = m_watch.tool(),
-                         .X_TJ = m_watch.probe(ToolRole::Jaw),
-                         .X_TB = m_watch.probe(ToolRole::Manikin),
-                         .at = m_editor.now()});
-    if (!next)
-        return m_editor.refuse(next.error());
-    m_editor.become(std::move(*next));
+    fit(withOrder(m_editor.site(), found->touchOf));
 }
 
 QStringList FitTask::findings() const
@@ -161,11 +108,13 @@ QStringList FitTask::findings() const
     const auto& registration = m_editor.site().registration;
     if (!registration || registration->stale)
         return sentences;
-    if (const auto worst = standsOut(touchedPairs(m_editor.site())))
-        sentences << FitWords::standsOut(
-            std::ranges::find(m_editor.site().catalogue->landmarks, worst->p_AQ, &Landmark::p_AQ)
-                ->name,
-            worst->distance);
+    const auto pairs = touchedPairs(m_editor.site());
+    if (const auto outlier = outlyingLandmark(pairs))
+        sentences << FitWords::standsOut(std::ranges::find(m_editor.site().catalogue->landmarks,
+                                                           pairs[outlier->landmark].p_AQ,
+                                                           &Landmark::p_AQ)
+                                             ->name,
+                                         outlier->distance);
     return sentences;
 }
 
@@ -205,16 +154,15 @@ QStringList FitTask::swabSurfaces() const
 
 void FitTask::startSwab()
 {
-    const StylusTip* tip = m_editor.site().stylus(m_watch.tool());
-    if (!tip || !m_editor.site().registration)
+    if (!m_editor.site().stylus(m_watch.tool()) || !m_editor.site().registration)
         return;
-    m_watch.watchFor(StylusUse::Swab, tip->p_SQ);
+    m_watch.watchFor(StylusUse::Swab);
     Q_EMIT m_editor.changed();
 }
 
 void FitTask::cancelSwab()
 {
-    m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+    m_watch.watchFor(StylusUse::Nothing);
     Q_EMIT m_editor.changed();
 }
 
@@ -228,7 +176,7 @@ void FitTask::refine(const QString& surface)
     std::vector<Vec3> p_MQ;
     for (const Vec3& p_TQ : m_watch.swab())
         p_MQ.push_back(X_MT * p_TQ);
-    m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+    m_watch.watchFor(StylusUse::Nothing);
     const auto refinement = refineOnSurface(*tree, p_MQ, registration->X_AM);
     if (!refinement)
         return m_editor.refuse(refinement.error());

@@ -56,6 +56,7 @@ public:
 
 private:
     [[nodiscard]] std::optional<OrderFinding> orderFound() const;
+    void fit(Site site);
 
     SiteEditor& m_editor;
     StylusWatch& m_watch;

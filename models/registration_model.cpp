@@ -67,25 +67,22 @@ RegistrationModel::RegistrationModel(Workplace workplace, Site site, const Patie
 void RegistrationModel::followStep()
 {
     const StylusTip* tip = m_stylusTask.tip();
-    const Vec3 p_SQ = tip ? tip->p_SQ : Vec3::Zero();
+    const std::optional<Vec3> p_SQ = tip ? std::optional{tip->p_SQ} : std::nullopt;
     if (m_followed != step() || m_followedTip != p_SQ) {
         m_followed = step();
         m_followedTip = p_SQ;
-        beginWatching();
+        m_watch.setTip(p_SQ);
+        m_watch.watchFor(use());
     }
     Q_EMIT changed();
 }
 
-void RegistrationModel::beginWatching()
+StylusUse RegistrationModel::use() const
 {
-    const StylusTip* tip = m_stylusTask.tip();
-    const bool touches = step() == SiteStep::Touch || step() == SiteStep::Verify;
-    if (step() == SiteStep::Stylus && !tip)
-        m_watch.watchFor(StylusUse::Pivot, std::nullopt);
-    else if (touches && tip)
-        m_watch.watchFor(StylusUse::Touch, tip->p_SQ);
-    else
-        m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+    if (step() == SiteStep::Touch || step() == SiteStep::Verify)
+        return StylusUse::Touch;
+    return step() == SiteStep::Stylus && !m_stylusTask.tip() ? StylusUse::Pivot
+                                                             : StylusUse::Nothing;
 }
 
 SiteTask RegistrationModel::task(SiteStep step) const
@@ -167,10 +164,13 @@ std::optional<std::size_t> RegistrationModel::nextLandmark() const
 
 double RegistrationModel::progress() const
 {
-    const bool touches = step() == SiteStep::Touch || step() == SiteStep::Verify;
-    const bool asked = step() == SiteStep::Touch ? m_touchTask.next().has_value()
-                                                 : m_verifyTask.next().has_value();
-    return touches && !asked ? 0.0 : m_watch.progress();
+    return m_watch.use() == StylusUse::Touch && !awaitsTouch() ? 0.0 : m_watch.progress();
+}
+
+bool RegistrationModel::awaitsTouch() const
+{
+    return step() == SiteStep::Touch ? m_touchTask.next().has_value()
+                                     : step() == SiteStep::Verify && m_verifyTask.next();
 }
 
 std::optional<StylusOnAnatomy> RegistrationModel::stylusOnAnatomy() const
@@ -195,25 +195,35 @@ std::optional<StylusOnAnatomy> RegistrationModel::stylusOnAnatomy() const
 void RegistrationModel::look()
 {
     const StylusNews news = m_watch.look();
-    switch (step()) {
-    case SiteStep::Stylus:
-        return m_stylusTask.take(news);
-    case SiteStep::Touch:
-        return m_touchTask.take(news);
-    case SiteStep::Verify:
-        return m_verifyTask.take(news);
-    case SiteStep::Overview:
-    case SiteStep::Tracker:
-    case SiteStep::Landmarks:
-    case SiteStep::Fit:
+    m_stylusTask.take(news);
+    if (news.touch)
+        take(*news.touch);
+}
+
+void RegistrationModel::takeNow()
+{
+    if (!awaitsTouch() || !m_stylusTask.tip())
         return;
-    }
+    if (const auto touch = m_watch.pointNow())
+        take(*touch);
+    else
+        m_editor.refuse(tr("The stylus is out of view: turn its markers to the tracker and press "
+                           "again."));
+}
+
+void RegistrationModel::take(const StylusTouch& touch)
+{
+    if (step() == SiteStep::Touch)
+        m_touchTask.take(touch);
+    else if (step() == SiteStep::Verify)
+        m_verifyTask.take(touch);
 }
 
 void RegistrationModel::enter(SiteStep step)
 {
     m_landmarkTask.choose(std::nullopt);
     m_touchTask.choose(std::nullopt);
+    m_verifyTask.choose(std::nullopt);
     m_followed.reset();
     m_editor.enter(step);
 }
@@ -239,14 +249,6 @@ void RegistrationModel::pick(const Vec3& p_A_eye, const Vec3& dir_A)
         m_landmarkTask.pick(p_A_eye, dir_A);
     else if (step() == SiteStep::Verify && site().registration)
         m_verifyTask.pick(p_A_eye, dir_A);
-}
-
-void RegistrationModel::takeNow()
-{
-    if (step() == SiteStep::Touch)
-        m_touchTask.takeNow();
-    else if (step() == SiteStep::Verify)
-        m_verifyTask.takeNow();
 }
 
 void RegistrationModel::undo()

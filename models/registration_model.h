@@ -142,7 +142,11 @@ Q_SIGNALS:
 
 private:
     void followStep();
-    void beginWatching();
+    /// What the stylus is watched for on this page.
+    [[nodiscard]] StylusUse use() const;
+    /// Whether the page asks for one more point.
+    [[nodiscard]] bool awaitsTouch() const;
+    void take(const StylusTouch& touch);
     [[nodiscard]] std::optional<double> expectedAtGlottis_mm() const;
 
     Workplace m_workplace;
@@ -156,7 +160,7 @@ private:
     FitTask m_fitTask;
     VerifyTask m_verifyTask;
     std::optional<SiteStep> m_followed; ///< the page that the stylus is watched for
-    Vec3 m_followedTip = Vec3::Zero();
+    std::optional<Vec3> m_followedTip;
     QTimer m_timer;
 };
 

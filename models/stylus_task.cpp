@@ -22,19 +22,19 @@ const StylusTip* StylusTask::tip() const { return m_editor.site().stylus(m_watch
 
 void StylusTask::findTip()
 {
-    m_watch.watchFor(StylusUse::Pivot, std::nullopt);
+    m_watch.watchFor(StylusUse::Pivot);
     Q_EMIT m_editor.changed();
 }
 
 void StylusTask::findAxis()
 {
-    m_watch.watchFor(StylusUse::Spin, tip()->p_SQ);
+    m_watch.watchFor(StylusUse::Spin);
     Q_EMIT m_editor.changed();
 }
 
 void StylusTask::stop()
 {
-    m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+    m_watch.watchFor(StylusUse::Nothing);
     Q_EMIT m_editor.changed();
 }
 
@@ -48,7 +48,7 @@ void StylusTask::take(const StylusNews& news)
                             .covariance_S = news.tip->covariance_S,
                             .poses = m_watch.pivot().poses,
                             .outliers = news.tip->outliers};
-        m_watch.watchFor(StylusUse::Nothing, std::nullopt);
+        m_watch.watchFor(StylusUse::Nothing);
         if (m_editor.become(withStylus(m_editor.site(), tip)))
             m_editor.tell(StylusWords::tr("The tip is found"));
     }

@@ -42,10 +42,9 @@ std::string StylusWatch::tool() const
     return stylus == m_tools.end() ? std::string{} : stylus->name;
 }
 
-void StylusWatch::watchFor(StylusUse use, const std::optional<Vec3>& p_SQ)
+void StylusWatch::watchFor(StylusUse use)
 {
     m_use = use;
-    m_p_SQ = p_SQ;
     if (const auto now = m_clock())
         m_looked = now; // what was seen before tells nothing of this
     m_pivot.restart();
@@ -126,20 +125,20 @@ double StylusWatch::progress() const
     return 0.0;
 }
 
-std::optional<StylusTouch> StylusWatch::pointNow(const Vec3& p_SQ) const
+std::optional<StylusTouch> StylusWatch::pointNow() const
 {
     const std::vector<PoseSample> samples = latest(ToolRole::Stylus, kTakenOf);
-    if (samples.empty())
+    if (samples.empty() || !m_p_SQ)
         return std::nullopt;
     StylusTouch touch{.point = {.samples = int(samples.size()),
                                 .from = samples.front().time,
                                 .until = samples.back().time},
                       .q_TS = samples.back().X_FO.rotation()};
     for (const PoseSample& sample : samples)
-        touch.point.p_FQ += sample.X_FO * p_SQ / double(samples.size());
+        touch.point.p_FQ += sample.X_FO * *m_p_SQ / double(samples.size());
     for (const PoseSample& sample : samples)
         touch.point.spread =
-            std::max(touch.point.spread, (sample.X_FO * p_SQ - touch.point.p_FQ).norm());
+            std::max(touch.point.spread, (sample.X_FO * *m_p_SQ - touch.point.p_FQ).norm());
     return touch;
 }
 

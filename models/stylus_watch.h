@@ -45,10 +45,14 @@ public:
     /// The tracker's name of the stylus; empty for a tracker without one.
     [[nodiscard]] std::string tool() const;
 
-    /// Watches for something else from now on, or for the same anew. @param p_SQ the tip, where it
-    /// is known: nothing is touched or swabbed without
-    void watchFor(StylusUse use, const std::optional<Vec3>& p_SQ);
+    /// Watches for something else from now on.
+    void watchFor(StylusUse use);
+    /// Watches for the same anew.
+    void restart() { watchFor(m_use); }
     [[nodiscard]] StylusUse use() const { return m_use; }
+
+    /// Where its tip is, metres; nothing is spun, touched or swabbed while that is not known.
+    void setTip(const std::optional<Vec3>& p_SQ) { m_p_SQ = p_SQ; }
 
     [[nodiscard]] StylusNews look();
 
@@ -59,8 +63,8 @@ public:
     [[nodiscard]] const std::vector<Vec3>& swab() const { return m_swab; }
 
     /// The point that the tip is at, the mean of its latest quarter of a second; nothing while the
-    /// stylus is not seen.
-    [[nodiscard]] std::optional<StylusTouch> pointNow(const Vec3& p_SQ) const;
+    /// stylus is not seen or its tip not known.
+    [[nodiscard]] std::optional<StylusTouch> pointNow() const;
 
     /// X_TS now; nothing while the stylus is not seen.
     [[nodiscard]] std::optional<RigidTransform> stylus() const;

@@ -91,33 +91,8 @@ std::optional<std::size_t> TouchTask::next() const
 void TouchTask::choose(std::optional<std::size_t> landmark)
 {
     m_chosen = landmark;
-    start();
-}
-
-void TouchTask::start()
-{
-    const StylusTip* tip = m_editor.site().stylus(m_watch.tool());
-    m_watch.watchFor(tip ? StylusUse::Touch : StylusUse::Nothing,
-                     tip ? std::optional{tip->p_SQ} : std::nullopt);
+    m_watch.restart();
     Q_EMIT m_editor.changed();
-}
-
-void TouchTask::takeNow()
-{
-    const StylusTip* tip = m_editor.site().stylus(m_watch.tool());
-    if (!tip || !next())
-        return;
-    if (const auto touch = m_watch.pointNow(tip->p_SQ))
-        take(*touch);
-    else
-        m_editor.refuse(TouchWords::tr("The stylus is out of view: turn its markers to the "
-                                       "tracker and press again."));
-}
-
-void TouchTask::take(const StylusNews& news)
-{
-    if (news.touch && next())
-        take(*news.touch);
 }
 
 Result<TouchFinding> TouchTask::recognise(const StylusTouch& touch) const
@@ -134,6 +109,8 @@ Result<TouchFinding> TouchTask::recognise(const StylusTouch& touch) const
 
 void TouchTask::take(const StylusTouch& touch)
 {
+    if (!next())
+        return;
     if (m_chosen)
         return take(touch, *next());
     const Result<TouchFinding> finding = recognise(touch);

@@ -27,11 +27,8 @@ public:
     /// The touch of a landmark that counts; null where there is none.
     [[nodiscard]] const TouchedPoint* touchOf(const Landmark& landmark) const;
 
-    /// Watches for touches from now on, if the tip of the stylus is known.
-    void start();
-    /// Takes the point that the tip is at, without waiting.
-    void takeNow();
-    void take(const StylusNews& news);
+    /// Does nothing where no landmark is asked for.
+    void take(const StylusTouch& touch);
 
     /// The manikin was moved: its landmarks are touched again, until they tell where it lies.
     /// @pre it is registered.
@@ -43,7 +40,6 @@ private:
     [[nodiscard]] const std::vector<Landmark>& landmarks() const;
     [[nodiscard]] bool canBeTouched(const Landmark& landmark) const;
     [[nodiscard]] Result<TouchFinding> recognise(const StylusTouch& touch) const;
-    void take(const StylusTouch& touch);
     void take(const StylusTouch& touch, std::size_t landmark);
     void rename(const StylusTouch& touch, const TouchFinding& finding);
     void refuse(const TouchFinding& finding);

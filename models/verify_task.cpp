@@ -43,7 +43,7 @@ std::vector<CheckPoint> VerifyTask::points() const
 std::vector<CheckPoint> VerifyTask::places() const
 {
     const Site& site = m_editor.site();
-    if (!site.registration)
+    if (!canJudge())
         return {};
     std::vector<CheckPoint> points{{.name = VerifyWords::tr("Edge of the upper incisors"),
                                     .p_AQ = m_patient.landmarks().p_A_incisors}};
@@ -78,10 +78,11 @@ std::optional<std::size_t> VerifyTask::next() const
     return open == all.end() ? std::nullopt : std::optional{std::size_t(open - all.begin())};
 }
 
-void VerifyTask::choose(std::size_t point)
+void VerifyTask::choose(std::optional<std::size_t> point)
 {
     m_chosen = point;
-    start();
+    m_watch.restart();
+    Q_EMIT m_editor.changed();
 }
 
 void VerifyTask::pick(const Vec3& p_A_eye, const Vec3& dir_A)
@@ -95,39 +96,13 @@ void VerifyTask::pick(const Vec3& p_A_eye, const Vec3& dir_A)
     };
     const auto number = 1 + std::ranges::count_if(places(), isPicked);
     m_picked.push_back({.name = VerifyWords::tr("Place %1").arg(number), .p_AQ = *place});
-    m_chosen = places().size() - 1;
-    start();
-}
-
-void VerifyTask::start()
-{
-    const StylusTip* tip = m_editor.site().stylus(m_watch.tool());
-    const bool checks = tip && m_editor.site().registration;
-    m_watch.watchFor(checks ? StylusUse::Touch : StylusUse::Nothing,
-                     checks ? std::optional{tip->p_SQ} : std::nullopt);
-    Q_EMIT m_editor.changed();
-}
-
-void VerifyTask::takeNow()
-{
-    const StylusTip* tip = m_editor.site().stylus(m_watch.tool());
-    if (!tip || !next())
-        return;
-    if (const auto touch = m_watch.pointNow(tip->p_SQ))
-        take(*touch);
-    else
-        m_editor.refuse(VerifyWords::tr("The stylus is out of view: turn its markers to the "
-                                        "tracker and press again."));
-}
-
-void VerifyTask::take(const StylusNews& news)
-{
-    if (news.touch && next())
-        take(*news.touch);
+    choose(places().size() - 1);
 }
 
 void VerifyTask::take(const StylusTouch& touch)
 {
+    if (!next())
+        return;
     const CheckPoint point = places()[*next()];
     const Vec3 p_AQ = m_editor.site().registration->X_AT * touch.point.p_FQ;
     if (m_editor.become(
@@ -144,21 +119,25 @@ void VerifyTask::take(const StylusTouch& touch)
     }
 }
 
+bool VerifyTask::canJudge() const
+{
+    const auto& registration = m_editor.site().registration;
+    return registration && registration->degrees > 0.0;
+}
+
 double VerifyTask::boundAt(const Vec3& p_AQ, double share) const
 {
     const SiteRegistration& registration = *m_editor.site().registration;
     const double ofTouch = registration.fle * registration.fle / 3.0;
     const Mat3 covariance =
         pointCovariance(registration.covariance_A, p_AQ) + ofTouch * Mat3::Identity();
-    if (registration.degrees == 0.0 || covariance.trace() <= 0.0)
-        return 0.0;
     return errorBound(covariance, registration.degrees, share).si;
 }
 
 Verdict VerifyTask::suggestion() const
 {
     const auto& verification = m_editor.site().verification;
-    if (!m_editor.site().registration || !verification || verification->stale
+    if (!canJudge() || !verification || verification->stale
         || verification->points.size() < kFewestPoints)
         return Verdict::Open;
     // Together 95 %, as if they were independent.

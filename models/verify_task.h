@@ -36,25 +36,26 @@ public:
     [[nodiscard]] std::vector<CheckPoint> points() const;
     /// The place that is checked by the next touch.
     [[nodiscard]] std::optional<std::size_t> next() const;
-    void choose(std::size_t point);
+    void choose(std::optional<std::size_t> point);
 
     /// Adds the place that a ray first meets.
     void pick(const Vec3& p_A_eye, const Vec3& dir_A);
 
-    void start();
-    void takeNow();
-    void take(const StylusNews& news);
+    /// Does nothing where no place is left to check.
+    void take(const StylusTouch& touch);
 
+    /// Whether the fit tells how large an error may be: one of an older site file does not, and
+    /// has no places to check.
+    [[nodiscard]] bool canJudge() const;
     /// What the points touched so far say; Open while they are too few.
     [[nodiscard]] Verdict suggestion() const;
     /// @pre at least kFewestPoints were touched.
     void record(Verdict verdict);
 
 private:
-    void take(const StylusTouch& touch);
     /// As points(), without their bounds, which take some milliseconds.
     [[nodiscard]] std::vector<CheckPoint> places() const;
-    /// Of 95 % at a place, for a touch as uncertain as those of the fit.
+    /// Of 95 % at a place, for a touch as uncertain as those of the fit. @pre canJudge()
     [[nodiscard]] double boundAt(const Vec3& p_AQ, double share) const;
 
     SiteEditor& m_editor;

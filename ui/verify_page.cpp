@@ -90,6 +90,9 @@ QString VerifyPage::verdict() const
         return verification->verdict == Verdict::Good
                    ? tr("✓ Verified: the errors are as small as expected.")
                    : tr("▲ Recorded as not good: register the manikin again.");
+    if (registration().site().registration && !registration().verifying().canJudge())
+        return tr("▲ This registration is of an older version, which did not keep how large its "
+                  "error may be: fit the landmarks again.");
     switch (registration().verifying().suggestion()) {
     case Verdict::Open:
         return tr("Touch at least %1 places.").arg(VerifyTask::kFewestPoints);

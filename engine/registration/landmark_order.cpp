@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/registration/error_bound.h"
+#include "engine/registration/pose_misfit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,6 @@ namespace carina
 {
 namespace
 {
-
-constexpr double kPlausibleShare = 0.999;
-/// Standard deviations by which a distance between touches may differ from its landmarks'.
-constexpr double kFarthestDeviations = 5.0;
 
 double rmsOrInfinite(std::span<const LandmarkPair> pairs)
 {

@@ -17,4 +17,10 @@ namespace carina
 /// @pre all coordinates are less than kFarthest.
 [[nodiscard]] double poseMisfit(std::span<const LandmarkPair> pairs);
 
+/// Share of sound sets of touches that leave less than what still counts as plausible.
+inline constexpr double kPlausibleShare = 0.999;
+
+/// Standard deviations by which a distance between touches may differ from its landmarks'.
+inline constexpr double kFarthestDeviations = 5.0;
+
 } // namespace carina

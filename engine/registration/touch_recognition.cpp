@@ -15,10 +15,6 @@ namespace carina
 namespace
 {
 
-constexpr double kPlausibleShare = 0.999;
-/// Standard deviations by which a distance between touches may differ from its landmarks'.
-constexpr double kFarthestDeviations = 5.0;
-
 double plausibleChiSquared(double degrees)
 {
     return degrees > 0.0 ? degrees * chiSquaredShare(degrees, kPlausibleShare) : 0.0;

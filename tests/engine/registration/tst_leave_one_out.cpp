@@ -61,6 +61,48 @@ private Q_SLOTS:
         QVERIFY(fitRigid(pairs)->residuals[0] < 0.006);
     }
 
+    /// Of 4000 sound sets of touches with 1 mm each way, one in a hundred has a landmark called
+    /// outlying, or fewer: the bounds are Bonferroni's.
+    void leavesSoundTouchesAlone()
+    {
+        constexpr int kSets = 4000;
+        test::Hand hand{137};
+        for (const int count : {5, 8}) {
+            int alarms = 0;
+            for (int i = 0; i < kSets; ++i)
+                alarms += outlyingLandmark(touched(hand, count, 1e-3)) ? 1 : 0;
+            QVERIFY2(alarms <= 1.4 * kOutlierFalseAlarm * kSets
+                         && alarms >= 0.3 * kOutlierFalseAlarm * kSets,
+                     qPrintable(QStringLiteral("%1 of %2").arg(alarms).arg(kSets)));
+        }
+    }
+
+    /// A touch 15 mm off among eight with 1 mm is named, and how far off it is.
+    void namesTheOneThatAllOthersContradict()
+    {
+        test::Hand hand{139};
+        int named = 0;
+        constexpr int kSets = 200;
+        for (int i = 0; i < kSets; ++i) {
+            auto pairs = touched(hand, 8, 1e-3);
+            const auto wrong = std::size_t(i % 8);
+            pairs[wrong].p_MQ += 0.015 * hand.unit().normalized();
+            const auto outlier = outlyingLandmark(pairs);
+            named += outlier && outlier->landmark == wrong
+                             && std::abs(outlier->distance.si - 0.015) < 0.006
+                         ? 1
+                         : 0;
+        }
+        QVERIFY2(named >= 0.95 * kSets, qPrintable(QString::number(named)));
+    }
+
+    void callsNoneOfTooFewOutlying()
+    {
+        test::Hand hand{149};
+        QVERIFY(!outlyingLandmark(touched(hand, 3, 1e-2)));
+        QVERIFY(!outlyingLandmark({}));
+    }
+
     void saysNothingWhereTheOthersDoNotSuffice()
     {
         test::Hand hand{127};

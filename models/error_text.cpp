@@ -38,8 +38,8 @@ public:
         case Errc::TooFewLandmarks:
             return tr("There are too few landmarks%1: touch at least three.");
         case Errc::DegenerateLandmarks:
-            return tr("These landmarks leave the registration open%1: choose landmarks far apart "
-                      "and not on one line, and touch them in their order.");
+            return tr("These landmarks do not tell where the patient lies%1: choose landmarks far "
+                      "apart and not on one line, and touch each of them at its place.");
         case Errc::TooFewPoses:
             return tr("The stylus was not seen well enough to calibrate it%1: keep its tip in the "
                       "divot and its markers in view.");

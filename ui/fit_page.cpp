@@ -61,7 +61,10 @@ void FitPage::refresh()
     const FitTask& fitting = registration().fitting();
     const QStringList findings = fitting.findings();
     m_findings->setVisible(!findings.isEmpty());
-    m_findings->setText(QStringLiteral("▲ ") + findings.join(QStringLiteral("\n▲ ")));
+    QStringList lines;
+    for (const QString& finding : findings)
+        lines << tr("▲ %1", "a warning").arg(finding);
+    m_findings->setText(lines.join(QLatin1Char('\n')));
     m_repair->setVisible(fitting.order() == TouchOrder::Exchanged);
     m_expected->show(fitting.expected());
     m_list->refresh();

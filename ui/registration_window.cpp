@@ -153,8 +153,7 @@ void RegistrationWindow::refresh()
 {
     m_scene->refresh();
     m_ui->instruction->setText(m_registration.instruction());
-    const QString problem = m_registration.problem();
-    m_ui->problem->setText(problem.isEmpty() ? QString{} : QStringLiteral("▲ ") + problem);
+    warn(m_registration.problem());
     m_ui->pages->setCurrentWidget(&page());
     page().refresh();
     refreshSteps();
@@ -162,6 +161,11 @@ void RegistrationWindow::refresh()
     refreshError();
     refreshProgress();
     refreshTools();
+}
+
+void RegistrationWindow::warn(const QString& problem)
+{
+    m_ui->problem->setText(problem.isEmpty() ? QString{} : tr("▲ %1", "a warning").arg(problem));
 }
 
 /// The error is looked at where no landmark is asked for.
@@ -191,7 +195,7 @@ void RegistrationWindow::askForReport()
     if (file.isEmpty())
         return;
     if (const auto written = writeReport(file); !written)
-        m_ui->problem->setText(QStringLiteral("▲ ") + errorText(written.error()));
+        warn(errorText(written.error()));
 }
 
 void RegistrationWindow::refreshSteps()

@@ -46,6 +46,7 @@ private:
     void refreshProgress();
     void refreshTools();
     void refreshError();
+    void warn(const QString& problem);
     void askForReport();
     void hear(const QString& words);
     void enterNext();

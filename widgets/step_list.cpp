@@ -83,7 +83,7 @@ void StepList::addRow()
 
 void StepList::show(const Row& row, int number, const Step& step)
 {
-    row.button->setText(QStringLiteral("%1  &%2  %3 – %4")
+    row.button->setText(tr("%1  &%2  %3 – %4", "shape of its state, number, task, its state")
                             .arg(stateShape(step.state))
                             .arg(number)
                             .arg(step.title, stateWord(step.state)));

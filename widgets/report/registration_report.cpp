@@ -159,7 +159,7 @@ private:
             return;
         m_flow.addHeading(tr("Notes"), pageDots(4.0));
         for (const QString& note : m_report.notes)
-            m_flow.addText(QStringLiteral("▲ ") + note);
+            m_flow.addText(tr("▲ %1", "a warning").arg(note));
     }
 
     void addChecked()

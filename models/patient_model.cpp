@@ -1,5 +1,6 @@
 #include "models/patient_model.h"
 
+#include "engine/anatomy/builtin_patient.h"
 #include "engine/lungs/chest_drawing.h"
 
 #include <algorithm>
@@ -27,6 +28,15 @@ std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh)
     return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
+TriangleMesh moved(TriangleMesh mesh, const RigidTransform& X)
+{
+    for (Vec3f& p : mesh.positions)
+        p = (X * p.cast<double>()).cast<float>();
+    for (Vec3f& n : mesh.normals)
+        n = (X.rotation() * n.cast<double>()).cast<float>();
+    return mesh;
+}
+
 AnatomyPart withoutMeshes(const AnatomyPart& part)
 {
     return {.name = part.name,
@@ -48,6 +58,7 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
         return tl::unexpected(tube.error());
     PatientModel model;
     model.m_name = std::move(anatomy.name);
+    model.m_heldJaw = heldJaw(anatomy.contentHash);
     model.m_contentHash = std::move(anatomy.contentHash);
     model.m_landmarks = std::move(anatomy.landmarks);
     model.m_throat = {model.m_landmarks.p_A_carina, model.m_landmarks.p_A_glottis,
@@ -58,6 +69,18 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
     model.addAnatomy(std::move(anatomy.parts));
     model.addTube();
     return model;
+}
+
+FollowingThroat PatientModel::throat(const std::optional<RigidTransform>& X_AJ) const
+{
+    return {m_throat, X_AJ ? *X_AJ * m_heldJaw.inverse() : RigidTransform{}};
+}
+
+std::shared_ptr<const TriangleMesh> PatientModel::shutMesh(const PatientSurface& surface) const
+{
+    if (surface.body != SurfaceBody::Mandible)
+        return surface.levels.front();
+    return shared(moved(*surface.levels.front(), m_heldJaw.inverse()));
 }
 
 Box PatientModel::reachOfLungs() const

@@ -6,6 +6,7 @@
 #include "engine/lungs/lung_pair.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace carina
 /// What a surface of a patient is fixed to.
 enum class SurfaceBody : std::uint8_t {
     Anatomy,  ///< frame A, at rest or breathing
-    Mandible, ///< the frame that coincides with A while the mouth is closed
+    Mandible, ///< the frame that coincides with A while the jaw is where the surfaces have it
     Tube,     ///< the connector's frame E
 };
 
@@ -44,7 +45,11 @@ public:
     [[nodiscard]] const std::vector<PatientSurface>& surfaces() const { return m_surfaces; }
     [[nodiscard]] const LungPair& lungs() const { return *m_lungs; }
     /// How what lies between jaw and carina follows the jaw.
-    [[nodiscard]] const ThroatField& throat() const { return m_throat; }
+    /// @param X_AJ of the mandible, the identity with the mouth shut; nothing: as the surfaces have
+    ///        it
+    [[nodiscard]] FollowingThroat throat(const std::optional<RigidTransform>& X_AJ) const;
+    /// The finest mesh of a surface as it is with the mouth shut, on which a manikin is touched.
+    [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
     /// What the lungs take up, in A, as they are drawn at the end of a breath in severe COPD: a
     /// view that holds it cuts off no base of a lung. Empty without lungs.
@@ -62,6 +67,7 @@ private:
     std::vector<PatientSurface> m_surfaces;
     std::shared_ptr<const LungPair> m_lungs; // owned with the surfaces that alias its meshes
     ThroatField m_throat;
+    RigidTransform m_heldJaw; ///< X_AJ as the surfaces have it
     TubeShape m_tube;
 };
 

@@ -57,7 +57,7 @@ public:
             return tr("Touch any three landmarks where the manikin lies now, and a fourth if it is "
                       "asked for.");
         if (const auto next = model.nextLandmark())
-            return tr("Touch this place on the manikin and hold still for a second: %1.")
+            return tr("Keep the manikin's mouth shut. Touch this place and hold still: %1.")
                 .arg(model.landmarks()[*next].name);
         return tr("All landmarks are touched. Go on to the fit, or choose one to touch again.");
     }
@@ -82,6 +82,8 @@ public:
         const SiteTask task = model.task(SiteStep::Verify);
         if (task.state == TaskState::Waits)
             return task.why;
+        if (!model.verifying().canJudge())
+            return tr("Fit the patient to the landmarks again first.");
         if (const auto next = model.verifying().next())
             return tr("Touch this place, which the fit did not use: %1. Or click on the model to "
                       "add one.")

@@ -22,9 +22,11 @@ bool passesBy(const Box& box, const Vec3& p_eye, const Vec3& dir)
 SurfaceFinder::SurfaceFinder(const PatientModel& patient)
 {
     for (const PatientSurface& surface : patient.surfaces()) {
-        const TriangleMesh& finest = *surface.levels.front();
-        if (surface.body != SurfaceBody::Tube && surface.description.role != PartRole::Skin)
-            m_surfaces.push_back({&surface.name, &finest, boundsOf(finest), std::nullopt});
+        if (surface.body == SurfaceBody::Tube || surface.description.role == PartRole::Skin)
+            continue;
+        auto mesh = patient.shutMesh(surface);
+        const Box bounds = boundsOf(*mesh);
+        m_surfaces.push_back({&surface.name, std::move(mesh), bounds, std::nullopt});
     }
 }
 

@@ -41,7 +41,7 @@ public:
 private:
     struct Surface {
         const std::string* name;
-        const TriangleMesh* mesh;
+        std::shared_ptr<const TriangleMesh> mesh;
         Box bounds;
         mutable std::optional<SurfaceTree> tree; ///< once it was asked for the first time
     };

@@ -124,8 +124,9 @@ void RegistrationScene::addMarkers()
 
 SceneFrame RegistrationScene::frameAt(LocalTime time) const
 {
-    SceneFrame frame =
-        sceneFrame({}, m_registration.patient().lungs().field()); // at rest, mouth closed
+    const PatientModel& patient = m_registration.patient();
+    // At rest, with the mouth shut.
+    SceneFrame frame = sceneFrame({}, patient.lungs().field(), patient.throat(RigidTransform{}));
     for (std::size_t i = 0; i < m_landmarks.size(); ++i)
         frame.bodies[bodyOf(markerOf(m_landmarks[i], time), i)] =
             RigidTransform::translation(m_landmarks[i].p_AQ);

@@ -87,8 +87,14 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
     return parts;
 }
 
+FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
+{
+    const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
+    return patient.throat(hasJaw ? std::optional{moment.jaw->X_FO} : std::nullopt);
+}
+
 SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
-                      const ThroatField& throat)
+                      const FollowingThroat& throat)
 {
     SceneFrame frame;
     frame.time = moment.time;
@@ -97,10 +103,8 @@ SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
         frame.chest.motion[region] = motionOf(static_cast<ChestRegion>(region), moment.pose, chest);
     const ActedPose patient = moment.patient ? moment.patient->acted : ActedPose{};
     frame.bodies[kPatient] = inPatient(patient, {});
-    // Without a chin probe in view the mouth is drawn closed.
-    const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
-    frame.throat = {throat, hasJaw ? moment.jaw->X_FO : RigidTransform{}};
-    frame.bodies[kMandible] = inPatient(patient, frame.throat.X_AJ);
+    frame.throat = throat;
+    frame.bodies[kMandible] = inPatient(patient, throat.X_AJ);
     if (moment.tube && moment.tube->validity != Validity::Lost)
         frame.bodies[kTube] = moment.tube->X_FO;
     return frame;

@@ -12,7 +12,8 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
     m_scene.setParts(sceneParts(patient), patient.reachOfLungs());
     m_scene.setFrameSource([this](int level, LocalTime lit) {
         m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
-        SceneFrame frame = sceneFrame(m_moment, m_patient->lungs().field(), m_patient->throat());
+        SceneFrame frame =
+            sceneFrame(m_moment, m_patient->lungs().field(), throatAt(m_moment, *m_patient));
         if (m_headset)
             frame.eyes = m_headset->eyes(m_output, m_moment.head);
         return frame;

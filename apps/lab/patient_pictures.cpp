@@ -171,10 +171,11 @@ SceneFrame frameOf(const PatientModel& patient, const ChestPose& pose, const Pic
 {
     StationMoment moment;
     moment.pose = pose;
-    moment.jaw.emplace().X_FO =
-        movedJaw(patient.landmarks().p_A_incisors, order.jawOpening, order.jawForward);
-    moment.jaw->validity = Validity::Tracked;
-    return sceneFrame(moment, patient.lungs().field(), patient.throat());
+    const auto X_AJ = [&](const PictureOrder::Jaw& jaw) {
+        return movedJaw(patient.landmarks().p_A_incisors, jaw.opening, jaw.forward);
+    };
+    return sceneFrame(moment, patient.lungs().field(),
+                      patient.throat(order.jaw ? std::optional{X_AJ(*order.jaw)} : std::nullopt));
 }
 
 /// Draws each of them from each side into the folder.
@@ -224,13 +225,16 @@ Result<QJsonObject> drawPictures(Subject subject, const PictureOrder& order)
     if (!all)
         return tl::unexpected(all.error());
     return drawAll(**patient, *all, order).map([&](const QJsonArray& pictures) {
-        return QJsonObject{{QStringLiteral("schema"), QStringLiteral("carina.render.pictures/1")},
-                           {QStringLiteral("anatomy"), inWords((*patient)->name())},
-                           {QStringLiteral("width"), order.size.width()},
-                           {QStringLiteral("height"), order.size.height()},
-                           {QStringLiteral("jaw_deg"), inDegrees(order.jawOpening)},
-                           {QStringLiteral("jaw_forward_mm"), inMillimetres(order.jawForward)},
-                           {QStringLiteral("pictures"), pictures}};
+        QJsonObject drawn{{QStringLiteral("schema"), QStringLiteral("carina.render.pictures/1")},
+                          {QStringLiteral("anatomy"), inWords((*patient)->name())},
+                          {QStringLiteral("width"), order.size.width()},
+                          {QStringLiteral("height"), order.size.height()},
+                          {QStringLiteral("pictures"), pictures}};
+        if (order.jaw) {
+            drawn[QStringLiteral("jaw_deg")] = inDegrees(order.jaw->opening);
+            drawn[QStringLiteral("jaw_forward_mm")] = inMillimetres(order.jaw->forward);
+        }
+        return drawn;
     });
 }
 

@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QSize>
 
+#include <optional>
 #include <vector>
 
 namespace carina::lab
@@ -19,8 +20,12 @@ struct PictureOrder {
     VentilationMode ventilator = VentilationMode::Spontaneous;
     QSize size;  ///< of each, pixels
     QDir folder; ///< made if need be
-    Angle jawOpening{};
-    Length jawForward{};
+    /// How the jaw is moved from a mouth that is shut; nothing: as the surfaces have it.
+    struct Jaw {
+        Angle opening{};
+        Length forward{};
+    };
+    std::optional<Jaw> jaw{};
 };
 
 /// Draws a patient as the programs do, in full detail, at the end of expiration and of inspiration

@@ -66,20 +66,20 @@ Result<std::vector<LungCondition>> conditionsOf(const QCommandLineParser& parser
     });
 }
 
-/// How the jaw is drawn: closed and in its place unless the options say something else.
+/// How the jaw is drawn: as the surfaces have it unless the options say something else.
 Result<void> readJaw(const QCommandLineParser& parser, PictureOrder& order)
 {
     if (parser.isSet(kJawDegrees)) {
         const auto opening = numberOption(parser, kRender, "jaw-deg", 0.0, 30.0);
         if (!opening)
             return tl::unexpected(opening.error());
-        order.jawOpening = degrees(*opening);
+        order.jaw.emplace().opening = degrees(*opening);
     }
     if (parser.isSet(kJawForward)) {
         const auto forward = numberOption(parser, kRender, "jaw-forward-mm", 0.0, 15.0);
         if (!forward)
             return tl::unexpected(forward.error());
-        order.jawForward = millimetres(*forward);
+        order.jaw = {order.jaw.value_or(PictureOrder::Jaw{}).opening, millimetres(*forward)};
     }
     return {};
 }
@@ -179,11 +179,11 @@ render --pictures DIR [--anatomy DIR | --patient adult|child] [--size WxH]
     from the right side, and as a trainee sees it who stands behind the head. In health, with a
     simple pneumothorax of the right lung and with COPD, both of severity 0.9; or with one condition
     of those of `mechanics`, of severity 0.6 unless given. Breathed by the patient, or by a
-    ventilator. The jaw is closed and in its place, or opened about its condyles and brought
-    forward. Writes PNG of 1280x800 pixels or the size asked for. Needs a display. schema
-    carina.render.pictures/1
-      anatomy, width, height, jaw_deg, jaw_forward_mm
-                                what was drawn, and pixels
+    ventilator. The mouth is as the surfaces have it, held open in the built-in patients; or, from
+    being shut, opened about the condyles and brought forward. Writes PNG of 1280x800 pixels or the
+    size asked for. Needs a display. schema carina.render.pictures/1
+      anatomy, width, height    what was drawn, and pixels
+      jaw_deg, jaw_forward_mm   where one of them was asked for
       pictures                  per picture: file, view (front, side, trainee), phase (expired,
                                 inspired), condition, severity, side, ventilator; right and left:
                                 volume_ml (what the vertices drawn enclose), dome_descent_mm (how

@@ -1,6 +1,5 @@
 #include "apps/registration/patient_landmarks.h"
 
-#include "engine/anatomy/builtin_patient.h"
 #include "engine/registration/bone_landmarks.h"
 
 namespace carina
@@ -8,17 +7,23 @@ namespace carina
 namespace
 {
 
-/// Bones as they lie with the mouth shut: the built-in patients' lower jaws are held open.
-std::vector<Bone> bonesOf(const PatientModel& patient)
+/// Bones as they lie with the mouth shut.
+struct ShutBones {
+    std::vector<std::shared_ptr<const TriangleMesh>> meshes;
+    std::vector<Bone> bones; ///< of these meshes
+};
+
+ShutBones bonesOf(const PatientModel& patient)
 {
-    const bool isShut = !builtinOfHash(patient.contentHash());
-    std::vector<Bone> bones;
+    ShutBones found;
     for (const PatientSurface& surface : patient.surfaces()) {
         const PartRole role = surface.description.role;
-        if (role == PartRole::Rib || (role == PartRole::Mandible && isShut))
-            bones.push_back({surface.name, surface.levels.front()->positions});
+        if (role != PartRole::Rib && role != PartRole::Mandible)
+            continue;
+        found.meshes.push_back(patient.shutMesh(surface));
+        found.bones.push_back({surface.name, found.meshes.back()->positions});
     }
-    return bones;
+    return found;
 }
 
 LandmarkCatalogue firstOf(LandmarkCatalogue catalogue, std::size_t count)
@@ -33,7 +38,7 @@ std::vector<LandmarkCatalogue> landmarkSetsOf(const viewer::ChosenPatient& patie
 {
     const std::string& anatomy = patient.model->contentHash();
     const Length height = patient.dimensions.height;
-    const std::vector<Bone> bones = bonesOf(*patient.model);
+    const auto [meshes, bones] = bonesOf(*patient.model);
     const LandmarkCatalogue four =
         boneLandmarks(bones, anatomy).value_or(ribCageCatalogue(height, anatomy));
     const LandmarkCatalogue eight =
@@ -43,7 +48,7 @@ std::vector<LandmarkCatalogue> landmarkSetsOf(const viewer::ChosenPatient& patie
 
 std::vector<Landmark> checkPlacesOf(const viewer::ChosenPatient& patient)
 {
-    return boneCheckPlaces(bonesOf(*patient.model));
+    return boneCheckPlaces(bonesOf(*patient.model).bones);
 }
 
 } // namespace carina

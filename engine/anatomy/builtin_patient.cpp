@@ -188,6 +188,15 @@ std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash)
     return std::nullopt;
 }
 
+RigidTransform heldJaw(std::string_view contentHash)
+{
+    const auto builtin = builtinOfHash(contentHash);
+    const auto dimensions =
+        builtin ? std::optional{dimensionsFor(parametersOf(*builtin))} : std::nullopt;
+    return dimensions && *dimensions ? heldJaw(bodyPlanOf(**dimensions, Posture::Laryngoscopy))
+                                     : RigidTransform{};
+}
+
 Result<Anatomy> patientFor(const PatientParameters& parameters, Posture posture)
 {
     const auto dimensions = dimensionsFor(parameters);

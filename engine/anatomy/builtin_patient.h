@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/body_plan.h"
 #include "engine/core/result.h"
+#include "engine/geometry/rigid_transform.h"
 
 #include <optional>
 #include <string_view>
@@ -26,6 +27,10 @@ namespace carina
 
 /// The same with the figures of a built-in patient.
 [[nodiscard]] Result<Anatomy> builtinPatient(BuiltinPatient patient);
+
+/// X_AJ of the lower jaw as the surfaces of a patient have it: the built-in patients' mouths are
+/// held open, every other's is shut (the identity).
+[[nodiscard]] RigidTransform heldJaw(std::string_view contentHash);
 
 /// The built-in patient with this content hash; nothing for any other.
 [[nodiscard]] std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash);

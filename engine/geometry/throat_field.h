@@ -13,7 +13,7 @@ namespace carina
 ///
 ///     x = p + S(p) (X_AJ a - a) + S(p)^2 (R_AJ - I) (p - a)
 ///
-/// with X_AJ the pose of the mandible, the identity while the mouth is closed, and a share S that
+/// with X_AJ the pose of the mandible from where the surfaces have it, and a share S that
 /// is 0 at the carina and below it and 1 where the part is fixed to the jaw: there x = X_AJ p. What
 /// hangs from the jaw goes by its share of what the place a goes, behind the lower incisors, and
 /// turns about it by less. S is a product of three smooth steps (throat_formula.h): along the
@@ -56,7 +56,7 @@ private:
 /// A throat, and where the mandible is.
 struct FollowingThroat {
     ThroatField field;
-    RigidTransform X_AJ; ///< the identity while the mouth is closed
+    RigidTransform X_AJ; ///< from where the surfaces have it
 };
 
 [[nodiscard]] JawShift<double> jawShift(const RigidTransform& X_AJ);
@@ -67,7 +67,7 @@ struct FollowingThroat {
 
 /// The mesh where the jaw takes it, with its exact normals n ~ cof(I + grad d) n0, in single
 /// precision as the vertex shader resources/shaders/organ.vert does it after breathing. With the
-/// mouth closed, the mesh as it is.
+/// mandible where the surfaces have it, the mesh as it is.
 [[nodiscard]] TriangleMesh deformed(const TriangleMesh& mesh_A, const FollowingThroat& throat,
                                     ThroatTissue tissue);
 

@@ -19,12 +19,14 @@ namespace
 constexpr double kLeastDeterminant = 0.2;
 constexpr double kTouching_m = 2e-3;
 
-/// One patient, and how far its mouth opens from how it is drawn while the jaw is in its place.
+constexpr double kWidest_deg = 30.0;
+constexpr double kUsual_deg = 18.0;
+
+/// One patient, and how far its surfaces have the mouth open.
 struct Person {
     std::vector<AnatomyPart> parts;
     AirwayLandmarks landmarks;
-    double widest_deg = 30.0;
-    double usual_deg = 18.0;
+    double held_deg = 0.0;
     double perMillimetre = 1e-3; ///< of a man of 173 cm
 };
 
@@ -69,16 +71,17 @@ std::optional<Person> personCalled(const QString& name)
     const PatientParameters who =
         parametersOf(isChild ? BuiltinPatient::TwelveYears : BuiltinPatient::Adult);
     Anatomy made = patientFor(who, isHeldOpen ? Posture::Laryngoscopy : Posture::Rest).value();
-    return Person{std::move(made.parts), made.landmarks, isHeldOpen ? 18.0 : 30.0,
-                  isHeldOpen ? 8.0 : 18.0, isChild ? 0.9e-3 : 1e-3};
+    return Person{std::move(made.parts), made.landmarks, isHeldOpen ? 11.7 : 0.0,
+                  isChild ? 0.9e-3 : 1e-3};
 }
 
+/// Of a jaw that opens from being shut, from where the surfaces have it.
 RigidTransform jawOf(const Person& person, double opening_deg, double forward_mm)
 {
     const Vec3 hinge = person.landmarks.p_A_incisors + person.perMillimetre * Vec3{0.0, 87.0, 45.0};
+    const Angle turn = degrees(opening_deg - person.held_deg);
     return RigidTransform::translation(hinge - 1e-3 * forward_mm * Vec3::UnitY())
-           * RigidTransform{rotationFromVector(degrees(opening_deg).si * Vec3::UnitX()),
-                            Vec3::Zero()}
+           * RigidTransform{rotationFromVector(turn.si * Vec3::UnitX()), Vec3::Zero()}
            * RigidTransform::translation(-hinge);
 }
 
@@ -87,7 +90,7 @@ std::vector<RigidTransform> motionsOf(const Person& person)
     std::vector<RigidTransform> motions;
     for (const double share : {0.0, 0.5, 1.0})
         for (const double forward : {0.0, 7.5, 15.0})
-            motions.push_back(jawOf(person, share * person.widest_deg, forward));
+            motions.push_back(jawOf(person, share * kWidest_deg, forward));
     return motions;
 }
 
@@ -195,8 +198,7 @@ void TestFollowingThroat::foldsNowhere()
 }
 
 // Opened by 18 degrees, to 30 mm, or brought forward by 10 mm, the tongue and the floor of the
-// mouth leave the bone they touch by less than that. A mouth that is held open by 12 degrees opens
-// by 8 more.
+// mouth leave the bone they touch by less than that.
 void TestFollowingThroat::staysOnTheJaw()
 {
     constexpr double kGap_mm = 6.0;
@@ -218,7 +220,7 @@ void TestFollowingThroat::staysOnTheJaw()
                 continue;
             ++touching;
             for (const RigidTransform& X_AJ :
-                 {jawOf(*somebody, somebody->usual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
+                 {jawOf(*somebody, kUsual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
                 const Vec3 x_A = p_A + throat.at(p_A, X_AJ, ThroatTissue::Airway).d_A;
                 gap_mm.take(1e3 * (x_A - X_AJ * p_A).norm(), part.name);
             }
@@ -244,7 +246,7 @@ void TestFollowingThroat::staysTogether()
         if (tissue != ThroatTissue::Pharynx || larynx.distanceTo(p_A) > kTouching_m)
             return;
         for (const RigidTransform& X_AJ :
-             {jawOf(*somebody, somebody->usual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
+             {jawOf(*somebody, kUsual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
             const Vec3 apart = throat.at(p_A, X_AJ, ThroatTissue::Pharynx).d_A
                                - throat.at(p_A, X_AJ, ThroatTissue::Airway).d_A;
             slide_mm.take(1e3 * apart.norm(), part);

@@ -1,5 +1,7 @@
 #include "engine/geometry/chest_field.h"
 
+#include "tests/engine/geometry/mesh_of_places.h"
+
 #include <Eigen/LU>
 #include <QTest>
 
@@ -234,14 +236,7 @@ void TestChestField::shiftsTheMiddleAndNotTheWalls()
 
 void TestChestField::deformsMeshesAsTheFieldSays()
 {
-    std::mt19937 random{11};
-    std::normal_distribution<float> number;
-    TriangleMesh mesh;
-    for (const Vec3& p_A : places()) {
-        mesh.positions.emplace_back(p_A.cast<float>());
-        mesh.normals.push_back(Vec3f{number(random), number(random), number(random)}.normalized());
-    }
-    mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+    const TriangleMesh mesh = test::meshOf(places());
     const TriangleMesh moved = deformed(mesh, chest(), everything());
     QCOMPARE(moved.triangles, mesh.triangles);
     QCOMPARE(moved.positions.size(), mesh.positions.size());

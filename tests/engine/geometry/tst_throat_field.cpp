@@ -1,6 +1,7 @@
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"
 #include "engine/geometry/throat_field.h"
+#include "tests/engine/geometry/mesh_of_places.h"
 
 #include <Eigen/LU>
 #include <QTest>
@@ -235,14 +236,7 @@ void TestThroatField::hasTheSlopesOfItsDisplacement()
 
 void TestThroatField::deformsMeshesAsTheFieldSays()
 {
-    std::mt19937 random{11};
-    std::normal_distribution<float> number;
-    TriangleMesh mesh;
-    for (const Vec3& p_A : places()) {
-        mesh.positions.emplace_back(p_A.cast<float>());
-        mesh.normals.push_back(Vec3f{number(random), number(random), number(random)}.normalized());
-    }
-    mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+    const TriangleMesh mesh = test::meshOf(places());
     const RigidTransform X_AJ = opened(20.0, {2.0, -6.0, 0.0});
     for (const ThroatTissue tissue : kTissues) {
         const TriangleMesh moved = deformed(mesh, {throat(), X_AJ}, tissue);

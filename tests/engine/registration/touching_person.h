@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/registration/landmark_catalogue.h"
 #include "engine/registration/touch_recognition.h"
+#include "tests/engine/registration/catalogue_places.h"
 #include "tests/engine/registration/registration_trials.h"
 
 #include <algorithm>
@@ -17,16 +17,6 @@ inline const Length kFle = millimetres(2.0);
 inline const double kNoise = kFle.si / std::sqrt(3.0); // along each axis
 
 using Touches = std::vector<std::optional<Vec3>>;
-
-inline std::vector<Vec3> eightOfTheCatalogue()
-{
-    std::vector<Vec3> places;
-    const Length height = metres(1.75);
-    for (const Landmark& landmark :
-         ribCageAndJawCatalogue(ribCageCatalogue(height, {}), furtherPlaces(height)).landmarks)
-        places.push_back(landmark.p_AQ);
-    return places;
-}
 
 inline std::vector<std::size_t> shuffled(std::mt19937_64& random)
 {

@@ -1,6 +1,6 @@
 #include "engine/registration/landmark_order.h"
 
-#include "engine/registration/landmark_catalogue.h"
+#include "tests/engine/registration/catalogue_places.h"
 #include "tests/engine/registration/registration_trials.h"
 
 #include <QTest>
@@ -20,16 +20,6 @@ const Length kFle = metres(std::sqrt(3.0) * kNoise);
 constexpr double kFarEnough = 0.040; // m
 
 using Order = std::vector<std::size_t>;
-
-std::vector<Vec3> eightOfTheCatalogue()
-{
-    std::vector<Vec3> places;
-    const Length height = metres(1.75);
-    for (const Landmark& landmark :
-         ribCageAndJawCatalogue(ribCageCatalogue(height, {}), furtherPlaces(height)).landmarks)
-        places.push_back(landmark.p_AQ);
-    return places;
-}
 
 Order asListed(std::size_t count)
 {
@@ -70,7 +60,7 @@ private Q_SLOTS:
     void findsTwoThatWereExchanged()
     {
         test::Hand hand{73};
-        const std::vector<Vec3> p_A = eightOfTheCatalogue();
+        const std::vector<Vec3> p_A = test::eightOfTheCatalogue();
         int found = 0;
         for (int trial = 0; trial < kTrials; ++trial) {
             Order order = asListed(8);
@@ -93,7 +83,7 @@ private Q_SLOTS:
         test::Hand hand{79};
         int kept = 0;
         for (int trial = 0; trial < kTrials; ++trial) {
-            const auto pairs = touched(hand, eightOfTheCatalogue(), asListed(8));
+            const auto pairs = touched(hand, test::eightOfTheCatalogue(), asListed(8));
             const auto finding = recogniseOrder(pairs, kFle);
             QVERIFY(finding.has_value());
             kept += finding->order == TouchOrder::AsGiven ? 1 : 0;
@@ -119,7 +109,7 @@ private Q_SLOTS:
         QFETCH(Order, order);
         test::Hand hand{83};
         for (int trial = 0; trial < 20; ++trial) {
-            const auto pairs = touched(hand, eightOfTheCatalogue(), order, 0.5e-3);
+            const auto pairs = touched(hand, test::eightOfTheCatalogue(), order, 0.5e-3);
             const auto finding = recogniseOrder(pairs, kFle);
             QVERIFY(finding.has_value());
             QCOMPARE(finding->order, TouchOrder::Exchanged);
@@ -138,7 +128,7 @@ private Q_SLOTS:
     void findsAMirrorImage()
     {
         test::Hand hand{89};
-        std::vector<Vec3> crooked = eightOfTheCatalogue();
+        std::vector<Vec3> crooked = test::eightOfTheCatalogue();
         crooked[0].x() += 0.05; // so that no order makes left of right
         auto pairs = touched(hand, crooked, asListed(8), 0.5e-3);
         for (LandmarkPair& pair : pairs)
@@ -154,7 +144,7 @@ private Q_SLOTS:
     void doesNotExplainAWrongPlace()
     {
         test::Hand hand{97};
-        auto pairs = touched(hand, eightOfTheCatalogue(), asListed(8), 0.5e-3);
+        auto pairs = touched(hand, test::eightOfTheCatalogue(), asListed(8), 0.5e-3);
         pairs[4].p_MQ += Vec3{0.03, -0.03, 0.03};
         const auto finding = recogniseOrder(pairs, kFle);
         QVERIFY(finding.has_value());
@@ -174,7 +164,7 @@ private Q_SLOTS:
         QCOMPARE(finding->order, TouchOrder::AsGiven);
         QCOMPARE(finding->explanations, 8U); // four turns, and as many turned over
         const auto eight =
-            recogniseOrder(touched(hand, eightOfTheCatalogue(), asListed(8), 0.0), kFle);
+            recogniseOrder(touched(hand, test::eightOfTheCatalogue(), asListed(8), 0.0), kFle);
         QCOMPARE(eight->explanations, 1U);
     }
 
@@ -213,10 +203,10 @@ private Q_SLOTS:
         QTest::addColumn<std::vector<LandmarkPair>>("pairs");
         QTest::addColumn<Errc>("code");
         test::Hand hand{107};
-        auto pairs = touched(hand, eightOfTheCatalogue(), asListed(8));
+        auto pairs = touched(hand, test::eightOfTheCatalogue(), asListed(8));
         pairs.resize(2);
         QTest::newRow("two") << pairs << Errc::TooFewLandmarks;
-        pairs = touched(hand, eightOfTheCatalogue(), asListed(8));
+        pairs = touched(hand, test::eightOfTheCatalogue(), asListed(8));
         pairs[2].p_MQ.x() = std::numeric_limits<double>::quiet_NaN();
         QTest::newRow("no number") << pairs << Errc::NotFinite;
         pairs[2].p_MQ.x() = 1e4;

@@ -19,7 +19,7 @@ struct MadeDesk {
     /// The stylus is held at a place of the anatomy, off it by so much.
     void verifyAt(const Vec3& p_AQ, const Vec3& off_A = Vec3::Zero())
     {
-        verifying.take({.touch = touchAt(p_AQ, off_A)});
+        verifying.take(touchAt(p_AQ, off_A));
     }
 
     QTemporaryDir folder;

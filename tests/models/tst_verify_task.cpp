@@ -131,6 +131,22 @@ private Q_SLOTS:
         QVERIFY(std::abs(shareGood - kBoundShare) < kAgree);
     }
 
+    /// Files of version 1 did not keep how large a registration's error may be.
+    void judgesNothingWithoutAnExpectedError()
+    {
+        Site site = fittedSite();
+        site.registration->degrees = 0.0;
+        site.registration->covariance_A.setZero();
+        MadeDesk desk{site};
+        QVERIFY(!desk.verifying.canJudge());
+        QVERIFY(desk.verifying.points().empty() && !desk.verifying.next());
+        desk.verifyAt(Vec3::Zero());
+        QVERIFY(!desk.editor.site().verification);
+        QCOMPARE(desk.verifying.suggestion(), Verdict::Open);
+        desk.fitting.fit();
+        QVERIFY(desk.verifying.canJudge() && desk.verifying.next());
+    }
+
     void doesNotJudgeByOnePoint()
     {
         MadeDesk desk{fittedSite()};

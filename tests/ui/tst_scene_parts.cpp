@@ -42,8 +42,8 @@ private Q_SLOTS:
         moment.patient.emplace().acted = {RigidTransform{quarter, Vec3::UnitZ()}, 2.0};
         moment.tube.emplace().X_FO = RigidTransform::translation({0.5, 0.0, 0.0});
         moment.tube->validity = Validity::Tracked;
-        const SceneFrame frame = sceneFrame(
-            moment, ChestField{}, {{}, RigidTransform::translation({0.0, 0.1, 0.0})});
+        const SceneFrame frame =
+            sceneFrame(moment, ChestField{}, {{}, RigidTransform::translation({0.0, 0.1, 0.0})});
         const auto moved = [](const Vec3& p) {
             return Vec3{2.0 * -p.y(), 2.0 * p.x(), 2.0 * p.z() + 1.0};
         };

@@ -176,6 +176,8 @@ private:
     std::map<QString, std::optional<Person>> m_people;
 };
 
+// But for the space between tongue and palate, which is gone where a mouth that was held open
+// shuts.
 void TestFollowingThroat::foldsNowhere()
 {
     QFETCH(QString, name);
@@ -187,6 +189,8 @@ void TestFollowingThroat::foldsNowhere()
     std::string where;
     for (const RigidTransform& X_AJ : motionsOf(*somebody))
         forVertices(*somebody, [&](const Vec3& p_A, ThroatTissue tissue, const std::string& part) {
+            if (somebody->held_deg > 0.0 && part == "Oral cavity")
+                return;
             const Mat3 j = Mat3::Identity() + throat.at(p_A, X_AJ, tissue).gradient;
             if (j.determinant() < least) {
                 least = j.determinant();
@@ -198,18 +202,19 @@ void TestFollowingThroat::foldsNowhere()
 }
 
 // Opened by 18 degrees, to 30 mm, or brought forward by 10 mm, the tongue and the floor of the
-// mouth leave the bone they touch by less than that.
+// mouth leave the bone they touch by less than that; of a mouth that was held open and shuts, by
+// twice as much.
 void TestFollowingThroat::staysOnTheJaw()
 {
-    constexpr double kGap_mm = 6.0;
     QFETCH(QString, name);
     const Person* somebody = person(name);
     if (somebody == nullptr)
         QSKIP("the real man is not here");
+    const double gap_mm = somebody->held_deg > 0.0 ? 12.0 : 6.0;
     const ThroatField throat = throatOf(*somebody);
     const SurfaceTree bone = surfaceOf(
         *somebody, [](const AnatomyPart& part) { return part.role == PartRole::Mandible; });
-    Largest gap_mm;
+    Largest largest_mm;
     int touching = 0;
     for (const AnatomyPart& part : somebody->parts) {
         if (part.role != PartRole::Tongue && part.name.find("hyoid") == std::string::npos)
@@ -222,12 +227,12 @@ void TestFollowingThroat::staysOnTheJaw()
             for (const RigidTransform& X_AJ :
                  {jawOf(*somebody, kUsual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
                 const Vec3 x_A = p_A + throat.at(p_A, X_AJ, ThroatTissue::Airway).d_A;
-                gap_mm.take(1e3 * (x_A - X_AJ * p_A).norm(), part.name);
+                largest_mm.take(1e3 * (x_A - X_AJ * p_A).norm(), part.name);
             }
         }
     }
-    qInfo("%d vertices, at most %.1f mm, %s", touching, gap_mm.value, gap_mm.where.c_str());
-    QVERIFY(gap_mm.value < kGap_mm);
+    qInfo("%d vertices, at most %.1f mm, %s", touching, largest_mm.value, largest_mm.where.c_str());
+    QVERIFY(largest_mm.value < gap_mm);
 }
 
 // Where the pharynx touches what is of the other tissue, one slides along the other.

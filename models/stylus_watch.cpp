@@ -36,6 +36,11 @@ StylusWatch::StylusWatch(const Tracker& tracker, ReadSessionClock clock)
 {
 }
 
+bool StylusWatch::has(ToolRole role) const
+{
+    return std::ranges::find(m_tools, role, &TrackedTool::role) != m_tools.end();
+}
+
 std::string StylusWatch::tool() const
 {
     const auto stylus = std::ranges::find(m_tools, ToolRole::Stylus, &TrackedTool::role);
@@ -50,6 +55,9 @@ void StylusWatch::watchFor(StylusUse use)
     m_pivot.restart();
     m_spun.clear();
     m_dwell = {};
+    m_p_TQ_taken.reset();
+    if (const auto resting = pointNow())
+        m_dwell.leave(resting->point.p_FQ);
     m_swab.clear();
 }
 
@@ -84,6 +92,8 @@ void StylusWatch::take(const PoseSample& sample, StylusNews& news)
             if (const auto point =
                     m_dwell.push(sample.time, sample.X_FO * *m_p_SQ, sample.validity))
                 news.touch = StylusTouch{*point, sample.X_FO.rotation()};
+        if (news.touch)
+            m_p_TQ_taken = news.touch->point.p_FQ;
         return;
     case StylusUse::Swab:
         if (m_p_SQ && isSeen)
@@ -123,6 +133,22 @@ double StylusWatch::progress() const
         break;
     }
     return 0.0;
+}
+
+std::optional<StylusTouch> StylusWatch::takePoint()
+{
+    auto touch = pointNow();
+    if (touch) {
+        m_p_TQ_taken = touch->point.p_FQ;
+        m_dwell.leave(touch->point.p_FQ);
+    }
+    return touch;
+}
+
+bool StylusWatch::restsWhereTaken() const
+{
+    const auto now = m_p_TQ_taken ? pointNow() : std::nullopt;
+    return now && (now->point.p_FQ - *m_p_TQ_taken).norm() <= DwellDetector::Settings{}.leave.si;
 }
 
 std::optional<StylusTouch> StylusWatch::pointNow() const

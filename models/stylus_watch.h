@@ -44,6 +44,8 @@ public:
 
     /// The tracker's name of the stylus; empty for a tracker without one.
     [[nodiscard]] std::string tool() const;
+    /// Whether the tracker has such a tool, seen or not.
+    [[nodiscard]] bool has(ToolRole role) const;
 
     /// Watches for something else from now on.
     void watchFor(StylusUse use);
@@ -62,9 +64,12 @@ public:
     /// p_TQ on the surface so far, at least kSwabStep apart.
     [[nodiscard]] const std::vector<Vec3>& swab() const { return m_swab; }
 
-    /// The point that the tip is at, the mean of its latest quarter of a second; nothing while the
-    /// stylus is not seen or its tip not known.
-    [[nodiscard]] std::optional<StylusTouch> pointNow() const;
+    /// Takes the point that the tip is at, so that it is not taken again by resting there: the
+    /// mean of its latest quarter of a second; nothing while the stylus is not seen or its tip not
+    /// known.
+    std::optional<StylusTouch> takePoint();
+    /// Whether the tip is still where the last point was taken.
+    [[nodiscard]] bool restsWhereTaken() const;
 
     /// X_TS now; nothing while the stylus is not seen.
     [[nodiscard]] std::optional<RigidTransform> stylus() const;
@@ -79,6 +84,7 @@ private:
     void take(const PoseSample& sample, StylusNews& news);
     void takeSpun(const RigidTransform& X_TS, StylusNews& news);
     void takeSwabbed(const Vec3& p_TQ);
+    [[nodiscard]] std::optional<StylusTouch> pointNow() const;
     /// The samples of a tool, if it is seen now.
     [[nodiscard]] std::vector<PoseSample> seen(ToolRole role) const;
     /// Those of its latest time that were not lost.
@@ -92,6 +98,7 @@ private:
     PivotCollector m_pivot;
     std::vector<RigidTransform> m_spun; ///< X_TS
     DwellDetector m_dwell;
+    std::optional<Vec3> m_p_TQ_taken; ///< the last point, since it is watched for this
     std::vector<Vec3> m_swab;
 };
 

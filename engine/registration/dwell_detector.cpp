@@ -56,6 +56,12 @@ std::optional<DwellPoint> DwellDetector::push(SessionTime time, const Vec3& p_FQ
     return point;
 }
 
+void DwellDetector::leave(const Vec3& p_FQ)
+{
+    m_taken = p_FQ;
+    m_latest.clear();
+}
+
 double DwellDetector::progress() const
 {
     Positions still{m_latest};

@@ -48,6 +48,10 @@ public:
     /// @returns the point, with the sample that completes it.
     std::optional<DwellPoint> push(SessionTime time, const Vec3& p_FQ, Validity validity);
 
+    /// The next point is taken only after the tip has gone further than `leave` from here: it was
+    /// taken otherwise, or the tip lay there before anybody asked for a point.
+    void leave(const Vec3& p_FQ);
+
     /// How much of the hold the latest positions within the radius cover, 0 to 1, for a person to
     /// see; 0 once they have given a point.
     [[nodiscard]] double progress() const;

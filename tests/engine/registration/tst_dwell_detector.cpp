@@ -75,6 +75,21 @@ private Q_SLOTS:
         }
     }
 
+    /// A place that was taken otherwise is not taken again before the tip was 5 mm away.
+    void leavesAPlaceFirst()
+    {
+        Stream stream;
+        stream.detector.leave(kHere);
+        for (int i = 0; i < 200; ++i)
+            stream.see(kHere + 4.9e-3 * Vec3::UnitX());
+        QVERIFY(stream.points.empty());
+        QCOMPARE(stream.detector.progress(), 0.0);
+        stream.see(kHere + 5.1e-3 * Vec3::UnitX());
+        for (int i = 0; i < 60; ++i)
+            stream.see(kHere);
+        QCOMPARE(stream.points.size(), 1U);
+    }
+
     void givesTheMeanAndTheSpread()
     {
         Stream stream;

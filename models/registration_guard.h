@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/io/site.h"
 #include "engine/registration/landmark_catalogue.h"
 #include "engine/registration/registration_watch.h"
 #include "engine/session/station_tracking.h"
@@ -14,7 +15,7 @@ namespace carina
 
 /// What a registration is watched by.
 struct GuardedRegistration {
-    Vec3 p_SQ = Vec3::Zero(); ///< the stylus's tip, metres
+    std::vector<StylusTip> styluses; ///< of the site
     std::vector<Landmark> landmarks;
     Mat6 covariance_A = Mat6::Zero(); ///< of X_AM
     Length fle;                       ///< of a touch
@@ -25,6 +26,7 @@ struct GuardedRegistration {
 class RegistrationGuard
 {
 public:
+    /// Nothing is watched without the tip of the stylus that is tracked.
     /// @pre tracking outlives this; the covariance is positive definite.
     RegistrationGuard(const StationTracking& tracking, GuardedRegistration registration);
 
@@ -37,7 +39,7 @@ public:
 
 private:
     const StationTracking& m_tracking;
-    Vec3 m_p_SQ;
+    std::optional<Vec3> m_p_SQ;
     RegistrationWatch m_watch;
 };
 

@@ -9,15 +9,34 @@ namespace
 std::optional<GuardedRegistration> guardOf(const Site& site)
 {
     const SiteRegistration& fitted = *site.registration;
-    if (fitted.degrees == 0.0 || site.styluses.empty())
+    const bool isErrorKnown =
+        fitted.degrees > 0.0 && fitted.fle > 0.0 && isPositiveDefinite(fitted.covariance_A);
+    if (!isErrorKnown || site.styluses.empty())
         return std::nullopt;
-    return GuardedRegistration{.p_SQ = site.styluses.back().p_SQ,
+    return GuardedRegistration{.styluses = site.styluses,
                                .landmarks = site.catalogue->landmarks,
                                .covariance_A = fitted.covariance_A,
                                .fle = metres(fitted.fle)};
 }
 
+bool isSame(const RigidTransform& a, const RigidTransform& b)
+{
+    return a.translation() == b.translation() && a.rotation().coeffs() == b.rotation().coeffs();
+}
+
+bool isSame(const std::optional<RigidTransform>& a, const std::optional<RigidTransform>& b)
+{
+    return a && b ? isSame(*a, *b) : a.has_value() == b.has_value();
+}
+
 } // namespace
+
+bool isSamePlace(const SiteSetup& a, const SiteSetup& b)
+{
+    return isSame(a.registration.X_AT, b.registration.X_AT)
+           && isSame(a.registration.X_JA, b.registration.X_JA)
+           && isSame(a.registration.X_BA, b.registration.X_BA);
+}
 
 Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
 {

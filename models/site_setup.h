@@ -16,6 +16,9 @@ struct SiteSetup {
     std::optional<DisplayGeometry> display{}; ///< of the headset, if it was measured
 };
 
+/// Whether both lay the anatomy alike: a site is also written for other things.
+[[nodiscard]] bool isSamePlace(const SiteSetup& a, const SiteSetup& b);
+
 /// @returns NotRegistered before the site's anatomy was fitted; OtherPatient for a site of another
 ///          one.
 [[nodiscard]] Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient);

@@ -10,6 +10,8 @@
 #include "widgets/scene/graphics.h"
 
 #include <QApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QLockFile>
 #include <QStandardPaths>
@@ -117,10 +119,14 @@ Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& 
                  const QSize& size, bool scripted)
 {
     const std::string siteFile = parser.value(kSite).toStdString();
+    if (!QDir{}.mkpath(QFileInfo{parser.value(kSite)}.absolutePath()))
+        return fail(Errc::FileUnwritable, siteFile);
     QLockFile lock{parser.value(kSite) + QStringLiteral(".lock")};
     lock.setStaleLockTime(0); // it is stale when its program is gone
-    if (!lock.tryLock() && lock.error() == QLockFile::LockFailedError)
-        return fail(Errc::SiteInUse, siteFile);
+    if (!lock.tryLock())
+        return fail(lock.error() == QLockFile::LockFailedError ? Errc::SiteInUse
+                                                               : Errc::FileUnwritable,
+                    siteFile);
     auto site = RegistrationModel::siteOf(siteFile, *patient.model);
     if (!site)
         return tl::unexpected(site.error());

@@ -74,7 +74,7 @@ void TraineeStation::publish()
 Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                  const std::function<void()>& show)
 {
-    auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr, nullptr});
+    auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr, nullptr, {}});
     if (m_simulation.tracker)
         if (const auto watched = watchHands(*next); !watched)
             return watched;
@@ -110,6 +110,7 @@ Result<void> TraineeStation::watchHands(Laid& laid)
     };
     laid.tracking = std::move(simulated->tracking);
     laid.guard = guardOf(*laid.tracking, *place);
+    laid.place = *place;
     return laid.tracking->start();
 }
 
@@ -118,8 +119,9 @@ void TraineeStation::takePlace()
     if (!m_laid || !m_laid->tracking)
         return;
     const auto place = m_placeOf(*m_laid->patient);
-    if (!place || !*place)
-        return;
+    if (!place || !*place || (m_laid->place && isSamePlace(**place, *m_laid->place)))
+        return; // another page or name does not lay the patient
+    m_laid->place = *place;
     m_laid->tracking->takeRegistration((*place)->registration);
     m_laid->guard = guardOf(*m_laid->tracking, *place);
 }

@@ -65,6 +65,7 @@ private:
         viewer::TrueView truth;
         std::unique_ptr<StationView> view;
         std::unique_ptr<RegistrationGuard> guard; ///< of the tracking; none without a site
+        Place place;                              ///< as the site said last
     };
 
     [[nodiscard]] Result<void> watchHands(Laid& laid);

@@ -5,7 +5,7 @@
 namespace carina
 {
 
-const StylusTip* Site::stylus(const std::string& tool) const
+const StylusTip* tipOfTool(const std::vector<StylusTip>& styluses, const std::string& tool)
 {
     for (const std::string& name : {tool, std::string{}}) {
         const auto found = std::ranges::find(styluses, name, &StylusTip::tool);

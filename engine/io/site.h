@@ -18,7 +18,7 @@ enum class SiteStep : std::uint8_t { Overview, Tracker, Stylus, Landmarks, Touch
 
 /// What was changed beneath a result, so that it no longer follows from what it rests on: the
 /// deepest first.
-enum class StaleCause : std::uint8_t { Tracker, Stylus, Landmarks, Touches, Fit };
+enum class StaleCause : std::uint8_t { Tracker, Stylus, Landmarks, Manikin, Touches, Fit };
 
 /// The axis of a tool, from a spin calibration.
 struct StylusAxis {
@@ -38,6 +38,10 @@ struct StylusTip {
     int outliers = 0;
     std::optional<StylusAxis> axis{};
 };
+
+/// The calibration of a tool, or the only one that names none; null where there is none.
+[[nodiscard]] const StylusTip* tipOfTool(const std::vector<StylusTip>& styluses,
+                                         const std::string& tool);
 
 /// A landmark as it was touched.
 struct TouchedPoint {
@@ -127,8 +131,11 @@ struct Site {
     std::optional<SiteVerification> verification{};
     std::optional<DisplayGeometry> display{};
 
-    /// The calibration of a tool, or the only one that names none; null where there is none.
-    [[nodiscard]] const StylusTip* stylus(const std::string& tool) const;
+    /// See tipOfTool.
+    [[nodiscard]] const StylusTip* stylus(const std::string& tool) const
+    {
+        return tipOfTool(styluses, tool);
+    }
 };
 
 } // namespace carina

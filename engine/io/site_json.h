@@ -13,7 +13,8 @@ inline const QString kSiteSchema = QStringLiteral("carina.site/2");
 inline const QString kFirstSiteSchema = QStringLiteral("carina.site/1");
 inline constexpr std::array kStepWords{"overview", "tracker", "stylus", "landmarks",
                                        "touch",    "fit",     "verify"};
-inline constexpr std::array kStaleWords{"tracker", "stylus", "landmarks", "touches", "fit"};
+inline constexpr std::array kStaleWords{"tracker", "stylus",  "landmarks",
+                                        "manikin", "touches", "fit"};
 inline constexpr std::array kVerdictWords{"open", "good", "not good"};
 
 /// Milliradians and millimetres, squared: what a covariance of turns and shifts is in the file.

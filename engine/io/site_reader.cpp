@@ -181,6 +181,8 @@ void readMoreOf(SiteRegistration& registration, JsonFields& fields)
         registration.fle = fields.length("fle_mm");
     if (fields.has("degrees_of_freedom"))
         registration.degrees = fields.count("degrees_of_freedom");
+    if (registration.degrees > 0.0 && !(registration.fle > 0.0))
+        fields.refuse("fle_mm", "an error estimated from residuals is above 0");
     if (fields.has("made_at"))
         registration.madeAt = readTime(fields, "made_at");
     if (fields.has("swab"))
@@ -259,10 +261,13 @@ Site readSite(JsonFields& fields)
     const LandmarkCatalogue catalogue = site.catalogue.value_or(LandmarkCatalogue{});
     if (fields.has("touched"))
         site.touched = readTouched(fields, "touched", catalogue);
-    if (fields.has("relay"))
-        site.relay = readTouched(fields, "relay", catalogue);
     if (fields.has("registration"))
         site.registration = readRegistration(fields.object("registration"));
+    if (fields.has("relay")) {
+        site.relay = readTouched(fields, "relay", catalogue);
+        if (!site.registration)
+            fields.refuse("relay", "only a registered manikin is laid anew");
+    }
     if (fields.has("verification"))
         site.verification = readVerification(fields.object("verification"));
     if (fields.has("display"))

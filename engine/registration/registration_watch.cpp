@@ -61,15 +61,20 @@ double varianceOf(Length fle) { return fle.si * fle.si / 3.0; }
 
 } // namespace
 
+bool isPositiveDefinite(const Mat6& covariance)
+{
+    return Eigen::LLT<Mat6>{covariance}.info() == Eigen::Success;
+}
+
 RegistrationWatch::RegistrationWatch(std::vector<Vec3> p_AQ, const Mat6& covariance_A,
                                      const Settings& settings)
     : m_p_AQ{std::move(p_AQ)}, m_settings{settings}, m_dwell{settings.dwell}
 {
     CARINA_EXPECTS(!m_p_AQ.empty());
     CARINA_EXPECTS(settings.touch.si > 0.0);
-    const Eigen::LLT<Mat6> factor{covariance_A};
-    CARINA_EXPECTS(factor.info() == Eigen::Success);
-    m_information = varianceOf(settings.touch) * factor.solve(Mat6::Identity());
+    CARINA_EXPECTS(isPositiveDefinite(covariance_A));
+    m_information =
+        varianceOf(settings.touch) * Eigen::LLT<Mat6>{covariance_A}.solve(Mat6::Identity());
 }
 
 std::optional<LandmarkCheck> RegistrationWatch::push(SessionTime time, const Vec3& p_A_tip,

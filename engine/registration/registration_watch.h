@@ -34,6 +34,9 @@ struct WatchReport {
     std::optional<SessionTime> since{}; ///< of the first of these, where drifted
 };
 
+/// Whether a covariance leaves no motion certain, as RegistrationWatch takes it.
+[[nodiscard]] bool isPositiveDefinite(const Mat6& covariance);
+
 /// Watches whether a registration still holds: whenever the stylus rests on a known landmark, the
 /// tip has to be where the landmark is drawn.
 ///

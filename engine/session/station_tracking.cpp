@@ -25,6 +25,8 @@ void StationTracking::takeRegistration(const StationRegistration& registration)
 {
     const std::scoped_lock lock{m_mutex};
     m_assumption.registration = registration;
+    if (!registration.X_JA) // the manikin cannot go with a probe whose place on it is not known
+        m_assumption.chin = ChinMotion::OfJaw;
 }
 
 bool StationTracking::hasChinProbe() const
@@ -90,6 +92,12 @@ std::optional<StationTracking::Carrier> StationTracking::carrier(const Assumptio
     if (assumption.chin == ChinMotion::OfManikin)
         return Carrier{ToolRole::Jaw, *registration.X_JA};
     return std::nullopt;
+}
+
+std::string StationTracking::toolName(ToolRole role) const
+{
+    const auto tool = std::ranges::find(m_tools, role, &TrackedTool::role);
+    return tool != m_tools.end() ? tool->name : std::string{};
 }
 
 std::optional<PoseSample> StationTracking::newest(ToolRole role) const

@@ -76,6 +76,8 @@ public:
     [[nodiscard]] bool hasChinProbe() const;
     [[nodiscard]] bool hasBodyProbe() const;
     [[nodiscard]] MotionAssumption motionAssumption() const;
+    /// As the tracker names the tool; empty where it has none.
+    [[nodiscard]] std::string toolName(ToolRole role) const;
 
     /// X_A<tool> at a time, as PoseHistory::at answers it; nothing for a tool the tracker lacks.
     /// A tool is lost while the probe is that should tell where the manikin is.

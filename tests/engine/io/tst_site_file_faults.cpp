@@ -129,6 +129,9 @@ private Q_SLOTS:
                "touched[0].q_TS: a quaternion of length 1 is due");
         addRow("stale for no known cause", touchedWith(", 'stale': 'age'"),
                "touched[0].stale: \"age\" is none of its words");
+        addRow("laid anew before it is registered",
+               siteWith(kCatalogue + ", 'relay': [" + touched("a") + "]"),
+               "relay: only a registered manikin is laid anew");
     }
     void saysWhatIsWrongWithATouch() { isRefused(); }
 
@@ -153,6 +156,8 @@ private Q_SLOTS:
                "registration.covariance_mm_mrad: no error has such a covariance");
         addRow("a negative FLE", registeredWith("'fle_mm': -1"),
                "registration.fle_mm: a length in millimetres is due");
+        addRow("residuals of no error", registeredWith("'fle_mm': 0, 'degrees_of_freedom': 6"),
+               "registration.fle_mm: an error estimated from residuals is above 0");
         addRow("negative degrees", registeredWith("'degrees_of_freedom': -3"),
                "registration.degrees_of_freedom: a whole number is due");
         addRow("made on no day", registeredWith("'made_at': 'once'"),

@@ -1,6 +1,7 @@
 #include "models/patient_model.h"
 
 #include "engine/anatomy/builtin_patient.h"
+#include "engine/anatomy/chest_region.h"
 #include "engine/lungs/chest_drawing.h"
 
 #include <algorithm>
@@ -26,6 +27,11 @@ bool movesWithMandible(const AnatomyPart& part)
 std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh)
 {
     return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+bool isIdentity(const RigidTransform& X)
+{
+    return X.translation().isZero(0.0) && X.rotation().vec().isZero(0.0);
 }
 
 TriangleMesh moved(TriangleMesh mesh, const RigidTransform& X)
@@ -78,9 +84,14 @@ FollowingThroat PatientModel::throat(const std::optional<RigidTransform>& X_AJ) 
 
 std::shared_ptr<const TriangleMesh> PatientModel::shutMesh(const PatientSurface& surface) const
 {
-    if (surface.body != SurfaceBody::Mandible)
+    const TriangleMesh& finest = *surface.levels.front();
+    const FollowingThroat shut = throat(RigidTransform{});
+    if (surface.body == SurfaceBody::Mandible)
+        return shared(moved(finest, shut.X_AJ));
+    const auto tissue = tissueOf(regionOf(surface.description.role));
+    if (surface.body != SurfaceBody::Anatomy || !tissue || isIdentity(shut.X_AJ))
         return surface.levels.front();
-    return shared(moved(*surface.levels.front(), m_heldJaw.inverse()));
+    return shared(deformed(finest, shut, *tissue));
 }
 
 Box PatientModel::reachOfLungs() const

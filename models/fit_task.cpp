@@ -5,6 +5,7 @@
 #include "engine/registration/localisation_error.h"
 #include "engine/registration/registration_error.h"
 #include "models/site_changes.h"
+#include "models/site_fit.h"
 
 #include <QCoreApplication>
 
@@ -71,10 +72,13 @@ void FitTask::fit() { fit(m_editor.site()); }
 
 void FitTask::fit(Site site)
 {
-    auto next = withFit(std::move(site), {.tool = m_watch.tool(),
-                                          .X_TJ = m_watch.probe(ToolRole::Jaw),
-                                          .X_TB = m_watch.probe(ToolRole::Manikin),
-                                          .at = m_editor.now()});
+    if (site.relay)
+        return m_editor.refuse(FitWords::tr("The manikin is being laid anew: touch its landmarks, "
+                                            "or leave it where it was."));
+    if (site.registration && !site.registration->stale && !site.registration->relays.empty())
+        return m_editor.refuse(FitWords::tr("The manikin was laid anew since its landmarks were "
+                                            "touched: touch them again for a new fit."));
+    auto next = withFit(std::move(site), fitInputs(m_watch, m_editor.now()));
     if (!next)
         return m_editor.refuse(next.error());
     m_editor.become(std::move(*next));
@@ -108,6 +112,12 @@ QStringList FitTask::findings() const
     const auto& registration = m_editor.site().registration;
     if (!registration || registration->stale)
         return sentences;
+    if (m_watch.has(ToolRole::Jaw) && !registration->X_JM)
+        sentences << FitWords::tr("The chin probe was not seen: the patient's mouth will not open "
+                                  "with the manikin's. Turn it to the tracker and fit again.");
+    if (m_watch.has(ToolRole::Manikin) && !registration->X_BM)
+        sentences << FitWords::tr("The body probe was not seen: the patient will not move with the "
+                                  "manikin. Turn it to the tracker and fit again.");
     const auto pairs = touchedPairs(m_editor.site());
     if (const auto outlier = outlyingLandmark(pairs))
         sentences << FitWords::standsOut(std::ranges::find(m_editor.site().catalogue->landmarks,

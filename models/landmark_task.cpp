@@ -60,6 +60,11 @@ void LandmarkTask::chooseSet(std::size_t offered)
         m_editor.become(withLandmarks(m_editor.site(), m_offered[offered]));
 }
 
+std::optional<std::size_t> LandmarkTask::chosen() const
+{
+    return m_chosen && *m_chosen < catalogue().landmarks.size() ? m_chosen : std::nullopt;
+}
+
 void LandmarkTask::choose(std::optional<std::size_t> landmark)
 {
     m_chosen = landmark;
@@ -74,7 +79,7 @@ void LandmarkTask::setSnapping(bool snapping)
 
 void LandmarkTask::pick(const Vec3& p_A_eye, const Vec3& dir_A)
 {
-    if (!m_chosen || *m_chosen >= catalogue().landmarks.size())
+    if (!chosen())
         return;
     const auto place = m_surfaces.picked(p_A_eye, dir_A, m_snapping);
     if (!place)
@@ -113,6 +118,14 @@ std::vector<ExpectedError> LandmarkTask::forecast() const
     const auto covariance = fitCovariance(equalErrors(placesOf(catalogue()), kForecastFle));
     return covariance ? expectedErrors(*covariance, kKnownExactly, m_targets)
                       : std::vector<ExpectedError>{};
+}
+
+Length LandmarkTask::worstError(const Mat6& covariance_A) const
+{
+    Length worst{};
+    for (const RegistrationTarget& target : m_targets)
+        worst = std::max(worst, targetError(covariance_A, target.p_A).rms);
+    return worst;
 }
 
 std::optional<std::pair<QString, double>> LandmarkTask::wouldHelp() const

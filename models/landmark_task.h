@@ -29,7 +29,7 @@ public:
     void chooseSet(std::size_t offered);
 
     /// The landmark that is being moved.
-    [[nodiscard]] std::optional<std::size_t> chosen() const { return m_chosen; }
+    [[nodiscard]] std::optional<std::size_t> chosen() const;
     void choose(std::optional<std::size_t> landmark);
     /// Takes the place where a ray first meets the patient as the chosen landmark's: of it the
     /// nearest tip or ridge that a finger finds, while snapping.
@@ -45,6 +45,8 @@ public:
 
     /// What to expect of touches that stray by kForecastFle; empty for a layout that is none.
     [[nodiscard]] std::vector<ExpectedError> forecast() const;
+    /// The RMS error that a registration's covariance makes at the worst target.
+    [[nodiscard]] Length worstError(const Mat6& covariance_A) const;
     /// The landmark of the recommended set that would help most, with the error at the worst target
     /// in millimetres; nothing where none does.
     [[nodiscard]] std::optional<std::pair<QString, double>> wouldHelp() const;

@@ -204,11 +204,13 @@ void RegistrationModel::takeNow()
 {
     if (!awaitsTouch() || !m_stylusTask.tip())
         return;
-    if (const auto touch = m_watch.pointNow())
-        take(*touch);
-    else
-        m_editor.refuse(tr("The stylus is out of view: turn its markers to the tracker and press "
-                           "again."));
+    if (m_watch.restsWhereTaken())
+        return m_editor.refuse(tr("The stylus is still where the last point was taken: go to the "
+                                  "next place and press again."));
+    if (const auto touch = m_watch.takePoint())
+        return take(*touch);
+    m_editor.refuse(tr("The stylus is out of view: turn its markers to the tracker and press "
+                       "again."));
 }
 
 void RegistrationModel::take(const StylusTouch& touch)
@@ -221,11 +223,21 @@ void RegistrationModel::take(const StylusTouch& touch)
 
 void RegistrationModel::enter(SiteStep step)
 {
+    forgetChoices();
+    m_editor.enter(step);
+}
+
+void RegistrationModel::forgetChoices()
+{
     m_landmarkTask.choose(std::nullopt);
     m_touchTask.choose(std::nullopt);
     m_verifyTask.choose(std::nullopt);
     m_followed.reset();
-    m_editor.enter(step);
+}
+
+bool RegistrationModel::canUndo() const
+{
+    return m_editor.canUndo() || (step() == SiteStep::Verify && m_verifyTask.hasPicked());
 }
 
 void RegistrationModel::setOperator(const QString& name)
@@ -253,8 +265,11 @@ void RegistrationModel::pick(const Vec3& p_A_eye, const Vec3& dir_A)
 
 void RegistrationModel::undo()
 {
-    m_followed.reset();
-    m_editor.undo();
+    forgetChoices();
+    if (step() == SiteStep::Verify && m_verifyTask.hasPicked())
+        m_verifyTask.dropPicked();
+    else
+        m_editor.undo();
 }
 
 void RegistrationModel::exportSite(const QString& file)
@@ -271,6 +286,7 @@ void RegistrationModel::importSite(const QString& file)
     if (!isOf(*imported, m_patient))
         return m_editor.refuse(Error{Errc::OtherPatient, file.toStdString()});
     imported->step = SiteStep::Overview;
+    forgetChoices();
     m_editor.become(std::move(*imported));
 }
 

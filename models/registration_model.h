@@ -116,7 +116,7 @@ public:
     /// The tip on the anatomy, once it is registered and while the stylus is seen.
     [[nodiscard]] std::optional<StylusOnAnatomy> stylusOnAnatomy() const;
 
-    [[nodiscard]] bool canUndo() const { return m_editor.canUndo(); }
+    [[nodiscard]] bool canUndo() const;
 
 public Q_SLOTS:
     /// Takes in what the tracker saw since the last look; happens by itself 30 times a second.
@@ -142,6 +142,7 @@ Q_SIGNALS:
 
 private:
     void followStep();
+    void forgetChoices();
     /// What the stylus is watched for on this page.
     [[nodiscard]] StylusUse use() const;
     /// Whether the page asks for one more point.

@@ -1,23 +1,14 @@
 #include "models/site_changes.h"
 
 #include "engine/core/expects.h"
-#include "engine/registration/leave_one_out.h"
-#include "engine/registration/manikin_fit.h"
-#include "engine/registration/registration_error.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
 namespace
 {
-
-/// The deepest cause stays: a result from before the tracker was changed is of no use whatever else
-/// has changed since.
-void makeStale(std::optional<StaleCause>& stale, StaleCause cause)
-{
-    stale = std::min(stale.value_or(cause), cause);
-}
 
 void makeFitStale(Site& site, StaleCause cause)
 {
@@ -44,59 +35,19 @@ void putTouch(std::vector<TouchedPoint>& touched, const std::string& landmark,
                        .q_TS = touch.q_TS});
 }
 
-/// Touches that count, with the places of their landmarks.
-struct FreshTouches {
-    std::vector<const TouchedPoint*> touches;
-    std::vector<TouchedLandmark> landmarks;
-};
-
-FreshTouches freshOnes(const Site& site)
-{
-    FreshTouches fresh;
-    for (const Landmark& landmark : site.catalogue.value_or(LandmarkCatalogue{}).landmarks) {
-        const TouchedPoint* touch = touchOf(site, landmark.name);
-        if (!touch || touch->stale)
-            continue;
-        fresh.touches.push_back(touch);
-        fresh.landmarks.push_back({.p_AQ = landmark.p_AQ, .p_TQ = touch->p_TQ});
-    }
-    return fresh;
-}
-
-std::vector<LandmarkResidual> residualsOf(const FreshTouches& fresh, const ManikinFit& fitted)
-{
-    std::vector<LandmarkPair> pairs;
-    for (const TouchedLandmark& landmark : fresh.landmarks)
-        pairs.push_back({landmark.p_AQ, landmark.p_TQ});
-    const auto leftOut = leaveOneOut(pairs);
-    std::vector<LandmarkResidual> residuals;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        residuals.push_back({.landmark = fresh.touches[i]->landmark,
-                             .residual = fitted.fit.residuals[i],
-                             .leftOut = leftOut ? (*leftOut)[i] : std::nullopt});
-    return residuals;
-}
-
-Result<RegistrationError> errorOf(const FreshTouches& fresh, const ManikinFit& fitted,
-                                  const Mat3& tip_S)
-{
-    const Mat3 R_AT = fitted.X_AT().rotation().toRotationMatrix();
-    std::vector<Vec3> places;
-    std::vector<Mat3> held;
-    for (std::size_t i = 0; i < fresh.touches.size(); ++i) {
-        places.push_back(fresh.landmarks[i].p_AQ);
-        held.push_back(R_AT * fresh.touches[i]->q_TS.toRotationMatrix());
-    }
-    return registrationError(places, held, tip_S, metres(fitted.fit.rms));
-}
-
 } // namespace
+
+void makeStale(std::optional<StaleCause>& stale, StaleCause cause)
+{
+    stale = std::min(stale.value_or(cause), cause);
+}
 
 Site withTracker(Site site, std::string tracker)
 {
     if (site.tracker == tracker)
         return site;
     site.tracker = std::move(tracker);
+    site.relay.reset();
     makeTouchesStale(site, StaleCause::Tracker);
     return site;
 }
@@ -107,6 +58,7 @@ Site withStylus(Site site, StylusTip stylus)
         return tip.tool == stylus.tool || tip.tool.empty();
     });
     site.styluses.push_back(std::move(stylus));
+    site.relay.reset();
     makeTouchesStale(site, StaleCause::Stylus);
     return site;
 }
@@ -133,12 +85,16 @@ Site withLandmarks(Site site, LandmarkCatalogue catalogue)
         return false;
     });
     site.catalogue = std::move(catalogue);
+    site.relay.reset();
     makeFitStale(site, StaleCause::Landmarks);
     return site;
 }
 
 Site withTouch(Site site, const std::string& landmark, const StylusTouch& touch)
 {
+    // Touches of before a manikin was laid anew are no better known than where it lies now.
+    if (site.registration && !site.registration->stale && !site.registration->relays.empty())
+        makeTouchesStale(site, StaleCause::Manikin);
     putTouch(site.touched, landmark, touch);
     makeFitStale(site, StaleCause::Touches);
     return site;
@@ -147,11 +103,11 @@ Site withTouch(Site site, const std::string& landmark, const StylusTouch& touch)
 Site withOrder(Site site, const std::vector<std::size_t>& touchOf)
 {
     const Site before = site;
-    const FreshTouches fresh = freshOnes(before);
-    CARINA_EXPECTS(fresh.touches.size() == touchOf.size());
+    const auto fresh = freshTouches(before);
+    CARINA_EXPECTS(fresh.size() == touchOf.size());
     for (std::size_t i = 0; i < touchOf.size(); ++i) {
-        const std::string& landmark = fresh.touches[i]->landmark;
-        TouchedPoint touch = *fresh.touches[touchOf[i]];
+        const std::string& landmark = fresh[i]->landmark;
+        TouchedPoint touch = *fresh[touchOf[i]];
         touch.landmark = landmark;
         *std::ranges::find(site.touched, landmark, &TouchedPoint::landmark) = std::move(touch);
     }
@@ -159,83 +115,10 @@ Site withOrder(Site site, const std::vector<std::size_t>& touchOf)
     return site;
 }
 
-Result<Site> withFit(Site site, const FitInputs& inputs)
-{
-    const FreshTouches fresh = freshOnes(site);
-    const Result<ManikinFit> fitted = fitManikin(fresh.landmarks);
-    if (!fitted)
-        return tl::unexpected(fitted.error());
-    const StylusTip* stylus = site.stylus(inputs.tool);
-    const auto error = errorOf(fresh, *fitted, stylus ? stylus->covariance_S : Mat3::Zero());
-    if (!error)
-        return tl::unexpected(error.error());
-    SiteRegistration registration{.X_AM = fitted->fit.X_AM,
-                                  .X_AT = fitted->X_AT(),
-                                  .rms = fitted->fit.rms,
-                                  .residuals = residualsOf(fresh, *fitted),
-                                  .covariance_A = error->covariance_A,
-                                  .fle = error->fle.rms.si,
-                                  .degrees = error->fle.degrees,
-                                  .madeAt = inputs.at,
-                                  .operatorName = site.operatorName};
-    if (inputs.X_TJ)
-        registration.X_JM = inputs.X_TJ->inverse() * fitted->X_TM;
-    if (inputs.X_TB)
-        registration.X_BM = inputs.X_TB->inverse() * fitted->X_TM;
-    site.registration = std::move(registration);
-    if (site.verification)
-        makeStale(site.verification->stale, StaleCause::Fit);
-    return site;
-}
-
-Site withSwab(Site site, const std::string& surface, std::size_t points,
-              const SurfaceRefinement& refinement)
-{
-    CARINA_EXPECTS(site.registration);
-    SiteRegistration& registration = *site.registration;
-    const RigidTransform X_MT = registration.X_AM.inverse() * registration.X_AT;
-    registration.X_AM = refinement.X_AM;
-    registration.X_AT = refinement.X_AM * X_MT;
-    registration.covariance_A = refinedCovariance(registration.covariance_A, refinement);
-    registration.swab = SiteSwab{.surface = surface,
-                                 .points = int(points),
-                                 .outliers = refinement.outliers,
-                                 .startRms = refinement.startRms,
-                                 .rms = refinement.rms,
-                                 .moved = refinement.moved};
-    if (site.verification)
-        makeStale(site.verification->stale, StaleCause::Fit);
-    return site;
-}
-
 Site withRelayTouch(Site site, const std::string& landmark, const StylusTouch& touch)
 {
     CARINA_EXPECTS(site.relay);
     putTouch(*site.relay, landmark, touch);
-    return site;
-}
-
-Site withRelay(Site site, const ReRegistration& relay, std::string at)
-{
-    CARINA_EXPECTS(site.registration && site.relay);
-    SiteRegistration& registration = *site.registration;
-    const RigidTransform X_TnowT = relay.X_AT.inverse() * registration.X_AT;
-    for (TouchedPoint& touch : site.touched) {
-        touch.p_TQ = X_TnowT * touch.p_TQ;
-        touch.q_TS = X_TnowT.rotation() * touch.q_TS;
-    }
-    if (site.verification) {
-        for (VerifiedPoint& point : site.verification->points)
-            point.p_TQ = X_TnowT * point.p_TQ;
-        makeStale(site.verification->stale, StaleCause::Fit);
-    }
-    registration.X_AT = relay.X_AT;
-    registration.covariance_A = relay.covariance_A;
-    registration.relays.push_back({.at = std::move(at),
-                                   .operatorName = site.operatorName,
-                                   .landmarks = int(site.relay->size()),
-                                   .rms = relay.rms});
-    site.relay.reset();
     return site;
 }
 
@@ -267,13 +150,23 @@ const TouchedPoint* touchOf(const Site& site, const std::string& landmark)
     return touch == site.touched.end() ? nullptr : &*touch;
 }
 
-std::size_t freshTouches(const Site& site) { return freshOnes(site).touches.size(); }
+std::vector<const TouchedPoint*> freshTouches(const Site& site)
+{
+    std::vector<const TouchedPoint*> fresh;
+    for (const Landmark& landmark : site.catalogue.value_or(LandmarkCatalogue{}).landmarks)
+        if (const TouchedPoint* touch = touchOf(site, landmark.name); touch && !touch->stale)
+            fresh.push_back(touch);
+    return fresh;
+}
 
 std::vector<LandmarkPair> touchedPairs(const Site& site)
 {
     std::vector<LandmarkPair> pairs;
-    for (const TouchedLandmark& landmark : freshOnes(site).landmarks)
-        pairs.push_back({landmark.p_AQ, landmark.p_TQ});
+    for (const TouchedPoint* touch : freshTouches(site)) {
+        const auto& landmarks = site.catalogue->landmarks;
+        pairs.push_back(
+            {std::ranges::find(landmarks, touch->landmark, &Landmark::name)->p_AQ, touch->p_TQ});
+    }
     return pairs;
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "engine/io/site.h"
-#include "engine/registration/re_registration.h"
 #include "engine/registration/rigid_fit.h"
-#include "engine/registration/surface_refinement.h"
 #include "models/stylus_watch.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace carina
 {
@@ -34,45 +33,27 @@ namespace carina
 /// touchedPairs
 [[nodiscard]] Site withOrder(Site site, const std::vector<std::size_t>& touchOf);
 
-/// What a fit is made with besides the touches.
-struct FitInputs {
-    std::string tool;                     ///< whose tip they were touched with
-    std::optional<RigidTransform> X_TJ{}; ///< the chin probe, the mouth closed
-    std::optional<RigidTransform> X_TB{}; ///< the body probe
-    std::string at;                       ///< ISO 8601
-};
-
-/// The anatomy fitted to the touched landmarks that are not stale.
-/// @returns TooFewLandmarks without a catalogue; what fitManikin returns.
-[[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
-
-/// The registration refined on a surface.
-/// @pre it is registered.
-[[nodiscard]] Site withSwab(Site site, const std::string& surface, std::size_t points,
-                            const SurfaceRefinement& refinement);
-
 /// One more landmark touched since the manikin was moved; a touch from before is replaced.
 /// @pre it is being laid anew.
 [[nodiscard]] Site withRelayTouch(Site site, const std::string& landmark, const StylusTouch& touch);
 
-/// The manikin laid anew, with all that was touched on it.
-/// @pre it is registered and being laid anew.
-[[nodiscard]] Site withRelay(Site site, const ReRegistration& relay, std::string at);
-
 /// A point that was touched to check the registration; one of the same name is replaced.
 /// @pre it is registered.
 [[nodiscard]] Site withVerified(Site site, VerifiedPoint point);
+
+/// Marks what rests on something that was changed. The deepest cause stays: a result from before
+/// the tracker was changed is of no use whatever else has changed since.
+void makeStale(std::optional<StaleCause>& stale, StaleCause cause);
 
 [[nodiscard]] Site withVerdict(Site site, Verdict verdict, std::string at);
 
 /// The touch of a landmark; null where it was not touched.
 [[nodiscard]] const TouchedPoint* touchOf(const Site& site, const std::string& landmark);
 
-/// How many landmarks were touched since nothing beneath was changed.
-[[nodiscard]] std::size_t freshTouches(const Site& site);
+/// Touches that are not stale, in the catalogue's order. @pre the site outlives them.
+[[nodiscard]] std::vector<const TouchedPoint*> freshTouches(const Site& site);
 
-/// Touches that are not stale, with their landmarks, in the catalogue's order. Places in M are left
-/// out: p_MQ is in T.
+/// The same with their landmarks. Places in M are left out: p_MQ is in T.
 [[nodiscard]] std::vector<LandmarkPair> touchedPairs(const Site& site);
 
 } // namespace carina

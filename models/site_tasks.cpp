@@ -31,6 +31,8 @@ public:
             return tr("Stale: the stylus was calibrated since.");
         case StaleCause::Landmarks:
             return tr("Stale: landmarks were changed since.");
+        case StaleCause::Manikin:
+            return tr("Stale: the manikin was moved since.");
         case StaleCause::Touches:
             return tr("Stale: landmarks were touched again since.");
         case StaleCause::Fit:
@@ -56,7 +58,7 @@ public:
             return {.state = TaskState::Waits, .why = tr("Find the tip of the stylus first.")};
         if (site.relay)
             return {.state = TaskState::Begun, .why = tr("The manikin is being laid anew.")};
-        const std::size_t fresh = freshTouches(site);
+        const std::size_t fresh = freshTouches(site).size();
         for (const TouchedPoint& touch : site.touched)
             if (touch.stale)
                 return {.state = TaskState::Stale, .why = changed(*touch.stale)};
@@ -74,7 +76,7 @@ public:
             return {.state = TaskState::Done};
         if (site.registration)
             return {.state = TaskState::Stale, .why = changed(*site.registration->stale)};
-        if (freshTouches(site) < kFewestTouches)
+        if (freshTouches(site).size() < kFewestTouches)
             return {.state = TaskState::Waits, .why = tr("Touch at least three landmarks first.")};
         return {};
     }
@@ -87,8 +89,11 @@ public:
             return {};
         if (site.verification->stale)
             return {.state = TaskState::Stale, .why = changed(*site.verification->stale)};
-        if (site.verification->verdict != Verdict::Open)
+        if (site.verification->verdict == Verdict::Good)
             return {.state = TaskState::Done};
+        if (site.verification->verdict == Verdict::NotGood)
+            return {.state = TaskState::Begun,
+                    .why = tr("It is not good: touch the landmarks again.")};
         return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
     }
 

@@ -1,13 +1,14 @@
 #include "models/touch_task.h"
 
 #include "engine/core/expects.h"
-#include "engine/registration/re_registration.h"
 #include "models/site_changes.h"
+#include "models/site_fit.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -15,6 +16,7 @@ namespace
 {
 
 constexpr std::size_t kFewestToRelay = 3;
+constexpr double kFarWorse = 5.0; ///< times the error of the registration
 
 class TouchWords
 {
@@ -36,6 +38,11 @@ public:
                   "same, choose the landmark in the list and touch it again.")
             .arg(inMillimetres(*distance), 0, 'f', 0)
             .arg(nearest);
+    }
+
+    static QString farFromThese()
+    {
+        return tr("These landmarks lie nearly on one line: touch one more, far from that line.");
     }
 
     static QString oneMore()
@@ -111,8 +118,8 @@ void TouchTask::take(const StylusTouch& touch)
 {
     if (!next())
         return;
-    if (m_chosen)
-        return take(touch, *next());
+    if (m_chosen && next() == m_chosen)
+        return take(touch, *m_chosen);
     const Result<TouchFinding> finding = recognise(touch);
     if (!finding)
         return m_editor.refuse(finding.error());
@@ -187,6 +194,9 @@ void TouchTask::beginRelay()
 {
     Site next = m_editor.site();
     CARINA_EXPECTS(next.registration);
+    if (next.registration->stale || freshTouches(next).size() < kFewestToRelay)
+        return m_editor.refuse(TouchWords::tr("What this registration rests on has changed since: "
+                                              "touch the landmarks again and fit them."));
     next.relay.emplace();
     next.step = SiteStep::Touch;
     m_chosen.reset();
@@ -201,12 +211,13 @@ void TouchTask::cancelRelay()
     m_editor.become(std::move(next));
 }
 
-void TouchTask::relayIfItTells()
+/// What is laid anew, and what was touched of it since.
+std::pair<EarlierRegistration, std::vector<Retouch>> TouchTask::touchedAgain() const
 {
     const Site& site = m_editor.site();
-    if (site.relay->size() < kFewestToRelay)
-        return;
     EarlierRegistration earlier{.X_AM = site.registration->X_AM, .landmarks = {}};
+    if (site.registration->swab)
+        earlier.covariance_A = site.registration->covariance_A;
     const RigidTransform X_MT = site.registration->X_AM.inverse() * site.registration->X_AT;
     std::vector<Retouch> again;
     for (const Landmark& landmark : landmarks()) {
@@ -217,13 +228,31 @@ void TouchTask::relayIfItTells()
             again.push_back({.landmark = earlier.landmarks.size(), .p_TQ = now->p_TQ});
         earlier.landmarks.push_back({landmark.name, landmark.p_AQ, X_MT * first->p_TQ});
     }
+    return {std::move(earlier), std::move(again)};
+}
+
+/// Landmarks nearly on one line let the manikin turn about it.
+bool TouchTask::isLoose(const ReRegistration& relay) const
+{
+    const Length before = m_landmarks.worstError(m_editor.site().registration->covariance_A);
+    return before.si > 0.0 && m_landmarks.worstError(relay.covariance_A).si > kFarWorse * before.si;
+}
+
+void TouchTask::relayIfItTells()
+{
+    const Site& site = m_editor.site();
+    if (site.relay->size() < kFewestToRelay)
+        return;
+    const auto [earlier, again] = touchedAgain();
     const Length fle = metres(std::max(site.registration->fle, millimetres(0.1).si));
     const auto relay = reRegister(earlier, again, {.first = fle, .again = fle});
     if (!relay)
         return m_editor.refuse(relay.error());
     if (relay->explanations > 1)
         return m_editor.refuse(TouchWords::oneMore());
-    if (m_editor.become(withRelay(site, *relay, m_editor.now())))
+    if (again.size() < earlier.landmarks.size() && isLoose(*relay))
+        return m_editor.refuse(TouchWords::farFromThese());
+    if (m_editor.become(withRelay(site, *relay, fitInputs(m_watch, m_editor.now()))))
         m_editor.tell(TouchWords::tr("The manikin is laid anew"));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/registration/re_registration.h"
 #include "engine/registration/touch_recognition.h"
 #include "models/landmark_task.h"
 #include "models/stylus_watch.h"
@@ -31,6 +32,7 @@ public:
     void take(const StylusTouch& touch);
 
     /// The manikin was moved: its landmarks are touched again, until they tell where it lies.
+    /// Refused where the registration is stale.
     /// @pre it is registered.
     void beginRelay();
     void cancelRelay();
@@ -43,6 +45,8 @@ private:
     void take(const StylusTouch& touch, std::size_t landmark);
     void rename(const StylusTouch& touch, const TouchFinding& finding);
     void refuse(const TouchFinding& finding);
+    [[nodiscard]] std::pair<EarlierRegistration, std::vector<Retouch>> touchedAgain() const;
+    [[nodiscard]] bool isLoose(const ReRegistration& relay) const;
     void relayIfItTells();
 
     SiteEditor& m_editor;

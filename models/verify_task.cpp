@@ -91,12 +91,30 @@ void VerifyTask::pick(const Vec3& p_A_eye, const Vec3& dir_A)
     if (!place)
         return m_editor.refuse(
             VerifyWords::tr("There is nothing of the patient at that place: click on the model."));
-    const auto isPicked = [](const CheckPoint& point) {
-        return point.name.startsWith(VerifyWords::tr("Place"));
-    };
-    const auto number = 1 + std::ranges::count_if(places(), isPicked);
-    m_picked.push_back({.name = VerifyWords::tr("Place %1").arg(number), .p_AQ = *place});
-    choose(places().size() - 1);
+    const std::vector<CheckPoint> known = places();
+    QString name;
+    for (int number = 1; name.isEmpty() || std::ranges::count(known, name, &CheckPoint::name) > 0;
+         ++number)
+        name = VerifyWords::tr("Place %1").arg(number);
+    m_picked.push_back({.name = name, .p_AQ = *place});
+    choose(known.size());
+}
+
+bool VerifyTask::hasPicked() const { return !m_picked.empty() && !isTouched(m_picked.back()); }
+
+void VerifyTask::dropPicked()
+{
+    m_picked.pop_back();
+    choose(std::nullopt);
+}
+
+bool VerifyTask::isTouched(const CheckPoint& point) const
+{
+    const auto& verification = m_editor.site().verification;
+    return verification
+           && std::ranges::count(verification->points, point.name.toStdString(),
+                                 &VerifiedPoint::name)
+                  > 0;
 }
 
 void VerifyTask::take(const StylusTouch& touch)

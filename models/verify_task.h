@@ -40,6 +40,9 @@ public:
 
     /// Adds the place that a ray first meets.
     void pick(const Vec3& p_A_eye, const Vec3& dir_A);
+    /// Whether a place was added that is not touched yet; and takes the latest back.
+    [[nodiscard]] bool hasPicked() const;
+    void dropPicked();
 
     /// Does nothing where no place is left to check.
     void take(const StylusTouch& touch);
@@ -53,6 +56,7 @@ public:
     void record(Verdict verdict);
 
 private:
+    [[nodiscard]] bool isTouched(const CheckPoint& point) const;
     /// As points(), without their bounds, which take some milliseconds.
     [[nodiscard]] std::vector<CheckPoint> places() const;
     /// Of 95 % at a place, for a touch as uncertain as those of the fit. @pre canJudge()
@@ -63,7 +67,7 @@ private:
     const PatientModel& m_patient;
     const SurfaceFinder& m_surfaces;
     std::vector<Landmark> m_places;   ///< of this patient, to be checked at
-    std::vector<CheckPoint> m_picked; ///< not yet touched
+    std::vector<CheckPoint> m_picked; ///< touched or not
     std::optional<std::size_t> m_chosen;
 };
 

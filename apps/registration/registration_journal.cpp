@@ -41,7 +41,7 @@ void RegistrationJournal::writeLine()
     const Site& site = m_registration.site();
     QJsonObject line{{QStringLiteral("step"), stepName(site.step)},
                      {QStringLiteral("tracker"), QString::fromStdString(site.tracker)},
-                     {QStringLiteral("touched"), qint64(freshTouches(site))}};
+                     {QStringLiteral("touched"), qint64(freshTouches(site).size())}};
     if (!site.styluses.empty())
         line[QStringLiteral("stylus_rms_um")] = inMicrometres(site.styluses.front().rms);
     if (site.registration)

@@ -95,7 +95,13 @@ Mat6 covarianceOf(const EarlierRegistration& earlier, std::span<const Retouch> t
     const std::vector<Mat63> first = gainsOf(all);
     const std::vector<Mat63> again = gainsOf(some);
 
-    Mat6 covariance = Mat6::Zero();
+    Mat6 covariance = earlier.covariance_A.value_or(Mat6::Zero());
+    if (earlier.covariance_A) { // nothing cancels: what it was refined by is not touched again
+        for (const Mat63& gain : again)
+            covariance +=
+                (variance(errors.first) + variance(errors.again)) * gain * gain.transpose();
+        return covariance;
+    }
     std::vector<Mat63> kept = first; // of the errors of the first touches
     for (std::size_t j = 0; j < touches.size(); ++j) {
         kept[touches[j].landmark] -= again[j];

@@ -3,6 +3,7 @@
 #include "engine/registration/rigid_fit.h"
 #include "engine/registration/uncertain_transform.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct RegisteredLandmark {
 struct EarlierRegistration {
     RigidTransform X_AM; ///< fitted (fitRigid) to all these landmarks
     std::vector<RegisteredLandmark> landmarks;
+    /// Of X_AM where more than these landmarks made it, as a refinement on a surface.
+    std::optional<Mat6> covariance_A{};
 };
 
 /// One of its landmarks touched again, where the manikin lies now.

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/rotation.h"
 #include "models/site_changes.h"
+#include "models/site_fit.h"
 
 namespace carina::test
 {

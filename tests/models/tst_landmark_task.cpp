@@ -75,9 +75,22 @@ private Q_SLOTS:
         desk.task().chooseSet(1);
         QCOMPARE(desk.task().chosenSet(), std::optional<std::size_t>{1});
         QCOMPARE(desk.model->site().catalogue->landmarks.size(), std::size_t{6});
-        QCOMPARE(freshTouches(desk.model->site()), std::size_t{6}); // they are where they were
+        QCOMPARE(freshTouches(desk.model->site()).size(),
+                 std::size_t{6}); // they are where they were
         desk.model->undo();
-        QCOMPARE(freshTouches(desk.model->site()), std::size_t{8});
+        QCOMPARE(freshTouches(desk.model->site()).size(), std::size_t{8});
+    }
+
+    /// The eighth is chosen, and an undo leaves six.
+    void forgetsAChoiceThatAnUndoTakesAway()
+    {
+        Desk desk;
+        desk.task().chooseSet(1);
+        desk.task().chooseSet(0);
+        desk.task().choose(7);
+        desk.model->undo();
+        QVERIFY(!desk.task().chosen());
+        QVERIFY(!desk.model->instruction().isEmpty());
     }
 
     void goesOnToTouchingWithThem()

@@ -57,7 +57,7 @@ private Q_SLOTS:
         QCOMPARE(model->step(), SiteStep::Touch);
         QCOMPARE(model->nextLandmark(), std::optional<std::size_t>{3});
         site.hold(*model, site.X_TA * site.landmarks()[3].p_AQ); // at once, without a click
-        QCOMPARE(freshTouches(model->site()), std::size_t{4});
+        QCOMPARE(freshTouches(model->site()).size(), std::size_t{4});
     }
 
     void goesOnInTheMiddleOfVerifying()

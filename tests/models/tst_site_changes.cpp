@@ -50,7 +50,7 @@ private Q_SLOTS:
         QCOMPARE(site.tracker, std::string{"Tracker B"});
         QVERIFY(allTouchesAre(site, StaleCause::Tracker));
         QVERIFY(isKeptAs(site, StaleCause::Tracker));
-        QCOMPARE(freshTouches(site), std::size_t{0});
+        QCOMPARE(freshTouches(site).size(), std::size_t{0});
         QVERIFY(isKeptAs(withTracker(verifiedSite(), kTracker), std::nullopt)); // the same
     }
 
@@ -175,6 +175,45 @@ private Q_SLOTS:
                 < before.registration->covariance_A.trace());
         QVERIFY(site.verification->stale == StaleCause::Fit);
         QVERIFY(!site.registration->stale);
+        double squares = 0.0; // of how far the touches stay from their landmarks now
+        for (const LandmarkPair& pair : touchedPairs(site))
+            squares += (pair.p_AQ - site.registration->X_AT * pair.p_MQ).squaredNorm();
+        QVERIFY(std::abs(site.registration->rms - std::sqrt(squares / 8.0)) < 1e-12);
+        QVERIFY(site.registration->rms > 1e-3);
+    }
+
+    /// One probe slipped: where it sits on the manikin is noted anew.
+    void notesTheProbesOfAManikinThatIsLaidAnew()
+    {
+        Site site = fittedSite();
+        site.relay.emplace();
+        const RigidTransform X_TM{rotationFromVector({0.0, 0.1, 0.0}), {0.1, 0.0, -1.0}};
+        const RigidTransform X_TJ = RigidTransform::translation({0.2, 0.1, -1.0});
+        const RigidTransform X_AT = site.registration->X_AM * X_TM.inverse();
+        const Site laid = withRelay(site, {.X_TM = X_TM, .X_AT = X_AT},
+                                    {.tool = kTool, .X_TJ = X_TJ, .at = "2004-03-29T10:15:00Z"});
+        QVERIFY(
+            laid.registration->X_JM->matrix().isApprox((X_TJ.inverse() * X_TM).matrix(), 1e-12));
+        QVERIFY(!laid.registration->X_BM);
+        QCOMPARE(laid.registration->relays.back().at, std::string{"2004-03-29T10:15:00Z"});
+        // The next touch is where the manikin lies now; those of before are known less well.
+        const Site touched = withTouch(laid, nameOf(3), touchAt(Vec3::Zero()));
+        QCOMPARE(freshTouches(touched).size(), std::size_t{1});
+        QVERIFY(touched.registration->stale == StaleCause::Manikin);
+        QCOMPARE(freshTouches(withTouch(touched, nameOf(4), touchAt(Vec3::Zero()))).size(),
+                 std::size_t{2});
+    }
+
+    void givesUpLayingAnewWhatChanges()
+    {
+        Site site = fittedSite();
+        site.relay.emplace();
+        QVERIFY(!withStylus(site, someTip()).relay);
+        QVERIFY(!withTracker(site, "Tracker B").relay);
+        LandmarkCatalogue fewer = eightLandmarks();
+        fewer.landmarks.resize(6);
+        QVERIFY(!withLandmarks(site, fewer).relay);
+        QVERIFY(withTracker(site, kTracker).relay.has_value());
     }
 
     void beginsAVerificationAnewOnceItIsStale()

@@ -91,7 +91,8 @@ private Q_SLOTS:
         QCOMPARE(stateOf(verifiedSite(Verdict::Open), SiteStep::Verify), TaskState::Begun);
         QVERIFY(!taskOf(verifiedSite(Verdict::Open), SiteStep::Verify).why.isEmpty());
         QCOMPARE(stateOf(verifiedSite(), SiteStep::Verify), TaskState::Done);
-        QCOMPARE(stateOf(verifiedSite(Verdict::NotGood), SiteStep::Verify), TaskState::Done);
+        QCOMPARE(stateOf(verifiedSite(Verdict::NotGood), SiteStep::Verify), TaskState::Begun);
+        QVERIFY(!taskOf(verifiedSite(Verdict::NotGood), SiteStep::Verify).why.isEmpty());
         QCOMPARE(stateOf(withStylus(verifiedSite(), someTip()), SiteStep::Verify),
                  TaskState::Stale);
     }
@@ -107,6 +108,7 @@ private Q_SLOTS:
         QCOMPARE(next(touchedSite()), SiteStep::Fit);
         QCOMPARE(next(fittedSite()), SiteStep::Verify);
         QCOMPARE(next(verifiedSite()), SiteStep::Overview);
+        QCOMPARE(next(verifiedSite(Verdict::NotGood)), SiteStep::Verify);
         QCOMPARE(next(withStylus(verifiedSite(), someTip())), SiteStep::Touch);
         QCOMPARE(stateOf(fittedSite(), SiteStep::Overview), TaskState::Begun);
         QCOMPARE(stateOf(verifiedSite(), SiteStep::Overview), TaskState::Done);

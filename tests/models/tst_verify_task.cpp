@@ -107,6 +107,29 @@ private Q_SLOTS:
         QCOMPARE(model->verifying().suggestion(), Verdict::Good);
     }
 
+    /// Each has a name of its own, also after a restart, and a stray click is taken back.
+    void namesPlacesThatAreClickedOnce()
+    {
+        RegistrationSite site;
+        auto model = site.model();
+        site.fitAll(*model);
+        model->enter(SiteStep::Verify);
+        const auto before = model->verifying().points().size();
+        model->pick({0.05, -1.0, 0.0}, Vec3::UnitY());
+        model->pick({-0.05, -1.0, 0.0}, Vec3::UnitY());
+        site.hold(*model, site.X_TA * model->verifying().points().back().p_AQ);
+        QCOMPARE(model->site().verification->points[0].name, std::string{"Place 2"});
+        model = site.model(); // "Place 2" is in its file, "Place 1" is not
+        model->pick({0.04, -1.0, -0.02}, Vec3::UnitY());
+        QCOMPARE(model->verifying().points().size(), before + 2);
+        const auto asked = model->verifying().next();
+        QVERIFY(asked && !model->verifying().points()[*asked].error_mm);
+        QVERIFY(model->canUndo());
+        model->undo();
+        QCOMPARE(model->verifying().points().size(), before + 1);
+        QVERIFY(model->site().verification->points.size() == 1);
+    }
+
     /// Registrations and checks by a hand that strays by 1 mm: 95 of 100 errors are within their
     /// bounds, and 95 of 100 sets of three checks are called good.
     void promisesWhatItKeeps()

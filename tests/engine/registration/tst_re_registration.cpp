@@ -151,6 +151,34 @@ private Q_SLOTS:
         }
     }
 
+    /// A registration that was refined on a surface has an error that no touch tells of.
+    void addsToTheErrorOfARefinedRegistration()
+    {
+        test::Hand hand{331};
+        const Mat6 refined_A =
+            0.5 * *fitCovariance(equalErrors(test::firstLandmarks(8), kHand.first));
+        const Mat6 factor = refined_A.llt().matrixL();
+        std::array<double, test::kTargets.size()> squares{};
+        for (int trial = 0; trial < kTrials; ++trial) {
+            MovedManikin moved{hand, kRibJawAndOtherEnd, kHand};
+            Eigen::Matrix<double, 6, 1> motion;
+            motion << hand.unit(), hand.unit();
+            motion = factor * motion;
+            const RigidTransform off_A{rotationFromVector(motion.head<3>()), motion.tail<3>()};
+            moved.earlier.X_AM = off_A * moved.X_AM;
+            const RigidTransform off = moved.fitted() * moved.X_TM * moved.X_AM.inverse();
+            for (std::size_t t = 0; t < squares.size(); ++t)
+                squares[t] += (off * test::kTargets[t] - test::kTargets[t]).squaredNorm() / kTrials;
+        }
+        MovedManikin moved{hand, kRibJawAndOtherEnd, kExact};
+        moved.earlier.covariance_A = refined_A;
+        const auto again = reRegister(moved.earlier, moved.touches, kHand);
+        for (std::size_t t = 0; t < squares.size(); ++t) {
+            const double predicted = targetError(again->covariance_A, test::kTargets[t]).rms.si;
+            QVERIFY(std::abs(std::sqrt(squares[t]) / predicted - 1.0) < kShare);
+        }
+    }
+
     /// The errors of the first touches cancel: it is a registration of its own.
     void isANewRegistrationWhereAllAreTouched()
     {

@@ -190,7 +190,8 @@ void FitTask::refine(const QString& surface)
     const auto refinement = refineOnSurface(*tree, p_MQ, registration->X_AM);
     if (!refinement)
         return m_editor.refuse(refinement.error());
-    m_editor.become(withSwab(m_editor.site(), surface.toStdString(), p_MQ.size(), *refinement));
+    m_editor.become(
+        withSwab(m_editor.site(), m_watch.tool(), surface.toStdString(), p_MQ.size(), *refinement));
 }
 
 } // namespace carina

@@ -103,7 +103,7 @@ Result<Site> withFit(Site site, const FitInputs& inputs)
     return site;
 }
 
-Site withSwab(Site site, const std::string& surface, std::size_t points,
+Site withSwab(Site site, const std::string& tool, const std::string& surface, std::size_t points,
               const SurfaceRefinement& refinement)
 {
     CARINA_EXPECTS(site.registration);
@@ -111,7 +111,9 @@ Site withSwab(Site site, const std::string& surface, std::size_t points,
     const RigidTransform X_MT = registration.X_AM.inverse() * registration.X_AT;
     registration.X_AM = refinement.X_AM;
     registration.X_AT = refinement.X_AM * X_MT;
-    registration.covariance_A = refinedCovariance(registration.covariance_A, refinement);
+    const StylusTip* tip = site.stylus(tool);
+    registration.covariance_A = refinedCovariance(registration.covariance_A, refinement,
+                                                  tip ? tip->covariance_S : Mat3::Zero());
     registration.swab = SiteSwab{.surface = surface,
                                  .points = int(points),
                                  .outliers = refinement.outliers,

@@ -28,10 +28,10 @@ struct FitInputs {
 /// @returns TooFewLandmarks without a catalogue; what fitManikin returns.
 [[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
 
-/// The registration refined on a surface.
+/// The registration refined on a surface that was swabbed with a tool.
 /// @pre it is registered.
-[[nodiscard]] Site withSwab(Site site, const std::string& surface, std::size_t points,
-                            const SurfaceRefinement& refinement);
+[[nodiscard]] Site withSwab(Site site, const std::string& tool, const std::string& surface,
+                            std::size_t points, const SurfaceRefinement& refinement);
 
 /// The manikin laid anew, with all that was touched on it.
 /// @pre it is registered and being laid anew.

@@ -1,5 +1,7 @@
 #include "engine/registration/registration_error.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 
 namespace carina
@@ -26,7 +28,7 @@ Result<RegistrationError> registrationError(std::span<const Vec3> p_AQ, std::spa
     return error;
 }
 
-Mat6 refinedCovariance(const Mat6& before_A, const SurfaceRefinement& refinement)
+Mat6 refinedCovariance(const Mat6& before_A, const SurfaceRefinement& refinement, const Mat3& tip_S)
 {
     Mat6 toOrigin = Mat6::Identity(); // of motions about the swab's centre
     toOrigin.bottomLeftCorner<3, 3>() = crossMatrix(refinement.p_AC);
@@ -41,8 +43,13 @@ Mat6 refinedCovariance(const Mat6& before_A, const SurfaceRefinement& refinement
         direction << motion.turn_A, motion.shift_A;
         loose += direction * direction.transpose();
     }
-    const Mat6 keep = scaled.inverse() * loose * scaled * toCentre;
-    const Mat6 about = refinement.covariance + keep * before_A * keep.transpose();
+    const Mat6 slides = scaled.inverse() * loose * scaled;
+    const Mat6 keep = slides * toCentre;
+    const auto held = (Mat6::Identity() - slides).rightCols<3>().eval(); // of a shift
+    const double tip =
+        Eigen::SelfAdjointEigenSolver<Mat3>{tip_S, Eigen::EigenvaluesOnly}.eigenvalues()[2];
+    const Mat6 about = refinement.covariance + keep * before_A * keep.transpose()
+                       + std::max(tip, 0.0) * held * held.transpose();
     return toOrigin * about * toOrigin.transpose();
 }
 

@@ -38,8 +38,13 @@ inline constexpr Length kLeastFle = millimetres(0.1);
 /// that the swab holds are as uncertain as the swab says, the loose ones as they were. With c the
 /// swab's centre and P the projection on the loose motions, turns scaled by the swab's extent,
 ///
-///     cov = T (cov_swab + P cov_before P^T) T^T,  T taking motions about c to motions about A's
-///                                                 origin
-[[nodiscard]] Mat6 refinedCovariance(const Mat6& before_A, const SurfaceRefinement& refinement);
+///     cov = T (cov_swab + P cov_before P^T + (I - P) cov_tip (I - P)^T) T^T
+///
+/// with T taking motions about c to motions about A's origin. All of a swab shares the tip's error,
+/// which shifts it; cov_tip is that of a shift, in every direction as large as the tip's error is
+/// in its largest, for a swab does not keep how the stylus was held.
+/// @param tip_S covariance of p_SQ, m^2; zero where it is not known
+[[nodiscard]] Mat6 refinedCovariance(const Mat6& before_A, const SurfaceRefinement& refinement,
+                                     const Mat3& tip_S = Mat3::Zero());
 
 } // namespace carina

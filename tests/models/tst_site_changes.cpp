@@ -167,7 +167,7 @@ private Q_SLOTS:
         const Site before = verifiedSite();
         const RigidTransform moved{rotationFromVector({0.002, 0.0, 0.001}), {1e-3, 0.0, 0.0}};
         SurfaceRefinement refinement{.X_AM = moved * before.registration->X_AM, .extent = 0.1};
-        const Site site = withSwab(before, "Left fifth rib", 120, refinement);
+        const Site site = withSwab(before, kTool, "Left fifth rib", 120, refinement);
         QVERIFY(site.registration->X_AT.matrix().isApprox(
             (moved * before.registration->X_AT).matrix(), 1e-12));
         QCOMPARE(site.registration->swab->points, 120);

@@ -114,7 +114,8 @@ struct Refined {
     std::size_t loose = 0;       ///< motions that the last swab did not hold
 };
 
-Refined refineMany(const TriangleMesh& mesh, const std::vector<Vec3>& p_A_swab)
+/// @param tip of the tip's error along each axis, metres: all of a swab shares it
+Refined refineMany(const TriangleMesh& mesh, const std::vector<Vec3>& p_A_swab, double tip)
 {
     test::Hand hand{59};
     const SurfaceTree tree{mesh};
@@ -127,13 +128,15 @@ Refined refineMany(const TriangleMesh& mesh, const std::vector<Vec3>& p_A_swab)
         for (const Vec3& p : p_A)
             p_M.push_back(X_MA * (p + kFle / std::sqrt(3.0) * hand.unit()));
         std::vector<Vec3> p_MQ;
+        const Vec3 off_A = tip * hand.unit();
         for (const Vec3& p : p_A_swab)
-            p_MQ.push_back(X_MA * (p + kSwabNoise * hand.unit()));
+            p_MQ.push_back(X_MA * (p + off_A + kSwabNoise * hand.unit()));
         const auto refinement = refineOnSurface(tree, p_MQ, test::hornFit(p_A, p_M));
         if (!refinement)
             return {};
         add(refined.measured, refinement->X_AM, X_MA, kSwabs);
-        const Mat6 covariance = refinedCovariance(before, *refinement);
+        const Mat6 covariance =
+            refinedCovariance(before, *refinement, tip * tip * Mat3::Identity());
         for (std::size_t t = 0; t < 5; ++t)
             refined.predicted[t] += pointCovariance(covariance, test::kTargets[t]) / kSwabs;
         refined.loose = refinement->loose.size();
@@ -219,15 +222,19 @@ private Q_SLOTS:
     void isRefinedAsManySwabsAre_data()
     {
         QTest::addColumn<bool>("corner");
-        QTest::newRow("corner of a box") << true;
-        QTest::newRow("plane") << false;
+        QTest::addColumn<double>("tip");
+        for (const double tip : {0.0, 0.5e-3}) {
+            QTest::addRow("corner of a box, tip off by %.1f mm", 1e3 * tip) << true << tip;
+            QTest::addRow("plane, tip off by %.1f mm", 1e3 * tip) << false << tip;
+        }
     }
 
     void isRefinedAsManySwabsAre()
     {
         QFETCH(bool, corner);
-        const Refined refined =
-            corner ? refineMany(test::box(kHalf), onCorner()) : refineMany(plane(), onPlane());
+        QFETCH(double, tip);
+        const Refined refined = corner ? refineMany(test::box(kHalf), onCorner(), tip)
+                                       : refineMany(plane(), onPlane(), tip);
         QCOMPARE(refined.loose, corner ? 0U : 3U);
         const std::vector<Vec3> p_A = test::firstLandmarks(8);
         const Mat6 before = fitCovariance(equalErrors(p_A, metres(kFle))).value();

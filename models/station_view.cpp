@@ -91,7 +91,9 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     if (station != state->stations().end()) {
         moment.breathing = m_breathing.at(station->second.respiration, t).shape();
         moment.exaggeration = m_exaggeration;
-        moment.pose = exaggerated(drawnPose(m_lungs, moment.breathing, level), m_exaggeration);
+        const ChestPose drawn = drawnPose(m_lungs, moment.breathing, level);
+        moment.notDrawn = notDrawn(m_lungs, moment.breathing, drawn, level);
+        moment.pose = exaggerated(drawn, m_exaggeration);
     }
     moment.tube = m_poses.at(ObjectKind::Tube, t);
     moment.jaw = m_poses.at(ObjectKind::Jaw, t);

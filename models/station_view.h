@@ -30,6 +30,7 @@ struct StationMoment {
     SessionTime time{};
     ChestShape breathing;               ///< as the mechanics have it
     ChestPose pose;                     ///< of the chest, which shows that
+    Volume notDrawn{};                  ///< of the lungs, beyond what can be shown
     double exaggeration = 1.0;          ///< of the pose: at any other it shows more than is true
     std::optional<PoseSample> tube;     ///< X_AE; nothing while never seen
     std::optional<PoseSample> jaw;      ///< X_AJ

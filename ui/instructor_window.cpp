@@ -191,6 +191,9 @@ void InstructorWindow::refreshStatus()
         told += tr("▲ not in its place");
     if (moment.exaggeration != 1.0)
         told += tr("▲ larger than true");
+    if (inMillilitres(moment.notDrawn) >= 1.0)
+        told +=
+            tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));
     told += tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
     const auto oldest = m_participants.oldestSample_ms();
     told +=

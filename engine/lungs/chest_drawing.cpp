@@ -118,6 +118,22 @@ Volume drawnVolume(const LungPair& lungs, const ChestShape& shape, Side side)
     return lungs.restVolume(side) + lung.gas - lung.healthy;
 }
 
+Volume notDrawn(const LungPair& lungs, const ChestShape& shape, const ChestPose& drawn,
+                std::size_t level)
+{
+    Volume missing{};
+    for (const Side side : {Side::Right, Side::Left}) {
+        if (lungs.restVolume(side).si == 0.0)
+            continue;
+        const Volume enclosed = lungs
+                                    .volumeAlong(side, level, drawn.lungs[indexOf(side)], kCollapse,
+                                                 drawn.mediastinalShift)
+                                    .at(0.0);
+        missing = missing + std::max(Volume{}, drawnVolume(lungs, shape, side) - enclosed);
+    }
+    return missing;
+}
+
 ChestPose drawnPose(const LungPair& lungs, const ChestShape& shape, std::size_t level)
 {
     const double asked = std::clamp(shape.mediastinalShift.si * lungs.field().frame().perMetre.u,

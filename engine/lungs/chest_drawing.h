@@ -28,6 +28,11 @@ namespace carina
 /// The volume that drawnPose encloses in a lung, for all that the range holds.
 [[nodiscard]] Volume drawnVolume(const LungPair& lungs, const ChestShape& shape, Side side);
 
+/// By how much less than drawnVolume both lungs together enclose in the pose of drawnPose: 0 where
+/// the range holds what the mechanics say.
+[[nodiscard]] Volume notDrawn(const LungPair& lungs, const ChestShape& shape,
+                              const ChestPose& drawn, std::size_t level);
+
 inline constexpr double kDrawnShift = 0.15; ///< 16 mm in the built-in adult
 
 } // namespace carina

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void movesTheRibsByTheirShare_data();
     void movesTheRibsByTheirShare();
     void fallsInFromAWallThatStandsOut();
+    void saysWhatItCannotDraw();
     void leansOnTheOtherLung();
     void shiftsNoFurtherThanItMay();
     void neverJumps_data();
@@ -110,6 +111,24 @@ void TestChestDrawing::fallsInFromAWallThatStandsOut()
     QVERIFY(std::abs(pose.lungs[1].ribs) + std::abs(pose.lungs[1].collapse) < 1e-9);
     QVERIFY(std::abs(volumeDrawn_ml(childLungs(), Side::Right, 0, pose)
                      - inMillilitres(drawnVolume(childLungs(), shape, Side::Right)))
+            < kVolumeTolerance_ml);
+}
+
+/// A lung that holds three times what it does at rest is beyond what the field can show.
+void TestChestDrawing::saysWhatItCannotDraw()
+{
+    ChestShape shape = restingShape();
+    const ChestPose rest = drawnPose(childLungs(), shape, 0);
+    QVERIFY(inMillilitres(notDrawn(childLungs(), shape, rest, 0)) < kVolumeTolerance_ml);
+    for (LungShape& lung : shape.lungs)
+        lung.gas = lung.room = 3.0 * lung.healthy;
+    const ChestPose pose = drawnPose(childLungs(), shape, 0);
+    double missing_ml = 0.0;
+    for (const Side side : {Side::Right, Side::Left})
+        missing_ml += inMillilitres(drawnVolume(childLungs(), shape, side))
+                      - volumeDrawn_ml(childLungs(), side, 0, pose);
+    QVERIFY(missing_ml > 100.0);
+    QVERIFY(std::abs(inMillilitres(notDrawn(childLungs(), shape, pose, 0)) - missing_ml)
             < kVolumeTolerance_ml);
 }
 

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace carina
 {
@@ -25,6 +26,16 @@ std::vector<Vec3> placesOf(const LandmarkCatalogue& catalogue)
     for (const Landmark& landmark : catalogue.landmarks)
         places.push_back(landmark.p_AQ);
     return places;
+}
+
+/// Whether no two sides are nearly as long.
+bool isScalene(const std::vector<Vec3>& corners)
+{
+    constexpr double kClear_m = 0.02;
+    std::array<double, 3> sides{(corners[0] - corners[1]).norm(), (corners[1] - corners[2]).norm(),
+                                (corners[2] - corners[0]).norm()};
+    std::ranges::sort(sides);
+    return sides[1] - sides[0] > kClear_m && sides[2] - sides[1] > kClear_m;
 }
 
 } // namespace
@@ -126,6 +137,27 @@ Length LandmarkTask::worstError(const Mat6& covariance_A) const
     for (const RegistrationTarget& target : m_targets)
         worst = std::max(worst, targetError(covariance_A, target.p_A).rms);
     return worst;
+}
+
+std::vector<std::size_t> LandmarkTask::bestTriangle(const std::vector<std::size_t>& of) const
+{
+    const auto place = [&](std::size_t landmark) { return catalogue().landmarks[landmark].p_AQ; };
+    std::vector<std::size_t> best;
+    std::optional<Length> least;
+    for (std::size_t i = 0; i < of.size(); ++i)
+        for (std::size_t j = i + 1; j < of.size(); ++j)
+            for (std::size_t k = j + 1; k < of.size(); ++k) {
+                const std::vector<Vec3> corners{place(of[i]), place(of[j]), place(of[k])};
+                const auto covariance = fitCovariance(equalErrors(corners, kForecastFle));
+                if (!covariance || !isScalene(corners))
+                    continue;
+                const Length worst = worstError(*covariance);
+                if (least && worst >= *least)
+                    continue;
+                least = worst;
+                best = {of[i], of[j], of[k]};
+            }
+    return best;
 }
 
 std::optional<std::pair<QString, double>> LandmarkTask::wouldHelp() const

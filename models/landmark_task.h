@@ -47,6 +47,10 @@ public:
     [[nodiscard]] std::vector<ExpectedError> forecast() const;
     /// The RMS error that a registration's covariance makes at the worst target.
     [[nodiscard]] Length worstError(const Mat6& covariance_A) const;
+    /// The three of these landmarks that make the least of it by themselves and cannot be taken for
+    /// one another, for their distances differ; none where there are no such three.
+    /// @param of places in the catalogue
+    [[nodiscard]] std::vector<std::size_t> bestTriangle(const std::vector<std::size_t>& of) const;
     /// The landmark of the recommended set that would help most, with the error at the worst target
     /// in millimetres; nothing where none does.
     [[nodiscard]] std::optional<std::pair<QString, double>> wouldHelp() const;

@@ -138,7 +138,7 @@ Site withRelay(Site site, const ReRegistration& relay, const FitInputs& inputs)
     if (site.verification) {
         for (VerifiedPoint& point : site.verification->points)
             point.p_TQ = X_TnowT * point.p_TQ;
-        makeStale(site.verification->stale, StaleCause::Fit);
+        makeStale(site.verification->stale, StaleCause::Manikin);
     }
     registration.X_AT = relay.X_AT;
     registration.covariance_A = relay.covariance_A;
@@ -148,6 +148,7 @@ Site withRelay(Site site, const ReRegistration& relay, const FitInputs& inputs)
                                    .landmarks = int(site.relay->size()),
                                    .rms = relay.rms});
     site.relay.reset();
+    site.step = SiteStep::Verify;
     return site;
 }
 

@@ -70,8 +70,15 @@ public:
         return {.state = TaskState::Begun, .why = tr("%1 of %2 are touched.").arg(fresh).arg(all)};
     }
 
+    static SiteTask relaying()
+    {
+        return {.state = TaskState::Stale, .why = tr("The manikin is being laid anew.")};
+    }
+
     static SiteTask fit(const Site& site)
     {
+        if (site.relay)
+            return relaying();
         if (site.registration && !site.registration->stale)
             return {.state = TaskState::Done};
         if (site.registration)
@@ -85,6 +92,8 @@ public:
     {
         if (!site.registration)
             return {.state = TaskState::Waits, .why = tr("Fit the patient first.")};
+        if (site.relay)
+            return relaying();
         if (!site.verification || site.verification->points.empty())
             return {};
         if (site.verification->stale)

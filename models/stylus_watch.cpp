@@ -56,8 +56,9 @@ void StylusWatch::watchFor(StylusUse use)
     m_spun.clear();
     m_dwell = {};
     m_p_TQ_taken.reset();
+    m_leavesFirst = true;
     if (const auto resting = pointNow())
-        m_dwell.leave(resting->point.p_FQ);
+        leave(resting->point.p_FQ);
     m_swab.clear();
 }
 
@@ -88,18 +89,32 @@ void StylusWatch::take(const PoseSample& sample, StylusNews& news)
             takeSpun(sample.X_FO, news);
         return;
     case StylusUse::Touch:
-        if (m_p_SQ)
-            if (const auto point =
-                    m_dwell.push(sample.time, sample.X_FO * *m_p_SQ, sample.validity))
-                news.touch = StylusTouch{*point, sample.X_FO.rotation()};
-        if (news.touch)
-            m_p_TQ_taken = news.touch->point.p_FQ;
+        if (m_p_SQ && isSeen)
+            takeHeld(sample, sample.X_FO * *m_p_SQ, news);
         return;
     case StylusUse::Swab:
         if (m_p_SQ && isSeen)
             takeSwabbed(sample.X_FO * *m_p_SQ);
         return;
     }
+}
+
+/// Where the tip is when it is seen first it may lie, not be held.
+void StylusWatch::takeHeld(const PoseSample& sample, const Vec3& p_TQ, StylusNews& news)
+{
+    if (m_leavesFirst)
+        leave(p_TQ);
+    const auto point = m_dwell.push(sample.time, p_TQ, sample.validity);
+    if (!point)
+        return;
+    news.touch = StylusTouch{*point, sample.X_FO.rotation()};
+    m_p_TQ_taken = point->p_FQ;
+}
+
+void StylusWatch::leave(const Vec3& p_TQ)
+{
+    m_leavesFirst = false;
+    m_dwell.leave(p_TQ);
 }
 
 void StylusWatch::takeSpun(const RigidTransform& X_TS, StylusNews& news)
@@ -140,7 +155,7 @@ std::optional<StylusTouch> StylusWatch::takePoint()
     auto touch = pointNow();
     if (touch) {
         m_p_TQ_taken = touch->point.p_FQ;
-        m_dwell.leave(touch->point.p_FQ);
+        leave(touch->point.p_FQ);
     }
     return touch;
 }

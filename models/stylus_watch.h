@@ -82,6 +82,8 @@ public:
 
 private:
     void take(const PoseSample& sample, StylusNews& news);
+    void takeHeld(const PoseSample& sample, const Vec3& p_TQ, StylusNews& news);
+    void leave(const Vec3& p_TQ);
     void takeSpun(const RigidTransform& X_TS, StylusNews& news);
     void takeSwabbed(const Vec3& p_TQ);
     [[nodiscard]] std::optional<StylusTouch> pointNow() const;
@@ -98,6 +100,7 @@ private:
     PivotCollector m_pivot;
     std::vector<RigidTransform> m_spun; ///< X_TS
     DwellDetector m_dwell;
+    bool m_leavesFirst = true;        ///< the tip was not seen yet since it is watched for this
     std::optional<Vec3> m_p_TQ_taken; ///< the last point, since it is watched for this
     std::vector<Vec3> m_swab;
 };

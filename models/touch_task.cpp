@@ -89,10 +89,23 @@ std::optional<std::size_t> TouchTask::next() const
     const auto& all = landmarks();
     if (m_chosen && *m_chosen < all.size() && canBeTouched(all[*m_chosen]))
         return m_chosen;
-    const auto open = std::ranges::find_if(all, [this](const Landmark& landmark) {
-        return canBeTouched(landmark) && !touchOf(landmark);
-    });
-    return open == all.end() ? std::nullopt : std::optional{std::size_t(open - all.begin())};
+    const std::vector<std::size_t> order = inTurn();
+    const auto open = std::ranges::find_if(order, [&](std::size_t i) { return !touchOf(all[i]); });
+    return open == order.end() ? std::nullopt : std::optional{*open};
+}
+
+/// As listed; to lay a manikin anew those first that tell most.
+std::vector<std::size_t> TouchTask::inTurn() const
+{
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < landmarks().size(); ++i)
+        if (canBeTouched(landmarks()[i]))
+            order.push_back(i);
+    const std::vector<std::size_t> first =
+        isRelaying() ? m_landmarks.bestTriangle(order) : std::vector<std::size_t>{};
+    std::ranges::stable_partition(order,
+                                  [&](std::size_t i) { return std::ranges::count(first, i) > 0; });
+    return order;
 }
 
 void TouchTask::choose(std::optional<std::size_t> landmark)

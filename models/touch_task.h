@@ -41,6 +41,7 @@ public:
 private:
     [[nodiscard]] const std::vector<Landmark>& landmarks() const;
     [[nodiscard]] bool canBeTouched(const Landmark& landmark) const;
+    [[nodiscard]] std::vector<std::size_t> inTurn() const;
     [[nodiscard]] Result<TouchFinding> recognise(const StylusTouch& touch) const;
     void take(const StylusTouch& touch, std::size_t landmark);
     void rename(const StylusTouch& touch, const TouchFinding& finding);

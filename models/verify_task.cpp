@@ -123,16 +123,21 @@ void VerifyTask::take(const StylusTouch& touch)
         return;
     const CheckPoint point = places()[*next()];
     const Vec3 p_AQ = m_editor.site().registration->X_AT * touch.point.p_FQ;
+    const Length off = metres((p_AQ - point.p_AQ).norm());
+    if (off > kFarthestCheck)
+        return m_editor.refuse(VerifyWords::tr("The tip is %1\u00a0mm from where %2 is drawn: hold "
+                                               "it there. If the manikin was moved, lay it anew.")
+                                   .arg(inMillimetres(off), 0, 'f', 0)
+                                   .arg(point.name));
     if (m_editor.become(
             withVerified(m_editor.site(), {.name = point.name.toStdString(),
                                            .p_AQ = point.p_AQ,
                                            .p_TQ = touch.point.p_FQ,
-                                           .error = (p_AQ - point.p_AQ).norm(),
+                                           .error = off.si,
                                            .bound = boundAt(point.p_AQ, kBoundShare)}))) {
         m_chosen.reset();
-        m_editor.tell(VerifyWords::tr("%1: %2 mm")
-                          .arg(point.name)
-                          .arg(inMillimetres(metres((p_AQ - point.p_AQ).norm())), 0, 'f', 1));
+        m_editor.tell(
+            VerifyWords::tr("%1: %2 mm").arg(point.name).arg(inMillimetres(off), 0, 'f', 1));
         Q_EMIT m_editor.changed();
     }
 }

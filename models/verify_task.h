@@ -25,6 +25,8 @@ class VerifyTask
 public:
     /// Fewer tell nothing.
     static constexpr std::size_t kFewestPoints = 2;
+    /// What is farther from a place was not meant for it.
+    static constexpr Length kFarthestCheck = millimetres(40.0);
 
     /// @param places to check at besides; those that the fit uses are left out
     /// @pre the references outlive this.

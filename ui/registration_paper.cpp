@@ -1,6 +1,7 @@
 #include "ui/registration_paper.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,13 @@ class PaperWords
     Q_DECLARE_TR_FUNCTIONS(RegistrationPaper)
 };
 
+QString localTime(const std::string& time)
+{
+    const auto at = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
+    return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
+                        : QString::fromStdString(time);
+}
+
 double inMillimetresOf(double length) { return inMillimetres(metres(length)); }
 
 std::optional<RegistrationReport::Stylus> stylusOf(const StylusTip* tip)
@@ -25,7 +33,7 @@ std::optional<RegistrationReport::Stylus> stylusOf(const StylusTip* tip)
                                       .uncertainty_mm =
                                           inMillimetresOf(std::sqrt(tip->covariance_S.trace())),
                                       .poses = tip->poses,
-                                      .date = QString::fromStdString(tip->calibratedAt)};
+                                      .date = localTime(tip->calibratedAt)};
 }
 
 std::vector<RegistrationReport::Landmark> landmarksOf(const RegistrationModel& registration)
@@ -98,8 +106,9 @@ RegistrationReport reportOf(const RegistrationModel& registration, QImage pictur
         .siteFile = QString::fromStdString(registration.siteFile().filename().string()),
         .patient = QString::fromStdString(registration.patient().name()),
         .tracker = registration.trackerName(),
-        .operatorName = QString::fromStdString(fitted.operatorName),
-        .date = QString::fromStdString(fitted.madeAt),
+        .operatorName = fitted.operatorName.empty() ? PaperWords::tr("not named")
+                                                    : QString::fromStdString(fitted.operatorName),
+        .date = localTime(fitted.madeAt),
         .verdict = verdictOf(site),
         .notes = registration.fitting().findings() + staleTasks(registration),
         .landmarks = landmarksOf(registration),

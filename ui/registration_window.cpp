@@ -15,6 +15,7 @@
 #include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QPainter>
 #include <QShortcut>
 
 #include <array>
@@ -119,7 +120,8 @@ void RegistrationWindow::connectButtons()
         connect(goOn, &QShortcut::activated, this, [this] {
             if (auto* typed = qobject_cast<QLineEdit*>(focusWidget()))
                 typed->clearFocus(); // which takes what was typed
-            mainButton().click();
+            if (mainButton().isDefault())
+                mainButton().click();
         });
     }
     auto* take = new QShortcut{Qt::Key_PageDown, this};
@@ -184,7 +186,23 @@ void RegistrationWindow::refreshError()
 Result<void> RegistrationWindow::writeReport(const QString& file)
 {
     return writeRegistrationReport(file.toStdString(),
-                                   reportOf(m_registration, m_ui->scene->picture()));
+                                   reportOf(m_registration, pictureWithScale()));
+}
+
+/// The patient as it is shown, and beneath it what its colours say.
+QImage RegistrationWindow::pictureWithScale() const
+{
+    const QImage patient = m_ui->scene->picture();
+    if (!m_ui->errorScale->isVisible() || patient.isNull())
+        return patient;
+    const QImage scale =
+        m_ui->errorScale->grab().toImage().scaledToWidth(patient.width(), Qt::SmoothTransformation);
+    QImage both{patient.width(), patient.height() + scale.height(), QImage::Format_RGB32};
+    both.fill(palette().color(QPalette::Window));
+    QPainter painter{&both};
+    painter.drawImage(0, 0, patient);
+    painter.drawImage(0, patient.height(), scale);
+    return both;
 }
 
 void RegistrationWindow::askForReport()
@@ -221,8 +239,9 @@ void RegistrationWindow::refreshButtons()
                                                                   : tr("Ne&xt"));
     // While the stylus is swung no key shall end it by habit.
     const bool isSwung = m_registration.stylus().isLookingForTip();
+    const bool isBusy = isSwung || (m_registration.step() == SiteStep::Verify && !page().canAct());
     for (QPushButton* button : {m_ui->primary, m_ui->next})
-        button->setDefault(!isSwung && button == &mainButton());
+        button->setDefault(!isBusy && button == &mainButton());
 }
 
 QPushButton& RegistrationWindow::mainButton() const
@@ -244,6 +263,8 @@ void RegistrationWindow::refreshProgress()
 {
     const int percent = qRound(100.0 * m_registration.progress());
     const bool swings = m_registration.step() == SiteStep::Stylus;
+    if (swings)
+        page().refreshLive(); // what it tells belongs to the bar
     m_ui->progress->setVisible(percent > 0);
     m_ui->progress->setValue(percent);
     m_ui->progress->setFormat(swings ? tr("Calibration %p %") : tr("Hold still %p %"));

@@ -47,6 +47,7 @@ private:
     void refreshTools();
     void refreshError();
     void warn(const QString& problem);
+    [[nodiscard]] QImage pictureWithScale() const;
     void askForReport();
     void hear(const QString& words);
     void enterNext();

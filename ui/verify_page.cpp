@@ -107,6 +107,7 @@ QString VerifyPage::verdict() const
 
 void VerifyPage::refreshLive()
 {
+    m_stylus->setVisible(registration().site().registration.has_value());
     const auto stylus = registration().stylusOnAnatomy();
     m_stylus->setText(stylus ? tr("The tip is %1 mm from %2 and %3 mm from the surface of %4.")
                                    .arg(stylus->landmark_mm, 0, 'f', 1)

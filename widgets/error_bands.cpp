@@ -14,9 +14,9 @@ namespace
 
 constexpr double kFinest_mm = 0.1;
 
-/// At equal steps of lightness: 98, 75, 49, 22.
-constexpr std::array kScale{QColor{255, 250, 215}, QColor{242, 168, 92}, QColor{192, 80, 62},
-                            QColor{100, 22, 54}};
+/// At equal steps of lightness: 98, 78, 58, 38. The darkest stands out from a dark window.
+constexpr std::array kScale{QColor{255, 250, 215}, QColor{246, 178, 104}, QColor{214, 110, 78},
+                            QColor{160, 45, 85}};
 
 ErrorBands bandsOfWidth(double width_mm, const ErrorRange& range)
 {

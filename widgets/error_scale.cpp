@@ -29,7 +29,7 @@ QString numberAt(const ErrorBands& bands, int edge)
 
 QString captionOf(const ErrorRange& range)
 {
-    return ErrorScale::tr("Expected error: %1 to %2 mm")
+    return ErrorScale::tr("Expected error (RMS): %1 to %2 mm")
         .arg(withDecimals(range.least, 1), withDecimals(range.most, 1));
 }
 

@@ -191,7 +191,8 @@ constexpr std::string_view kHelp =
       frc_ml                 volume of both lungs at rest in the finest level
       levels                 per level of detail, both lungs together: level, frames,
                              max_volume_error_ml, and tidal_volume_drawn_ml, the greatest less the
-                             least volume drawn
+                             least volume drawn in all the seconds: more than a breath's while
+                             breathing settles
       lungs                  right and left: max_volume_error_ml, rest_volume_ml (in the finest
                              level drawn), levels (per level: level, vertices, triangles,
                              rest_volume_ml, max_volume_error_ml)

@@ -1,60 +1,12 @@
-#include "tests/models/registration_site.h"
+#include "tests/models/touch_desk.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
-#include <algorithm>
-
 namespace carina
 {
-namespace
-{
 
-constexpr double kExact = 1e-9; // m, of exact samples
-
-/// A wizard whose stylus is known, on the page where landmarks are touched.
-struct Desk {
-    RegistrationSite site;
-    std::unique_ptr<RegistrationModel> model = site.model();
-    std::vector<Landmark> landmarks = site.landmarks();
-
-    Desk()
-    {
-        model->useTracker();
-        site.swing(*model);
-        model->landmarkTask().accept();
-    }
-
-    void touch(std::size_t landmark, const RigidTransform& X_TA)
-    {
-        site.hold(*model, X_TA * landmarks[landmark].p_AQ);
-    }
-    void touch(std::size_t landmark) { touch(landmark, site.X_TA); }
-    void register_()
-    {
-        for (std::size_t i = 0; i < landmarks.size(); ++i)
-            touch(i);
-        model->enter(SiteStep::Fit);
-        model->fitting().fit();
-    }
-    [[nodiscard]] bool isTouched(std::size_t landmark) const
-    {
-        return model->landmarks()[landmark].spread_mm.has_value();
-    }
-};
-
-/// Where somebody pushed the manikin to: X_T'A of a push and the place from before.
-RigidTransform pushed(const RigidTransform& X_TA)
-{
-    return RigidTransform{rotationFromVector({0.05, -0.3, 0.1}), {0.04, -0.02, 0.03}} * X_TA;
-}
-
-bool liesAt(const RegistrationModel& model, const RigidTransform& X_TA)
-{
-    return (model.site().registration->X_AT * X_TA).matrix().isApprox(Mat4::Identity(), kExact);
-}
-
-} // namespace
+using namespace test;
 
 class TestTouchTask : public QObject
 {
@@ -131,94 +83,6 @@ private Q_SLOTS:
         QVERIFY(!desk.model->problem().isEmpty());
     }
 
-    void laysAMovedManikinAnewByThreeOfItsLandmarks()
-    {
-        Desk desk;
-        desk.register_();
-        const RigidTransform X_TA = pushed(desk.site.X_TA);
-        QVERIFY(!liesAt(*desk.model, X_TA));
-        desk.model->touching().beginRelay();
-        QCOMPARE(desk.model->step(), SiteStep::Touch);
-        QVERIFY(!desk.isTouched(0));
-        for (const std::size_t landmark : {0U, 2U, 7U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
-        QVERIFY2(liesAt(*desk.model, X_TA), qPrintable(desk.model->problem()));
-        QVERIFY(!desk.model->touching().isRelaying());
-        QCOMPARE(desk.model->site().registration->relays.size(), std::size_t{1});
-        // How it was laid anew is not in the touches of before: no fit of them knows its error.
-        desk.model->fitting().fit();
-        QVERIFY(!desk.model->problem().isEmpty());
-        QVERIFY(liesAt(*desk.model, X_TA));
-        QCOMPARE(desk.model->site().registration->relays.size(), std::size_t{1});
-    }
-
-    void goesOnLayingItAnewAfterACrash()
-    {
-        Desk desk;
-        desk.register_();
-        const RigidTransform X_TA = pushed(desk.site.X_TA);
-        desk.model->touching().beginRelay();
-        desk.touch(0, X_TA);
-        desk.model.reset();
-        desk.model = desk.site.model();
-        QVERIFY(desk.model->touching().isRelaying());
-        QVERIFY(desk.isTouched(0));
-        for (const std::size_t landmark : {2U, 7U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
-        QVERIFY(liesAt(*desk.model, X_TA));
-    }
-
-    /// Notch, left fifth rib and right angle of the jaw: the lungs could turn by centimetres.
-    void asksForOneMoreWhereThreeAreNearlyOnALine()
-    {
-        Desk desk;
-        desk.register_();
-        const RigidTransform X_TA = pushed(desk.site.X_TA);
-        desk.model->touching().beginRelay();
-        for (const std::size_t landmark : {0U, 2U, 5U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
-        QVERIFY(desk.model->touching().isRelaying());
-        QVERIFY(desk.model->problem().contains(QStringLiteral("one more")));
-        desk.model->touching().choose(7);
-        desk.touch(7, X_TA);
-        QVERIFY(liesAt(*desk.model, X_TA));
-    }
-
-    void laysNothingAnewThatIsStale()
-    {
-        Desk desk;
-        desk.register_();
-        desk.model->touching().beginRelay();
-        desk.touch(0, pushed(desk.site.X_TA));
-        desk.model->stylus().findTip();
-        desk.site.swing(*desk.model); // all that was touched rests on the tip of before
-        QVERIFY(!desk.model->touching().isRelaying());
-        desk.model->touching().beginRelay();
-        QVERIFY(!desk.model->touching().isRelaying());
-        QVERIFY(!desk.model->problem().isEmpty());
-    }
-
-    /// While it is laid anew, a landmark that was not touched before tells nothing.
-    void takesOnlyWhatWasTouchedBefore()
-    {
-        Desk desk;
-        for (const std::size_t i : {0U, 1U, 2U, 3U})
-            desk.touch(i);
-        desk.model->fitting().fit();
-        const RigidTransform X_TA = pushed(desk.site.X_TA);
-        desk.model->touching().beginRelay();
-        desk.model->touching().choose(5);
-        desk.touch(5, X_TA);
-        QVERIFY(!desk.isTouched(5));
-        QVERIFY(desk.model->touching().isRelaying());
-    }
-
     /// A key takes a point once, and what was taken by a key is not taken again by resting there.
     void takesAPointOnce()
     {
@@ -249,36 +113,17 @@ private Q_SLOTS:
         QVERIFY(desk.isTouched(0));
     }
 
-    void leavesTheManikinWhereItWas()
+    /// Nor does one that lies there when the program is started again.
+    void leavesAloneAStylusThatRestsWhenItStarts()
     {
         Desk desk;
-        desk.register_();
-        desk.model->touching().beginRelay();
-        desk.touch(0, pushed(desk.site.X_TA));
-        desk.model->touching().cancelRelay();
-        QVERIFY(!desk.model->touching().isRelaying());
-        QVERIFY(liesAt(*desk.model, desk.site.X_TA));
-        QCOMPARE(desk.model->task(SiteStep::Touch).state, TaskState::Done);
-    }
-
-    void saysWhenATouchDoesNotFitTheManikin()
-    {
-        Desk desk;
-        desk.register_();
-        const RigidTransform X_TA = pushed(desk.site.X_TA);
-        desk.model->touching().beginRelay();
-        for (const std::size_t landmark : {0U, 2U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
-        desk.model->touching().choose(7);
-        desk.site.hold(*desk.model, X_TA * Vec3{desk.landmarks[7].p_AQ + Vec3{0.02, 0.01, 0.0}});
-        QVERIFY(!desk.model->problem().isEmpty());
-        QVERIFY(desk.model->touching().isRelaying());
-        QVERIFY(liesAt(*desk.model, desk.site.X_TA)); // until it is known better
-        desk.model->touching().choose(7);
-        desk.touch(7, X_TA);
-        QVERIFY(liesAt(*desk.model, X_TA));
+        desk.model.reset();
+        desk.site.m_now += std::chrono::seconds{10};
+        desk.model = desk.site.model();
+        desk.site.holdFor(*desk.model, 120, {0.3, 0.2, -1.0});
+        QVERIFY(desk.model->site().touched.empty());
+        desk.touch(0);
+        QVERIFY(desk.isTouched(0));
     }
 };
 

@@ -170,6 +170,16 @@ private Q_SLOTS:
         QVERIFY(desk.verifying.canJudge() && desk.verifying.next());
     }
 
+    void refusesAPlaceThatWasNotMeant()
+    {
+        MadeDesk desk{fittedSite()};
+        desk.verifyAt(desk.verifying.points()[0].p_AQ, {0.0, 0.0, 0.041});
+        QVERIFY(!desk.editor.site().verification);
+        QVERIFY(desk.editor.problem().contains(QStringLiteral("41")));
+        desk.verifyAt(desk.verifying.points()[0].p_AQ, {0.0, 0.0, 0.039});
+        QVERIFY(desk.editor.site().verification.has_value());
+    }
+
     void doesNotJudgeByOnePoint()
     {
         MadeDesk desk{fittedSite()};

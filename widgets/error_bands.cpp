@@ -14,9 +14,14 @@ namespace
 
 constexpr double kFinest_mm = 0.1;
 
-/// At equal steps of lightness: 98, 78, 58, 38. The darkest stands out from a dark window.
-constexpr std::array kScale{QColor{255, 250, 215}, QColor{246, 178, 104}, QColor{214, 110, 78},
-                            QColor{160, 45, 85}};
+/// At equal steps of lightness: 98, 75, 49, 22.
+constexpr std::array kScale{QColor{255, 250, 215}, QColor{242, 168, 92}, QColor{192, 80, 62},
+                            QColor{100, 22, 54}};
+
+/// So many are told apart by the lighter part of the scale, whose end stands out from a dark window
+/// also without colours.
+constexpr int kFewBands = 8;
+constexpr double kLighterPart = 0.8;
 
 ErrorBands bandsOfWidth(double width_mm, const ErrorRange& range)
 {
@@ -41,7 +46,8 @@ ErrorBands bandsOver(const ErrorRange& range)
 QColor bandColor(int band, int count)
 {
     CARINA_EXPECTS(band >= 0 && band < count);
-    const double place = count == 1 ? 0.0 : double(band) * (kScale.size() - 1) / (count - 1);
+    const double end = (kScale.size() - 1) * (count <= kFewBands ? kLighterPart : 1.0);
+    const double place = count == 1 ? 0.0 : double(band) * end / (count - 1);
     const auto below = std::min(static_cast<std::size_t>(place), kScale.size() - 2);
     const double share = place - double(below);
     const QColor& a = kScale[below];

@@ -42,6 +42,7 @@ private Q_SLOTS:
         desk.register_();
         const RigidTransform X_TA = pushed(desk.site.X_TA);
         desk.model->touching().beginRelay();
+        desk.model->touching().choose(0);
         desk.touch(0, X_TA);
         desk.model.reset();
         desk.model = desk.site.model();

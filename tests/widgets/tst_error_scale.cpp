@@ -128,7 +128,8 @@ void TestErrorScale::isDrawnInTheColoursOfTheBands()
 void TestErrorScale::saysTheRangeInWords()
 {
     const auto scale = scaleOf(kHalves);
-    QCOMPARE(scale->drawing().value().caption, QStringLiteral("Expected error: 0.8 to 3.1 mm"));
+    QCOMPARE(scale->drawing().value().caption,
+             QStringLiteral("Expected error (RMS): 0.8 to 3.1 mm"));
     QCOMPARE(scale->accessibleName(), QStringLiteral("Scale of the expected error"));
     QCOMPARE(scale->accessibleDescription(),
              QStringLiteral("From 0.8 mm to 3.1 mm; the darker, the larger."));

@@ -80,13 +80,9 @@ private Q_SLOTS:
         QTest::addColumn<bool>("unlike");
         QTest::addColumn<bool>("weighed");
         for (const int count : {4, 6, 8}) {
-            const auto name = [&](const char* errors) {
-                return qPrintable(
-                    QStringLiteral("%1, %2").arg(count).arg(QString::fromLatin1(errors)));
-            };
-            QTest::newRow(name("alike in all directions")) << count << false << false;
-            QTest::newRow(name("unlike, weighed alike")) << count << true << false;
-            QTest::newRow(name("unlike, weighed by covariance")) << count << true << true;
+            QTest::addRow("%d, alike in all directions", count) << count << false << false;
+            QTest::addRow("%d, unlike, weighed alike", count) << count << true << false;
+            QTest::addRow("%d, unlike, weighed by covariance", count) << count << true << true;
         }
     }
 

@@ -263,8 +263,10 @@ void RegistrationWindow::refreshProgress()
 {
     const int percent = qRound(100.0 * m_registration.progress());
     const bool swings = m_registration.step() == SiteStep::Stylus;
-    if (swings)
-        page().refreshLive(); // what it tells belongs to the bar
+    if (swings) { // what they tell belongs to the bar
+        page().refreshLive();
+        m_ui->instruction->setText(m_registration.instruction());
+    }
     m_ui->progress->setVisible(percent > 0);
     m_ui->progress->setValue(percent);
     m_ui->progress->setFormat(swings ? tr("Calibration %p %") : tr("Hold still %p %"));

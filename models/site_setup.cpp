@@ -1,5 +1,7 @@
 #include "models/site_setup.h"
 
+#include <algorithm>
+
 namespace carina
 {
 
@@ -36,6 +38,18 @@ bool isSamePlace(const SiteSetup& a, const SiteSetup& b)
     return isSame(a.registration.X_AT, b.registration.X_AT)
            && isSame(a.registration.X_JA, b.registration.X_JA)
            && isSame(a.registration.X_BA, b.registration.X_BA);
+}
+
+bool isSameGuard(const SiteSetup& a, const SiteSetup& b)
+{
+    if (!a.guard || !b.guard)
+        return a.guard.has_value() == b.guard.has_value();
+    const auto isSameTip = [](const StylusTip& one, const StylusTip& other) {
+        return one.tool == other.tool && one.p_SQ == other.p_SQ;
+    };
+    return a.guard->covariance_A == b.guard->covariance_A && a.guard->fle.si == b.guard->fle.si
+           && a.guard->landmarks == b.guard->landmarks
+           && std::ranges::equal(a.guard->styluses, b.guard->styluses, isSameTip);
 }
 
 Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)

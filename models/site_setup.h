@@ -19,6 +19,9 @@ struct SiteSetup {
 /// Whether both lay the anatomy alike: a site is also written for other things.
 [[nodiscard]] bool isSamePlace(const SiteSetup& a, const SiteSetup& b);
 
+/// Whether both are watched by the same.
+[[nodiscard]] bool isSameGuard(const SiteSetup& a, const SiteSetup& b);
+
 /// @returns NotRegistered before the site's anatomy was fitted; OtherPatient for a site of another
 ///          one.
 [[nodiscard]] Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient);

@@ -1,7 +1,8 @@
 #include "ui/registration_paper.h"
 
+#include "ui/local_time.h"
+
 #include <QCoreApplication>
-#include <QDateTime>
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +16,6 @@ class PaperWords
 {
     Q_DECLARE_TR_FUNCTIONS(RegistrationPaper)
 };
-
-QString localTime(const std::string& time)
-{
-    const auto at = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
-    return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
-                        : QString::fromStdString(time);
-}
 
 double inMillimetresOf(double length) { return inMillimetres(metres(length)); }
 

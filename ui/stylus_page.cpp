@@ -1,6 +1,7 @@
 #include "ui/stylus_page.h"
 
 #include "engine/core/units.h"
+#include "ui/local_time.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -67,11 +68,7 @@ QString StylusPage::calibration() const
                       .arg(inMillimetres(metres(std::sqrt(tip->covariance_S.trace()))), 0, 'f', 2)
                       .arg(tip->poses)
                       .arg(tip->outliers);
-    text += QStringLiteral("\n\n")
-            + tr("Calibrated: %1")
-                  .arg(QDateTime::fromString(QString::fromStdString(tip->calibratedAt), Qt::ISODate)
-                           .toLocalTime()
-                           .toString(QStringLiteral("yyyy-MM-dd HH:mm")));
+    text += QStringLiteral("\n\n") + tr("Calibrated: %1").arg(localTime(tip->calibratedAt));
     if (tip->axis)
         text += QStringLiteral("\n\n")
                 + tr("The axis of its shaft is known; it wobbled by %1° (RMS).")

@@ -119,11 +119,15 @@ void TraineeStation::takePlace()
     if (!m_laid || !m_laid->tracking)
         return;
     const auto place = m_placeOf(*m_laid->patient);
-    if (!place || !*place || (m_laid->place && isSamePlace(**place, *m_laid->place)))
-        return; // another page or name does not lay the patient
-    m_laid->place = *place;
-    m_laid->tracking->takeRegistration((*place)->registration);
-    m_laid->guard = guardOf(*m_laid->tracking, *place);
+    if (!place || !*place)
+        return;
+    // The file is also written for another page or name, which lays nothing and keeps the guard.
+    const Place before = std::exchange(m_laid->place, *place);
+    const bool isLaidAlike = before && isSamePlace(**place, *before);
+    if (!isLaidAlike)
+        m_laid->tracking->takeRegistration((*place)->registration);
+    if (!isLaidAlike || !isSameGuard(**place, *before))
+        m_laid->guard = guardOf(*m_laid->tracking, *place);
 }
 
 } // namespace carina

@@ -123,7 +123,9 @@ private Q_SLOTS:
         Site site = registered({tipCalled(kStylus)});
         site.step = SiteStep::Verify;
         site.operatorName = "B. Kern";
-        QVERIFY(isSamePlace(setupOf(site), before));
+        QVERIFY(isSamePlace(setupOf(site), before) && isSameGuard(setupOf(site), before));
+        site.styluses = {tipCalled(kStylus, kBent_m)}; // it was calibrated again
+        QVERIFY(isSamePlace(setupOf(site), before) && !isSameGuard(setupOf(site), before));
         site.registration->X_JM = RigidTransform{};
         QVERIFY(!isSamePlace(setupOf(site), before));
         site = registered({tipCalled(kStylus)});

@@ -1,9 +1,10 @@
 // How often the real anatomy set is drawn in a second while it breathes, in a window of 1280x1024:
 // opaque in full detail beside a bare OpenGL loop and beside VTK, which draws it still, as it comes
 // and without the faces that look away; as it is usually shown, in full detail and with level of
-// detail. Seven runs of each, in turn, every one a process of its own. Also how long the first
-// frame takes from opening the cache, and how much memory it all takes. Needs a display,
-// CARINA_TEST_DATA and python3-vtk9. Prints one JSON object.
+// detail, the latter also with the mouth open, which the throat follows. Seven runs of each, in
+// turn, every one a process of its own. Also how long the first frame takes from opening the cache,
+// and how much memory it all takes. Needs a display, CARINA_TEST_DATA and python3-vtk9. Prints one
+// JSON object.
 
 #include "bench/drawing/bare_loop.h"
 #include "engine/core/monotonic_clock.h"
@@ -35,7 +36,7 @@ constexpr int kRuns = 7;
 constexpr double kSeconds = 3.0; ///< of measuring in one run
 constexpr double kWarmUp = 1.5;  ///< seconds before, in which the level of detail settles
 const QString kPython = QStringLiteral("/usr/bin/python3"); ///< for which Debian has VTK
-const std::vector<std::string> kOurs{"opaque", "usual", "detail", "opaque-detail"};
+const std::vector<std::string> kOurs{"opaque", "usual", "detail", "opaque-detail", "detail-jaw"};
 
 std::string setFolder()
 {
@@ -127,7 +128,10 @@ int ours(const std::string& mode)
     if (mode == "opaque" || mode == "usual")
         view.setFixedLevel(0);
     view.setFrameSource([&](int level, LocalTime lit) {
-        return patient->frameAt(toSeconds(lit - trial.opened), level);
+        SceneFrame frame = patient->frameAt(toSeconds(lit - trial.opened), level);
+        if (mode == "detail-jaw")
+            frame.throat = patient->openThroat();
+        return frame;
     });
     view.onFrameDrawn([&](const DrawnFrame& drawn) {
         if (!trial.firstFrame)

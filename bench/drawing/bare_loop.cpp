@@ -5,6 +5,7 @@
 #include "widgets/scene/chest_uniforms.h"
 #include "widgets/scene/merged_surface.h"
 #include "widgets/scene/orbit_camera.h"
+#include "widgets/scene/organ_shader.h"
 
 #include <QGuiApplication>
 #include <QMatrix4x4>
@@ -23,6 +24,9 @@ namespace carina::bench
 {
 namespace
 {
+
+/// What they need of the shader.
+constexpr OrganShader kOpaque{.hasManyRegions = false, .movesJaw = false};
 
 std::vector<MergedSurface> opaqueSurfaces(const PatientScene& patient)
 {
@@ -67,7 +71,9 @@ class Draw
 public:
     Draw(const MergedSurface& surface, const std::vector<Triangle>& triangles,
          QOpenGLShaderProgram& program)
-        : m_body{surface.key.body}, m_corners(int(3 * triangles.size()))
+        : m_key{surface.key},
+          m_motion{program.uniformLocation("motion")},
+          m_corners(int(3 * triangles.size()))
     {
         m_array.create();
         const QOpenGLVertexArrayObject::Binder bound{&m_array};
@@ -88,16 +94,19 @@ public:
         m_indices.allocate(triangles.data(), int(triangles.size() * sizeof(Triangle)));
     }
 
-    void operator()(const SceneFrame& frame, QOpenGLFunctions& gl)
+    /// @pre the program is bound.
+    void operator()(const SceneFrame& frame, QOpenGLShaderProgram& program, QOpenGLFunctions& gl)
     {
-        if (!m_body.empty() && !frame.bodies.contains(m_body))
+        if (!m_key.body.empty() && !frame.bodies.contains(m_key.body))
             return;
+        program.setUniformValue(m_motion, motionUniform(frame.chest.of(*m_key.region)));
         const QOpenGLVertexArrayObject::Binder bound{&m_array};
         gl.glDrawElements(GL_TRIANGLES, m_corners, GL_UNSIGNED_INT, nullptr);
     }
 
 private:
-    std::string m_body;
+    SurfaceKey m_key;
+    int m_motion; ///< its uniform
     int m_corners;
     QOpenGLVertexArrayObject m_array;
     QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
@@ -111,10 +120,6 @@ void setUniforms(QOpenGLShaderProgram& program, const View& view, const SceneFra
     program.setUniformValue("mvp", view.eyeToScreen);
     program.setUniformValue("eyePosition", view.eye);
     program.setUniformValue("chest", chestUniform(frame.chest.field));
-    std::array<QMatrix4x4, kChestRegions> motions;
-    for (std::size_t region = 0; region < motions.size(); ++region)
-        motions[region] = motionUniform(frame.chest.motion[region]);
-    program.setUniformValueArray("motions", motions.data(), int(motions.size()));
 }
 
 double drawFor(double seconds, QWindow& window, QOpenGLContext& context,
@@ -135,7 +140,7 @@ double drawFor(double seconds, QWindow& window, QOpenGLContext& context,
         gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         setUniforms(program, view, frame);
         for (const auto& draw : draws)
-            (*draw)(frame, gl);
+            (*draw)(frame, program, gl);
         context.swapBuffers(&window);
         if (++frames == 0)
             began = monotonicNow();
@@ -159,7 +164,7 @@ Result<double> bareLoopRate(const PatientScene& patient, double seconds)
     if (!context.create() || !context.makeCurrent(&window))
         return fail(Errc::NoGraphics, "no OpenGL context");
     QOpenGLShaderProgram program;
-    if (!program.addShaderFromSourceCode(QOpenGLShader::Vertex, resource("shaders/organ.vert"))
+    if (!program.addShaderFromSourceCode(QOpenGLShader::Vertex, organVertexShader(kOpaque))
         || !program.addShaderFromSourceCode(QOpenGLShader::Fragment, resource("shaders/organ.frag"))
         || !program.link() || !program.bind())
         return fail(Errc::NoGraphics, program.log().toStdString());

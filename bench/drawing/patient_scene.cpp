@@ -1,5 +1,6 @@
 #include "bench/drawing/patient_scene.h"
 
+#include "engine/geometry/rotation.h"
 #include "engine/io/anatomy_set.h"
 #include "engine/lungs/chest_drawing.h"
 #include "ui/scene_parts.h"
@@ -49,6 +50,12 @@ SceneFrame PatientScene::frameAt(double seconds, int level) const
     moment.breathing = m_breathing.at(m_timeline, moment.time).shape();
     moment.pose = drawnPose(m_patient->lungs(), moment.breathing, static_cast<std::size_t>(level));
     return sceneFrame(moment, m_patient->lungs().field());
+}
+
+FollowingThroat PatientScene::openThroat() const
+{
+    return m_patient->throat(
+        RigidTransform{rotationFromVector(degrees(15.0).si * Vec3::UnitX()), Vec3::Zero()});
 }
 
 } // namespace carina::bench

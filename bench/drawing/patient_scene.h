@@ -29,6 +29,8 @@ public:
     [[nodiscard]] PartLooks solid() const;
     /// How it is drawn so long after the beginning, its lungs in that level of detail.
     [[nodiscard]] SceneFrame frameAt(double seconds, int level) const;
+    /// With the lower jaw turned open by 15 degrees.
+    [[nodiscard]] FollowingThroat openThroat() const;
 
 private:
     explicit PatientScene(SharedPatientModel patient);

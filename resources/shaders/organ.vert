@@ -4,7 +4,8 @@
 // chest, written out in engine/geometry/chest_formula.h and worked out on the processor by
 // engine/geometry/moved_vertex.h; what then follows the jaw is moved by that of the throat, written
 // out in engine/geometry/throat_formula.h. The names here are theirs. Nothing is uploaded meanwhile
-// but a matrix for each region, and one for the jaw.
+// but a matrix for each region, and one for the jaw. widgets/scene/organ_shader.h tells when what is
+// written between #ifdef and #endif is there.
 
 in vec3 vertexPosition;
 in vec3 vertexNormal;
@@ -16,10 +17,18 @@ uniform mat4 modelMatrix;
 uniform mat4 mvp;
 uniform mat3 modelNormalMatrix;
 uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; left hilum
-uniform mat4 motions[11]; // by region; columns: descent, forward, flare, lift; bulkBack, bulkDown,
-                          // shrink, shift; of the right lung, then of the left
+// Columns: descent, forward, flare, lift; bulkBack, bulkDown, shrink, shift; of the right lung,
+// then of the left.
+#ifdef MANY_REGIONS
+uniform mat4 motions[11]; // by region
+mat4 motion;              // of this vertex's
+#else
+uniform mat4 motion;
+#endif
+#ifdef JAW_MOVES
 uniform mat4 throat; // columns: up and upFrom; incisors and perLength; anchor
 uniform mat4 jaw;    // columns: turn; shift; all 0 while the mouth is closed
+#endif
 uniform vec4 section;  // what lies where dot(xyz, p) > w, in A, is cut away; xyz 0: nothing is
 uniform float cutAway; // 1: the airway stays whole
 
@@ -51,8 +60,6 @@ const float kAirway = 3.0;
 
 const float kMediastinum = 8.0; // ChestRegion: it and those after it follow the jaw
 const float kPharynx = 10.0;
-
-mat4 motion; // of this vertex's region
 
 const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
 const float kBeyond = 0.2;
@@ -167,6 +174,7 @@ void deform(out vec3 position, out vec3 normal)
     normal = normalize(perMetre * vec3(dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n)));
 }
 
+#ifdef JAW_MOVES
 // How far a place follows the jaw, and how that changes from place to place.
 float jawShare(vec3 reach, vec3 p, out vec3 slope)
 {
@@ -202,6 +210,7 @@ void followJaw(inout vec3 position, inout vec3 normal)
     normal = normalize(normal.x * cross(j[1], j[2]) + normal.y * cross(j[2], j[0])
                        + normal.z * cross(j[0], j[1]));
 }
+#endif
 
 // A headlight, a soft sky that is brighter from above and in front of the patient, a small
 // highlight, and a rim that turns towards the silhouette. Both faces are lit. Worked out here and
@@ -229,11 +238,15 @@ vec4 shadeAt(vec3 position, vec3 normal)
 
 void main()
 {
+#ifdef MANY_REGIONS
     motion = motions[int(vertexPart.y)];
+#endif
     vec3 position;
     vec3 normal;
     deform(position, normal);
+#ifdef JAW_MOVES
     followJaw(position, normal);
+#endif
 
     worldPosition = vec3(modelMatrix * vec4(position, 1.0));
     worldNormal = normalize(modelNormalMatrix * normal);

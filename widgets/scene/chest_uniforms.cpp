@@ -55,4 +55,10 @@ QMatrix4x4 jawUniform(const RigidTransform& X_AJ)
     return uniform;
 }
 
+bool isJawMoved(const RigidTransform& X_AJ)
+{
+    const JawShift<float> jaw = inSingle(jawShift(X_AJ));
+    return !jaw.turn.isZero(0.0F) || !jaw.shift.isZero(0.0F);
+}
+
 } // namespace carina

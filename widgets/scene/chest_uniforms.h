@@ -14,5 +14,7 @@ namespace carina
 /// Likewise a throat, and how far the jaw is from where it is while the mouth is closed.
 [[nodiscard]] QMatrix4x4 throatUniform(const ThroatField& field);
 [[nodiscard]] QMatrix4x4 jawUniform(const RigidTransform& X_AJ);
+/// Whether there is anything for the shader to do: jawUniform is not all 0.
+[[nodiscard]] bool isJawMoved(const RigidTransform& X_AJ);
 
 } // namespace carina

@@ -1,8 +1,8 @@
 #include "widgets/scene/drawn_vertices.h"
 
 #include "engine/core/expects.h"
-#include "resources/resources.h"
 #include "widgets/scene/chest_uniforms.h"
+#include "widgets/scene/organ_shader.h"
 
 #include <QMatrix4x4>
 #include <QOffscreenSurface>
@@ -76,7 +76,7 @@ public:
     ~Card();
     Q_DISABLE_COPY_MOVE(Card)
 
-    Result<void> start(const TriangleMesh& mesh, ChestRegion region);
+    Result<void> start(const TriangleMesh& mesh, ChestRegion region, const OrganShader& shader);
     Result<std::vector<Vec3f>> draw(const ChestField& field, const ChestMotion& motion,
                                     const FollowingThroat& throat, std::size_t captured);
 
@@ -98,6 +98,7 @@ private:
     std::unique_ptr<Objects> m_objects; // made and destroyed while m_context is current
     std::size_t m_vertexCount = 0;
     ChestRegion m_region = ChestRegion::Still;
+    OrganShader m_shader;
 };
 
 DrawnVertices::Card::~Card()
@@ -108,9 +109,11 @@ DrawnVertices::Card::~Card()
     m_objects.reset();
 }
 
-Result<void> DrawnVertices::Card::start(const TriangleMesh& mesh, ChestRegion region)
+Result<void> DrawnVertices::Card::start(const TriangleMesh& mesh, ChestRegion region,
+                                        const OrganShader& shader)
 {
     m_region = region;
+    m_shader = shader;
     m_surface.setFormat(coreProfile());
     m_surface.create();
     m_context.setFormat(coreProfile());
@@ -139,7 +142,7 @@ Result<void> DrawnVertices::Card::start(const TriangleMesh& mesh, ChestRegion re
 Result<void> DrawnVertices::Card::link()
 {
     QOpenGLShaderProgram& program = m_objects->program;
-    if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, resource("shaders/organ.vert"))) {
+    if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, organVertexShader(m_shader))) {
         m_context.extraFunctions()->glTransformFeedbackVaryings(
             program.programId(), kCaptured.size(), kCaptured.data(), GL_SEPARATE_ATTRIBS);
         if (program.link())
@@ -171,8 +174,10 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.setUniformValue("modelNormalMatrix", QMatrix3x3{});
     program.setUniformValue("chest", chestUniform(field));
     const auto region = static_cast<int>(m_region);
-    const int motionOfRegion = program.uniformLocation(QStringLiteral("motions[%1]").arg(region));
-    program.setUniformValue(motionOfRegion, motionUniform(motion));
+    const QString motions = QStringLiteral("motions[%1]").arg(region);
+    program.setUniformValue(
+        program.uniformLocation(m_shader.hasManyRegions ? motions : QStringLiteral("motion")),
+        motionUniform(motion));
     program.setUniformValue("throat", throatUniform(throat.field));
     program.setUniformValue("jaw", jawUniform(throat.X_AJ));
     program.setAttributeValue("vertexPart", 0.0F, static_cast<float>(region), 0.0F);
@@ -214,11 +219,12 @@ DrawnVertices::DrawnVertices(DrawnVertices&&) noexcept = default;
 DrawnVertices& DrawnVertices::operator=(DrawnVertices&&) noexcept = default;
 DrawnVertices::~DrawnVertices() = default;
 
-Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh, ChestRegion region)
+Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh, ChestRegion region,
+                                        const OrganShader& shader)
 {
     CARINA_EXPECTS(!mesh.positions.empty());
     auto card = std::make_unique<Card>();
-    if (const Result<void> started = card->start(mesh, region); !started)
+    if (const Result<void> started = card->start(mesh, region, shader); !started)
         return tl::unexpected(started.error());
     return DrawnVertices{std::move(card)};
 }

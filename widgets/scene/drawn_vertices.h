@@ -4,6 +4,7 @@
 #include "engine/core/result.h"
 #include "engine/geometry/chest_field.h"
 #include "engine/geometry/throat_field.h"
+#include "widgets/scene/organ_shader.h"
 
 #include <memory>
 
@@ -12,8 +13,9 @@ namespace carina
 
 /// Where the graphics card puts the vertices of one mesh, to measure what is drawn.
 ///
-/// Runs resources/shaders/organ.vert, the shader that draws every organ, over the mesh's own
-/// buffers in an OpenGL 3.3 context of its own and captures its outputs by transform feedback. The
+/// Runs resources/shaders/organ.vert, the shader that draws every organ, in any of its forms over
+/// the mesh's own buffers in an OpenGL 3.3 context of its own and captures its outputs by transform
+/// feedback. The
 /// model matrix is the identity, so that positions and normals come back in the frame of the mesh.
 /// The mesh is uploaded once. Leaves the OpenGL context that was current current.
 class DrawnVertices
@@ -23,7 +25,8 @@ public:
     /// @returns NoGraphics where there is no OpenGL 3.3 core context or the shader does not run.
     /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
     [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh,
-                                                  ChestRegion region = ChestRegion::Still);
+                                                  ChestRegion region = ChestRegion::Still,
+                                                  const OrganShader& shader = {});
 
     DrawnVertices(DrawnVertices&&) noexcept;
     DrawnVertices& operator=(DrawnVertices&&) noexcept;

@@ -44,7 +44,7 @@ void reserveFor(std::map<SurfaceKey, MergedSurface>& merged, std::span<const Sce
     std::map<SurfaceKey, Size> sizes;
     for (const ScenePart& part : parts)
         for (const auto& level : part.levels) {
-            Size& size = sizes[{drawLayerOf(part.group), part.body}];
+            Size& size = sizes[surfaceKey(part)];
             size.vertices += level->positions.size();
             size.triangles += level->triangles.size();
         }
@@ -56,6 +56,14 @@ void reserveFor(std::map<SurfaceKey, MergedSurface>& merged, std::span<const Sce
 }
 
 } // namespace
+
+SurfaceKey surfaceKey(const ScenePart& part)
+{
+    const DrawLayer layer = drawLayerOf(part.group);
+    if (layer == DrawLayer::Blended)
+        return {layer, part.body, std::nullopt};
+    return {layer, part.body, part.region};
+}
 
 int levelCount(std::span<const ScenePart> parts)
 {
@@ -72,7 +80,7 @@ std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts)
     for (std::size_t place = 0; place < parts.size(); ++place) {
         const ScenePart& part = parts[place];
         CARINA_EXPECTS(!part.levels.empty());
-        appendPart(merged[{drawLayerOf(part.group), part.body}], part, place);
+        appendPart(merged[surfaceKey(part)], part, place);
     }
     std::vector<MergedSurface> surfaces;
     for (auto& [key, surface] : merged)

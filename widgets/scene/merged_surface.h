@@ -5,6 +5,7 @@
 #include "engine/geometry/triangle_mesh.h"
 
 #include <compare>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ namespace carina
 struct SurfaceKey {
     DrawLayer layer = DrawLayer::Closed;
     std::string body;
+    /// How all of it breathes; nothing where that differs from corner to corner, as it does in what
+    /// is blended in one order.
+    std::optional<ChestRegion> region;
 
     friend auto operator<=>(const SurfaceKey&, const SurfaceKey&) = default;
 };
@@ -45,10 +49,12 @@ struct MergedSurface {
     std::vector<SurfacePiece> pieces;
 };
 
+[[nodiscard]] SurfaceKey surfaceKey(const ScenePart& part);
+
 /// How many levels of detail the scene has: those of the part that has most, at least one.
 [[nodiscard]] int levelCount(std::span<const ScenePart> parts);
 
-/// The parts, merged by layer and body.
+/// The parts, merged by layer and body, what is opaque also by region.
 ///
 /// @pre each part has a level; each mesh has normals.
 [[nodiscard]] std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts);

@@ -1,6 +1,7 @@
 #include "widgets/scene/organ_effects.h"
 
 #include "resources/resources.h"
+#include "widgets/scene/organ_shader.h"
 
 #include <QMatrix4x4>
 #include <QVector4D>
@@ -20,23 +21,25 @@ namespace carina
 namespace
 {
 
-Qt3DRender::QShaderProgram* program(const char* fragmentShader, Qt3DCore::QNode* parent)
+/// Within these a program that no pass draws with is compiled. Qt 3D tells its status too late.
+constexpr int kFramesToCompile = 2;
+
+Qt3DRender::QShaderProgram* program(const OrganShader& needs, const char* fragmentShader,
+                                    Qt3DCore::QNode* parent)
 {
     auto* made = new Qt3DRender::QShaderProgram(parent);
-    made->setVertexShaderCode(resource("shaders/organ.vert"));
+    made->setVertexShaderCode(organVertexShader(needs));
     made->setFragmentShaderCode(resource(fragmentShader));
     return made;
 }
 
-Qt3DRender::QRenderPass* pass(const char* key, std::size_t layer,
-                              Qt3DRender::QShaderProgram* shaders)
+Qt3DRender::QRenderPass* pass(const char* key, std::size_t layer)
 {
     auto* filter = new Qt3DRender::QFilterKey;
     filter->setName(QString::fromLatin1(key));
     filter->setValue(static_cast<int>(layer));
     auto* made = new Qt3DRender::QRenderPass;
     made->addFilterKey(filter);
-    made->setShaderProgram(shaders);
     return made;
 }
 
@@ -94,41 +97,91 @@ ErrorUniforms errorUniforms(Qt3DCore::QNode* parent)
 
 } // namespace
 
-OrganEffects makeOrganEffects(Qt3DCore::QNode* parent)
+OrganEffects::OrganEffects(Qt3DCore::QNode* parent)
+    : m_cut{uniform("section", QVector4D{}, parent), uniform("cutAway", 0.0F, parent)},
+      m_error{errorUniforms(parent)}
 {
-    Qt3DRender::QShaderProgram* id = program("shaders/id.frag", parent);
-    OrganEffects effects;
-    effects.lit = program("shaders/organ.frag", parent);
-    effects.mapped = program("shaders/error_map.frag", parent);
-    effects.cut = {uniform("section", QVector4D{}, parent), uniform("cutAway", 0.0F, parent)};
-    effects.error = errorUniforms(parent);
-    for (std::size_t layer = 0; layer < kDrawLayers; ++layer) {
-        auto* effect = new Qt3DRender::QEffect(parent);
+    for (std::size_t place = 0; place < kDrawLayers; ++place) {
+        const bool many = static_cast<DrawLayer>(place) == DrawLayer::Blended; // SurfaceKey
+        Layer& layer = m_layers[place];
+        layer = {new Qt3DRender::QEffect(parent),
+                 {pass(kSurfacePass, place), pass(kComingPass, place)},
+                 {pass(kIdPass, place), pass(kComingPass, place)},
+                 many};
         Qt3DRender::QTechnique* technique = openGlTechnique();
-        effects.surface[layer] = pass(kSurfacePass, layer, effects.lit);
-        technique->addRenderPass(effects.surface[layer]);
-        technique->addRenderPass(pass(kIdPass, layer, id));
-        effect->addTechnique(technique);
+        for (Qt3DRender::QRenderPass* each :
+             {layer.surface.drawn, layer.surface.coming, layer.id.drawn, layer.id.coming})
+            technique->addRenderPass(each);
+        layer.effect->addTechnique(technique);
         for (Qt3DRender::QParameter* parameter :
-             {effects.cut.section, effects.cut.cutAway, effects.error.quadric,
-              effects.error.firstBand, effects.error.bandCount, effects.error.bandColors})
-            effect->addParameter(parameter);
-        effects.of[layer] = effect;
+             {m_cut.section, m_cut.cutAway, m_error.quadric, m_error.firstBand, m_error.bandCount,
+              m_error.bandColors})
+            layer.effect->addParameter(parameter);
     }
-    return effects;
+    askForPrograms();
+    usePrograms(); // nothing is drawn yet that could be left out
 }
 
-void setErrorMap(const OrganEffects& effects, const std::optional<ErrorMap>& map)
+Qt3DRender::QEffect* OrganEffects::of(DrawLayer layer) const
 {
-    for (Qt3DRender::QRenderPass* surface : effects.surface)
-        surface->setShaderProgram(map ? effects.mapped : effects.lit);
+    return m_layers[static_cast<std::size_t>(layer)].effect;
+}
+
+/// Programs are made when they are first asked for, since Qt 3D passes over those that no pass has
+/// and does not look again, and kept.
+void OrganEffects::askForPrograms()
+{
+    const char* surface = m_isMapped ? "shaders/error_map.frag" : "shaders/organ.frag";
+    for (Layer& layer : m_layers) {
+        const OrganShader needs{.hasManyRegions = layer.hasManyRegions, .movesJaw = m_movesJaw};
+        const auto use = [&needs, &layer](Qt3DRender::QRenderPass* pass,
+                                          Qt3DRender::QShaderProgram*& made,
+                                          const char* fragmentShader) {
+            if (made == nullptr)
+                made = program(needs, fragmentShader, layer.effect);
+            pass->setShaderProgram(made);
+        };
+        use(layer.surface.coming, layer.surfacePrograms[m_movesJaw][m_isMapped], surface);
+        use(layer.id.coming, layer.idPrograms[m_movesJaw], "shaders/id.frag");
+    }
+    m_framesToCome = kFramesToCompile;
+}
+
+void OrganEffects::usePrograms()
+{
+    for (const Layer& layer : m_layers)
+        for (const Pass& pass : {layer.surface, layer.id})
+            pass.drawn->setShaderProgram(pass.coming->shaderProgram());
+    m_framesToCome = 0;
+}
+
+void OrganEffects::countFrame()
+{
+    if (m_framesToCome > 0 && --m_framesToCome == 0)
+        usePrograms();
+}
+
+void OrganEffects::letJawMove()
+{
+    if (m_movesJaw)
+        return;
+    m_movesJaw = true;
+    askForPrograms();
+}
+
+void OrganEffects::setErrorMap(const std::optional<ErrorMap>& map)
+{
+    if (map.has_value() != m_isMapped) {
+        m_isMapped = map.has_value();
+        askForPrograms();
+    }
     if (!map)
         return;
     const ErrorBands& bands = map->bands;
-    effects.error.quadric->setValue(quadricUniform(*map));
-    effects.error.firstBand->setValue(static_cast<float>(bands.first));
-    effects.error.bandCount->setValue(static_cast<float>(bands.count));
-    effects.error.bandColors->setValue(colorUniform(bands.count));
+    m_error.quadric->setValue(quadricUniform(*map));
+    m_error.firstBand->setValue(static_cast<float>(bands.first));
+    m_error.bandCount->setValue(static_cast<float>(bands.count));
+    m_error.bandColors->setValue(colorUniform(bands.count));
 }
 
 } // namespace carina

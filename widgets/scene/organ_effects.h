@@ -27,6 +27,7 @@ namespace carina
 inline constexpr auto kSurfacePass = "surface"; ///< organ.frag or error_map.frag: what is seen,
                                                 ///< blended where translucent
 inline constexpr auto kIdPass = "id";           ///< id.frag: which part
+inline constexpr auto kComingPass = "coming";   ///< never picked: its program is made ready
 
 /// Of which parts are cut away.
 struct SectionUniforms {
@@ -42,19 +43,47 @@ struct ErrorUniforms {
     Qt3DRender::QParameter* bandColors;
 };
 
-/// One effect per draw layer, each with a surface pass and an id pass, all on the same shader
-/// programs, and what cuts and colours all of them. They belong to the parent.
-struct OrganEffects {
-    std::array<Qt3DRender::QEffect*, kDrawLayers> of{};
-    std::array<Qt3DRender::QRenderPass*, kDrawLayers> surface{};
-    Qt3DRender::QShaderProgram* lit = nullptr;    ///< organ.frag: in the parts' own colours
-    Qt3DRender::QShaderProgram* mapped = nullptr; ///< error_map.frag: in those of the error
-    SectionUniforms cut{};
-    ErrorUniforms error{};
-};
-[[nodiscard]] OrganEffects makeOrganEffects(Qt3DCore::QNode* parent);
+/// One effect per draw layer, each with a surface pass and an id pass, and what cuts and colours
+/// all of them. They belong to the parent.
+class OrganEffects
+{
+public:
+    explicit OrganEffects(Qt3DCore::QNode* parent);
 
-/// Colours all surfaces by their error from now on, or no more.
-void setErrorMap(const OrganEffects& effects, const std::optional<ErrorMap>& map);
+    [[nodiscard]] Qt3DRender::QEffect* of(DrawLayer layer) const;
+    [[nodiscard]] const SectionUniforms& cut() const { return m_cut; }
+
+    /// Colours all surfaces by their error from now on, or no more.
+    void setErrorMap(const std::optional<ErrorMap>& map);
+    /// From now on the jaw moves; until then it is left out of the shader.
+    void letJawMove();
+    /// One more frame is drawn. What was asked for is drawn with when its programs are compiled, a
+    /// frame or two later: Qt 3D leaves out what has no such program yet.
+    void countFrame();
+
+private:
+    struct Pass {
+        Qt3DRender::QRenderPass* drawn = nullptr;
+        Qt3DRender::QRenderPass* coming = nullptr;
+    };
+    struct Layer {
+        Qt3DRender::QEffect* effect = nullptr;
+        Pass surface;
+        Pass id;
+        bool hasManyRegions = false; ///< as OrganShader says
+        /// By whether the jaw moves, and by whether the error is drawn.
+        std::array<std::array<Qt3DRender::QShaderProgram*, 2>, 2> surfacePrograms{};
+        std::array<Qt3DRender::QShaderProgram*, 2> idPrograms{};
+    };
+    void askForPrograms();
+    void usePrograms();
+
+    std::array<Layer, kDrawLayers> m_layers;
+    SectionUniforms m_cut{};
+    ErrorUniforms m_error{};
+    bool m_movesJaw = false;
+    bool m_isMapped = false;
+    int m_framesToCome = 0; ///< until other programs are drawn with; 0 where none are asked for
+};
 
 } // namespace carina

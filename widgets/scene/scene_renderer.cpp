@@ -1,6 +1,7 @@
 #include "widgets/scene/scene_renderer.h"
 
 #include "engine/core/expects.h"
+#include "widgets/scene/chest_uniforms.h"
 
 #include <QVector4D>
 #include <QWindow>
@@ -71,7 +72,7 @@ SceneRenderer::SceneRenderer(QWindow* window)
       m_root(new Qt3DCore::QEntity),
       m_cameras(makeCameras(m_root)),
       m_frameGraph(window, m_cameras),
-      m_effects(makeOrganEffects(m_root))
+      m_effects(m_root)
 {
     m_engine->setRunMode(Qt3DCore::QAspectEngine::Manual);
     m_engine->registerAspect(new Qt3DRender::QRenderAspect);
@@ -91,7 +92,7 @@ void SceneRenderer::setParts(std::span<const ScenePart> parts)
 {
     m_surfaces.clear();
     for (MergedSurface& surface : mergedSurfaces(parts)) {
-        Qt3DRender::QEffect* effect = m_effects.of[static_cast<std::size_t>(surface.key.layer)];
+        Qt3DRender::QEffect* effect = m_effects.of(surface.key.layer);
         m_surfaces.push_back(std::make_unique<SurfaceEntity>(std::move(surface), effect, m_root));
         m_surfaces.back()->setCut(m_isCut);
     }
@@ -114,6 +115,9 @@ void SceneRenderer::setCameras(std::span<const SceneCamera> cameras)
 
 void SceneRenderer::apply(const SceneFrame& frame, std::span<const int> levels)
 {
+    if (isJawMoved(frame.throat.X_AJ))
+        m_effects.letJawMove();
+    m_effects.countFrame();
     for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces) {
         surface->apply(frame);
         surface->show(levels, m_forward_A);
@@ -127,9 +131,9 @@ void SceneRenderer::setSection(const std::optional<Section>& section)
     for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces)
         surface->setCut(m_isCut);
     const Section cut = section.value_or(Section{Vec3::Zero(), 0.0, Cut::All});
-    m_effects.cut.section->setValue(
+    m_effects.cut().section->setValue(
         QVector4D{toQt(cut.normal_A), static_cast<float>(cut.distance)});
-    m_effects.cut.cutAway->setValue(cut.cut == Cut::AllButAirway ? 1.0F : 0.0F);
+    m_effects.cut().cutAway->setValue(cut.cut == Cut::AllButAirway ? 1.0F : 0.0F);
 }
 
 void SceneRenderer::draw() { m_engine->processFrame(); }

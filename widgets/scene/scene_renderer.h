@@ -57,7 +57,7 @@ public:
     void apply(const SceneFrame& frame, std::span<const int> levels);
     void setSection(const std::optional<Section>& section);
     /// Unlike all else this may be seen a frame or two later: another shader program takes over.
-    void setErrorMap(const std::optional<ErrorMap>& map) { carina::setErrorMap(m_effects, map); }
+    void setErrorMap(const std::optional<ErrorMap>& map) { m_effects.setErrorMap(map); }
     void draw();
 
     /// The picture as it is set now; a null image where the window cannot be drawn into.
@@ -76,7 +76,7 @@ private:
     Qt3DCore::QEntity* m_root;        ///< owned by m_engine
     Cameras m_cameras;                ///< owned by m_root
     FrameGraph m_frameGraph;          ///< whose root m_root owns
-    OrganEffects m_effects;           ///< owned by m_root
+    OrganEffects m_effects;           ///< whose nodes m_root owns
     Vec3 m_forward_A = Vec3::UnitY(); ///< of the cameras
     bool m_isCut = false;
     std::vector<std::unique_ptr<SurfaceEntity>> m_surfaces;

@@ -95,7 +95,7 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_cornerList(cornerList(m_corners)),
       m_X_AF(new Qt3DCore::QTransform),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
-      m_motions(new Qt3DRender::QParameter),
+      m_motion(new Qt3DRender::QParameter),
       m_throat(new Qt3DRender::QParameter(QStringLiteral("throat"), throatUniform({}))),
       m_jaw(new Qt3DRender::QParameter(QStringLiteral("jaw"), jawUniform({})))
 {
@@ -108,12 +108,13 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
     m_renderer->setGeometry(geometry);
     m_renderer->setPrimitiveType(Qt3DRender::QGeometryRenderer::Triangles);
     setBounds(m_renderer, surface.vertices);
-    m_motions->setName(QStringLiteral("motions[0]")); // as OpenGL names an array
-    setMotions({});
+    m_motion->setName(m_key.region ? QStringLiteral("motion")
+                                   : QStringLiteral("motions[0]")); // as OpenGL names an array
+    setMotion({});
     auto* material = new Qt3DRender::QMaterial;
     material->setEffect(effect);
     material->addParameter(m_chest);
-    material->addParameter(m_motions);
+    material->addParameter(m_motion);
     material->addParameter(m_throat);
     material->addParameter(m_jaw);
     m_entity->addComponent(m_renderer);
@@ -123,12 +124,16 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
 
 SurfaceEntity::~SurfaceEntity() = default;
 
-void SurfaceEntity::setMotions(const SceneFrame& frame)
+void SurfaceEntity::setMotion(const BreathingChest& chest)
 {
+    if (m_key.region) {
+        m_motion->setValue(motionUniform(chest.of(*m_key.region)));
+        return;
+    }
     QVariantList motions;
-    for (const ChestMotion& motion : frame.chest.motion)
+    for (const ChestMotion& motion : chest.motion)
         motions.push_back(motionUniform(motion));
-    m_motions->setValue(motions);
+    m_motion->setValue(motions);
 }
 
 void SurfaceEntity::apply(const SceneFrame& frame)
@@ -147,7 +152,7 @@ void SurfaceEntity::apply(const SceneFrame& frame)
         }
     }
     m_chest->setValue(chestUniform(frame.chest.field));
-    setMotions(frame);
+    setMotion(frame.chest);
     m_throat->setValue(throatUniform(frame.throat.field));
     m_jaw->setValue(jawUniform(frame.throat.X_AJ));
 }

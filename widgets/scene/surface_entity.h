@@ -45,7 +45,7 @@ public:
 
 private:
     void drawTriangles(const std::vector<Triangle>& triangles);
-    void setMotions(const SceneFrame& frame);
+    void setMotion(const BreathingChest& chest);
 
     SurfaceKey m_key;
     std::vector<SurfacePiece> m_pieces;
@@ -63,7 +63,7 @@ private:
     Qt3DCore::QAttribute* m_cornerList;
     Qt3DCore::QTransform* m_X_AF;
     Qt3DRender::QParameter* m_chest;
-    Qt3DRender::QParameter* m_motions;
+    Qt3DRender::QParameter* m_motion;
     Qt3DRender::QParameter* m_throat;
     Qt3DRender::QParameter* m_jaw;
     bool m_isPlaced = true;

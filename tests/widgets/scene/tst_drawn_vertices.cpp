@@ -54,6 +54,8 @@ private Q_SLOTS:
     void drawsAsTheReferenceDeforms();
     void drawsTheThroatAsTheReferenceFollows_data();
     void drawsTheThroatAsTheReferenceFollows();
+    void movesAlikeInEveryForm_data();
+    void movesAlikeInEveryForm();
     void leavesRestExactlyAsItIs();
     void keepsEveryOtherRegionFromTheJaw();
     void followsTheCommandedVolume();
@@ -129,6 +131,37 @@ void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows()
             furthest = std::max(furthest, (positions[i] - mesh.positions[i]).norm());
         }
         QVERIFY(furthest > kMoved_m);
+    }
+}
+
+void TestDrawnVertices::movesAlikeInEveryForm_data()
+{
+    QTest::addColumn<bool>("many");
+    QTest::addColumn<bool>("movesJaw");
+    QTest::newRow("many regions, no jaw") << true << false;
+    QTest::newRow("one region") << false << true;
+    QTest::newRow("one region, no jaw") << false << false;
+}
+
+void TestDrawnVertices::movesAlikeInEveryForm()
+{
+    QFETCH(bool, many);
+    QFETCH(bool, movesJaw);
+    const ChestPose breath{{LungPose{1.0, 0.5, 0.3, 0.2}, LungPose{3.0, 1.0, -0.2, 0.1}}, 0.1};
+    const LungPair lungs = LungPair::of(patient()).value();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
+    const FollowingThroat throats{throat(), movesJaw ? openJaw() : RigidTransform{}};
+    for (const ChestRegion region : {ChestRegion::RightUpperLung, ChestRegion::Pharynx}) {
+        const ChestMotion motion = motionOf(region, breath, lungs.field());
+        DrawnVertices full = DrawnVertices::of(mesh, region).value();
+        DrawnVertices form =
+            DrawnVertices::of(mesh, region, {.hasManyRegions = many, .movesJaw = movesJaw}).value();
+        const auto wanted = full.positions(lungs.field(), motion, throats).value();
+        const auto drawn = form.positions(lungs.field(), motion, throats).value();
+        QCOMPARE(wanted != mesh.positions, movesJaw || region == ChestRegion::RightUpperLung);
+        QVERIFY(drawn == wanted);
+        QVERIFY(form.normals(lungs.field(), motion, throats).value()
+                == full.normals(lungs.field(), motion, throats).value());
     }
 }
 

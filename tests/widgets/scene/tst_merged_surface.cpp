@@ -63,7 +63,7 @@ void TestMergedSurface::drawsLikePartsInOneGo()
     const std::vector<MergedSurface> surfaces = mergedSurfaces(parts);
     QCOMPARE(surfaces.size(), std::size_t{1});
     const MergedSurface& surface = surfaces.front();
-    QCOMPARE(surface.key, (SurfaceKey{DrawLayer::Closed, ""}));
+    QCOMPARE(surface.key, (SurfaceKey{DrawLayer::Closed, "", ChestRegion::Still}));
     QCOMPARE(surface.vertices.size(), std::size_t{6});
     QVERIFY(surface.triangles == (std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}));
 }
@@ -86,21 +86,31 @@ void TestMergedSurface::saysOfEachCornerWhatItBelongsTo()
 void TestMergedSurface::keepsUnlikePartsApart_data()
 {
     QTest::addColumn<MaterialGroup>("group");
+    QTest::addColumn<MaterialGroup>("beside");
     QTest::addColumn<QString>("body");
+    QTest::addColumn<ChestRegion>("region");
     QTest::addColumn<int>("draws");
-    QTest::newRow("opaque") << MaterialGroup::Bone << "" << 2;
-    QTest::newRow("a tool") << MaterialGroup::Tool << "" << 2;
-    QTest::newRow("body") << MaterialGroup::Lung << "tube" << 2;
-    QTest::newRow("another translucent one") << MaterialGroup::Ghost << "" << 1;
+    using G = MaterialGroup;
+    using R = ChestRegion;
+    QTest::newRow("opaque") << G::Bone << G::Lung << "" << R::Still << 2;
+    QTest::newRow("a tool") << G::Tool << G::Lung << "" << R::Still << 2;
+    QTest::newRow("body") << G::Lung << G::Lung << "tube" << R::Still << 2;
+    QTest::newRow("another translucent one") << G::Ghost << G::Lung << "" << R::Still << 1;
+    QTest::newRow("that breathes otherwise") << G::Lung << G::Lung << "" << R::Wall << 1;
+    QTest::newRow("opaque alike") << G::Bone << G::SoftTissue << "" << R::Still << 1;
+    QTest::newRow("opaque that breathes otherwise") << G::Bone << G::Bone << "" << R::Wall << 2;
 }
 
 void TestMergedSurface::keepsUnlikePartsApart()
 {
     QFETCH(MaterialGroup, group);
+    QFETCH(MaterialGroup, beside);
     QFETCH(QString, body);
+    QFETCH(ChestRegion, region);
     ScenePart other = part(2, group, {triangle(0)});
     other.body = body.toStdString();
-    const std::vector parts{part(1, MaterialGroup::Lung, {triangle(0)}), other};
+    other.region = region;
+    const std::vector parts{part(1, beside, {triangle(0)}), other};
     QTEST(static_cast<int>(mergedSurfaces(parts).size()), "draws");
 }
 

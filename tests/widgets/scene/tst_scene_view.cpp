@@ -33,6 +33,7 @@ private Q_SLOTS:
     void showsThePoseOfTheVerySameFrame();
     void reportsWhatItDrew();
     void showsATubeInsideATranslucentTrachea();
+    void movesTheSilhouetteWithTheChest_data();
     void movesTheSilhouetteWithTheChest();
     void asksForTheLevelThatItDraws();
     void drawsTwoViewsAtOnce();
@@ -150,9 +151,17 @@ void TestSceneView::showsATubeInsideATranslucentTrachea()
     QVERIFY(wall.blue() > 40); // and the wall itself is seen over black
 }
 
+void TestSceneView::movesTheSilhouetteWithTheChest_data()
+{
+    QTest::addColumn<MaterialGroup>("group");
+    QTest::newRow("translucent") << MaterialGroup::Lung;
+    QTest::newRow("opaque") << MaterialGroup::SoftTissue;
+}
+
 void TestSceneView::movesTheSilhouetteWithTheChest()
 {
-    ScenePart lung = spherePart(1, MaterialGroup::Lung, Vec3::Zero(), 0.1);
+    QFETCH(MaterialGroup, group);
+    ScenePart lung = spherePart(1, group, Vec3::Zero(), 0.1);
     lung.region = ChestRegion::LeftLowerLung;
     SceneFrame shown = frontFrame();
     shown.chest.field = wideChest();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tbb/parallel_for.h>
 
 namespace carina
 {
@@ -129,12 +130,16 @@ void LungPair::sumVolumes()
     for (const BreathingPart& part : m_parts)
         levels = std::max(levels, part.levels.size());
     m_volumes.resize(levels);
-    for (const BreathingPart& part : m_parts) {
-        for (std::size_t level = 0; level < levels; ++level) {
+    tbb::parallel_for(std::size_t{0}, levels * kSides.size(), [this](std::size_t i) {
+        const std::size_t level = i / kSides.size();
+        const Side side = kSides[i % kSides.size()];
+        for (const BreathingPart& part : m_parts) {
+            if (part.side != side)
+                continue;
             const TriangleMesh& mesh = levelOf(part, level);
-            m_volumes[level][indexOf(part.side)].add(mesh, fieldsOf(mesh, part.region, m_field));
+            m_volumes[level][indexOf(side)].add(mesh, fieldsOf(mesh, part.region, m_field));
         }
-    }
+    });
 }
 
 Volume LungPair::restVolume(Side side) const

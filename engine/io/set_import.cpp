@@ -23,14 +23,11 @@ namespace
 constexpr Length kWeldTolerance = millimetres(0.01);
 constexpr double kShareOfReading = 0.6; ///< of the time that an import takes
 
-constexpr std::size_t kFewTriangles = 1000; ///< are drawn as they are, at any distance
 constexpr std::array kShares{0.25, 0.0625, 0.015625};
 constexpr double kFewestInALevel = 60.0; ///< triangles; with fewer there is no such level
 
 std::span<const double> sharesFor(std::size_t triangles)
 {
-    if (triangles < kFewTriangles)
-        return {};
     const auto tooFew = [triangles](double share) {
         return share * double(triangles) < kFewestInALevel;
     };

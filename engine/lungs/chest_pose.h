@@ -81,7 +81,7 @@ inline constexpr double kLeastBreath = -3.0;    ///< diaphragm and ribs, breathe
 inline constexpr double kGreatestBreath = 10.0; ///< breathed in
 inline constexpr double kMostGravity = 1.6;     ///< either way
 inline constexpr double kMostCollapse = 0.37;   ///< a quarter of the volume is left
-inline constexpr double kLeastCollapse = -0.4;  ///< 2.7 times the volume
+inline constexpr double kLeastCollapse = -0.55; ///< 3.7 times the volume
 inline constexpr double kMostShift = 0.25;
 
 /// The amplitudes s for which a lung may be posed as given + s along, in a chest whose mediastinum

@@ -121,7 +121,7 @@ void TestChestDrawing::saysWhatItCannotDraw()
     const ChestPose rest = drawnPose(childLungs(), shape, 0);
     QVERIFY(inMillilitres(notDrawn(childLungs(), shape, rest, 0)) < kVolumeTolerance_ml);
     for (LungShape& lung : shape.lungs)
-        lung.gas = lung.room = 3.0 * lung.healthy;
+        lung.gas = lung.room = 4.0 * lung.healthy;
     const ChestPose pose = drawnPose(childLungs(), shape, 0);
     double missing_ml = 0.0;
     for (const Side side : {Side::Right, Side::Left})

@@ -205,7 +205,7 @@ void TestChestPose::knowsHowMuchOfTheRangeIsTaken_data()
     QTest::newRow("ribs out") << LungPose{.diaphragm = 1.0, .ribs = -1.5} << 0.0 << 0.5;
     QTest::newRow("face down") << LungPose{.diaphragm = 1.0, .gravity = -1.2} << 0.0 << 0.75;
     QTest::newRow("half collapsed") << LungPose{.diaphragm = 2.5, .collapse = 0.185} << 0.0 << 0.75;
-    QTest::newRow("air trapped") << LungPose{.diaphragm = 2.5, .collapse = -0.2} << 0.0 << 0.75;
+    QTest::newRow("air trapped") << LungPose{.diaphragm = 2.5, .collapse = -0.275} << 0.0 << 0.75;
     QTest::newRow("shifted into it") << LungPose{.diaphragm = 2.5} << -0.125 << 0.75;
     QTest::newRow("shifted away") << LungPose{.diaphragm = 7.5} << 0.125 << 0.75;
     QTest::newRow("shifted too far") << LungPose{} << 0.2501 << inf;
@@ -237,10 +237,10 @@ void TestChestPose::endsWhereTheRangeDoes_data()
     QTest::newRow("half collapsed") << LungPose{.collapse = 0.185} << kDown << 0.0 << -1.5 << 5.0;
     QTest::newRow("shifted into it") << LungPose{} << kDown << 0.125 << -1.5 << 5.0;
     QTest::newRow("shifted away") << LungPose{} << kDown << -0.25 << -3.0 << 10.0;
-    QTest::newRow("air trapped") << LungPose{.collapse = -0.2} << kDown << 0.0 << -1.5 << 5.0;
-    QTest::newRow("collapse") << LungPose{} << kShrink << 0.0 << -0.4 << 0.37;
+    QTest::newRow("air trapped") << LungPose{.collapse = -0.275} << kDown << 0.0 << -1.5 << 5.0;
+    QTest::newRow("collapse") << LungPose{} << kShrink << 0.0 << -0.55 << 0.37;
     QTest::newRow("collapse of half a breath")
-        << LungPose{.diaphragm = 5.0} << kShrink << 0.0 << -0.2 << 0.185;
+        << LungPose{.diaphragm = 5.0} << kShrink << 0.0 << -0.275 << 0.185;
     QTest::newRow("gravity") << LungPose{} << LungPose{.gravity = 0.4} << 0.0 << -4.0 << 4.0;
 }
 
@@ -269,7 +269,7 @@ void TestChestPose::hasNoAmplitudesOutsideTheRange()
     QVERIFY(!amplitudesWithin({.ribs = 10.1}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.gravity = -1.61}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.collapse = 0.371}, kDown, 0.0));
-    QVERIFY(!amplitudesWithin({.collapse = -0.401}, kDown, 0.0));
+    QVERIFY(!amplitudesWithin({.collapse = -0.551}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({}, kDown, 0.251));
     QVERIFY(!amplitudesWithin({}, kDown, -0.251));
     QVERIFY(!amplitudesWithin({.collapse = 0.2}, kDown, 0.2));

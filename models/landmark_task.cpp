@@ -38,6 +38,17 @@ bool isScalene(const std::vector<Vec3>& corners)
     return sides[1] - sides[0] > kClear_m && sides[2] - sides[1] > kClear_m;
 }
 
+/// Files round: a landmark that is where it was stays exactly what it was.
+void keepUnmoved(std::vector<Landmark>& landmarks, const std::vector<Landmark>& before)
+{
+    for (Landmark& landmark : landmarks) {
+        const auto was = std::ranges::find(before, landmark.name, &Landmark::name);
+        if (was != before.end()
+            && (was->p_AQ - landmark.p_AQ).norm() <= LandmarkTask::kFileRounding.si)
+            landmark = *was;
+    }
+}
+
 } // namespace
 
 LandmarkTask::LandmarkTask(SiteEditor& editor, const PatientModel& patient,
@@ -107,6 +118,9 @@ void LandmarkTask::importFrom(const std::filesystem::path& file)
     if (!imported)
         return m_editor.refuse(imported.error());
     m_chosen.reset();
+    keepUnmoved(imported->landmarks, catalogue().landmarks);
+    if (imported->landmarks == catalogue().landmarks)
+        return;
     m_editor.become(withLandmarks(m_editor.site(), std::move(*imported)));
 }
 

@@ -37,6 +37,8 @@ public:
     [[nodiscard]] bool isSnapping() const { return m_snapping; }
     void setSnapping(bool snapping);
 
+    /// Takes the landmarks of a file. One that lies within kFileRounding of where it was has not
+    /// moved; a file that moves, adds and drops none changes nothing, whatever it is called.
     void importFrom(const std::filesystem::path& file);
     void exportTo(const std::filesystem::path& file);
 
@@ -56,6 +58,8 @@ public:
     [[nodiscard]] std::optional<std::pair<QString, double>> wouldHelp() const;
 
     static constexpr Length kForecastFle = millimetres(1.0);
+    /// Some programs write three decimals of a millimetre.
+    static constexpr Length kFileRounding = millimetres(0.001);
 
 private:
     SiteEditor& m_editor;

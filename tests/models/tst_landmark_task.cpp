@@ -173,6 +173,45 @@ private Q_SLOTS:
         }
     }
 
+    void changesNothingByWhatWasJustExported_data() { exportsAndImportsLandmarks_data(); }
+    void changesNothingByWhatWasJustExported()
+    {
+        QFETCH(QString, name);
+        Desk desk;
+        desk.site.fitAll(*desk.model);
+        desk.model->enter(SiteStep::Landmarks);
+        const LandmarkCatalogue before = *desk.model->site().catalogue;
+        const auto file = desk.site.beside(qPrintable(name));
+        desk.task().exportTo(file);
+        desk.task().importFrom(file);
+        QVERIFY2(desk.model->problem().isEmpty(), qPrintable(desk.model->problem()));
+        QVERIFY(desk.model->site().catalogue == before);
+        QCOMPARE(freshTouches(desk.model->site()).size(), std::size_t{8});
+        QVERIFY(!desk.model->site().registration->stale);
+        desk.model->undo(); // the fit: there was nothing else to take back
+        QVERIFY(!desk.model->site().registration);
+    }
+
+    /// Rounded to three decimals of a millimetre, and one of them moved by 0.01 mm.
+    void makesOnlyTheTouchStaleWhoseLandmarkAFileMoves()
+    {
+        Desk desk;
+        desk.site.fitAll(*desk.model);
+        LandmarkCatalogue rounded = *desk.model->site().catalogue;
+        for (Landmark& landmark : rounded.landmarks)
+            landmark.p_AQ = 1e-6 * (1e6 * landmark.p_AQ).array().round().matrix();
+        rounded.landmarks[2].p_AQ.x() += 1e-5;
+        const auto file = desk.site.beside("rounded.csv");
+        QVERIFY(exportLandmarks(file, rounded));
+        desk.task().importFrom(file);
+        QVERIFY(desk.model->site().registration->stale == StaleCause::Landmarks);
+        for (std::size_t i = 0; i < 8; ++i) {
+            const TouchedPoint* touch = touchOf(desk.model->site(), desk.site.landmarks()[i].name);
+            QCOMPARE(touch->stale.has_value(), i == 2);
+            QCOMPARE(desk.place(i) == desk.site.landmarks()[i].p_AQ, i != 2);
+        }
+    }
+
     void saysWhyAFileIsOfNoUse()
     {
         Desk desk;

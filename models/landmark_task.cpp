@@ -6,6 +6,7 @@
 #include "models/site_changes.h"
 
 #include <QCoreApplication>
+#include <QDir>
 
 #include <algorithm>
 #include <array>
@@ -36,6 +37,11 @@ bool isScalene(const std::vector<Vec3>& corners)
                                 (corners[2] - corners[0]).norm()};
     std::ranges::sort(sides);
     return sides[1] - sides[0] > kClear_m && sides[2] - sides[1] > kClear_m;
+}
+
+QString shownPath(const std::filesystem::path& file)
+{
+    return QDir::toNativeSeparators(QString::fromStdString(file.string()));
 }
 
 /// Files round: a landmark that is where it was stays exactly what it was.
@@ -120,14 +126,16 @@ void LandmarkTask::importFrom(const std::filesystem::path& file)
     m_chosen.reset();
     keepUnmoved(imported->landmarks, catalogue().landmarks);
     if (imported->landmarks == catalogue().landmarks)
-        return;
+        return m_editor.confirm(
+            LandmarkWords::tr("These landmarks are already in use: nothing has changed."));
     m_editor.become(withLandmarks(m_editor.site(), std::move(*imported)));
 }
 
 void LandmarkTask::exportTo(const std::filesystem::path& file)
 {
     if (const auto exported = exportLandmarks(file, catalogue()); !exported)
-        m_editor.refuse(exported.error());
+        return m_editor.refuse(exported.error());
+    m_editor.confirm(LandmarkWords::tr("The landmarks were written to %1.").arg(shownPath(file)));
 }
 
 void LandmarkTask::accept()

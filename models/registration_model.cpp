@@ -4,6 +4,8 @@
 #include "models/registration_words.h"
 #include "models/site_changes.h"
 
+#include <QDir>
+
 #include <algorithm>
 
 namespace carina
@@ -275,7 +277,8 @@ void RegistrationModel::undo()
 void RegistrationModel::exportSite(const QString& file)
 {
     if (const auto written = writeSiteFile(file.toStdString(), site()); !written)
-        m_editor.refuse(written.error());
+        return m_editor.refuse(written.error());
+    m_editor.confirm(tr("The site was written to %1.").arg(QDir::toNativeSeparators(file)));
 }
 
 void RegistrationModel::importSite(const QString& file)

@@ -90,6 +90,8 @@ public:
     [[nodiscard]] QString instruction() const;
     /// What went wrong last, in a sentence; empty since something went right.
     [[nodiscard]] QString problem() const { return m_editor.problem(); }
+    /// What was written where, in a sentence; empty since something else happened.
+    [[nodiscard]] QString notice() const { return m_editor.notice(); }
 
     [[nodiscard]] StylusTask& stylus() { return m_stylusTask; }
     [[nodiscard]] const StylusTask& stylus() const { return m_stylusTask; }

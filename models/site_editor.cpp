@@ -48,6 +48,14 @@ void SiteEditor::refuse(const Error& error) { refuse(errorText(error)); }
 void SiteEditor::refuse(const QString& sentence)
 {
     m_problem = sentence;
+    m_notice.clear();
+    Q_EMIT changed();
+}
+
+void SiteEditor::confirm(const QString& sentence)
+{
+    m_problem.clear();
+    m_notice = sentence;
     Q_EMIT changed();
 }
 
@@ -59,6 +67,7 @@ bool SiteEditor::keep(Site next)
     }
     m_site = std::move(next);
     m_problem.clear();
+    m_notice.clear();
     return true;
 }
 

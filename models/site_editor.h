@@ -45,11 +45,15 @@ public:
     void refuse(const Error& error);
     void refuse(const QString& sentence);
 
+    /// What was done last beside the site, in a sentence; empty since something else happened.
+    [[nodiscard]] QString notice() const { return m_notice; }
+    void confirm(const QString& sentence);
+
     /// Something was achieved by hand, away from the screen: to be heard.
     void tell(const QString& words) { Q_EMIT told(words); }
 
 Q_SIGNALS:
-    /// The site, its page or the problem changed.
+    /// The site, its page, the problem or the notice changed.
     void changed();
     void told(const QString& words);
 
@@ -61,6 +65,7 @@ private:
     Today m_today;
     std::vector<Site> m_past; ///< what undo goes back to
     QString m_problem;
+    QString m_notice;
 };
 
 } // namespace carina

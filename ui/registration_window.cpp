@@ -13,6 +13,7 @@
 
 #include <QAccessible>
 #include <QApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QPainter>
@@ -155,7 +156,10 @@ void RegistrationWindow::refresh()
 {
     m_scene->refresh();
     m_ui->instruction->setText(m_registration.instruction());
-    warn(m_registration.problem());
+    if (m_registration.notice().isEmpty())
+        m_ui->message->warn(m_registration.problem());
+    else
+        m_ui->message->confirm(m_registration.notice());
     m_ui->pages->setCurrentWidget(&page());
     page().refresh();
     refreshSteps();
@@ -163,11 +167,6 @@ void RegistrationWindow::refresh()
     refreshError();
     refreshProgress();
     refreshTools();
-}
-
-void RegistrationWindow::warn(const QString& problem)
-{
-    m_ui->problem->setText(problem.isEmpty() ? QString{} : tr("▲ %1", "a warning").arg(problem));
 }
 
 /// The error is looked at where no landmark is asked for.
@@ -213,7 +212,10 @@ void RegistrationWindow::askForReport()
     if (file.isEmpty())
         return;
     if (const auto written = writeReport(file); !written)
-        warn(errorText(written.error()));
+        m_ui->message->warn(errorText(written.error()));
+    else
+        m_ui->message->confirm(
+            tr("The report was written to %1.").arg(QDir::toNativeSeparators(file)));
 }
 
 void RegistrationWindow::refreshSteps()

@@ -46,7 +46,6 @@ private:
     void refreshProgress();
     void refreshTools();
     void refreshError();
-    void warn(const QString& problem);
     [[nodiscard]] QImage pictureWithScale() const;
     void askForReport();
     void hear(const QString& words);

@@ -119,6 +119,21 @@ private Q_SLOTS:
         QVERIFY(edited.editor.problem().isEmpty());
     }
 
+    void confirmsUntilSomethingElseHappens()
+    {
+        Edited edited;
+        edited.editor.refuse(QStringLiteral("No."));
+        edited.editor.confirm(QStringLiteral("Written."));
+        QCOMPARE(edited.editor.notice(), QStringLiteral("Written."));
+        QVERIFY(edited.editor.problem().isEmpty());
+        QCOMPARE(edited.changes.count(), 2);
+        edited.editor.refuse(QStringLiteral("No."));
+        QVERIFY(edited.editor.notice().isEmpty());
+        edited.editor.confirm(QStringLiteral("Written."));
+        edited.editor.enter(SiteStep::Stylus);
+        QVERIFY(edited.editor.notice().isEmpty());
+    }
+
     void writesTimesInUtc()
     {
         const Edited edited;

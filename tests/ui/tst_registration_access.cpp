@@ -29,6 +29,7 @@ private Q_SLOTS:
     void reachesEveryControlByTab_data();
     void reachesEveryControlByTab();
     void tellsAloudWhatWasAchieved();
+    void tellsWhatWasWrittenWhere();
 
 private:
     std::unique_ptr<RegistrationDesk> m_desk;
@@ -82,7 +83,7 @@ void TestRegistrationAccess::namesEveryControl()
         QVERIFY2(!table->accessibleName().isEmpty(), qPrintable(table->objectName()));
     for (const QComboBox* box : seen<QComboBox>(*m_desk->window))
         QVERIFY2(!box->accessibleName().isEmpty(), qPrintable(box->objectName()));
-    for (const char* name : {"scene", "progress", "steps", "instruction", "problem", "tools"})
+    for (const char* name : {"scene", "progress", "steps", "instruction", "message", "tools"})
         QVERIFY2(!m_desk->find<QWidget>(name).accessibleName().isEmpty(), name);
 }
 
@@ -139,6 +140,25 @@ void TestRegistrationAccess::tellsAloudWhatWasAchieved()
     desk.site.touchFirst(*desk.model, 1);
     QCOMPARE(desk.find<QLabel>("instruction").accessibleDescription(),
              QStringLiteral("Sternal notch"));
+}
+
+void TestRegistrationAccess::tellsWhatWasWrittenWhere()
+{
+    RegistrationDesk desk;
+    const auto& message = desk.find<QLabel>("message");
+    const auto file = desk.site.beside("copy.json");
+    desk.model->exportSite(QString::fromStdString(file.string()));
+    const QString said =
+        QStringLiteral("✓ The site was written to %1.").arg(QString::fromStdString(file.string()));
+    QCOMPARE(message.text(), said);
+    QCOMPARE(message.accessibleDescription(), said);
+    desk.model->landmarkTask().exportTo(desk.site.beside("places.csv"));
+    QVERIFY(message.text().contains(QStringLiteral("landmarks were written to")));
+    QVERIFY(message.text().contains(QStringLiteral("places.csv")));
+    desk.model->landmarkTask().exportTo("/proc/none/places.csv");
+    QVERIFY(message.text().startsWith(QStringLiteral("▲")));
+    desk.model->enter(SiteStep::Landmarks);
+    QVERIFY(message.text().isEmpty());
 }
 
 } // namespace carina

@@ -87,15 +87,9 @@ QVariant LandmarkTableModel::headerData(int section, Qt::Orientation orientation
 {
     if (orientation != Qt::Horizontal)
         return {};
-    if (role == Qt::ToolTipRole) {
-        if (section == Touched)
-            return tr("How far the tip swayed while it was held");
-        if (section == Residual)
-            return tr("How far the landmark stays from its place after the fit");
-        if (section == LeftOut)
-            return tr("How far it lies from where the fit of all others puts it");
-        return {};
-    }
+    if (role == Qt::ToolTipRole || role == Qt::WhatsThisRole
+        || role == Qt::AccessibleDescriptionRole)
+        return explanation(section);
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {
@@ -107,6 +101,20 @@ QVariant LandmarkTableModel::headerData(int section, Qt::Orientation orientation
         return tr("Residual");
     case LeftOut:
         return tr("Left out");
+    default:
+        return {};
+    }
+}
+
+QString LandmarkTableModel::explanation(int column)
+{
+    switch (column) {
+    case Touched:
+        return tr("How far the tip swayed while it was held (±)");
+    case Residual:
+        return tr("How far the landmark stays from its place after the fit");
+    case LeftOut:
+        return tr("How far the landmark lies from where the fit of all others puts it");
     default:
         return {};
     }

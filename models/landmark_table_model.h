@@ -28,6 +28,9 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                       int role) const override;
 
+    /// What the numbers of a column are; empty where its name says it.
+    [[nodiscard]] static QString explanation(int column);
+
     [[nodiscard]] int touchedCount() const;
     /// The largest residual, in millimetres; 0 without any.
     [[nodiscard]] double largestResidual_mm() const;

@@ -16,9 +16,18 @@ constexpr int kFrame = 4;     ///< pixels around the rows
 ErrorTable::ErrorTable(QWidget* parent) : QTableWidget{0, ErrorTableColumnCount, parent}
 {
     setHorizontalHeaderLabels({tr("Expected error at"), tr("RMS"), tr("95 % below"), tr("Mostly")});
+    explain(Rms, tr("Root mean square of the errors to expect there"));
+    explain(Bound, tr("95 of 100 registrations are off by less there"));
+    explain(Direction, tr("The direction in which the error is largest"));
     makeReadable(*this);
     setAccessibleName(tr("Expected errors"));
     setFocusPolicy(Qt::NoFocus);
+}
+
+void ErrorTable::explain(int column, const QString& explanation)
+{
+    for (const int role : {Qt::ToolTipRole, Qt::WhatsThisRole, Qt::AccessibleDescriptionRole})
+        horizontalHeaderItem(column)->setData(role, explanation);
 }
 
 void ErrorTable::show(const std::vector<ExpectedError>& errors)

@@ -20,6 +20,9 @@ public:
 
     /// Hidden while there is nothing to tell.
     void show(const std::vector<ExpectedError>& errors);
+
+private:
+    void explain(int column, const QString& explanation);
 };
 
 /// A table to be read: no edges, no editing, whole rows, as high as its rows are.

@@ -14,6 +14,7 @@ namespace carina
 FitPage::FitPage(RegistrationModel& registration)
     : RegistrationPage{registration},
       m_list{new LandmarkList{registration, this}},
+      m_legend{new QLabel{this}},
       m_findings{new QLabel{this}},
       m_repair{new QPushButton{tr("&Exchange them and fit"), this}},
       m_expected{new ErrorTable{this}},
@@ -25,13 +26,16 @@ FitPage::FitPage(RegistrationModel& registration)
     m_list->setObjectName(QStringLiteral("residuals"));
     m_list->showColumns(
         {LandmarkTableModel::Name, LandmarkTableModel::Residual, LandmarkTableModel::LeftOut});
+    m_legend->setObjectName(QStringLiteral("legend"));
+    m_legend->setText(
+        tr("Left out: %1.").arg(LandmarkTableModel::explanation(LandmarkTableModel::LeftOut)));
     m_findings->setObjectName(QStringLiteral("findings"));
     m_repair->setObjectName(QStringLiteral("repair"));
     m_swab->setObjectName(QStringLiteral("swab"));
     m_surface->setObjectName(QStringLiteral("surface"));
     m_surface->setAccessibleName(tr("Surface to slide the stylus over"));
     m_surface->addItems(registration.fitting().swabSurfaces());
-    for (QLabel* label : {m_findings, m_swabbed})
+    for (QLabel* label : {m_findings, m_legend, m_swabbed})
         label->setWordWrap(true);
     connect(m_repair, &QPushButton::clicked, this,
             [this] { this->registration().fitting().repairOrder(); });
@@ -49,8 +53,8 @@ void FitPage::layOut()
     swab->addWidget(m_cancel);
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_findings, m_repair, m_expected, m_list, m_swabbed})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_findings, m_repair, m_expected, m_list,
+                                                           m_legend, m_swabbed})
         column->addWidget(widget);
     column->addLayout(swab);
     column->addStretch();
@@ -68,6 +72,7 @@ void FitPage::refresh()
     m_repair->setVisible(fitting.order() == TouchOrder::Exchanged);
     m_expected->show(fitting.expected());
     m_list->refresh();
+    m_legend->setVisible(registration().site().registration.has_value());
     refreshSwab();
 }
 

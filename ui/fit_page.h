@@ -33,6 +33,7 @@ private:
     void refreshSwab();
 
     LandmarkList* m_list; ///< children of this
+    QLabel* m_legend;
     QLabel* m_findings;
     QPushButton* m_repair;
     ErrorTable* m_expected;

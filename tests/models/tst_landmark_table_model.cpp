@@ -20,6 +20,7 @@ private Q_SLOTS:
     void showsHowFarALandmarkLiesFromTheOthers();
     void marksTouchesThatAreStale();
     void speaksEachCell();
+    void explainsItsNumbers();
     void changesCellsWithoutLosingTheSelection();
 };
 
@@ -141,6 +142,14 @@ void TestLandmarkTableModel::speaksEachCell()
     QCOMPARE(spoken(1, Column::Name), QStringLiteral("Landmark: Xiphoid process"));
     QCOMPARE(spoken(1, Column::Touched), QStringLiteral("Touched: now"));
     QCOMPARE(spoken(1, Column::Residual), QStringLiteral("Residual: unknown"));
+}
+
+void TestLandmarkTableModel::explainsItsNumbers()
+{
+    const Table table;
+    for (const int role : {Qt::ToolTipRole, Qt::WhatsThisRole, Qt::AccessibleDescriptionRole})
+        for (const int column : {Column::Touched, Column::Residual, Column::LeftOut})
+            QVERIFY(!table.model.headerData(column, Qt::Horizontal, role).toString().isEmpty());
 }
 
 void TestLandmarkTableModel::changesCellsWithoutLosingTheSelection()

@@ -2,6 +2,21 @@
 
 namespace carina::lab
 {
+namespace
+{
+
+tl::unexpected<Error> refuse(const QString& sentence)
+{
+    return fail(Errc::OutOfRange, sentence.toStdString());
+}
+
+/// A letter has one dash, a word two.
+QString asTyped(const QString& option)
+{
+    return (option.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + option;
+}
+
+} // namespace
 
 void addValueOptions(QCommandLineParser& parser, std::initializer_list<const char*> names)
 {
@@ -12,14 +27,17 @@ void addValueOptions(QCommandLineParser& parser, std::initializer_list<const cha
 }
 
 Result<void> parseOptions(QCommandLineParser& parser, const char* command,
-                          const QStringList& arguments)
+                          const QStringList& arguments, qsizetype mostFiles)
 {
-    if (parser.parse(QStringList{QString::fromLatin1(command)} + arguments)
-        && parser.positionalArguments().isEmpty())
-        return {};
-    return fail(Errc::OutOfRange, std::string{command}
-                                      + " does not know what to do with its arguments: "
-                                      + arguments.join(QLatin1Char(' ')).toStdString() + ".");
+    const bool parsed = parser.parse(QStringList{QString::fromLatin1(command)} + arguments);
+    const QString name = QString::fromLatin1(command);
+    if (const QStringList unknown = parser.unknownOptionNames(); !unknown.isEmpty())
+        return refuse(QStringLiteral("%1 knows no option %2.").arg(name, asTyped(unknown.front())));
+    if (!parsed) // a value that is missing, or one that is too many
+        return refuse(QStringLiteral("%1: %2").arg(name, parser.errorText()));
+    if (const QStringList words = parser.positionalArguments(); words.size() > mostFiles)
+        return refuse(QStringLiteral("%1 has no use for '%2'.").arg(name, words[mostFiles]));
+    return {};
 }
 
 Result<double> numberOption(const QCommandLineParser& parser, const char* command, const char* name,

@@ -15,11 +15,13 @@ namespace carina::lab
 /// Options that take a value, by their names.
 void addValueOptions(QCommandLineParser& parser, std::initializer_list<const char*> names);
 
-/// Reads the words after a command's name, all of which are options or their values.
+/// Reads the words after a command's name: options, their values, and files.
 /// @param command that the sentence names which says what is wrong
-/// @returns OutOfRange for a word that is neither.
+/// @param mostFiles words that are neither options nor their values
+/// @returns OutOfRange for an option that is not known, a value that is missing or too many, or
+///          more files; the sentence names it.
 [[nodiscard]] Result<void> parseOptions(QCommandLineParser& parser, const char* command,
-                                        const QStringList& arguments);
+                                        const QStringList& arguments, qsizetype mostFiles = 0);
 
 /// The number given for an option, between two bounds.
 /// @returns OutOfRange for anything else, NaN included.

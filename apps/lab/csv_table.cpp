@@ -21,6 +21,8 @@ Result<CsvTable> CsvTable::read(const QString& file, std::initializer_list<const
 {
     const std::string name = file.toStdString();
     QFile source{file};
+    if (!source.exists())
+        return fail(Errc::FileNotFound, "There is no file " + name + ".");
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, name + " cannot be opened.");
     QByteArray bytes = source.readAll();

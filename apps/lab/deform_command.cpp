@@ -168,6 +168,16 @@ Result<QJsonObject> deformLobes(const QString& folder, double inspired_ml)
                        {QStringLiteral("inspired_ml"), inspired_ml}};
 }
 
+/// What is wrong with the options given, in a sentence; empty where nothing is.
+std::string faultOf(bool hasLandmarks, bool hasAnatomy, bool hasVolume)
+{
+    if (hasLandmarks && hasAnatomy)
+        return "--fissures does not go with --landmarks or --fit.";
+    if (hasLandmarks && hasVolume)
+        return "--inspired-ml goes with --fissures only.";
+    return hasLandmarks || hasAnatomy ? "" : "No file and no folder is named.";
+}
+
 Result<QJsonObject> runDeform(const QStringList& arguments)
 {
     QCommandLineParser parser;
@@ -179,9 +189,11 @@ Result<QJsonObject> runDeform(const QStringList& arguments)
     const QString anatomy = parser.value(QStringLiteral("fissures"));
     const bool hasLandmarks = !file.isEmpty() || !folder.isEmpty();
     const bool hasVolume = parser.isSet(QStringLiteral("inspired-ml"));
-    if (hasLandmarks == !anatomy.isEmpty() || (hasVolume && hasLandmarks))
-        return fail(Errc::OutOfRange, "deform needs --landmarks FILE, --fit DIR or both, or "
-                                      "--fissures DIR and perhaps --inspired-ml.");
+    if (const std::string wrong = faultOf(hasLandmarks, !anatomy.isEmpty(), hasVolume);
+        !wrong.empty())
+        return fail(Errc::OutOfRange, wrong
+                                          + " deform needs --landmarks FILE, --fit DIR or both, or "
+                                            "--fissures DIR and perhaps --inspired-ml.");
     const auto inspired_ml = hasVolume ? numberOption(parser, kDeform, "inspired-ml", 0.0, 10'000.0)
                                        : Result<double>{kInspired_ml};
     if (!inspired_ml)

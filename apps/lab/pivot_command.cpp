@@ -1,12 +1,13 @@
 #include "apps/lab/pivot_command.h"
 
+#include "apps/lab/command_options.h"
 #include "apps/lab/csv_table.h"
+#include "apps/lab/landmark_table.h"
 #include "apps/lab/recorded_stylus.h"
 #include "engine/io/json_fields.h"
 #include "engine/registration/pivot_calibration.h"
 #include "engine/registration/spin_calibration.h"
 
-#include <QCommandLineParser>
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -191,40 +192,59 @@ struct PivotQuestion {
     std::optional<Vec3> p_S_ahead{};
 };
 
-std::optional<PivotQuestion> questionOf(const QStringList& arguments)
+tl::unexpected<Error> wrongUse(const std::string& fault)
+{
+    return fail(Errc::OutOfRange, fault
+                                      + " pivot needs one file or folder of poses, with --limit-mm "
+                                        "above 0 or --spin X,Y,Z or neither.");
+}
+
+/// Three numbers with commas between them.
+std::optional<Vec3> pointAhead(const QString& text)
+{
+    const QStringList words = text.split(QLatin1Char{','});
+    bool areNumbers = words.size() == 3;
+    Vec3 p_mm = Vec3::Zero();
+    for (int i = 0; areNumbers && i < 3; ++i)
+        p_mm[i] = words[i].toDouble(&areNumbers);
+    if (!areNumbers || !p_mm.allFinite())
+        return std::nullopt;
+    return millimetres(1.0).si * p_mm;
+}
+
+Result<PivotQuestion> questionOf(const QStringList& arguments)
 {
     const QString limit = QStringLiteral("limit-mm");
     const QString spin = QStringLiteral("spin");
     QCommandLineParser parser;
-    parser.addOption(QCommandLineOption{limit, {}, limit});
-    parser.addOption(QCommandLineOption{spin, {}, spin});
-    if (!parser.parse(QStringList{QStringLiteral("pivot")} + arguments)
-        || parser.positionalArguments().size() != 1 || (parser.isSet(limit) && parser.isSet(spin)))
-        return std::nullopt;
+    addValueOptions(parser, {"limit-mm", "spin"});
+    if (const auto parsed = parseOptions(parser, "pivot", arguments, 1); !parsed)
+        return wrongUse(parsed.error().detail);
+    if (parser.positionalArguments().isEmpty())
+        return wrongUse("No file and no folder is named.");
+    if (parser.isSet(limit) && parser.isSet(spin))
+        return wrongUse("--limit-mm and --spin exclude each other.");
     PivotQuestion question{.path = parser.positionalArguments().front()};
-    bool areNumbers = true;
     if (parser.isSet(limit)) {
-        question.limit = millimetres(parser.value(limit).toDouble(&areNumbers));
-        areNumbers = areNumbers && question.limit.si > 0.0;
+        const auto given = positiveMillimetres(QStringLiteral("--limit-mm"), parser.value(limit));
+        if (!given)
+            return wrongUse(given.error().detail);
+        question.limit = *given;
     }
     if (parser.isSet(spin)) {
-        const QStringList words = parser.value(spin).split(QLatin1Char{','});
-        areNumbers = words.size() == 3;
-        Vec3 p_mm = Vec3::Zero();
-        for (int i = 0; areNumbers && i < 3; ++i)
-            p_mm[i] = words[i].toDouble(&areNumbers);
-        areNumbers = areNumbers && p_mm.allFinite();
-        question.p_S_ahead = millimetres(1.0).si * p_mm;
+        question.p_S_ahead = pointAhead(parser.value(spin));
+        if (!question.p_S_ahead)
+            return wrongUse("--spin needs three numbers with commas between them, not '"
+                            + parser.value(spin).toStdString() + "'.");
     }
-    return areNumbers ? std::optional{question} : std::nullopt;
+    return question;
 }
 
 Result<QJsonObject> runPivot(const QStringList& arguments)
 {
-    const std::optional<PivotQuestion> question = questionOf(arguments);
+    const Result<PivotQuestion> question = questionOf(arguments);
     if (!question)
-        return fail(Errc::OutOfRange, "pivot needs one file or folder of poses, with --limit-mm "
-                                      "above 0 or --spin X,Y,Z or neither.");
+        return tl::unexpected(question.error());
     const auto poses = posesOf(question->path);
     if (!poses)
         return tl::unexpected(poses.error());

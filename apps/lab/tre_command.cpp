@@ -1,11 +1,10 @@
 #include "apps/lab/tre_command.h"
 
+#include "apps/lab/command_options.h"
 #include "apps/lab/landmark_table.h"
 #include "engine/io/json_fields.h"
 #include "engine/registration/landmark_catalogue.h"
 #include "engine/registration/layout_check.h"
-
-#include <QCommandLineParser>
 
 #include <cmath>
 
@@ -29,7 +28,7 @@ constexpr std::string_view kTreHelp =
                        and the fit weighs each by it
     --degrees N        of freedom from which the size of these errors was estimated, as 3 N - 6 for
                        the residuals of N landmarks; without it they are taken for known
-    --limit MM         of the error at the worst target
+    --limit MM         that rms_mm at the worst target may have; not compared with bound95_mm
     --candidates FILE  further landmarks, of which the one is sought that helps most; with
                        --covariance, with theirs
     schema             "carina.tre/1"
@@ -41,7 +40,7 @@ constexpr std::string_view kTreHelp =
       weakest          "left-right", "front-back" or "head-feet": nearest to weakest_A
       weakest_A        [x, y, z], the direction in which the error is largest
     worst              name of the target with the largest error
-    within_limit       with --limit
+    within_limit       with --limit: whether rms_mm of the worst target is no more than that
     next               with --candidates: "name" and "worst_rms_mm" with it; null where none helps
 )";
 
@@ -94,9 +93,9 @@ public:
         m_parser.addOption(QCommandLineOption{QStringLiteral("covariance")});
     }
 
-    bool parse(const QStringList& arguments)
+    Result<void> parse(const QStringList& arguments)
     {
-        return m_parser.parse(QStringList{QStringLiteral("tre")} + arguments);
+        return parseOptions(m_parser, "tre", arguments, 2);
     }
     [[nodiscard]] bool has(const char* option) const
     {
@@ -241,16 +240,34 @@ Result<QJsonObject> predict(const Task& task, const Words& words)
     return object;
 }
 
+/// What does not go together, in a sentence; empty where all does.
+std::string faultOf(const Words& words)
+{
+    const bool byHeight = words.has("height");
+    const QStringList files = words.files();
+    if (byHeight && !files.isEmpty())
+        return "--height takes the place of files, such as '" + files[0].toStdString() + "'.";
+    if (!byHeight && files.isEmpty())
+        return "No file and no --height is given.";
+    if (!byHeight && files.size() == 1)
+        return "The file of targets is missing beside '" + files[0].toStdString() + "'.";
+    if (words.has("landmarks") && !byHeight)
+        return "--landmarks goes with --height, not with files.";
+    if (words.has("covariance") && byHeight)
+        return "--covariance goes with files, not with --height.";
+    if (words.has("covariance") && words.has("fle"))
+        return "--covariance and --fle exclude each other.";
+    return {};
+}
+
 Result<QJsonObject> runTre(const QStringList& arguments)
 {
     Words words;
-    const bool parsed = words.parse(arguments);
-    const bool byHeight = parsed && words.has("height");
-    if (!parsed || words.files().size() != (byHeight ? 0 : 2)
-        || (words.has("landmarks") && !byHeight)
-        || (words.has("covariance") && (byHeight || words.has("fle"))))
-        return fail(Errc::OutOfRange, "tre needs LANDMARKS.csv TARGETS.csv, or --height M; and "
-                                      "--fle MM, or --covariance with files.");
+    const Result<void> parsed = words.parse(arguments);
+    if (const std::string wrong = parsed ? faultOf(words) : parsed.error().detail; !wrong.empty())
+        return fail(Errc::OutOfRange, wrong
+                                          + " tre needs LANDMARKS.csv TARGETS.csv, or --height M; "
+                                            "and --fle MM, or --covariance with files.");
     const Result<Task> task = taskOf(words);
     if (!task)
         return tl::unexpected(task.error());

@@ -105,6 +105,7 @@ private Q_SLOTS:
     void leavesEachFileOutInTurn();
     void refusesWhatItCannotUse_data();
     void refusesWhatItCannotUse();
+    void namesTheWordThatIsWrong();
     void tellsAFolderThatIsNotThereFromAnEmptyOne();
     void followsTheLungsOfPeople_data();
     void followsTheLungsOfPeople();
@@ -205,6 +206,19 @@ void TestDeformCommand::refusesWhatItCannotUse()
           QStringList{QStringLiteral("--fissures"), m_folder->path(),
                       QStringLiteral("--inspired-ml"), QStringLiteral("much")}})
         QCOMPARE(deformWith(arguments).error().code, Errc::OutOfRange);
+}
+
+void TestDeformCommand::namesTheWordThatIsWrong()
+{
+    const auto refusal = [](const QStringList& arguments) {
+        return deformWith(arguments).error().detail;
+    };
+    const QString absent = m_folder->filePath("absent.csv");
+    QCOMPARE(refusal({QStringLiteral("--landmarks"), absent}),
+             "There is no file " + absent.toStdString() + ".");
+    QCOMPARE(refusal({QStringLiteral("--bogus")}), std::string{"deform knows no option --bogus."});
+    QVERIFY(refusal({QStringLiteral("--landmarks")}).find("'--landmarks'") != std::string::npos);
+    QVERIFY(refusal({}).starts_with("No file and no folder is named. deform needs"));
 }
 
 void TestDeformCommand::tellsAFolderThatIsNotThereFromAnEmptyOne()

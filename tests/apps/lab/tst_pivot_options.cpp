@@ -89,22 +89,33 @@ private Q_SLOTS:
                  swungOnly.error().detail.c_str());
     }
 
-    void refusesFlagsItCannotUse()
+    void saysWhatIsWrongWithItsWords_data()
     {
-        const QString file = m_folder.write("poses.csv", tableOf(swung()));
-        for (const QStringList& flags :
-             {QStringList{QStringLiteral("--limit-mm"), QStringLiteral("0")},
-              QStringList{QStringLiteral("--limit-mm"), QStringLiteral("three")},
-              QStringList{QStringLiteral("--spin"), QStringLiteral("1,2")},
-              QStringList{QStringLiteral("--spin"), QStringLiteral("1,2,z")},
-              QStringList{QStringLiteral("--spin"), QStringLiteral("1,2,3"),
-                          QStringLiteral("--limit-mm"), QStringLiteral("3")},
-              QStringList{QStringLiteral("--trim")}}) {
-            const auto object = pivotCommand().run(QStringList{file} + flags);
-            QVERIFY(!object);
-            QVERIFY2(object.error().detail.starts_with("pivot needs one file"),
-                     object.error().detail.c_str());
-        }
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<QString>("fault");
+        const QString limit = QStringLiteral("--limit-mm needs a number of millimetres above 0.");
+        const QString spin = QStringLiteral("--spin needs three numbers with commas between them");
+        QTest::newRow("nothing") << QString{} << QStringLiteral("No file and no folder is named.");
+        QTest::newRow("no limit") << QStringLiteral("a.csv --limit-mm 0") << limit;
+        QTest::newRow("a word for a limit") << QStringLiteral("a.csv --limit-mm three") << limit;
+        QTest::newRow("two numbers") << QStringLiteral("a.csv --spin 1,2") << spin;
+        QTest::newRow("a letter") << QStringLiteral("a.csv --spin 1,2,z") << spin;
+        QTest::newRow("tip and axis") << QStringLiteral("a.csv --spin 1,2,3 --limit-mm 3")
+                                      << QStringLiteral("--limit-mm and --spin exclude each other");
+        QTest::newRow("an unknown flag")
+            << QStringLiteral("a.csv --trim") << QStringLiteral("pivot knows no option --trim.");
+        QTest::newRow("two files")
+            << QStringLiteral("a.csv b.csv") << QStringLiteral("pivot has no use for 'b.csv'.");
+    }
+    void saysWhatIsWrongWithItsWords()
+    {
+        QFETCH(QString, words);
+        QFETCH(QString, fault);
+        const auto object = pivotCommand().run(words.split(QLatin1Char(' '), Qt::SkipEmptyParts));
+        QVERIFY(!object);
+        const QString detail = QString::fromStdString(object.error().detail);
+        QVERIFY2(detail.startsWith(fault), qPrintable(detail));
+        QVERIFY2(detail.contains(QStringLiteral(" pivot needs one file")), qPrintable(detail));
     }
 };
 

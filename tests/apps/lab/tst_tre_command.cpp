@@ -149,15 +149,27 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("words");
         QTest::addColumn<QString>("sentence");
-        const QString usage = QStringLiteral("tre needs LANDMARKS.csv TARGETS.csv, or --height M");
-        QTest::newRow("nothing") << QString{} << usage;
-        QTest::newRow("one file") << QStringLiteral("a.csv") << usage;
-        QTest::newRow("files and a height") << QStringLiteral("a.csv b.csv --height 1.7") << usage;
-        QTest::newRow("landmarks of files") << QStringLiteral("a.csv b.csv --landmarks 4") << usage;
-        QTest::newRow("both errors") << QStringLiteral("a.csv b.csv --covariance --fle 1") << usage;
+        const QString usage = QStringLiteral(" tre needs LANDMARKS.csv TARGETS.csv, or --height M");
+        QTest::newRow("nothing") << QString{}
+                                 << QStringLiteral("No file and no --height is given.") + usage;
+        QTest::newRow("one file") << QStringLiteral(
+            "a.csv") << QStringLiteral("The file of targets is missing beside 'a.csv'.") + usage;
+        QTest::newRow("files and a height")
+            << QStringLiteral("a.csv b.csv --height 1.7")
+            << QStringLiteral("--height takes the place of files, such as 'a.csv'.") + usage;
+        QTest::newRow("landmarks of files")
+            << QStringLiteral("a.csv b.csv --landmarks 4")
+            << QStringLiteral("--landmarks goes with --height, not with files.") + usage;
+        QTest::newRow("both errors")
+            << QStringLiteral("a.csv b.csv --covariance --fle 1")
+            << QStringLiteral("--covariance and --fle exclude each other.") + usage;
         QTest::newRow("covariances of a height")
-            << QStringLiteral("--height 1.7 --covariance") << usage;
-        QTest::newRow("an unknown flag") << QStringLiteral("--height 1.7 --tall") << usage;
+            << QStringLiteral("--height 1.7 --covariance")
+            << QStringLiteral("--covariance goes with files, not with --height.") + usage;
+        QTest::newRow("an unknown flag") << QStringLiteral("--height 1.7 --tall")
+                                         << QStringLiteral("tre knows no option --tall.") + usage;
+        QTest::newRow("an option without its value")
+            << QStringLiteral("--height") << QStringLiteral("tre: Missing value after '--height'.");
         QTest::newRow("a giant") << QStringLiteral("--height 2.2")
                                  << QStringLiteral("--height needs a number from 1 to 2.1.");
         QTest::newRow("two landmarks") << QStringLiteral("--height 1.7 --landmarks 2")

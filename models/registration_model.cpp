@@ -3,6 +3,7 @@
 #include "engine/io/site_file.h"
 #include "models/registration_words.h"
 #include "models/site_changes.h"
+#include "models/site_setup.h"
 
 #include <QDir>
 
@@ -15,11 +16,16 @@ namespace
 
 constexpr int kStylusInterval_ms = 33;
 
-/// Whether a site is of this patient, or of none yet.
-bool isOf(const Site& site, const PatientModel& patient)
+/// A site as its file has it, of this patient.
+Result<Site> siteIn(const std::filesystem::path& file, const PatientModel& patient)
 {
-    return !site.catalogue || site.catalogue->anatomy.empty()
-           || site.catalogue->anatomy == patient.contentHash();
+    Result<Site> site = readSiteFile(file);
+    if (!site)
+        return site;
+    if (const auto isOf = checkPatient(*site, patient); !isOf)
+        return fail(isOf.error().code, file.string() + ": " + isOf.error().detail);
+    site->patient = patient.name();
+    return site;
 }
 
 /// Its own, and the landmarks, of which a fit may leave some out.
@@ -36,11 +42,9 @@ std::vector<Landmark> placesToCheck(const RegistrationModel::Workplace& workplac
 Result<Site> RegistrationModel::siteOf(const std::filesystem::path& file,
                                        const PatientModel& patient)
 {
-    Result<Site> site = readSiteFile(file);
+    Result<Site> site = siteIn(file, patient);
     if (!site && site.error().code == Errc::FileNotFound)
-        return Site{};
-    if (site && !isOf(*site, patient))
-        return fail(Errc::OtherPatient, file.string());
+        return Site{.patient = patient.name()};
     return site;
 }
 
@@ -283,11 +287,9 @@ void RegistrationModel::exportSite(const QString& file)
 
 void RegistrationModel::importSite(const QString& file)
 {
-    Result<Site> imported = readSiteFile(file.toStdString());
+    Result<Site> imported = siteIn(file.toStdString(), m_patient);
     if (!imported)
         return m_editor.refuse(imported.error());
-    if (!isOf(*imported, m_patient))
-        return m_editor.refuse(Error{Errc::OtherPatient, file.toStdString()});
     imported->step = SiteStep::Overview;
     forgetChoices();
     m_editor.become(std::move(*imported));

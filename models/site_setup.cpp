@@ -52,13 +52,22 @@ bool isSameGuard(const SiteSetup& a, const SiteSetup& b)
            && std::ranges::equal(a.guard->styluses, b.guard->styluses, isSameTip);
 }
 
+Result<void> checkPatient(const Site& site, const PatientModel& patient)
+{
+    const std::string anatomy = site.catalogue ? site.catalogue->anatomy : std::string{};
+    if (anatomy.empty() || anatomy == patient.contentHash())
+        return {};
+    const std::string here = "the patient here is \"" + patient.name() + '"';
+    return fail(Errc::OtherPatient,
+                site.patient.empty() ? here : "it is of \"" + site.patient + "\", " + here);
+}
+
 Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
 {
     if (!site.registration || !site.catalogue || site.registration->stale == StaleCause::Tracker)
         return fail(Errc::NotRegistered, "");
-    const std::string& anatomy = site.catalogue->anatomy;
-    if (!anatomy.empty() && anatomy != patient.contentHash())
-        return fail(Errc::OtherPatient, "");
+    if (const auto isOf = checkPatient(site, patient); !isOf)
+        return tl::unexpected(isOf.error());
     const SiteRegistration& fitted = *site.registration;
     Result<SiteSetup> setup = SiteSetup{};
     setup->registration.X_AT = fitted.X_AT;

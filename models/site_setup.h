@@ -22,8 +22,11 @@ struct SiteSetup {
 /// Whether both are watched by the same.
 [[nodiscard]] bool isSameGuard(const SiteSetup& a, const SiteSetup& b);
 
-/// @returns NotRegistered before the site's anatomy was fitted; OtherPatient for a site of another
-///          one.
+/// Whether a site is of this patient, or of none yet.
+/// @returns OtherPatient; the detail names both, where the site names its own.
+[[nodiscard]] Result<void> checkPatient(const Site& site, const PatientModel& patient);
+
+/// @returns NotRegistered before the site's anatomy was fitted; what checkPatient returns.
 [[nodiscard]] Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient);
 
 } // namespace carina

@@ -123,6 +123,7 @@ struct Site {
     std::string operatorName{};        ///< who works on it; empty where nobody said
     std::string tracker{};             ///< which tracker, in words; empty before it is chosen
     std::vector<StylusTip> styluses{}; ///< one for each tool
+    std::string patient{};             ///< its name as shown; empty where it is not known
     std::optional<LandmarkCatalogue> catalogue{};
     std::vector<TouchedPoint> touched{}; ///< of the catalogue, none twice
     std::optional<SiteRegistration> registration{};

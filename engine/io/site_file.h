@@ -17,6 +17,7 @@ namespace carina
 ///     tracker       text
 ///     styluses      a list of tool, p_SQ_mm, rms_mm, calibrated_at, covariance_S_mm2 (xx, xy, xz,
 ///                   yy, yz, zz), poses, outliers, axis: axis_S, wobble_deg, calibrated_at
+///     patient       text: what people call it; the catalogue's anatomy says which it is
 ///     catalogue     name, anatomy, landmarks: a list of name and p_AQ_mm
 ///     touched       a list of landmark, p_TQ_mm, spread_mm, q_TS (x, y, z, w) and stale
 ///     registration  X_AM_mm, X_AT_mm, X_JM_mm, X_BM_mm, rms_mm, residuals_mm: a list of name, mm

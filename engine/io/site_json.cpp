@@ -166,6 +166,7 @@ QJsonObject jsonSite(const Site& site)
     insertText(object, "tracker", site.tracker);
     if (!site.styluses.empty())
         object.insert(QStringLiteral("styluses"), jsonList(site.styluses, jsonStylus));
+    insertText(object, "patient", site.patient);
     if (site.catalogue)
         object.insert(QStringLiteral("catalogue"), jsonCatalogue(*site.catalogue));
     if (!site.touched.empty())

@@ -248,12 +248,13 @@ DisplayGeometry readDisplay(JsonFields fields)
 
 Site readSite(JsonFields& fields)
 {
-    fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "catalogue",
-                      "touched", "registration", "relay", "verification", "display"});
+    fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "patient",
+                      "catalogue", "touched", "registration", "relay", "verification", "display"});
     Site site{.step = static_cast<SiteStep>(fields.oneOf("step", kStepWords)),
               .operatorName = readText(fields, "operator"),
               .tracker = readText(fields, "tracker"),
-              .styluses = readStyluses(fields)};
+              .styluses = readStyluses(fields),
+              .patient = readText(fields, "patient")};
     if (fields.has("catalogue")) {
         JsonFields object = fields.object("catalogue");
         site.catalogue = readCatalogue(object);

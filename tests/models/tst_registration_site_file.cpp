@@ -100,11 +100,14 @@ private Q_SLOTS:
         model->useTracker();
         Site foreign = model->site();
         foreign.catalogue = ribCageCatalogue(metres(1.7), "somebody else");
+        foreign.patient = "Somebody Else";
         QVERIFY(writeSiteFile(site.file(), foreign).has_value());
-        QCOMPARE(RegistrationModel::siteOf(site.file(), site.patient()).error().code,
-                 Errc::OtherPatient);
+        const auto refused = RegistrationModel::siteOf(site.file(), site.patient());
+        QCOMPARE(refused.error().code, Errc::OtherPatient);
+        QVERIFY(refused.error().detail.find("\"Somebody Else\"") != std::string::npos);
+        QVERIFY(refused.error().detail.find(site.patient().name()) != std::string::npos);
         model->importSite(QString::fromStdString(site.file().string()));
-        QVERIFY(!model->problem().isEmpty());
+        QVERIFY(model->problem().contains(QStringLiteral("Somebody Else")));
         QVERIFY(!model->site().catalogue);
     }
 
@@ -113,6 +116,7 @@ private Q_SLOTS:
         RegistrationSite site;
         auto model = site.model();
         site.fitAll(*model);
+        QCOMPARE(model->site().patient, site.patient().name());
         const QString copy = QString::fromStdString(site.beside("copy.json").string());
         model->exportSite(copy);
         QVERIFY(model->problem().isEmpty());

@@ -78,6 +78,7 @@ inline Site wholeSite()
     site.operatorName = "A. Frei";
     site.tracker = "simulated";
     site.styluses = wholeStyluses();
+    site.patient = "Adult";
     site.catalogue = catalogue;
     for (const Landmark& landmark : catalogue.landmarks)
         site.touched.push_back(

@@ -88,6 +88,7 @@ private Q_SLOTS:
         const Site site = test::wholeSite();
         const auto back = kept(site);
         QVERIFY(back.has_value());
+        QCOMPARE(back->patient, site.patient);
         QCOMPARE(back->catalogue->anatomy, site.catalogue->anatomy);
         QCOMPARE(back->catalogue->landmarks.size(), 4U);
         QCOMPARE(back->touched.size(), 4U);

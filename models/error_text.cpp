@@ -152,7 +152,8 @@ public:
         case Errc::TrackerFailed:
             return tr("The tracker does not start%1: check its cable and power, then try again.");
         case Errc::NoGraphics:
-            return tr("The picture cannot be drawn%1: install the driver of the graphics card.");
+            return tr("The picture cannot be drawn%1: start the program where there is a display, "
+                      "with the driver of its graphics card.");
         }
         return {};
     }

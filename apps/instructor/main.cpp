@@ -11,7 +11,6 @@
 #include "models/checkpoint_keeper.h"
 #include "models/shared_patient.h"
 #include "ui/instructor_window.h"
-#include "widgets/scene/graphics.h"
 
 #include <QApplication>
 #include <QDateTime>
@@ -161,21 +160,19 @@ bool hasEnded(const SessionNode& node)
 
 /// The stored session, or a new one where that was asked for, nothing is stored, or what is stored
 /// has ended.
-Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parser)
+Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parser,
+                                                 const Reach& reach)
 {
-    const auto reach = reachOptions(parser);
-    if (!reach)
-        return tl::unexpected(reach.error());
     const QDir folder{parser.value(QStringLiteral("data"))};
     if (!folder.mkpath(QStringLiteral(".")))
         return fail(Errc::FileUnwritable, folder.path().toStdString());
     if (parser.isSet(QStringLiteral("new")))
-        return hostFile(newSessionFile(folder), *reach);
-    auto node = hostFile(latestSessionFile(folder), *reach);
+        return hostFile(newSessionFile(folder), reach);
+    auto node = hostFile(latestSessionFile(folder), reach);
     if (!node || !hasEnded(**node))
         return node;
     node->reset(); // gives the port back
-    return hostFile(newSessionFile(folder), *reach);
+    return hostFile(newSessionFile(folder), reach);
 }
 
 /// Lets those who look for sessions find this one.
@@ -193,12 +190,15 @@ Result<int> run(const QCommandLineParser& parser)
     const auto options = viewer::measureOptions(parser);
     if (!options)
         return tl::unexpected(options.error());
-    if (const auto driver = graphicsDriver(); !driver)
-        return tl::unexpected(driver.error());
+    const auto reach = reachOptions(parser);
+    if (!reach)
+        return tl::unexpected(reach.error());
+    if (const auto drawn = viewer::checkGraphics(); !drawn)
+        return tl::unexpected(drawn.error());
     const auto patient = viewer::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    const auto node = hostSession(parser);
+    const auto node = hostSession(parser, *reach);
     if (!node)
         return tl::unexpected(node.error());
     const auto beacon = beaconOf(**node);
@@ -246,7 +246,7 @@ int main(int argc, char** argv)
         const QCoreApplication application{argc, argv};
         parser.process(application); // which ends here: help needs no display
     }
-    carina::prepareGraphics();
+    carina::viewer::prepareDisplay();
     QApplication application{argc, argv};
     carina::viewer::prepareProgram(application);
     parser.process(application);

@@ -1,6 +1,6 @@
 #include "apps/lab/drawing_application.h"
 
-#include "widgets/scene/graphics.h"
+#include "apps/viewer/program.h"
 
 #include <QApplication>
 
@@ -9,11 +9,7 @@ namespace carina::lab
 
 std::unique_ptr<QCoreApplication> drawingApplication(int& argc, char** argv)
 {
-    // Without a display the platform for X would end the program; offscreen says there is no
-    // OpenGL.
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    prepareGraphics();
+    viewer::prepareDisplay();
     return std::make_unique<QApplication>(argc, argv);
 }
 

@@ -7,7 +7,6 @@
 #include "engine/io/site_file.h"
 #include "engine/io/whole_file.h"
 #include "ui/registration_window.h"
-#include "widgets/scene/graphics.h"
 
 #include <QApplication>
 #include <QDir>
@@ -178,8 +177,8 @@ Result<int> run(const QCommandLineParser& parser)
                                       "start it with --simulated-tracker.")));
         return 1;
     }
-    if (const auto driver = graphicsDriver(); !driver)
-        return tl::unexpected(driver.error());
+    if (const auto drawn = viewer::checkGraphics(); !drawn)
+        return tl::unexpected(drawn.error());
     const auto patient = viewer::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
@@ -198,7 +197,7 @@ int main(int argc, char** argv)
         const QCoreApplication application{argc, argv};
         parser.process(application); // which ends here: help needs no display
     }
-    carina::prepareGraphics();
+    carina::viewer::prepareDisplay();
     QApplication application{argc, argv};
     carina::viewer::prepareProgram(application);
     parser.process(application);

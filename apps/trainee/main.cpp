@@ -9,7 +9,6 @@
 #include "engine/io/anatomy_cache.h"
 #include "models/shared_patient.h"
 #include "ui/trainee_window.h"
-#include "widgets/scene/graphics.h"
 #include "widgets/scene/scene_view.h"
 
 #include <QApplication>
@@ -181,8 +180,11 @@ Result<int> run(const QCommandLineParser& parser)
     const auto output = viewOutputNamed(parser.value(QStringLiteral("output")));
     if (!output)
         return tl::unexpected(output.error());
-    if (const auto driver = graphicsDriver(); !driver)
-        return tl::unexpected(driver.error());
+    const auto entry = entryOptions(parser, options->folder.isEmpty());
+    if (!entry)
+        return tl::unexpected(entry.error());
+    if (const auto drawn = viewer::checkGraphics(); !drawn)
+        return tl::unexpected(drawn.error());
     const auto patient = viewer::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
@@ -194,9 +196,6 @@ Result<int> run(const QCommandLineParser& parser)
     if (!headset)
         return tl::unexpected(headset.error());
 
-    const auto entry = entryOptions(parser, options->folder.isEmpty());
-    if (!entry)
-        return tl::unexpected(entry.error());
     auto entered = enter(*entry, *options);
     if (!entered)
         return tl::unexpected(entered.error());
@@ -242,7 +241,7 @@ int main(int argc, char** argv)
         const QCoreApplication application{argc, argv};
         parser.process(application); // which ends here: help needs no display
     }
-    carina::prepareGraphics();
+    carina::viewer::prepareDisplay();
     QApplication application{argc, argv};
     carina::viewer::prepareProgram(application);
     parser.process(application);

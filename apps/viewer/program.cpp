@@ -2,6 +2,7 @@
 
 #include "engine/io/whole_file.h"
 #include "models/error_text.h"
+#include "widgets/scene/graphics.h"
 #include "widgets/theme/dark_theme.h"
 
 #include <QApplication>
@@ -34,6 +35,23 @@ void nameProgram(const QString& name)
 {
     QCoreApplication::setApplicationName(name);
     QCoreApplication::setOrganizationName(QStringLiteral("carina"));
+}
+
+void prepareDisplay()
+{
+    // Qt tries them in turn, and ends a program that none of them suits.
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")
+        && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "xcb;offscreen");
+    prepareGraphics();
+}
+
+Result<void> checkGraphics()
+{
+    const auto driver = graphicsDriver();
+    if (!driver && QGuiApplication::platformName() == QStringLiteral("offscreen"))
+        return fail(Errc::NoGraphics, "there is no display");
+    return driver.map([](const QString&) {});
 }
 
 void prepareProgram(QApplication& application)

@@ -24,6 +24,14 @@ struct MeasureOptions {
 /// The program's name, by which its folders are found. Before everything else.
 void nameProgram(const QString& name);
 
+/// What pictures are drawn with, and windows shown on. Without a display a program starts all the
+/// same, to say what is wrong with its options, or by checkGraphics that there is no display.
+/// Before the application is made.
+void prepareDisplay();
+
+/// @returns NoGraphics where there is no display, or no OpenGL.
+[[nodiscard]] Result<void> checkGraphics();
+
 /// Theme and translations that all programs with a window share.
 void prepareProgram(QApplication& application);
 

@@ -1,0 +1,76 @@
+#include <QProcess>
+#include <QTest>
+
+namespace
+{
+
+constexpr int kPatience_ms = 60'000;
+
+} // namespace
+
+/// The programs where no window can be shown: they end with a sentence, and do not crash.
+class TestWithoutDisplay : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void saysWhatIsWrong_data()
+    {
+        QTest::addColumn<QString>("display");
+        QTest::addColumn<QString>("program");
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("said");
+        const QStringList wrongSize{QStringLiteral("--size"), QStringLiteral("foo")};
+        const QStringList unknown{QStringLiteral("--bogus")};
+        for (const char* display : {"", ":31999"})
+            for (const auto& [name, path, right] : programs()) {
+                const QString where = QString::fromLatin1(display);
+                const auto row = [&](const char* what) -> QTestData& {
+                    return QTest::addRow("%s, %s, display '%s'", name, what, display);
+                };
+                row("size") << where << path << wrongSize << QStringLiteral("--size needs WxH");
+                row("unknown") << where << path << unknown << QStringLiteral("bogus");
+                row("nothing wrong") << where << path << right << QStringLiteral("no display");
+            }
+    }
+    void saysWhatIsWrong()
+    {
+        QFETCH(QString, display);
+        QFETCH(QString, program);
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, said);
+        QProcessEnvironment around = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            around.remove(QString::fromLatin1(name));
+        if (!display.isEmpty())
+            around.insert(QStringLiteral("DISPLAY"), display);
+        QProcess process;
+        process.setProcessEnvironment(around);
+        process.start(program, arguments);
+        QVERIFY(process.waitForFinished(kPatience_ms));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 1);
+        const QByteArray words = process.readAllStandardError();
+        QVERIFY2(words.contains(said.toUtf8()), words.constData());
+    }
+
+private:
+    struct Started {
+        const char* name;
+        QString path;
+        QStringList right;
+    };
+    static std::vector<Started> programs()
+    {
+        return {{"registration",
+                 QStringLiteral(CARINA_REGISTRATION),
+                 {QStringLiteral("--simulated-tracker")}},
+                {"instructor", QStringLiteral(CARINA_INSTRUCTOR), {}},
+                {"trainee",
+                 QStringLiteral(CARINA_TRAINEE),
+                 {QStringLiteral("--port"), QStringLiteral("1")}}};
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWithoutDisplay)
+#include "tst_without_display.moc"

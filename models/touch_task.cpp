@@ -203,13 +203,23 @@ void TouchTask::rename(const StylusTouch& touch, const TouchFinding& finding)
         relayIfItTells();
 }
 
+QString TouchTask::whyNoRelay() const
+{
+    const Site& site = m_editor.site();
+    if (!site.registration)
+        return TouchWords::tr("A manikin that was moved can be laid anew once it is registered.");
+    if (site.registration->stale || freshTouches(site).size() < kFewestToRelay)
+        return TouchWords::tr("A manikin that was moved cannot be laid anew now: what its "
+                              "registration rests on has changed since. Touch the landmarks again "
+                              "and fit them.");
+    return {};
+}
+
 void TouchTask::beginRelay()
 {
+    if (const QString why = whyNoRelay(); !why.isEmpty())
+        return m_editor.refuse(why);
     Site next = m_editor.site();
-    CARINA_EXPECTS(next.registration);
-    if (next.registration->stale || freshTouches(next).size() < kFewestToRelay)
-        return m_editor.refuse(TouchWords::tr("What this registration rests on has changed since: "
-                                              "touch the landmarks again and fit them."));
     next.relay.emplace();
     next.step = SiteStep::Touch;
     m_chosen.reset();

@@ -31,9 +31,10 @@ public:
     /// Does nothing where no landmark is asked for.
     void take(const StylusTouch& touch);
 
+    /// Why a manikin that was moved cannot be laid anew, in a sentence; empty where it can be.
+    [[nodiscard]] QString whyNoRelay() const;
     /// The manikin was moved: its landmarks are touched again, until they tell where it lies.
-    /// Refused where the registration is stale.
-    /// @pre it is registered.
+    /// Refused where whyNoRelay() says why.
     void beginRelay();
     void cancelRelay();
     [[nodiscard]] bool isRelaying() const { return m_editor.site().relay.has_value(); }

@@ -10,7 +10,12 @@ namespace carina
 {
 
 OverviewPage::OverviewPage(RegistrationModel& registration)
-    : RegistrationPage{registration}, m_health{new QLabel{this}}, m_operator{new QLineEdit{this}}
+    : RegistrationPage{registration},
+      m_health{new QLabel{this}},
+      m_operator{new QLineEdit{this}},
+      m_moved{new QPushButton{tr("The manikin was &moved…"), this}},
+      m_whyNotMoved{new QLabel{this}},
+      m_report{new QPushButton{tr("&Report as PDF…"), this}}
 {
     m_health->setWordWrap(true);
     m_health->setObjectName(QStringLiteral("health"));
@@ -20,31 +25,34 @@ OverviewPage::OverviewPage(RegistrationModel& registration)
     m_operator->setMaxLength(80);
     connect(m_operator, &QLineEdit::editingFinished, this,
             [this] { this->registration().setOperator(m_operator->text()); });
+    m_moved->setObjectName(QStringLiteral("moved"));
+    m_moved->setToolTip(tr("Lay it anew by touching three of its landmarks"));
+    connect(m_moved, &QPushButton::clicked, this,
+            [this] { this->registration().touching().beginRelay(); });
+    m_whyNotMoved->setObjectName(QStringLiteral("whyNotMoved"));
+    m_whyNotMoved->setWordWrap(true);
+    m_report->setObjectName(QStringLiteral("report"));
+    connect(m_report, &QPushButton::clicked, this, &OverviewPage::reportWanted);
+    layOut();
+}
 
+void OverviewPage::layOut()
+{
     auto* save = new QPushButton{tr("&Export the site…"), this};
     connect(save, &QPushButton::clicked, this, &OverviewPage::chooseExport);
     auto* load = new QPushButton{tr("&Import a site…"), this};
     connect(load, &QPushButton::clicked, this, &OverviewPage::chooseImport);
-    auto* report = new QPushButton{tr("&Report as PDF…"), this};
-    report->setObjectName(QStringLiteral("report"));
-    connect(report, &QPushButton::clicked, this, &OverviewPage::reportWanted);
-
-    auto* moved = new QPushButton{tr("The manikin was &moved…"), this};
-    moved->setObjectName(QStringLiteral("moved"));
-    moved->setToolTip(tr("Lay it anew by touching three of its landmarks"));
-    connect(moved, &QPushButton::clicked, this,
-            [this] { this->registration().touching().beginRelay(); });
-
     auto* form = new QFormLayout;
     form->addRow(tr("&Your name"), m_operator);
     auto* files = new QHBoxLayout;
-    for (QPushButton* button : {save, load, report})
+    for (QPushButton* button : {save, load, m_report})
         files->addWidget(button);
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
     column->addWidget(m_health);
     column->addLayout(form);
-    column->addWidget(moved);
+    column->addWidget(m_moved);
+    column->addWidget(m_whyNotMoved);
     column->addLayout(files);
     column->addStretch();
 }
@@ -54,9 +62,14 @@ void OverviewPage::refresh()
     m_health->setText(registration().health().join(QStringLiteral("\n\n")));
     if (!m_operator->hasFocus())
         m_operator->setText(QString::fromStdString(registration().site().operatorName));
-    for (const char* button : {"report", "moved"})
-        findChild<QPushButton*>(QLatin1StringView{button})
-            ->setEnabled(registration().site().registration.has_value());
+    const bool isRegistered = registration().site().registration.has_value();
+    m_report->setEnabled(isRegistered);
+    const QString whyNot = registration().touching().whyNoRelay();
+    m_moved->setVisible(isRegistered);
+    m_moved->setEnabled(whyNot.isEmpty());
+    m_moved->setAccessibleDescription(whyNot);
+    m_whyNotMoved->setVisible(isRegistered && !whyNot.isEmpty());
+    m_whyNotMoved->setText(whyNot);
 }
 
 QString OverviewPage::actionText() const

@@ -4,6 +4,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace carina
 {
@@ -26,11 +27,15 @@ Q_SIGNALS:
     void reportWanted();
 
 private:
+    void layOut();
     void chooseExport();
     void chooseImport();
 
     QLabel* m_health; ///< children of this
     QLineEdit* m_operator;
+    QPushButton* m_moved;
+    QLabel* m_whyNotMoved;
+    QPushButton* m_report;
 };
 
 } // namespace carina

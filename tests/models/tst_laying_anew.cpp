@@ -99,6 +99,17 @@ private Q_SLOTS:
         desk.model->touching().beginRelay();
         QVERIFY(!desk.model->touching().isRelaying());
         QVERIFY(!desk.model->problem().isEmpty());
+        QCOMPARE(desk.model->problem(), desk.model->touching().whyNoRelay());
+    }
+
+    void laysAnewOnlyWhatIsRegistered()
+    {
+        Desk desk;
+        QVERIFY(!desk.model->touching().whyNoRelay().isEmpty());
+        desk.model->touching().beginRelay();
+        QVERIFY(!desk.model->touching().isRelaying());
+        desk.register_();
+        QVERIFY(desk.model->touching().whyNoRelay().isEmpty());
     }
 
     /// While it is laid anew, a landmark that was not touched before tells nothing.

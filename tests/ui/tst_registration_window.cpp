@@ -26,6 +26,7 @@ private Q_SLOTS:
     void choosesALandmarkByMouseAndKeyboard();
     void movesALandmarkToWhereTheModelIsClicked();
     void showsWhatIsStale();
+    void offersToLayAnewWhereThatIsPossible();
     void offersToRepairExchangedLandmarks();
     void choosesAPlaceToCheck();
     void tellsHowFarTheStylusIsFromTheAnatomy();
@@ -163,6 +164,21 @@ void TestRegistrationWindow::showsWhatIsStale()
     QCOMPARE(desk.button("primary").text(), QStringLiteral("&Go on: Touch"));
     QVERIFY(desk.click("undo"));
     QVERIFY(desk.button("step5").text().startsWith(QStringLiteral("✓")));
+}
+
+/// With the reason, where it would be refused.
+void TestRegistrationWindow::offersToLayAnewWhereThatIsPossible()
+{
+    RegistrationDesk desk;
+    const auto& why = desk.find<QLabel>("whyNotMoved");
+    desk.model->enter(SiteStep::Overview);
+    QVERIFY(!desk.button("moved").isVisible() && !why.isVisible());
+    desk.site.fitAll(*desk.model);
+    desk.model->enter(SiteStep::Overview);
+    QVERIFY(desk.button("moved").isEnabled() && !why.isVisible());
+    desk.model->landmarkTask().chooseSet(1);
+    QVERIFY(!desk.button("moved").isEnabled() && why.isVisible());
+    QCOMPARE(why.text(), desk.model->touching().whyNoRelay());
 }
 
 void TestRegistrationWindow::offersToRepairExchangedLandmarks()

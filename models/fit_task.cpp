@@ -75,7 +75,7 @@ void FitTask::fit(Site site)
     if (site.relay)
         return m_editor.refuse(FitWords::tr("The manikin is being laid anew: touch its landmarks, "
                                             "or leave it where it was."));
-    if (site.registration && !site.registration->stale && !site.registration->relays.empty())
+    if (isLaidAnew(site))
         return m_editor.refuse(FitWords::tr("The manikin was laid anew since its landmarks were "
                                             "touched: touch them again for a new fit."));
     auto next = withFit(std::move(site), fitInputs(m_watch, m_editor.now()));

@@ -90,10 +90,14 @@ Site withLandmarks(Site site, LandmarkCatalogue catalogue)
     return site;
 }
 
+bool isLaidAnew(const Site& site)
+{
+    return site.registration && !site.registration->stale && !site.registration->relays.empty();
+}
+
 Site withTouch(Site site, const std::string& landmark, const StylusTouch& touch)
 {
-    // Touches of before a manikin was laid anew are no better known than where it lies now.
-    if (site.registration && !site.registration->stale && !site.registration->relays.empty())
+    if (isLaidAnew(site)) // touches of before are no better known than where it lies now
         makeTouchesStale(site, StaleCause::Manikin);
     putTouch(site.touched, landmark, touch);
     makeFitStale(site, StaleCause::Touches);

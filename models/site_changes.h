@@ -26,6 +26,10 @@ namespace carina
 /// Landmarks that keep their place keep their touch as it is.
 [[nodiscard]] Site withLandmarks(Site site, LandmarkCatalogue catalogue);
 
+/// Whether the manikin was laid anew since what counts of it was touched: how it was laid anew is
+/// not in these touches, so that no fit of them knows its error.
+[[nodiscard]] bool isLaidAnew(const Site& site);
+
 /// The landmark was touched; a touch from before is replaced.
 [[nodiscard]] Site withTouch(Site site, const std::string& landmark, const StylusTouch& touch);
 

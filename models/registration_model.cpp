@@ -93,12 +93,12 @@ StylusUse RegistrationModel::use() const
 
 SiteTask RegistrationModel::task(SiteStep step) const
 {
-    return siteTask(site(), step, m_watch.tool(), trackerName());
+    return siteTask(site(), step, m_watch.tool(), trackerName(), m_editor.today());
 }
 
 SiteStep RegistrationModel::nextStep() const
 {
-    return nextTask(site(), m_watch.tool(), trackerName());
+    return nextTask(site(), m_watch.tool(), trackerName(), m_editor.today());
 }
 
 QStringList RegistrationModel::health() const

@@ -88,7 +88,7 @@ public:
         return {};
     }
 
-    static SiteTask verify(const Site& site)
+    static SiteTask verify(const Site& site, const QDateTime& today)
     {
         if (!site.registration)
             return {.state = TaskState::Waits, .why = tr("Fit the patient first.")};
@@ -98,6 +98,9 @@ public:
             return {};
         if (site.verification->stale)
             return {.state = TaskState::Stale, .why = changed(*site.verification->stale)};
+        if (site.verification->verdict == Verdict::Good && isOld(site.verification->at, today))
+            return {.state = TaskState::Stale,
+                    .why = tr("That is long ago: verify two points before a session.")};
         if (site.verification->verdict == Verdict::Good)
             return {.state = TaskState::Done};
         if (site.verification->verdict == Verdict::NotGood)
@@ -132,14 +135,11 @@ public:
                    : tr("Verified %1: not good. Register it again.").arg(when);
     }
 
-    static bool isOld(const Site& site, const QDateTime& today)
+    static bool isOld(const std::string& time, const QDateTime& today)
     {
-        const auto made =
-            QDateTime::fromString(QString::fromStdString(site.registration->madeAt), Qt::ISODate);
-        return made.isValid() && made.daysTo(today) > kOld_days;
+        const auto then = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
+        return then.isValid() && then.daysTo(today) > kOld_days;
     }
-
-    static QString old() { return tr("That is long ago: verify two points before a session."); }
 
     static QString relaid(const SiteRelay& relay, const QDateTime& today)
     {
@@ -151,12 +151,14 @@ public:
 
 } // namespace
 
-SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool, const QString& tracker)
+SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool, const QString& tracker,
+                  const QDateTime& today)
 {
     switch (step) {
     case SiteStep::Overview:
-        return {.state = nextTask(site, tool, tracker) == SiteStep::Overview ? TaskState::Done
-                                                                             : TaskState::Begun};
+        return {.state = nextTask(site, tool, tracker, today) == SiteStep::Overview
+                             ? TaskState::Done
+                             : TaskState::Begun};
     case SiteStep::Tracker:
         return TaskWords::tracker(site, tracker);
     case SiteStep::Stylus:
@@ -168,7 +170,7 @@ SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool, cons
     case SiteStep::Fit:
         return TaskWords::fit(site);
     case SiteStep::Verify:
-        return TaskWords::verify(site);
+        return TaskWords::verify(site, today);
     }
     return {};
 }
@@ -194,10 +196,11 @@ QString stepTitle(SiteStep step)
     return {};
 }
 
-SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker)
+SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker,
+                  const QDateTime& today)
 {
     for (const SiteStep step : kTasks)
-        if (siteTask(site, step, tool, tracker).state != TaskState::Done)
+        if (siteTask(site, step, tool, tracker, today).state != TaskState::Done)
             return step;
     return SiteStep::Overview;
 }
@@ -213,11 +216,9 @@ QStringList siteHealth(const Site& site, const std::string& tool, const QString&
         if (!site.registration->relays.empty())
             sentences << TaskWords::relaid(site.registration->relays.back(), today);
         sentences << TaskWords::verified(site, today);
-        if (TaskWords::isOld(site, today))
-            sentences << TaskWords::old();
     }
     for (const SiteStep step : kTasks)
-        if (const SiteTask task = siteTask(site, step, tool, tracker);
+        if (const SiteTask task = siteTask(site, step, tool, tracker, today);
             task.state == TaskState::Stale)
             sentences << QStringLiteral("%1: %2").arg(stepTitle(step), task.why);
     return sentences;

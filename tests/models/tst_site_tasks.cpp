@@ -16,7 +16,7 @@ const QDateTime kDay{{2004, 3, 27}, {12, 0}, Qt::UTC};
 
 SiteTask taskOf(const Site& site, SiteStep step)
 {
-    return siteTask(site, step, kTool, kThisTracker);
+    return siteTask(site, step, kTool, kThisTracker, kDay);
 }
 
 TaskState stateOf(const Site& site, SiteStep step) { return taskOf(site, step).state; }
@@ -41,7 +41,7 @@ private Q_SLOTS:
         QVERIFY(taskOf({}, SiteStep::Tracker).why.isEmpty());
         QCOMPARE(stateOf(preparedSite(), SiteStep::Tracker), TaskState::Done);
         const SiteTask other =
-            siteTask(preparedSite(), SiteStep::Tracker, kTool, QStringLiteral("Tracker B"));
+            siteTask(preparedSite(), SiteStep::Tracker, kTool, QStringLiteral("Tracker B"), kDay);
         QCOMPARE(other.state, TaskState::Stale);
         QVERIFY(other.why.contains(kThisTracker));
     }
@@ -50,8 +50,9 @@ private Q_SLOTS:
     {
         QCOMPARE(stateOf({}, SiteStep::Stylus), TaskState::Open);
         QCOMPARE(stateOf(preparedSite(), SiteStep::Stylus), TaskState::Done);
-        QCOMPARE(siteTask(preparedSite(), SiteStep::Stylus, "Other stylus", kThisTracker).state,
-                 TaskState::Open);
+        QCOMPARE(
+            siteTask(preparedSite(), SiteStep::Stylus, "Other stylus", kThisTracker, kDay).state,
+            TaskState::Open);
     }
 
     void knowsTheLandmarks()
@@ -99,7 +100,9 @@ private Q_SLOTS:
 
     void leadsFromOneTaskToTheNext()
     {
-        const auto next = [](const Site& site) { return nextTask(site, kTool, kThisTracker); };
+        const auto next = [](const Site& site) {
+            return nextTask(site, kTool, kThisTracker, kDay);
+        };
         QCOMPARE(next({}), SiteStep::Tracker);
         QCOMPARE(next(withTracker({}, kTracker)), SiteStep::Stylus);
         QCOMPARE(next(withStylus(withTracker({}, kTracker), someTip())), SiteStep::Landmarks);
@@ -158,10 +161,20 @@ private Q_SLOTS:
 
     void asksForAVerificationAfterAMonth()
     {
+        const auto inDays = [](const Site& site, int days) {
+            return siteTask(site, SiteStep::Verify, kTool, kThisTracker, kDay.addDays(days)).state;
+        };
         QCOMPARE(healthOf(verifiedSite(), kDay.addDays(30)).size(), 2);
+        QCOMPARE(inDays(verifiedSite(), 30), TaskState::Done);
         const QStringList old = healthOf(verifiedSite(), kDay.addDays(31));
         QCOMPARE(old.size(), 3);
         QVERIFY(old[2].contains(QStringLiteral("verify two points")));
+        QCOMPARE(inDays(verifiedSite(), 31), TaskState::Stale);
+        QCOMPARE(nextTask(verifiedSite(), kTool, kThisTracker, kDay.addDays(31)), SiteStep::Verify);
+        Site again = verifiedSite(); // registered long ago, and verified since
+        again.verification->at = kDay.addDays(29).toString(Qt::ISODate).toStdString();
+        QCOMPARE(inDays(again, 31), TaskState::Done);
+        QCOMPARE(healthOf(again, kDay.addDays(31)).size(), 2);
     }
 
     void tellsOfARelay()

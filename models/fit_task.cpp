@@ -24,13 +24,15 @@ class FitWords
     Q_DECLARE_TR_FUNCTIONS(FitTask)
 
 public:
-    static QString ofOrder(TouchOrder order)
+    static QString ofOrder(TouchOrder order, const QStringList& exchanged)
     {
         switch (order) {
         case TouchOrder::AsGiven:
             return {};
         case TouchOrder::Exchanged:
-            return tr("Landmarks were exchanged: the touches fit in another order.");
+            return tr("Landmarks were exchanged: the touches fit in another order. These are "
+                      "others' touches: %1.")
+                .arg(exchanged.join(tr(", ")));
         case TouchOrder::MirrorImage:
             return tr("The touches are the mirror image of the landmarks: the patient's left and "
                       "right, or an axis of an imported file, are exchanged.");
@@ -107,8 +109,20 @@ void FitTask::repairOrder()
 QStringList FitTask::findings() const
 {
     QStringList sentences;
-    if (const auto found = orderFound(); found && found->order != TouchOrder::AsGiven)
-        sentences << FitWords::ofOrder(found->order);
+    const auto pairs = touchedPairs(m_editor.site());
+    const auto nameOf = [&](std::size_t landmark) {
+        return std::ranges::find(m_editor.site().catalogue->landmarks, pairs[landmark].p_AQ,
+                                 &Landmark::p_AQ)
+            ->name;
+    };
+    const auto found = orderFound();
+    if (found && found->order != TouchOrder::AsGiven) {
+        QStringList exchanged;
+        for (std::size_t i = 0; i < found->touchOf.size(); ++i)
+            if (found->touchOf[i] != i)
+                exchanged << QString::fromStdString(nameOf(i));
+        sentences << FitWords::ofOrder(found->order, exchanged);
+    }
     const auto& registration = m_editor.site().registration;
     if (!registration || registration->stale)
         return sentences;
@@ -118,13 +132,10 @@ QStringList FitTask::findings() const
     if (m_watch.has(ToolRole::Manikin) && !registration->X_BM)
         sentences << FitWords::tr("The body probe was not seen: the patient will not move with the "
                                   "manikin. Turn it to the tracker and fit again.");
-    const auto pairs = touchedPairs(m_editor.site());
-    if (const auto outlier = outlyingLandmark(pairs))
-        sentences << FitWords::standsOut(std::ranges::find(m_editor.site().catalogue->landmarks,
-                                                           pairs[outlier->landmark].p_AQ,
-                                                           &Landmark::p_AQ)
-                                             ->name,
-                                         outlier->distance);
+    const bool isReordered =
+        found && (found->order == TouchOrder::Exchanged || found->order == TouchOrder::MirrorImage);
+    if (const auto outlier = outlyingLandmark(pairs); outlier && !isReordered)
+        sentences << FitWords::standsOut(nameOf(outlier->landmark), outlier->distance);
     return sentences;
 }
 

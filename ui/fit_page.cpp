@@ -16,7 +16,6 @@ FitPage::FitPage(RegistrationModel& registration)
       m_list{new LandmarkList{registration, this}},
       m_legend{new QLabel{this}},
       m_findings{new QLabel{this}},
-      m_repair{new QPushButton{tr("&Exchange them and fit"), this}},
       m_expected{new ErrorTable{this}},
       m_swabbed{new QLabel{this}},
       m_surface{new QComboBox{this}},
@@ -30,15 +29,12 @@ FitPage::FitPage(RegistrationModel& registration)
     m_legend->setText(
         tr("Left out: %1.").arg(LandmarkTableModel::explanation(LandmarkTableModel::LeftOut)));
     m_findings->setObjectName(QStringLiteral("findings"));
-    m_repair->setObjectName(QStringLiteral("repair"));
     m_swab->setObjectName(QStringLiteral("swab"));
     m_surface->setObjectName(QStringLiteral("surface"));
     m_surface->setAccessibleName(tr("Surface to slide the stylus over"));
     m_surface->addItems(registration.fitting().swabSurfaces());
     for (QLabel* label : {m_findings, m_legend, m_swabbed})
         label->setWordWrap(true);
-    connect(m_repair, &QPushButton::clicked, this,
-            [this] { this->registration().fitting().repairOrder(); });
     connect(m_swab, &QPushButton::clicked, this, &FitPage::swabOrRefine);
     connect(m_cancel, &QPushButton::clicked, this,
             [this] { this->registration().fitting().cancelSwab(); });
@@ -53,8 +49,8 @@ void FitPage::layOut()
     swab->addWidget(m_cancel);
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_findings, m_repair, m_expected, m_list,
-                                                           m_legend, m_swabbed})
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_findings, m_expected, m_list, m_legend, m_swabbed})
         column->addWidget(widget);
     column->addLayout(swab);
     column->addStretch();
@@ -69,7 +65,6 @@ void FitPage::refresh()
     for (const QString& finding : findings)
         lines << tr("▲ %1", "a warning").arg(finding);
     m_findings->setText(lines.join(QLatin1Char('\n')));
-    m_repair->setVisible(fitting.order() == TouchOrder::Exchanged);
     m_expected->show(fitting.expected());
     m_list->refresh();
     m_legend->setVisible(registration().site().registration.has_value());
@@ -106,6 +101,8 @@ void FitPage::refreshSwab()
 
 QString FitPage::actionText() const
 {
+    if (isExchanged())
+        return tr("&Exchange them and fit");
     return registration().task(SiteStep::Fit).state == TaskState::Done ? tr("&Fit again")
                                                                        : tr("&Fit");
 }
@@ -116,7 +113,19 @@ bool FitPage::canAct() const
            && !registration().fitting().isSwabbing();
 }
 
-void FitPage::act() { registration().fitting().fit(); }
+/// Where landmarks were exchanged, a fit that leaves them so is not offered.
+void FitPage::act()
+{
+    if (isExchanged())
+        registration().fitting().repairOrder();
+    else
+        registration().fitting().fit();
+}
+
+bool FitPage::isExchanged() const
+{
+    return registration().fitting().order() == TouchOrder::Exchanged;
+}
 
 void FitPage::swabOrRefine()
 {

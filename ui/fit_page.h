@@ -28,6 +28,7 @@ public:
     void act() override;
 
 private:
+    [[nodiscard]] bool isExchanged() const;
     void layOut();
     void swabOrRefine();
     void refreshSwab();
@@ -35,7 +36,6 @@ private:
     LandmarkList* m_list; ///< children of this
     QLabel* m_legend;
     QLabel* m_findings;
-    QPushButton* m_repair;
     ErrorTable* m_expected;
     QLabel* m_swabbed;
     QComboBox* m_surface;

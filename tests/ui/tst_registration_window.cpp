@@ -190,10 +190,16 @@ void TestRegistrationWindow::offersToRepairExchangedLandmarks()
         desk.site.hold(*desk.model, desk.site.X_TA * desk.site.landmarks()[landmark].p_AQ);
     }
     QVERIFY(desk.click("next"));
-    QVERIFY(desk.find<QLabel>("findings").isVisible());
-    QVERIFY(desk.click("repair"));
-    QVERIFY(!desk.find<QLabel>("findings").isVisible());
-    QVERIFY(!desk.button("repair").isVisible());
+    const QLabel& findings = desk.find<QLabel>("findings");
+    QVERIFY(findings.isVisible());
+    for (const std::size_t landmark : {2U, 3U})
+        QVERIFY(
+            findings.text().contains(QString::fromStdString(desk.site.landmarks()[landmark].name)));
+    QVERIFY(!findings.text().contains(QString::fromStdString(desk.site.landmarks()[0].name)));
+    QVERIFY(desk.button("primary").text().contains(QStringLiteral("xchange")));
+    QVERIFY(desk.click("primary")); // there is no fit but the right one
+    QVERIFY(!findings.isVisible());
+    QVERIFY(desk.button("primary").text().contains(QStringLiteral("Fit")));
     QVERIFY(desk.model->site().registration->rms < 1e-9);
 }
 

@@ -88,6 +88,9 @@ public:
             return tr("Touch this place, which the fit did not use: %1. Or click on the model to "
                       "add one.")
                 .arg(model.verifying().points()[*next].name);
+        if (model.site().operatorName.empty())
+            return tr("All places are checked. Give your name on the overview, so that the verdict "
+                      "has one, and record it.");
         return tr("All places are checked. Record the verdict.");
     }
 

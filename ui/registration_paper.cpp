@@ -69,6 +69,19 @@ RegistrationReport::Verdict verdictOf(const Site& site)
     return RegistrationReport::Verdict::NotVerified;
 }
 
+QString named(const std::string& person)
+{
+    return person.empty() ? PaperWords::tr("not named") : QString::fromStdString(person);
+}
+
+QString judgedIn(const Site& site)
+{
+    if (verdictOf(site) == RegistrationReport::Verdict::NotVerified)
+        return {};
+    return PaperWords::tr("%1, by %2")
+        .arg(localTime(site.verification->at), named(site.verification->operatorName));
+}
+
 void addChecked(const Site& site, RegistrationReport& report)
 {
     if (!site.verification || site.verification->stale)
@@ -100,10 +113,10 @@ RegistrationReport reportOf(const RegistrationModel& registration, QImage pictur
         .siteFile = QString::fromStdString(registration.siteFile().filename().string()),
         .patient = QString::fromStdString(registration.patient().name()),
         .tracker = registration.trackerName(),
-        .operatorName = fitted.operatorName.empty() ? PaperWords::tr("not named")
-                                                    : QString::fromStdString(fitted.operatorName),
+        .operatorName = named(fitted.operatorName),
         .date = localTime(fitted.madeAt),
         .verdict = verdictOf(site),
+        .judged = judgedIn(site),
         .notes = registration.fitting().findings() + staleTasks(registration),
         .landmarks = landmarksOf(registration),
         .fre_mm = inMillimetresOf(fitted.rms),

@@ -60,6 +60,7 @@ public:
                   {tr("Date"), m_report.date},
                   {tr("Manikin"), m_report.manikin},
                   {tr("Operator"), m_report.operatorName},
+                  {tr("Verdict of"), m_report.judged},
                   {tr("Tracker"), m_report.tracker},
                   {tr("Site file"), m_report.siteFile}});
         addNotes();

@@ -67,6 +67,7 @@ struct RegistrationReport {
     QString operatorName{};
     QString date{}; ///< ISO 8601
     Verdict verdict = Verdict::NotVerified;
+    QString judged{};                 ///< when the verdict was recorded, and by whom
     std::optional<double> bound_mm{}; ///< of 95 %, expected at the worst target
     QStringList notes{};              ///< what a reader is warned of
     std::vector<CheckedPoint> checked{};

@@ -8,7 +8,7 @@ namespace
 {
 
 enum ErrorTableColumn { Where, Rms, Bound, Direction, ErrorTableColumnCount };
-constexpr int kLeastRow = 28; ///< pixels
+constexpr int kLeastRow = 24; ///< pixels
 constexpr int kFrame = 4;     ///< pixels around the rows
 
 } // namespace
@@ -60,6 +60,7 @@ void makeReadable(QTableView& table)
     table.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    table.setWordWrap(false); // rows are as high before the table is laid out as after it
 }
 
 void fitHeight(QTableView& table)

@@ -98,16 +98,20 @@ QString LandmarksPage::advice() const
     const std::vector<ExpectedError> forecast = task.forecast();
     if (forecast.empty())
         return tr("▲ These landmarks are at one place or on one line: nothing can be fitted.");
-    QString text = tr("Expected of touches that stray by 1 mm (RMS).");
+    QStringList sentences;
+    QStringList weak;
     for (const ExpectedError& error : forecast)
         if (error.rms_mm > kWeak_mm)
-            text += QLatin1Char(' ') + tr("▲ These landmarks are far from: %1.").arg(error.name);
+            weak << error.name;
+    if (!weak.isEmpty())
+        sentences << tr("▲ These landmarks lie nearly on one line, or far from: %1.")
+                         .arg(weak.join(tr(", ")));
     if (const auto help = task.wouldHelp())
-        text += QLatin1Char(' ')
-                + tr("One more would help most: %1, %2 mm at the worst place.")
-                      .arg(help->first)
-                      .arg(help->second, 0, 'f', 1);
-    return text;
+        sentences << tr("One more would help most: %1, %2 mm at the worst place.")
+                         .arg(help->first)
+                         .arg(help->second, 0, 'f', 1);
+    sentences << tr("Expected of touches that stray by 1 mm (RMS).");
+    return sentences.join(QLatin1Char(' '));
 }
 
 void LandmarksPage::chooseImport()

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""lint.format ROOT: every C++ file is as clang-format 14 writes it.
+"""lint.format ROOT: every C++ file is as clang-format 14 writes it, and Python can read every Python
+file.
 
-Another version formats a few constructs in another way, so the lint then skips (status 77)."""
+Another version formats a few constructs in another way, so C++ is then skipped (status 77)."""
 
 import pathlib
 import re
@@ -39,7 +40,22 @@ def faults_of(root, program):
     return [f"{path}: not formatted: clang-format -i {path}" for path in faulty]
 
 
+def unreadable_of(root):
+    """The Python files that Python cannot read."""
+    faults = []
+    for path in tree.files_of(root):
+        if path.suffix != ".py":
+            continue
+        try:
+            compile(tree.text_of(root, path) or "", str(path), "exec")
+        except (SyntaxError, ValueError) as error:
+            faults.append(f"{path}: Python cannot read it: {error}")
+    return faults
+
+
 if __name__ == "__main__":
+    if unreadable := unreadable_of(sys.argv[1]):
+        sys.exit(tree.report(unreadable))
     found = formatter()
     if found is None:
         print(f"skipped: there is no clang-format {VERSION} here")

@@ -132,6 +132,13 @@ class Format(Tree):
         self.assertEqual(len(format_lint.faults_of(self.root, program)), 1)
 
 
+    def test_refuses_python_that_python_cannot_read(self):
+        self.write("bench/peer.py", "def main():\n    return 0\n")
+        self.assertEqual(format_lint.unreadable_of(self.root), [])
+        self.write("bench/peer.py", "def main(): {\n    return 0;\n}\n")
+        self.assertEqual(len(format_lint.unreadable_of(self.root)), 1)
+
+
 class Size(Tree):
     def test_299_lines_are_right_and_300_are_not(self):
         self.write("engine/core/x.cpp", "\n" * 299)

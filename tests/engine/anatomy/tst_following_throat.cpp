@@ -13,7 +13,7 @@
 
 using namespace carina;
 
-namespace
+namespace following_throat
 {
 
 constexpr double kLeastDeterminant = 0.2;
@@ -142,7 +142,9 @@ struct Largest {
     }
 };
 
-} // namespace
+} // namespace following_throat
+
+using namespace following_throat;
 
 /// The throat of whole patients, as the jaw moves.
 class TestFollowingThroat : public QObject

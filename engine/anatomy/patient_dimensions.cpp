@@ -95,16 +95,6 @@ Length teethToCarinaOf(const PatientParameters& p)
     return mix(child, grown, maturity(p));
 }
 
-/// Body mass index of somebody neither slim nor obese: 17.8 at twelve (40 kg at 150 cm) and 25.1
-/// grown up (Pulse's standard patient, 77 kg at 175 cm).
-double usualBodyMassIndex(double age)
-{
-    constexpr double kTwelve = 40.0 / (1.5 * 1.5);
-    constexpr double kGrown = 77.0 / (1.75 * 1.75);
-    return age < 12.0 ? kTwelve - 0.3 * (12.0 - age)
-                      : mix(kTwelve, kGrown, shareBetween(12.0, 18.0, age));
-}
-
 /// Weight, lungs and the fat below the skin.
 void addBody(const PatientParameters& p, PatientDimensions& d)
 {
@@ -143,6 +133,14 @@ void addBreathing(const PatientParameters& p, PatientDimensions& d)
 
 } // namespace
 
+double usualBodyMassIndex(double age)
+{
+    constexpr double kTwelve = 40.0 / (1.5 * 1.5);
+    constexpr double kGrown = 77.0 / (1.75 * 1.75);
+    return age < 12.0 ? kTwelve - 0.3 * (12.0 - age)
+                      : mix(kTwelve, kGrown, shareBetween(12.0, 18.0, age));
+}
+
 PatientParameters parametersOf(BuiltinPatient patient)
 {
     switch (patient) {
@@ -158,9 +156,9 @@ PatientParameters parametersOf(BuiltinPatient patient)
 Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
 {
     if (!(p.ageInYears >= 6.0 && p.ageInYears <= 90.0))
-        return fail(Errc::OutOfRange, "age");
+        return fail(Errc::OutOfRange, "an age is 6 to 90 years");
     if (!(p.height >= metres(1.0) && p.height <= metres(2.1)))
-        return fail(Errc::OutOfRange, "height");
+        return fail(Errc::OutOfRange, "a height is 100 to 210 cm");
     PatientDimensions d;
     d.height = p.height;
     const Windpipe windpipe = windpipeOf(p);

@@ -68,6 +68,10 @@ struct PatientDimensions {
     Length tubeInnerDiameter;         ///< of the tracheal tube that fits
 };
 
+/// Body mass index of somebody neither slim nor obese, kg/m^2: 17.8 at twelve (40 kg at 150 cm) and
+/// 25.1 grown up (Pulse's standard patient, 77 kg at 175 cm).
+[[nodiscard]] double usualBodyMassIndex(double ageInYears);
+
 /// The figures of a patient by published formulas; patient_dimensions.cpp gives the source of each.
 /// @returns OutOfRange for an age or height that the formulas do not reach.
 [[nodiscard]] Result<PatientDimensions> dimensionsFor(const PatientParameters& parameters);

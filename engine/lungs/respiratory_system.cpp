@@ -26,15 +26,19 @@ constexpr Resistance kUpperAirway = cmH2OSecondsPerLitre(1.125);
 constexpr Resistance kBothBronchi = cmH2OSecondsPerLitre(0.45);
 constexpr double kAnatomicalDeadSpace_mlPerKg = 2.2;
 constexpr Frequency kRelief = hertz(0.5);
-constexpr double kLeanBodyMassIndex = 26.0;
+/// Beyond this much of the usual weight, a body mass index of 26 in adults, there is fat.
+constexpr double kLeanShare = 26.0 / (77.0 / (1.75 * 1.75));
+/// How fast weight beyond the lean one takes the expiratory reserve: exponentially (Jones and
+/// Nzekwu, Chest 2006;130:827), so that 127 kg at 175 cm are left with 11 ml/kg (Benumof).
+constexpr double kReserveLostToFat = 3.7;
 // The mediastinum: 35 mm at the most over an area of 200 cm2, reached at 14 cmH2O.
 constexpr Volume kMediastinumMost = litres(0.7);
 constexpr Compliance kMediastinum = litresPerCmH2O(0.05);
 
 double leanWeight(const PatientBuild& build)
 {
-    const double height_m = build.height.si;
-    return std::min(build.weightInKilograms, kLeanBodyMassIndex * height_m * height_m);
+    const double usual = usualBodyMassIndex(build.ageInYears) * build.height.si * build.height.si;
+    return std::min(build.weightInKilograms, kLeanShare * usual);
 }
 
 /// Resistance at an age over an adult's: the total at 4 Hz falls from 13 cmH2O s/L at 2 years to 3
@@ -112,7 +116,9 @@ PatientBuild buildOf(const PatientDimensions& dimensions)
 LungVolumes lungVolumesOf(const PatientBuild& build)
 {
     const Volume perKilogram = millilitres(leanWeight(build));
-    return {16.0 * perKilogram, 30.0 * perKilogram, 80.0 * perKilogram};
+    const double fat = build.weightInKilograms / leanWeight(build) - 1.0;
+    const double reserve = 14.0 * std::exp(-kReserveLostToFat * fat);
+    return {16.0 * perKilogram, (16.0 + reserve) * perKilogram, 80.0 * perKilogram};
 }
 
 RespiratorySystem healthySystem(const PatientBuild& build)

@@ -49,7 +49,7 @@ class TestRespiratorySystem : public QObject
 private Q_SLOTS:
     void hasTheVolumesOfTheTable_data();
     void hasTheVolumesOfTheTable();
-    void fatAddsNoLung();
+    void fatAddsNoLungAndTakesReserve();
     void hasThePublishedComplianceAtRest();
     void restsWithARecoilOf5AndHoldsItsCapacity();
     void takesTheBuildOfABuiltinPatient();
@@ -92,14 +92,19 @@ void TestRespiratorySystem::hasTheVolumesOfTheTable()
     VERIFY_WITHIN(inLitres(system.lungs[1].wallVolume), 0.475 * rest_l, kTolerance_l);
 }
 
-void TestRespiratorySystem::fatAddsNoLung()
+void TestRespiratorySystem::fatAddsNoLungAndTakesReserve()
 {
     const PatientBuild lean{metres(1.75), 26.0 * 1.75 * 1.75, 40.0, Sex::Male};
     PatientBuild obese = lean;
     obese.weightInKilograms = 127.0;
-    QVERIFY(healthySystem(obese) == healthySystem(lean));
-    obese.weightInKilograms = lean.weightInKilograms - 1.0;
-    QVERIFY(!(healthySystem(obese) == healthySystem(lean)));
+    const LungVolumes usual = lungVolumesOf(lean);
+    const LungVolumes left = lungVolumesOf(obese);
+    QCOMPARE(left.totalCapacity.si, usual.totalCapacity.si);
+    QCOMPARE(left.residual.si, usual.residual.si);
+    // 11 ml/kg of 127 kg (Benumof).
+    VERIFY_WITHIN(inLitres(left.functionalResidual), 0.011 * 127.0, 0.01);
+    obese.weightInKilograms = 400.0; // no weight takes what cannot be breathed out
+    QVERIFY(lungVolumesOf(obese).functionalResidual > usual.residual);
 }
 
 /// The system of an adult 0.1, of a child of 12 about 0.05 L/cmH2O; the right side of an adult

@@ -49,7 +49,8 @@ AnatomyPart withoutMeshes(const AnatomyPart& part)
             .role = part.role,
             .conceptId = part.conceptId,
             .levels = {},
-            .deviations = part.deviations};
+            .deviations = part.deviations,
+            .colors = part.colors};
 }
 
 } // namespace

@@ -44,8 +44,11 @@ PartsPanel::PartsPanel(QWidget* parent)
           styleButton(tr("Gh&ost"), tr("Show hardly more than their outline"), PartStyle::Ghost),
           styleButton(tr("Hide"), tr("Do not show them"), PartStyle::Hidden)},
       m_highlight{
-          switchButton(tr("Highlight"), tr("Show them opaque and yellow"), &PartLook::highlighted)},
-      m_label{switchButton(tr("Name"), tr("Write their names beside them"), &PartLook::labelled)},
+          switchFor(tr("Highlight"), tr("Show them opaque and yellow"), &PartLook::highlighted)},
+      m_label{switchFor(tr("Name"), tr("Write their names beside them"), &PartLook::labelled)},
+      m_plain{switchFor(tr("Plain colour"),
+                        tr("Colour them by what they are, not as the anatomy set does"),
+                        &PartLook::plain)},
       m_showAll{new QPushButton{tr("Show &all as usual")}}
 {
     m_words->setObjectName(QStringLiteral("words"));
@@ -77,7 +80,7 @@ void PartsPanel::layOut()
     auto* buttons = new QGridLayout;
     int place = 0;
     std::vector<QPushButton*> all = m_styles;
-    all.insert(all.end(), {m_highlight, m_label});
+    all.insert(all.end(), {m_highlight.button, m_label.button, m_plain.button});
     for (QPushButton* button : all) {
         buttons->addWidget(button, place / kButtonsInARow, place % kButtonsInARow);
         ++place;
@@ -96,8 +99,8 @@ QPushButton* PartsPanel::styleButton(const QString& text, const QString& toolTip
     return button;
 }
 
-QPushButton* PartsPanel::switchButton(const QString& text, const QString& toolTip,
-                                      bool PartLook::*which)
+PartsPanel::Switch PartsPanel::switchFor(const QString& text, const QString& toolTip,
+                                         bool PartLook::*which)
 {
     auto* button = new QPushButton{text};
     button->setToolTip(toolTip);
@@ -105,7 +108,7 @@ QPushButton* PartsPanel::switchButton(const QString& text, const QString& toolTi
     connect(button, &QPushButton::clicked, this, [this, which](bool on) {
         changeChosen([which, on](PartLook& look) { look.*which = on; });
     });
-    return button;
+    return {button, which};
 }
 
 void PartsPanel::setScene(SceneView& scene)
@@ -116,6 +119,9 @@ void PartsPanel::setScene(SceneView& scene)
         auto* item = new QTreeWidgetItem{m_parts, {QString::fromStdString(part.name)}};
         item->setData(kName, Qt::UserRole, part.id);
     }
+    m_plain.button->setVisible(
+        std::any_of(scene.parts().begin(), scene.parts().end(),
+                    [](const ScenePart& part) { return !part.colors.empty(); }));
     m_parts->sortItems(kName, Qt::AscendingOrder);
     filter(m_words->text());
     refresh();
@@ -161,6 +167,25 @@ void PartsPanel::filter(const QString& words)
 void PartsPanel::refresh()
 {
     const PartLooks looks = m_scene == nullptr ? PartLooks{} : m_scene->looks();
+    for (int row = 0; row < m_parts->topLevelItemCount(); ++row) {
+        QTreeWidgetItem* item = m_parts->topLevelItem(row);
+        item->setText(kShown, wordsFor(lookOf(looks, idOf(*item))));
+    }
+    const std::vector<std::uint16_t> ids = chosen();
+    for (QPushButton* button : m_styles)
+        button->setEnabled(!ids.empty());
+    for (const Switch& each : {m_highlight, m_label, m_plain}) {
+        each.button->setEnabled(!ids.empty());
+        each.button->setChecked(!ids.empty()
+                                && std::all_of(ids.begin(), ids.end(), [&](std::uint16_t id) {
+                                       return lookOf(looks, id).*each.which;
+                                   }));
+    }
+    m_showAll->setEnabled(m_scene != nullptr);
+}
+
+QString PartsPanel::wordsFor(const PartLook& look)
+{
     const auto styleWord = [](PartStyle style) {
         switch (style) {
         case PartStyle::AsUsual:
@@ -174,27 +199,10 @@ void PartsPanel::refresh()
         }
         return QString{};
     };
-    for (int row = 0; row < m_parts->topLevelItemCount(); ++row) {
-        QTreeWidgetItem* item = m_parts->topLevelItem(row);
-        const PartLook look = lookOf(looks, idOf(*item));
-        QString text = look.highlighted ? tr("highlighted") : styleWord(look.style);
-        if (look.labelled)
-            text = tr("%1, named").arg(text);
-        item->setText(kShown, text);
-    }
-    const std::vector<std::uint16_t> ids = chosen();
-    const auto all = [&](bool PartLook::*which) {
-        return !ids.empty() && std::all_of(ids.begin(), ids.end(), [&](std::uint16_t id) {
-            return lookOf(looks, id).*which;
-        });
-    };
-    for (QPushButton* button : m_styles)
-        button->setEnabled(!ids.empty());
-    m_highlight->setEnabled(!ids.empty());
-    m_highlight->setChecked(all(&PartLook::highlighted));
-    m_label->setEnabled(!ids.empty());
-    m_label->setChecked(all(&PartLook::labelled));
-    m_showAll->setEnabled(m_scene != nullptr);
+    QString words = look.highlighted ? tr("highlighted") : styleWord(look.style);
+    if (look.plain)
+        words = tr("%1, plain colour").arg(words);
+    return look.labelled ? tr("%1, named").arg(words) : words;
 }
 
 } // namespace carina

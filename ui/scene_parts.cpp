@@ -82,6 +82,7 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                          .framed = isFramed(surface),
                          .levels = surface.levels,
                          .deviations = surface.description.deviations,
+                         .colors = surface.description.colors,
                          .sharesLevel = lungSide(surface.description.role).has_value()});
     }
     return parts;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/vertex_color.h"
 
 #include <cstdint>
 #include <optional>
@@ -59,6 +60,9 @@ struct AnatomyPart {
     /// How far each level departs from the finest, metres; one each, or none where that
     /// is not known.
     std::vector<double> deviations{};
+    /// The colours that the surface came with, one per vertex of each level; none where it has
+    /// those of its role.
+    std::vector<std::vector<Rgb>> colors{};
 };
 
 /// Points and the way of a tube that every patient has, in A, metres.

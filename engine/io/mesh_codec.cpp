@@ -15,7 +15,7 @@ namespace
 
 static_assert(std::endian::native == std::endian::little,
               "vertices are copied as they lie in memory");
-static_assert(sizeof(Vec3f) == 12 && sizeof(Triangle) == 12);
+static_assert(sizeof(Vec3f) == 12 && sizeof(Triangle) == 12 && sizeof(Rgb) == 3);
 
 /// Their places here are in files: add at the end.
 constexpr std::array kFileErrors{Errc::NotFinite, Errc::FileNotFound,  Errc::FileUnreadable,
@@ -75,6 +75,15 @@ TriangleMesh readMesh(ByteReader& reader)
     reader.require(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size(),
                    "a vertex has a normal");
     return mesh;
+}
+
+void writeColors(ByteWriter& writer, const std::vector<Rgb>& colors) { writeItems(writer, colors); }
+
+std::vector<Rgb> readColors(ByteReader& reader, std::size_t vertices)
+{
+    auto colors = readItems<Rgb>(reader);
+    reader.require(colors.empty() || colors.size() == vertices, "a vertex has a colour");
+    return colors;
 }
 
 void writeFileError(ByteWriter& writer, const Error& error)

@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/vertex_color.h"
 #include "engine/sync/byte_buffer.h"
 
 #include <string>
@@ -20,6 +21,9 @@ void writeText(ByteWriter& writer, std::string_view text);
 [[nodiscard]] std::string readText(ByteReader& reader);
 void writeMesh(ByteWriter& writer, const TriangleMesh& mesh);
 [[nodiscard]] TriangleMesh readMesh(ByteReader& reader);
+/// The reader is not ok() unless there are none or one for each vertex.
+void writeColors(ByteWriter& writer, const std::vector<Rgb>& colors);
+[[nodiscard]] std::vector<Rgb> readColors(ByteReader& reader, std::size_t vertices);
 
 /// Why a file could not be read: what readMeshFile fails with, as a number of its own that does not
 /// change when Errc does.

@@ -4,8 +4,10 @@
 #include "engine/io/surface_check.h"
 #include "engine/io/surface_format.h"
 #include "engine/io/surface_text.h"
+#include "engine/io/surface_texture.h"
 #include "engine/io/whole_file.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/commonMetaData.h>
 #include <assimp/postprocess.h>
@@ -66,12 +68,17 @@ bool addMesh(const aiMesh& mesh, const aiMatrix4x4& placed, TriangleMesh& surfac
     return true;
 }
 
+bool isOfOneColor(const std::vector<Rgb>& colors)
+{
+    return std::adjacent_find(colors.begin(), colors.end(), std::not_equal_to<>{}) == colors.end();
+}
+
 /// Walks the nodes of a scene and collects one surface from each that has triangles.
 class SceneReader
 {
 public:
-    SceneReader(const aiScene& scene, std::string fallbackName)
-        : m_scene(scene), m_fallbackName(std::move(fallbackName))
+    SceneReader(const aiScene& scene, SurfaceTexture& texture, std::string fallbackName)
+        : m_scene(scene), m_texture(texture), m_fallbackName(std::move(fallbackName))
     {
     }
 
@@ -93,32 +100,48 @@ private:
     {
         const aiMatrix4x4 placed = parent * node.mTransformation;
         TriangleMesh whole;
-        for (unsigned i = 0; i < node.mNumMeshes && m_indicesGood; ++i)
-            m_indicesGood = addMesh(*m_scene.mMeshes[node.mMeshes[i]], placed, whole, m_finite);
-        if (m_finite && m_indicesGood)
-            whole = welded(whole, metres(0.0));
-        if (!whole.empty()) {
-            const std::string name{node.mName.C_Str()};
-            m_surfaces.push_back({isPlaceholder(name) ? m_fallbackName : name,
-                                  conceptIn(name).value_or(std::string{}), std::move(whole)});
+        std::vector<Rgb> colors;
+        for (unsigned i = 0; i < node.mNumMeshes && m_indicesGood; ++i) {
+            const aiMesh& mesh = *m_scene.mMeshes[node.mMeshes[i]];
+            m_indicesGood = addMesh(mesh, placed, whole, m_finite);
+            const std::vector<Rgb> more = m_texture.colorsOf(mesh);
+            colors.insert(colors.end(), more.begin(), more.end());
         }
+        if (m_finite && m_indicesGood && !whole.empty())
+            addSurface(node.mName.C_Str(), whole, colors);
         for (unsigned i = 0; i < node.mNumChildren && m_finite && m_indicesGood; ++i)
             visit(*node.mChildren[i], placed);
     }
 
+    void addSurface(const std::string& name, const TriangleMesh& split,
+                    const std::vector<Rgb>& colors)
+    {
+        NamedSurface surface{isPlaceholder(name) ? m_fallbackName : name,
+                             conceptIn(name).value_or(std::string{}),
+                             welded(split, metres(0.0)),
+                             {}};
+        if (surface.mesh.empty())
+            return;
+        if (!isOfOneColor(colors))
+            surface.colors = ColorsByPlace{split.positions, colors}.at(surface.mesh.positions);
+        m_surfaces.push_back(std::move(surface));
+    }
+
     const aiScene& m_scene;
+    SurfaceTexture& m_texture;
     std::string m_fallbackName;
     std::vector<NamedSurface> m_surfaces;
     bool m_finite = true;
     bool m_indicesGood = true;
 };
 
-Result<MeshFile> readScene(const aiScene& scene, const std::string& stem, SurfaceNotes notes)
+Result<MeshFile> readScene(const aiScene& scene, SurfaceTexture texture, const std::string& stem,
+                           SurfaceNotes notes)
 {
-    auto surfaces = SceneReader{scene, stem}.surfaces();
+    auto surfaces = SceneReader{scene, texture, stem}.surfaces();
     if (!surfaces)
         return tl::unexpected(surfaces.error());
-    MeshFile file{std::move(*surfaces), std::move(notes.attributions)};
+    MeshFile file{std::move(*surfaces), std::move(notes.attributions), texture.faults()};
     if (file.surfaces.size() == 1) {
         NamedSurface& only = file.surfaces.front();
         only.name = notes.name.empty() ? only.name : notes.name;
@@ -133,20 +156,50 @@ Result<MeshFile> readScene(const aiScene& scene, const std::string& stem, Surfac
     return file;
 }
 
+/// Opens what lies in one folder or below it and nothing else, whatever a file refers to.
+class FolderFiles : public Assimp::DefaultIOSystem
+{
+public:
+    explicit FolderFiles(const std::filesystem::path& folder)
+        : m_folder(std::filesystem::weakly_canonical(folder))
+    {
+    }
+
+    Assimp::IOStream* Open(const char* file, const char* mode) override
+    {
+        const auto inside = std::filesystem::weakly_canonical(file).lexically_relative(m_folder);
+        return inside.empty() || *inside.begin() == ".." ? nullptr
+                                                         : DefaultIOSystem::Open(file, mode);
+    }
+
+private:
+    std::filesystem::path m_folder;
+};
+
+/// Whether a file may refer to others: the materials of an OBJ, the buffers of a glTF.
+bool refersToFiles(SurfaceFormat format)
+{
+    return format == SurfaceFormat::Gltf || format == SurfaceFormat::Obj;
+}
+
 Result<MeshFile> parse(const std::filesystem::path& file, SurfaceFormat format,
                        const std::string& bytes)
 {
+    const bool linear = format == SurfaceFormat::Gltf || format == SurfaceFormat::Glb;
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
     Assimp::Importer importer;
     try {
+        importer.SetIOHandler(new FolderFiles{folder}); // the importer owns it
         const aiScene* scene =
-            format == SurfaceFormat::Gltf
+            refersToFiles(format)
                 ? importer.ReadFile(file.string(), aiProcess_Triangulate)
                 : importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate,
                                               endingOf(format));
         if (scene == nullptr)
             return fail(Errc::FileMalformed, importer.GetErrorString());
         const bool text = format == SurfaceFormat::Obj || format == SurfaceFormat::Ply;
-        return readScene(*scene, file.stem().string(), text ? notesIn(bytes) : SurfaceNotes{});
+        return readScene(*scene, {*scene, folder, linear}, file.stem().string(),
+                         text ? notesIn(bytes) : SurfaceNotes{});
     } catch (const std::exception& thrown) {
         return fail(Errc::FileMalformed, thrown.what());
     }

@@ -17,10 +17,13 @@ MeshFile readSurfaces(ByteReader& reader)
         surface.name = readText(reader);
         surface.conceptId = readText(reader);
         surface.mesh = readMesh(reader);
+        surface.colors = readColors(reader, surface.mesh.positions.size());
         file.surfaces.push_back(std::move(surface));
     }
     for (auto left = reader.number<std::uint32_t>(); left > 0 && reader.ok(); --left)
         file.attributions.push_back(readText(reader));
+    for (auto left = reader.number<std::uint32_t>(); left > 0 && reader.ok(); --left)
+        file.textureFaults.push_back(readFileError(reader));
     return file;
 }
 
@@ -41,10 +44,14 @@ std::vector<std::byte> encodeMeshFile(const Result<MeshFile>& file)
         writeText(writer, surface.name);
         writeText(writer, surface.conceptId);
         writeMesh(writer, surface.mesh);
+        writeColors(writer, surface.colors);
     }
     writer.number(static_cast<std::uint32_t>(file->attributions.size()));
     for (const std::string& line : file->attributions)
         writeText(writer, line);
+    writer.number(static_cast<std::uint32_t>(file->textureFaults.size()));
+    for (const Error& fault : file->textureFaults)
+        writeFileError(writer, fault);
     return bytes;
 }
 

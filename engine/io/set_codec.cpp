@@ -16,7 +16,7 @@ namespace
 
 constexpr std::uint64_t kMagic = 0x5450414e49524143; // "CARINAPT"
 /// Raised when the layout changes, or what an import makes of the same files.
-constexpr std::uint32_t kVersion = 5;
+constexpr std::uint32_t kVersion = 6;
 constexpr std::size_t kHashBytes = 32;
 constexpr std::uint32_t kMostLevels = 16;    ///< of one part
 constexpr std::uint32_t kMostItems = 32'768; ///< of any other list; a part's number has 16 bits
@@ -71,6 +71,7 @@ void writePart(ByteWriter& writer, const AnatomyPart& part)
     writeText(writer, part.conceptId);
     writeList(writer, part.levels, writeMesh);
     writeList(writer, part.deviations, [](ByteWriter& to, double d) { to.real(d); });
+    writeList(writer, part.colors, writeColors);
 }
 
 double readDeviation(ByteReader& reader)
@@ -93,6 +94,13 @@ AnatomyPart readPart(ByteReader& reader)
     part.deviations = readList<double>(reader, kMostLevels, readDeviation);
     reader.require(part.deviations.empty() || part.deviations.size() == part.levels.size(),
                    "a level has a deviation");
+    std::size_t level = 0;
+    part.colors = readList<std::vector<Rgb>>(reader, kMostLevels, [&](ByteReader& from) {
+        const std::size_t at = level++;
+        return readColors(from, at < part.levels.size() ? part.levels[at].positions.size() : 0);
+    });
+    reader.require(part.colors.empty() || part.colors.size() == part.levels.size(),
+                   "a level has its colours");
     return part;
 }
 

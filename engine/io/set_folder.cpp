@@ -5,6 +5,7 @@
 #include "engine/io/whole_file.h"
 
 #include <QCryptographicHash>
+#include <QStringList>
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +23,11 @@ constexpr const char* kSource = "SOURCE.txt";
 
 bool isCompanion(const fs::path& file)
 {
-    return file.filename() == kManifest || file.filename() == kSource || file.extension() == ".bin";
+    if (file.filename() == kManifest || file.filename() == kSource)
+        return true;
+    const QString ending = QString::fromStdString(file.extension().string()).toLower();
+    static const QStringList kEndings = QStringLiteral(".bin .mtl .png .jpg .jpeg").split(u' ');
+    return kEndings.contains(ending);
 }
 
 /// Hashes a text so that no other sequence of texts gives the same bytes.

@@ -14,7 +14,8 @@ namespace carina
 struct SetFolder {
     std::filesystem::path root;
     std::vector<std::string> surfaces; ///< files of a surface format, relative to root, sorted
-    /// What else the import reads: MANIFEST.tsv, SOURCE.txt and the buffers of glTF; sorted.
+    /// What else the import reads: MANIFEST.tsv, SOURCE.txt, the buffers of glTF, the materials of
+    /// OBJ and textures; sorted.
     std::vector<std::string> companions;
 };
 

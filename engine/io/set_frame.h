@@ -14,6 +14,7 @@ struct RecognisedSurface {
     std::string conceptId;
     PartRole role = PartRole::Other;
     TriangleMesh mesh;
+    std::vector<Rgb> colors{}; ///< one per vertex, or none
 };
 
 /// Finds the unit and the axes of a set from what its surfaces are.

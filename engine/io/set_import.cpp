@@ -88,9 +88,11 @@ std::vector<RecognisedSurface> recognise(const SetFolder& folder,
             PartRole role = recogniseRole(s.conceptId, s.name);
             if (role == PartRole::Other && files[i]->surfaces.size() == 1)
                 role = recogniseRole({}, std::filesystem::path{file}.stem().string());
-            surfaces.push_back(
-                {file, shownName(s.name), std::move(s.conceptId), role, std::move(s.mesh)});
+            surfaces.push_back({file, shownName(s.name), std::move(s.conceptId), role,
+                                std::move(s.mesh), std::move(s.colors)});
         }
+        for (Error& fault : files[i]->textureFaults)
+            set.faults.push_back({file, std::move(fault)});
     }
     return surfaces;
 }
@@ -106,6 +108,9 @@ void moveInto(TriangleMesh& mesh, const SetFrame& frame, const Vec3& p_F_origin)
 
 AnatomyPart makePart(RecognisedSurface surface)
 {
+    const ColorsByPlace colors{surface.colors.empty() ? std::span<const Vec3f>{}
+                                                      : std::span{surface.mesh.positions},
+                               surface.colors};
     TriangleMesh mesh = std::move(surface.mesh);
     if (lungSide(surface.role))
         mesh = closedSurface(mesh, kWeldTolerance);
@@ -114,8 +119,12 @@ AnatomyPart makePart(RecognisedSurface surface)
             std::swap(t[1], t[2]);
     const auto shares = sharesFor(mesh.triangles.size());
     auto levels = levelsOfDetail(std::move(mesh), shares);
-    return {std::move(surface.name), surface.role, std::move(surface.conceptId),
-            std::move(levels.meshes), std::move(levels.deviations)};
+    AnatomyPart part{std::move(surface.name), surface.role, std::move(surface.conceptId),
+                     std::move(levels.meshes), std::move(levels.deviations)};
+    for (const TriangleMesh& level : part.levels)
+        if (!surface.colors.empty())
+            part.colors.push_back(colors.at(level.positions));
+    return part;
 }
 
 /// The parts in the axes of A, in metres, about the point p_F_origin of F.

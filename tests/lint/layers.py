@@ -27,7 +27,7 @@ LIBRARY_OF_PREFIX = [
     ("openvdb/", "OpenVDB"), ("tbb/", "TBB"), ("oneapi/tbb/", "TBB"), ("assimp/", "assimp"),
     ("meshoptimizer.h", "meshoptimizer"), ("sodium", "libsodium"), ("opencv2/", "OpenCV"),
     ("GL/", "OpenGL"), ("benchmark/", "Google Benchmark"),
-    ("qrencode.h", "libqrencode"),
+    ("qrencode.h", "libqrencode"), ("png.h", "libpng"), ("turbojpeg.h", "libjpeg-turbo"),
     ("arpa/", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),
     ("signal.h", "POSIX"), ("poll.h", "POSIX"), ("pthread.h", "POSIX"),
 ]

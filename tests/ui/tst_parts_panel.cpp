@@ -110,6 +110,8 @@ private Q_SLOTS:
                                      << QStringLiteral("highlighted");
         QTest::newRow("named") << QByteArray{"Name"} << Look{.labelled = true}
                                << QStringLiteral("as usual, named");
+        QTest::newRow("plain") << QByteArray{"Plain colour"} << Look{.plain = true}
+                               << QStringLiteral("as usual, plain colour");
     }
 
     void changesWhatIsChosen()
@@ -148,6 +150,18 @@ private Q_SLOTS:
         shown.choose("First rib");
         shown.button("Name")->click();
         QVERIFY(!shown.look(kRib).labelled);
+    }
+
+    void offersPlainColoursOnlyWherePartsCameWithColours()
+    {
+        Shown shown;
+        QVERIFY(!shown.button("Plain colour")->isVisibleTo(&shown.panel));
+        ScenePart skin = named(kLobe, MaterialGroup::Skin, "Skin", 0.0);
+        for (const auto& level : skin.levels)
+            skin.colors.emplace_back(level->positions.size(), Rgb{200, 120, 90});
+        shown.view->setParts(std::vector{skin});
+        shown.panel.setScene(*shown.view);
+        QVERIFY(shown.button("Plain colour")->isVisibleTo(&shown.panel));
     }
 
     void findsPartsByWords()

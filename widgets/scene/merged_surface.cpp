@@ -11,15 +11,26 @@ namespace carina
 namespace
 {
 
-void appendMesh(MergedSurface& surface, const ScenePart& part, const TriangleMesh& mesh)
+Vec3f asFloats(const Rgb& color)
 {
+    constexpr float kBrightest = 255.0F;
+    return Vec3f(color[0], color[1], color[2]) / kBrightest;
+}
+
+void appendMesh(MergedSurface& surface, const ScenePart& part, std::size_t level)
+{
+    const TriangleMesh& mesh = *part.levels[level];
     CARINA_EXPECTS(mesh.normals.size() == mesh.positions.size());
+    const std::span<const Rgb> own =
+        part.colors.empty() ? std::span<const Rgb>{} : std::span{part.colors[level]};
+    CARINA_EXPECTS(own.empty() || own.size() == mesh.positions.size());
     const auto first = static_cast<std::uint32_t>(surface.vertices.size());
     const Vec3f color{part.color.redF(), part.color.greenF(), part.color.blueF()};
     const Vec3f which{static_cast<float>(part.id), static_cast<float>(part.region),
                       static_cast<float>(part.group)};
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        surface.vertices.push_back({mesh.positions[i], mesh.normals[i], color, which});
+        surface.vertices.push_back(
+            {mesh.positions[i], mesh.normals[i], own.empty() ? color : asFloats(own[i]), which});
     for (const Triangle& t : mesh.triangles)
         surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
@@ -30,7 +41,7 @@ void appendPart(MergedSurface& surface, const ScenePart& part, std::size_t place
         const TriangleMesh& mesh = *part.levels[level];
         surface.pieces.push_back({place, static_cast<int>(level), surface.triangles.size(),
                                   mesh.triangles.size(), part.group == MaterialGroup::Airway});
-        appendMesh(surface, part, mesh);
+        appendMesh(surface, part, level);
     }
 }
 

@@ -56,7 +56,7 @@ struct MergedSurface {
 
 /// The parts, merged by layer and body, what is opaque also by region.
 ///
-/// @pre each part has a level; each mesh has normals.
+/// @pre each part has a level; each mesh has normals, and colours as ScenePart says.
 [[nodiscard]] std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts);
 
 /// The triangles of the pieces whose parts are drawn in these levels of detail, by place among the

@@ -14,6 +14,8 @@ std::vector<ScenePart> withLooks(std::span<const ScenePart> parts, const PartLoo
         ScenePart& drawn = shown.emplace_back(part);
         if (look.highlighted)
             drawn.color = kHighlight;
+        if (look.highlighted || look.plain)
+            drawn.colors.clear();
         const bool isOpaque = drawLayerOf(part.group) != DrawLayer::Blended;
         if ((look.highlighted || look.style == PartStyle::Solid) && !isOpaque)
             drawn.group = MaterialGroup::SoftTissue;

@@ -23,6 +23,7 @@ struct PartLook {
     PartStyle style = PartStyle::AsUsual;
     bool highlighted = false; ///< opaque, in a colour that no part has; shown even where hidden
     bool labelled = false;    ///< its name stands beside it
+    bool plain = false;       ///< of the one colour of its kind, whatever colours it came with
 
     friend bool operator==(const PartLook&, const PartLook&) = default;
 };

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/chest_region.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/vertex_color.h"
 
 #include <QColor>
 
@@ -70,6 +71,8 @@ struct ScenePart {
     /// How far each level departs from the finest, metres, 0 first. A level that has none here is
     /// drawn only where it is asked for.
     std::vector<double> deviations{};
+    /// In place of `color`: one per vertex of each level, or none.
+    std::vector<std::vector<Rgb>> colors{};
     /// Drawn in the same level as all others that share it, and as the frame source is asked for:
     /// those whose volume matters.
     bool sharesLevel = false;

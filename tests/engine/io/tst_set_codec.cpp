@@ -24,6 +24,8 @@ ImportedSet smallSet()
     set.anatomy.contentHash = std::string(64, 'a');
     set.anatomy.parts = {{"Trachea", PartRole::Trachea, "FMA7394", {smooth, mesh}, {0.0, 5e-4}},
                          {"Right lung", PartRole::RightLung, "", {mesh}}};
+    const Rgb pink{230, 160, 150};
+    set.anatomy.parts[0].colors = {{pink, {1, 2, 3}, pink, pink}, std::vector(4, Rgb{0, 128, 255})};
     set.anatomy.landmarks.p_A_incisors = {0.0, -0.08, 0.2};
     set.anatomy.landmarks.p_A_glottis = {0.0, -0.01, 0.12};
     set.anatomy.landmarks.path_A = {{0.0, -0.08, 0.2}, {0.0, 0.0, 0.0}};
@@ -75,6 +77,7 @@ private Q_SLOTS:
             QCOMPARE(a.conceptId, b.conceptId);
             QCOMPARE(a.levels.size(), b.levels.size());
             QCOMPARE(a.deviations, b.deviations);
+            QVERIFY(a.colors == b.colors);
             for (std::size_t level = 0; level < a.levels.size(); ++level)
                 QVERIFY(same(a.levels[level], b.levels[level]));
         }
@@ -94,7 +97,7 @@ private Q_SLOTS:
     void laysTheHeaderOutAsDocumented()
     {
         const auto bytes = encodeSet(smallSet());
-        QVERIFY(std::memcmp(bytes.data(), "CARINAPT\5\0\0\0", 12) == 0);
+        QVERIFY(std::memcmp(bytes.data(), "CARINAPT\6\0\0\0", 12) == 0);
         std::uint64_t length = 0;
         std::memcpy(&length, bytes.data() + 12, sizeof length);
         QCOMPARE(length, std::uint64_t{bytes.size() - kHeaderBytes});
@@ -139,6 +142,19 @@ private Q_SLOTS:
         ImportedSet set = smallSet();
         QFETCH(std::vector<double>, deviations);
         set.anatomy.parts[0].deviations = deviations;
+        QVERIFY(!decodeSet(encodeSet(set)).has_value());
+    }
+
+    void refusesColoursThatFitNoMesh()
+    {
+        ImportedSet set = smallSet();
+        set.anatomy.parts[0].colors.pop_back();
+        QVERIFY(!decodeSet(encodeSet(set)).has_value());
+        set = smallSet();
+        set.anatomy.parts[0].colors[1].pop_back();
+        QVERIFY(!decodeSet(encodeSet(set)).has_value());
+        set = smallSet();
+        set.anatomy.parts[1].colors = {set.anatomy.parts[0].colors[0], {}};
         QVERIFY(!decodeSet(encodeSet(set)).has_value());
     }
 

@@ -49,6 +49,7 @@ class TestMergedSurface : public QObject
 private Q_SLOTS:
     void drawsLikePartsInOneGo();
     void saysOfEachCornerWhatItBelongsTo();
+    void givesEachCornerItsOwnColour();
     void keepsUnlikePartsApart_data();
     void keepsUnlikePartsApart();
     void drawsEachPartInItsLevel();
@@ -81,6 +82,18 @@ void TestMergedSurface::saysOfEachCornerWhatItBelongsTo()
     QVERIFY(vertices[4].position == Vec3f(6, 0, 0));
     QVERIFY(vertices[4].normal == Vec3f(0, 0, 1));
     QVERIFY((vertices[4].color - Vec3f(1.0F, 0.0F, 0.2F)).norm() < 1e-4F);
+}
+
+void TestMergedSurface::givesEachCornerItsOwnColour()
+{
+    ScenePart skin = part(7, MaterialGroup::Skin, {triangle(0), triangle(10)});
+    skin.colors = {{{255, 0, 0}, {0, 255, 0}, {0, 0, 51}}, std::vector(3, Rgb{0, 0, 255})};
+    const ScenePart plain = part(8, MaterialGroup::Skin, {triangle(20)});
+    const std::vector<MergedSurface> surfaces = mergedSurfaces(std::vector{skin, plain});
+    const std::array<Vec3f, 7> meant{Vec3f{1, 0, 0}, {0, 1, 0}, {0, 0, 0.2F}, {0, 0, 1},
+                                     {0, 0, 1},      {0, 0, 1}, {1, 0, 0.2F}};
+    for (std::size_t i = 0; i < meant.size(); ++i)
+        QVERIFY((surfaces.front().vertices[i].color - meant[i]).norm() < 1e-4F);
 }
 
 void TestMergedSurface::keepsUnlikePartsApart_data()

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void drawsAPartAsWanted();
     void leavesOutWhatIsHidden();
     void showsWhatIsHighlightedEvenWhereHidden();
+    void keepsTheColoursAPartCameWithUntilOneColourIsWanted();
 };
 
 void TestPartLook::showsAsUsualWhatIsNotSpokenOf()
@@ -88,6 +89,21 @@ void TestPartLook::showsWhatIsHighlightedEvenWhereHidden()
         withLooks(std::vector{part(1, MaterialGroup::Lung)}, {{1, {PartStyle::Hidden, true}}});
     QCOMPARE(shown.size(), std::size_t{1});
     QCOMPARE(shown[0].group, MaterialGroup::SoftTissue);
+}
+
+void TestPartLook::keepsTheColoursAPartCameWithUntilOneColourIsWanted()
+{
+    ScenePart skin = part(1, MaterialGroup::Skin);
+    skin.colors = {{{1, 2, 3}}};
+    const auto shown = [&](const PartLook& look) {
+        return withLooks(std::vector{skin}, {{1, look}}).front();
+    };
+    QVERIFY(shown({}).colors == skin.colors);
+    QVERIFY(shown({PartStyle::Solid}).colors == skin.colors);
+    QVERIFY(shown({.plain = true}).colors.empty());
+    QCOMPARE(shown({.plain = true}).color, QColor(10, 20, 30));
+    QVERIFY(shown({.highlighted = true}).colors.empty());
+    QCOMPARE(shown({.highlighted = true}).color, kHighlight);
 }
 
 QTEST_GUILESS_MAIN(TestPartLook)

@@ -1,5 +1,6 @@
 #include "models/patient_source.h"
 
+#include "engine/anatomy/patient_name.h"
 #include "engine/io/builtin_cache.h"
 #include "engine/io/carried_sets.h"
 #include "engine/io/set_hash.h"
@@ -9,8 +10,12 @@ namespace carina
 
 Result<SharedPatientModel> patientOf(Anatomy anatomy)
 {
-    const auto builtin = builtinOfHash(anatomy.contentHash).value_or(BuiltinPatient::Adult);
-    return PatientModel::of(std::move(anatomy), dimensionsOf(builtin).tubeInnerDiameter)
+    const auto made =
+        parametersOfHash(anatomy.contentHash).value_or(parametersOf(BuiltinPatient::Adult));
+    return dimensionsFor(made)
+        .and_then([&](const PatientDimensions& dimensions) {
+            return PatientModel::of(std::move(anatomy), dimensions.tubeInnerDiameter);
+        })
         .map([](PatientModel&& model) -> SharedPatientModel {
             return std::make_shared<const PatientModel>(std::move(model));
         });
@@ -19,8 +24,8 @@ Result<SharedPatientModel> patientOf(Anatomy anatomy)
 Result<SharedPatientModel> patientHere(const std::string& contentHash, const std::string& name,
                                        const std::filesystem::path& cacheFolder)
 {
-    if (const auto builtin = builtinOfHash(contentHash))
-        return cachedBuiltinPatient(*builtin, cacheFolder).and_then(patientOf);
+    if (const auto made = parametersOfHash(contentHash))
+        return cachedPatient(*made, cacheFolder).and_then(patientOf);
     if (!isSetHash(contentHash))
         return fail(Errc::FileNotFound, contentHash);
     return AnatomyCache{cacheFolder}.load(contentHash).and_then([&](ImportedSet&& set) {

@@ -11,8 +11,8 @@ namespace carina
 /// Shared: a scene goes on drawing one patient while the next is made on another thread.
 using SharedPatientModel = std::shared_ptr<const PatientModel>;
 
-/// A patient with the tube that goes with it: that of the built-in patient, or, for an imported
-/// one, of an adult. @returns what PatientModel::of does.
+/// A patient with the tube that goes with it: of the figures that a patient was made from, or,
+/// for an imported one, of an adult. @returns what PatientModel::of does.
 [[nodiscard]] Result<SharedPatientModel> patientOf(Anatomy anatomy);
 
 /// The patient with this content hash that is built in, or was imported on this computer. Takes a

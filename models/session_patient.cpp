@@ -1,6 +1,6 @@
 #include "models/session_patient.h"
 
-#include "engine/anatomy/builtin_patient.h"
+#include "engine/anatomy/patient_name.h"
 #include "engine/io/set_hash.h"
 #include "models/error_text.h"
 
@@ -151,7 +151,7 @@ QString SessionPatient::notice() const
         return m_licenceShown.isActive() ? withLicence(
                    tr("The session's patient “%1” has come").arg(text(m_patient->name())))
                                          : QString{};
-    const QString shown = builtinOfHash(m_patient->contentHash())
+    const QString shown = parametersOfHash(m_patient->contentHash())
                               ? tr("The built-in patient “%1” is shown")
                               : tr("The patient “%1” is shown");
     return withLicence(tr("%1. %2", "which patient is shown; what the session's is doing")

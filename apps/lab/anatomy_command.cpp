@@ -1,6 +1,7 @@
 #include "apps/lab/anatomy_command.h"
 
 #include "apps/lab/comparison_report.h"
+#include "apps/lab/figures_option.h"
 #include "engine/anatomy/builtin_patient.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/anatomy_set.h"
@@ -41,12 +42,12 @@ constexpr std::string_view kAnatomyHelp =
     import_s          seconds until the set was there
     from_cache        whether the files were not read anew
     cache             the file that keeps the set; null where it could not be written
-anatomy compare [--set DIR] [--patient adult|child]
-    Makes a built-in patient and looks for faults in it. With --set it is made with its mouth shut and
+anatomy compare [--set DIR] [--patient WHO]
+    Makes a patient and looks for faults in it. With --set it is made with its mouth shut and
     measured, and so is the patient in DIR: how far the two are apart once the set is scaled about its carina: head and airway by the distance from the vocal
     cords to the carina, the chest by the cube root of the volume of the lungs.
     schema            "carina.anatomy-compare/1"
-    patient           "adult" (where nothing is said) or "child"
+    patient           the words for it: "adult" where nothing is said; as in `breathe`
     generate_s        seconds it took to make
     triangles         of all its parts at their finest
     self_intersections  "part", "level" and "pairs" of triangles of each surface that runs through
@@ -85,8 +86,9 @@ Result<QJsonObject> describeSetOf(const QStringList& arguments)
 
 /// Which patient to make, and which set to hold it against.
 struct CompareOptions {
-    BuiltinPatient patient = BuiltinPatient::Adult;
-    QString set; ///< empty for none
+    PatientParameters patient;
+    QString words; ///< for the patient
+    QString set;   ///< empty for none
 };
 
 Result<CompareOptions> compareOptions(const QStringList& arguments)
@@ -94,15 +96,15 @@ Result<CompareOptions> compareOptions(const QStringList& arguments)
     QCommandLineParser parser;
     parser.addOption({QStringLiteral("set"), {}, QStringLiteral("DIR")});
     parser.addOption(
-        {QStringLiteral("patient"), {}, QStringLiteral("NAME"), QStringLiteral("adult")});
+        {QStringLiteral("patient"), {}, QStringLiteral("WHO"), QStringLiteral("adult")});
     const bool parsed = parser.parse(arguments); // the verb stands where a program's name would
-    const QString patient = parser.value(QStringLiteral("patient"));
-    const bool child = patient == QStringLiteral("child");
-    if (!parsed || !parser.positionalArguments().isEmpty()
-        || (!child && patient != QStringLiteral("adult")))
-        return fail(Errc::OutOfRange, "anatomy compare takes [--set DIR] [--patient adult|child].");
-    return CompareOptions{child ? BuiltinPatient::TwelveYears : BuiltinPatient::Adult,
-                          parser.value(QStringLiteral("set"))};
+    if (!parsed || !parser.positionalArguments().isEmpty())
+        return fail(Errc::OutOfRange, "anatomy compare takes [--set DIR] [--patient WHO].");
+    return figuresOption(parser, "anatomy compare", BuiltinPatient::Adult)
+        .map([&](const PatientParameters& patient) {
+            return CompareOptions{patient, parser.value(QStringLiteral("patient")),
+                                  parser.value(QStringLiteral("set"))};
+        });
 }
 
 Result<QJsonObject> reportOn(const Anatomy& patient, const QString& set)
@@ -122,7 +124,7 @@ Result<QJsonObject> comparePatient(const QStringList& arguments)
     if (!options)
         return tl::unexpected(options.error());
     const auto begin = monotonicNow();
-    const auto patient = patientFor(parametersOf(options->patient),
+    const auto patient = patientFor(options->patient,
                                     options->set.isEmpty() ? Posture::Laryngoscopy : Posture::Rest);
     if (!patient)
         return tl::unexpected(patient.error());
@@ -134,9 +136,7 @@ Result<QJsonObject> comparePatient(const QStringList& arguments)
     for (const AnatomyPart& part : patient->parts)
         triangles += qint64(part.levels.front().triangles.size());
     report->insert(QStringLiteral("schema"), QStringLiteral("carina.anatomy-compare/1"));
-    report->insert(QStringLiteral("patient"), options->patient == BuiltinPatient::Adult
-                                                  ? QStringLiteral("adult")
-                                                  : QStringLiteral("child"));
+    report->insert(QStringLiteral("patient"), options->words);
     report->insert(QStringLiteral("generate_s"), toSeconds(time));
     report->insert(QStringLiteral("triangles"), triangles);
     return report;

@@ -178,12 +178,14 @@ constexpr std::string_view kHelp =
     R"(breathe --rate-per-min R --tidal-volume-ml V --seconds S
         [--condition NAME [--severity 0..1] [--side both|right|left]]
         [--ventilator none|volume|pressure] [--position NAME]
-        [--anatomy DIR | --patient adult|child] [--level N]
-    Draws the lungs of an anatomy set, or of a built-in patient (child), breathing for S seconds at
+        [--anatomy DIR] [--patient WHO] [--level N]
+    Draws the lungs of an anatomy set, or of a made patient (child), breathing for S seconds at
     60 frames per second as the respiratory mechanics have it, reads back where the shader put their
     vertices, and compares the volume these enclose with the mechanics. Every level of detail, or
     level N (0 is the finest). Conditions and positions are those of `mechanics`; a severity is 0.6
-    unless given. Needs a display. schema carina.breathe/1
+    unless given. WHO is adult, child, or figures with commas between them, as in "45 years, 182 cm,
+    man, obese"; beside --anatomy it says whose breathing the set gets (an adult's). Needs a
+    display. schema carina.breathe/1
       anatomy, position      name of the anatomy drawn, and how the patient lies
       rate_per_min, tidal_volume_ml, seconds, frames_per_second
                              what was asked for
@@ -196,7 +198,7 @@ constexpr std::string_view kHelp =
       lungs                  right and left: max_volume_error_ml, rest_volume_ml (in the finest
                              level drawn), levels (per level: level, vertices, triangles,
                              rest_volume_ml, max_volume_error_ml)
-breathe --every-condition [--position NAME] [--anatomy DIR | --patient adult|child] [--level N]
+breathe --every-condition [--position NAME] [--anatomy DIR] [--patient WHO] [--level N]
     The same for every condition, on each side where it has one, at the severities 0.3, 0.6, 0.9 and
     1, breathed spontaneously and by volume and pressure control at 12, 20 and 40 breaths per
     minute: frames of one breath after a minute. schema carina.breathe.conditions/1

@@ -1,6 +1,7 @@
 #include "apps/lab/mechanics_command.h"
 
 #include "apps/lab/command_options.h"
+#include "apps/lab/figures_option.h"
 #include "apps/lab/mechanics_table.h"
 #include "apps/lab/position_option.h"
 #include "apps/lab/waveform_model.h"
@@ -18,7 +19,7 @@ constexpr const char* kMechanics = "mechanics";
 constexpr double kUsualFlow_lPerMin = 30.0;
 
 constexpr std::string_view kMechanicsHelp =
-    R"(mechanics [--patient adult|child] [--rate-per-min R] [--position NAME]
+    R"(mechanics [--patient WHO] [--rate-per-min R] [--position NAME]
     What the respiratory mechanics make of each condition at the severities 0.3, 0.6 and 0.9, after
     a minute of quiet breathing and of volume control through a tube with a PEEP of 5 cmH2O; R
     breaths per minute instead of as many as the patient breathes at rest. Conditions are normal,
@@ -116,12 +117,11 @@ Result<QJsonObject> describeWaveform(const QString& file, double assumed_lPerMin
 
 Result<QJsonObject> describeTable(const QCommandLineParser& parser)
 {
-    const QString patient = parser.value(QStringLiteral("patient"));
+    const auto figures = figuresOption(parser, kMechanics, BuiltinPatient::Adult);
+    if (!figures)
+        return tl::unexpected(figures.error());
     RespiratorySettings healthy;
-    if (patient == QStringLiteral("child"))
-        healthy.build = {metres(1.5), 40.0, 12.0, Sex::Female};
-    else if (!patient.isEmpty() && patient != QStringLiteral("adult"))
-        return fail(Errc::OutOfRange, "mechanics knows --patient adult and --patient child.");
+    healthy.build = buildOf(dimensionsFor(*figures).value());
     const auto position = positionOption(parser, kMechanics);
     if (!position)
         return tl::unexpected(position.error());

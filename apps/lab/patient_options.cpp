@@ -1,6 +1,7 @@
 #include "apps/lab/patient_options.h"
 
 #include "apps/lab/condition_names.h"
+#include "apps/lab/figures_option.h"
 #include "engine/anatomy/builtin_patient.h"
 #include "engine/io/anatomy_set.h"
 
@@ -20,13 +21,6 @@ constexpr std::array kNamedVentilators{
     NamedVentilator{"none", VentilationMode::Spontaneous},
     NamedVentilator{"volume", VentilationMode::VolumeControl},
     NamedVentilator{"pressure", VentilationMode::PressureControl}};
-
-Result<Subject> builtinSubject(BuiltinPatient patient)
-{
-    return builtinPatient(patient).map([patient](Anatomy&& anatomy) {
-        return Subject{std::move(anatomy), buildOf(dimensionsOf(patient))};
-    });
-}
 
 } // namespace
 
@@ -74,23 +68,22 @@ std::string_view ventilatorName(VentilationMode mode)
 
 Result<Subject> subjectOption(const QCommandLineParser& parser, const char* command)
 {
-    const QString patient = parser.value(QStringLiteral("patient"));
-    if (parser.isSet(QStringLiteral("anatomy"))) {
-        if (!patient.isEmpty())
-            return fail(Errc::OutOfRange,
-                        std::string{command} + " takes --anatomy or --patient, not both.");
+    const bool isSet = parser.isSet(QStringLiteral("anatomy"));
+    const auto figures =
+        figuresOption(parser, command, isSet ? BuiltinPatient::Adult : BuiltinPatient::TwelveYears);
+    if (!figures)
+        return tl::unexpected(figures.error());
+    const PatientBuild build = buildOf(dimensionsFor(*figures).value());
+    if (isSet) {
         return loadAnatomySet(parser.value(QStringLiteral("anatomy")).toStdString(),
                               AnatomyCache::defaultFolder())
-            .map([](LoadedSet&& loaded) {
-                return Subject{std::move(loaded.set.anatomy), PatientBuild{}};
+            .map([&](LoadedSet&& loaded) {
+                return Subject{std::move(loaded.set.anatomy), build};
             });
     }
-    if (patient == QStringLiteral("adult"))
-        return builtinSubject(BuiltinPatient::Adult);
-    if (patient.isEmpty() || patient == QStringLiteral("child"))
-        return builtinSubject(BuiltinPatient::TwelveYears);
-    return fail(Errc::OutOfRange,
-                std::string{command} + " knows --patient adult and --patient child.");
+    return patientFor(*figures).map([&](Anatomy&& anatomy) {
+        return Subject{std::move(anatomy), build};
+    });
 }
 
 } // namespace carina::lab

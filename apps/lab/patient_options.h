@@ -33,7 +33,8 @@ struct Subject {
     PatientBuild build;
 };
 
-/// The set or the built-in patient asked for; the child without either. A set breathes as an adult.
+/// The set or the made patient asked for; the child without either. A set breathes as the patient
+/// asked for with it, or as an adult.
 /// @returns OutOfRange for a patient there is not; what reading or making it fails with.
 [[nodiscard]] Result<Subject> subjectOption(const QCommandLineParser& parser, const char* command);
 

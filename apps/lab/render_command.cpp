@@ -171,7 +171,7 @@ constexpr std::string_view kRenderHelp = R"(render --check-geometry [--seed K]
       smallest_sphere_px        pixels of the smallest sphere measured
       max_projection_error_px, mean_projection_error_px
                                 distance from where the sphere should be seen
-render --pictures DIR [--anatomy DIR | --patient adult|child] [--size WxH]
+render --pictures DIR [--anatomy DIR] [--patient WHO] [--size WxH]
         [--condition NAME [--severity 0..1] [--side both|right|left]]
         [--ventilator none|volume|pressure] [--jaw-deg 0..30] [--jaw-forward-mm 0..15]
     Draws an anatomy set, or a built-in patient (child), as the programs do, in full detail, at the
@@ -190,7 +190,7 @@ render --pictures DIR [--anatomy DIR | --patient adult|child] [--size WxH]
                                 far the top of the diaphragm is below where it rests in health) and
                                 diaphragm_excursion_mm (how far it goes down in that breath where
                                 it does so most); both 0 for a set without a diaphragm
-render --error-map DIR [--anatomy DIR | --patient adult|child] [--size WxH]
+render --error-map DIR [--anatomy DIR] [--patient WHO] [--size WxH]
         [--landmarks N] [--fle MM]
     Draws on a patient at rest how far a registration on the first N landmarks of `tre` (4) would be
     off, the error of a touch being MM (1) in the mean square: from the front, from the right side,

@@ -1,5 +1,6 @@
 #include "apps/viewer/patient_option.h"
 
+#include "engine/anatomy/patient_name.h"
 #include "engine/io/anatomy_set.h"
 #include "engine/io/builtin_cache.h"
 #include "models/error_text.h"
@@ -17,14 +18,15 @@ namespace
 const QString kAnatomy = QStringLiteral("anatomy");
 const QString kPatient = QStringLiteral("patient");
 
-Result<BuiltinPatient> builtinNamed(const QString& name)
+/// Whom `--patient` means; without it a child, or an adult for an imported set.
+Result<PatientParameters> figuresOf(const QCommandLineParser& parser, bool imported)
 {
-    if (name == QStringLiteral("adult"))
-        return BuiltinPatient::Adult;
-    if (name == QStringLiteral("child"))
-        return BuiltinPatient::TwelveYears;
-    return fail(Errc::WrongOption,
-                "--patient takes adult or child, not '" + name.toStdString() + "'");
+    if (!parser.isSet(kPatient))
+        return parametersOf(imported ? BuiltinPatient::Adult : BuiltinPatient::TwelveYears);
+    const auto figures = patientFromWords(parser.value(kPatient).toStdString());
+    if (!figures)
+        return fail(Errc::WrongOption, "--patient: " + figures.error().detail);
+    return figures;
 }
 
 /// Nobody is asked by a program that starts or works by itself.
@@ -69,9 +71,11 @@ void addPatientOptions(QCommandLineParser& parser)
          QCoreApplication::translate("Program", "Show the anatomy set in this folder of surfaces."),
          QStringLiteral("DIR")});
     parser.addOption({kPatient,
-                      QCoreApplication::translate("Program", "Show a built-in patient: adult, or "
-                                                             "child of twelve years."),
-                      QStringLiteral("NAME"), QStringLiteral("child")});
+                      QCoreApplication::translate(
+                          "Program", "Show the built-in patient adult or child, or one made from "
+                                     "figures, such as \"45 years, 182 cm, man, obese\". With "
+                                     "--anatomy: whose breathing the set gets."),
+                      QStringLiteral("WHO")});
 }
 
 bool importsPatient(const QCommandLineParser& parser) { return parser.isSet(kAnatomy); }
@@ -79,19 +83,21 @@ bool importsPatient(const QCommandLineParser& parser) { return parser.isSet(kAna
 Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
 {
     const bool imported = importsPatient(parser);
-    const auto builtin = imported ? Result<BuiltinPatient>{BuiltinPatient::Adult}
-                                  : builtinNamed(parser.value(kPatient));
-    if (!builtin)
-        return tl::unexpected(builtin.error());
+    const auto figures = figuresOf(parser, imported);
+    if (!figures)
+        return tl::unexpected(figures.error());
+    const auto dimensions = dimensionsFor(*figures);
+    if (!dimensions)
+        return tl::unexpected(dimensions.error());
     auto anatomy = imported
                        ? importedPatient(parser.value(kAnatomy).toStdString(), hasPerson(parser))
-                       : cachedBuiltinPatient(*builtin, AnatomyCache::defaultFolder());
+                       : cachedPatient(*figures, AnatomyCache::defaultFolder());
     if (!anatomy)
         return tl::unexpected(anatomy.error());
     auto model = patientOf(std::move(*anatomy));
     if (!model)
         return tl::unexpected(model.error());
-    return ChosenPatient{*std::move(model), dimensionsOf(*builtin)};
+    return ChosenPatient{*std::move(model), *dimensions};
 }
 
 } // namespace carina::viewer

@@ -11,11 +11,10 @@ namespace carina::viewer
 /// The patient that a program was started with.
 struct ChosenPatient {
     SharedPatientModel model;
-    PatientDimensions
-        dimensions; ///< of the built-in patient nearest to it: how it breathes at rest
+    PatientDimensions dimensions; ///< how it breathes at rest
 };
 
-/// Adds `--anatomy DIR` and `--patient adult|child`.
+/// Adds `--anatomy DIR` and `--patient WHO` (patientFromWords).
 void addPatientOptions(QCommandLineParser& parser);
 
 /// Whether these options name a set rather than a built-in patient.

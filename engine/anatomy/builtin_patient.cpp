@@ -8,6 +8,7 @@
 #include "engine/anatomy/lung_shape.h"
 #include "engine/anatomy/mandible_shape.h"
 #include "engine/anatomy/mouth_shapes.h"
+#include "engine/anatomy/patient_name.h"
 #include "engine/anatomy/pharynx_shapes.h"
 #include "engine/anatomy/rib_shapes.h"
 #include "engine/anatomy/segment_shapes.h"
@@ -171,30 +172,14 @@ std::vector<AnatomyPart> partsOf(const BodyPlan& plan)
     return parts;
 }
 
-std::string inWhole(double value) { return std::to_string(std::lround(value)); }
-
 } // namespace
-
-std::string_view builtinHash(BuiltinPatient patient)
-{
-    return patient == BuiltinPatient::Adult ? "builtin-adult-2" : "builtin-twelve-years-2";
-}
-
-std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash)
-{
-    for (const BuiltinPatient patient : {BuiltinPatient::Adult, BuiltinPatient::TwelveYears})
-        if (contentHash == builtinHash(patient))
-            return patient;
-    return std::nullopt;
-}
 
 RigidTransform heldJaw(std::string_view contentHash)
 {
-    const auto builtin = builtinOfHash(contentHash);
-    const auto dimensions =
-        builtin ? std::optional{dimensionsFor(parametersOf(*builtin))} : std::nullopt;
-    return dimensions && *dimensions ? heldJaw(bodyPlanOf(**dimensions, Posture::Laryngoscopy))
-                                     : RigidTransform{};
+    const auto parameters = parametersOfHash(contentHash);
+    if (!parameters)
+        return {};
+    return heldJaw(bodyPlanOf(dimensionsFor(*parameters).value(), Posture::Laryngoscopy));
 }
 
 Result<Anatomy> patientFor(const PatientParameters& parameters, Posture posture)
@@ -204,8 +189,9 @@ Result<Anatomy> patientFor(const PatientParameters& parameters, Posture posture)
         return tl::unexpected(dimensions.error());
     const BodyPlan plan = bodyPlanOf(*dimensions, posture);
     Anatomy anatomy;
-    anatomy.name = inWhole(parameters.ageInYears) + " years, "
-                   + inWhole(0.1 * inMillimetres(parameters.height)) + " cm";
+    anatomy.name = nameOf(parameters);
+    if (posture == Posture::Laryngoscopy)
+        anatomy.contentHash = madeHash(parameters);
     anatomy.landmarks = plan.landmarks;
     anatomy.parts = partsOf(plan);
     for (const AnatomyPart& part : anatomy.parts) {
@@ -217,14 +203,6 @@ Result<Anatomy> patientFor(const PatientParameters& parameters, Posture posture)
     return anatomy;
 }
 
-Result<Anatomy> builtinPatient(BuiltinPatient patient)
-{
-    return patientFor(parametersOf(patient)).map([patient](Anatomy&& anatomy) {
-        if (patient == BuiltinPatient::Adult)
-            anatomy.name = "Adult";
-        anatomy.contentHash = builtinHash(patient);
-        return std::move(anatomy);
-    });
-}
+Result<Anatomy> builtinPatient(BuiltinPatient patient) { return patientFor(parametersOf(patient)); }
 
 } // namespace carina

@@ -4,7 +4,6 @@
 #include "engine/core/result.h"
 #include "engine/geometry/rigid_transform.h"
 
-#include <optional>
 #include <string_view>
 
 namespace carina
@@ -18,8 +17,8 @@ namespace carina
 ///
 /// Both lungs together enclose the functional residual capacity, shared as the dimensions say, in
 /// every level of detail. What meets itself is made anew, a little finer, up to six times; of the
-/// two built-in patients nothing is left that does. The content hash is left empty: who has only a
-/// hash could not make the same patient.
+/// two built-in patients nothing is left that does. Name and content hash say whom these figures
+/// make (nameOf, madeHash); with the mouth shut the hash is left empty.
 ///
 /// @returns MeshNotClosed if a surface came out open or inside out; OutOfRange (see dimensionsFor).
 [[nodiscard]] Result<Anatomy> patientFor(const PatientParameters& parameters,
@@ -28,13 +27,8 @@ namespace carina
 /// The same with the figures of a built-in patient.
 [[nodiscard]] Result<Anatomy> builtinPatient(BuiltinPatient patient);
 
-/// X_AJ of the lower jaw as the surfaces of a patient have it: the built-in patients' mouths are
-/// held open, every other's is shut (the identity).
+/// X_AJ of the lower jaw as the surfaces of a patient have it: in those that patientFor makes the
+/// mouth is held open, in every other it is shut (the identity).
 [[nodiscard]] RigidTransform heldJaw(std::string_view contentHash);
-
-/// The built-in patient with this content hash; nothing for any other.
-[[nodiscard]] std::optional<BuiltinPatient> builtinOfHash(std::string_view contentHash);
-/// And back: the name and the version of what makes it.
-[[nodiscard]] std::string_view builtinHash(BuiltinPatient patient);
 
 } // namespace carina

@@ -1,18 +1,19 @@
 #include "engine/io/builtin_cache.h"
 
-#include <string>
+#include "engine/anatomy/patient_name.h"
+
 #include <utility>
 
 namespace carina
 {
 
-Result<Anatomy> cachedBuiltinPatient(BuiltinPatient patient,
-                                     const std::filesystem::path& cacheFolder)
+Result<Anatomy> cachedPatient(const PatientParameters& parameters,
+                              const std::filesystem::path& cacheFolder)
 {
     const AnatomyCache cache{cacheFolder};
-    if (auto kept = cache.load(std::string{builtinHash(patient)}))
+    if (auto kept = cache.load(madeHash(parameters)))
         return std::move(kept->anatomy);
-    return builtinPatient(patient).map([&](Anatomy&& made) {
+    return patientFor(parameters).map([&](Anatomy&& made) {
         ImportedSet set{.anatomy = std::move(made), .frame = {}, .faults = {}, .leftOut = {}};
         static_cast<void>(cache.store(set)); // it can be made again
         return std::move(set.anatomy);

@@ -1,6 +1,6 @@
 #include "models/session_patient.h"
 
-#include "engine/anatomy/builtin_patient.h"
+#include "engine/anatomy/patient_name.h"
 #include "models/error_text.h"
 #include "tests/engine/net/carriage/carriage_ends.h"
 #include "tests/models/fake_session_node.h"
@@ -37,7 +37,7 @@ private:
     {
         m_model = std::make_unique<SessionPatient>(
             *m_node, FakeSessionNode::kStation,
-            patientNamed("First", std::string{builtinHash(BuiltinPatient::Adult)}),
+            patientNamed("First", madeHash(parametersOf(BuiltinPatient::Adult))),
             m_folder->path().toStdString(), licenceShown_ms);
     }
     [[nodiscard]] bool saysFault(Errc code) const
@@ -68,8 +68,7 @@ private Q_SLOTS:
     {
         follow();
         QCOMPARE(m_model->notice(), QString{}); // nothing was chosen yet
-        m_node->decide(
-            fact::AnatomyChosen{std::string{builtinHash(BuiltinPatient::Adult)}, "Adult"});
+        m_node->decide(fact::AnatomyChosen{madeHash(parametersOf(BuiltinPatient::Adult)), "Adult"});
         QTest::qWait(2 * SessionPatient::kInterval_ms);
         QCOMPARE(m_model->notice(), QString{});
         QVERIFY(m_laid.empty());
@@ -200,8 +199,7 @@ private Q_SLOTS:
     {
         m_node->decide(somebody()); // nobody lets it in
         follow();
-        m_node->decide(
-            fact::AnatomyChosen{std::string{builtinHash(BuiltinPatient::Adult)}, "Adult"});
+        m_node->decide(fact::AnatomyChosen{madeHash(parametersOf(BuiltinPatient::Adult)), "Adult"});
         QTRY_COMPARE_WITH_TIMEOUT(m_model->notice(), QString{}, kSoon_ms);
         QVERIFY(m_laid.empty());
     }

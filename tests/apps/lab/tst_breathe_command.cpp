@@ -179,13 +179,11 @@ void TestBreatheCommand::refusesWhatItCannotDo_data()
     row("a level there is not", "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 --level 50",
         "levels 0 to");
     row("a patient there is not",
-        "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 --patient giant", "--patient adult");
+        "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 --patient giant",
+        "a patient is adult");
     row("a folder there is not",
         "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 --anatomy /no/such/folder",
         "/no/such/folder");
-    row("a folder and a patient",
-        "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 --anatomy . --patient adult",
-        "not both");
     row("a flag there is not", "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 --loud",
         "--loud");
     row("a word too many", "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 more", "more");

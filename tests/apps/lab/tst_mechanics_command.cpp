@@ -133,7 +133,7 @@ void TestMechanicsCommand::refusesBadArguments_data()
     };
     row("unknown flag", "--speed 3", "--speed");
     row("a word", "adult", "adult");
-    row("unknown patient", "--patient horse", "--patient adult");
+    row("unknown patient", "--patient horse", "a patient is adult");
     row("unknown position", "--position upside_down", "upside_down");
     row("patient and waveform", "--patient adult --waveform x", "alone, or --waveform");
     row("rate and waveform", "--rate-per-min 12 --waveform x", "alone, or --waveform");

@@ -167,8 +167,7 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("a side of nothing", "--pictures . --side left", "--condition");
     row("a ventilator there is not", "--pictures . --ventilator iron", "none, volume, pressure");
     row("more than severe", "--pictures . --condition copd --severity 1.1", "--severity");
-    row("a patient there is not", "--pictures . --patient giant", "--patient adult");
-    row("a folder and a patient", "--pictures . --patient adult --anatomy .", "not both");
+    row("a patient there is not", "--pictures . --patient giant", "a patient is adult");
     row("a mouth too wide", "--pictures . --jaw-deg 31", "--jaw-deg");
     row("a jaw too far forward", "--pictures . --jaw-forward-mm far", "--jaw-forward-mm");
     row("a folder nobody can make", "--pictures /proc/none", "/proc/none");

@@ -256,9 +256,6 @@ void TestBuiltinPatient::sameBuildMakesTheSamePatient()
     const Anatomy again = builtinPatient(BuiltinPatient::TwelveYears).value();
     QCOMPARE(again.contentHash, patientOf(1).contentHash);
     QVERIFY(again.contentHash != patientOf(0).contentHash);
-    QVERIFY(builtinOfHash(again.contentHash) == BuiltinPatient::TwelveYears);
-    QVERIFY(builtinOfHash(patientOf(0).contentHash) == BuiltinPatient::Adult);
-    QVERIFY(!builtinOfHash("builtin-adult-0"));
     for (std::size_t i = 0; i < again.parts.size(); ++i)
         QVERIFY(again.parts[i].levels[2].positions == patientOf(1).parts[i].levels[2].positions);
 }

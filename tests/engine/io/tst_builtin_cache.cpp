@@ -34,18 +34,18 @@ private Q_SLOTS:
     {
         const QTemporaryDir temporary;
         const std::filesystem::path folder = temporary.path().toStdString();
-        const auto made = cachedBuiltinPatient(BuiltinPatient::TwelveYears, folder);
+        const auto made = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(made.has_value());
         const AnatomyCache cache{folder};
         const std::filesystem::path file = cache.setFile("builtin-twelve-years-2");
         QVERIFY(std::filesystem::exists(file));
-        const auto kept = cachedBuiltinPatient(BuiltinPatient::TwelveYears, folder);
+        const auto kept = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(kept.has_value());
         QVERIFY(same(*made, *kept));
 
         // A damaged file is not used, and is written anew.
         std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-        const auto again = cachedBuiltinPatient(BuiltinPatient::TwelveYears, folder);
+        const auto again = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(again.has_value());
         QVERIFY(same(*made, *again));
         QVERIFY(cache.load("builtin-twelve-years-2").has_value());
@@ -59,7 +59,8 @@ private Q_SLOTS:
         marked.anatomy.name = "marked";
         marked.anatomy.contentHash = "builtin-adult-2";
         QVERIFY(AnatomyCache{folder}.store(marked).has_value());
-        QCOMPARE(cachedBuiltinPatient(BuiltinPatient::Adult, folder)->name, std::string{"marked"});
+        QCOMPARE(cachedPatient(parametersOf(BuiltinPatient::Adult), folder)->name,
+                 std::string{"marked"});
     }
 
     void makesThePatientWhereNothingCanBeKept()
@@ -67,9 +68,9 @@ private Q_SLOTS:
         const QTemporaryDir temporary;
         const std::filesystem::path folder = temporary.path().toStdString() + "/taken";
         std::ofstream{folder} << "a file where a folder is wanted";
-        const auto made = cachedBuiltinPatient(BuiltinPatient::TwelveYears, folder);
+        const auto made = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(made.has_value());
-        QCOMPARE(made->contentHash, std::string{builtinHash(BuiltinPatient::TwelveYears)});
+        QCOMPARE(made->contentHash, std::string{"builtin-twelve-years-2"});
     }
 };
 

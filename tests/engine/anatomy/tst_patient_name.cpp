@@ -1,0 +1,124 @@
+#include "engine/anatomy/patient_name.h"
+
+#include <QTest>
+
+using namespace carina;
+
+class TestPatientName : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void knowsTheBuiltInPatients();
+    void readsFiguresInAnyOrder_data();
+    void readsFiguresInAnyOrder();
+    void refusesWhatSaysNoPatient_data();
+    void refusesWhatSaysNoPatient();
+    void namesEveryPatientByAHashThatSaysHowToMakeThem();
+    void takesNothingElseForAHash_data();
+    void takesNothingElseForAHash();
+};
+
+void TestPatientName::knowsTheBuiltInPatients()
+{
+    QVERIFY(patientFromWords("adult") == parametersOf(BuiltinPatient::Adult));
+    QVERIFY(patientFromWords("child") == parametersOf(BuiltinPatient::TwelveYears));
+    QVERIFY(patientFromWords("30 years, 175 cm, man") == parametersOf(BuiltinPatient::Adult));
+    QCOMPARE(nameOf(parametersOf(BuiltinPatient::Adult)), std::string{"Adult"});
+    QCOMPARE(nameOf(parametersOf(BuiltinPatient::TwelveYears)), std::string{"12 years, 150 cm"});
+}
+
+void TestPatientName::readsFiguresInAnyOrder_data()
+{
+    QTest::addColumn<QByteArray>("words");
+    QTest::addColumn<double>("age");
+    QTest::addColumn<double>("height_m");
+    QTest::addColumn<Sex>("sex");
+    QTest::addColumn<Habitus>("habitus");
+    const auto row = [](const char* words, double age, double height_m, Sex sex, Habitus habitus) {
+        QTest::newRow(words) << QByteArray{words} << age << height_m << sex << habitus;
+    };
+    row("45 years, 182 cm, man, obese", 45.0, 1.82, Sex::Male, Habitus::Obese);
+    row("girl,slim,8y,128cm", 8.0, 1.28, Sex::Female, Habitus::Slim);
+    row("  female , 90 years,  210 cm ", 90.0, 2.1, Sex::Female, Habitus::Normal);
+    row("6y, 100cm, boy, normal", 6.0, 1.0, Sex::Male, Habitus::Normal);
+}
+
+void TestPatientName::readsFiguresInAnyOrder()
+{
+    QFETCH(QByteArray, words);
+    const auto read = patientFromWords(words.toStdString());
+    QVERIFY2(read.has_value(), read ? "" : read.error().detail.c_str());
+    QTEST(read->ageInYears, "age");
+    QTEST(read->height.si, "height_m");
+    QTEST(read->sex, "sex");
+    QTEST(read->habitus, "habitus");
+}
+
+void TestPatientName::refusesWhatSaysNoPatient_data()
+{
+    QTest::addColumn<QByteArray>("words");
+    QTest::addColumn<QString>("asked");
+    const auto row = [](const char* words, const char* asked) {
+        QTest::newRow(words) << QByteArray{words} << QString::fromLatin1(asked);
+    };
+    row("", "adult, child, or age");
+    row("giant", "not 'giant'");
+    row("45 years, 182 cm", "age, height and sex");
+    row("45 years, man", "age, height and sex");
+    row("182 cm, man", "age, height and sex");
+    row("45, 182, man", "age, height and sex");
+    row("45 years, 45 years, 182 cm, man", "age, height and sex");
+    row("45 years, 182 cm, man, woman", "age, height and sex");
+    row("45 years, 182 cm, man, slim, obese", "age, height and sex");
+    row("45 years, 182 cm, man,", "age, height and sex");
+    row("45 years, 99999999999 cm, man", "age, height and sex");
+    row("5 years, 110 cm, boy", "6 to 90 years");
+    row("91 years, 170 cm, woman", "6 to 90 years");
+    row("7 years, 99 cm, boy", "100 to 210 cm");
+    row("30 years, 211 cm, man", "100 to 210 cm");
+}
+
+void TestPatientName::refusesWhatSaysNoPatient()
+{
+    QFETCH(QByteArray, words);
+    QFETCH(QString, asked);
+    const auto read = patientFromWords(words.toStdString());
+    QVERIFY(!read && read.error().code == Errc::OutOfRange);
+    QVERIFY2(QString::fromStdString(read.error().detail).contains(asked),
+             read.error().detail.c_str());
+}
+
+void TestPatientName::namesEveryPatientByAHashThatSaysHowToMakeThem()
+{
+    QCOMPARE(madeHash(parametersOf(BuiltinPatient::Adult)), std::string{"builtin-adult-2"});
+    for (const double age : {6.0, 12.0, 30.0, 90.0})
+        for (const int height_cm : {100, 150, 175, 210})
+            for (const Sex sex : {Sex::Female, Sex::Male})
+                for (const Habitus habitus : {Habitus::Slim, Habitus::Normal, Habitus::Obese}) {
+                    const PatientParameters who{age, metres(height_cm / 100.0), sex, habitus};
+                    QVERIFY(parametersOfHash(madeHash(who)) == who);
+                }
+}
+
+void TestPatientName::takesNothingElseForAHash_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    for (const char* text :
+         {"", "adult", "builtin-", "builtin-2", "builtin-adult", "builtin-adult-1",
+          "builtin-30y-175cm-male-normal-2", // the adult has a hash of its own
+          "builtin-045y-182cm-male-obese-2", "builtin-45y-182cm-man-obese-2",
+          "builtin-182cm-45y-male-obese-2", "builtin-45y-182cm-male-2",
+          "builtin-5y-182cm-male-obese-2", "builtin-45y-182cm-male-obese-3",
+          "builtin-45y-182cm-male-obese-2x", "../builtin-45y-182cm-male-obese-2"})
+        QTest::newRow(text) << QByteArray{text};
+}
+
+void TestPatientName::takesNothingElseForAHash()
+{
+    QFETCH(QByteArray, text);
+    QVERIFY(!parametersOfHash(text.toStdString()));
+}
+
+QTEST_APPLESS_MAIN(TestPatientName)
+#include "tst_patient_name.moc"

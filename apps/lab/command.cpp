@@ -1,5 +1,6 @@
 #include "apps/lab/command.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 
 #include <cstdio>
@@ -22,6 +23,14 @@ void printHelp()
             print(stdout, QByteArray{command.help.data(), qsizetype(command.help.size())} + '\n');
 }
 
+/// What a command printed, and on stderr what it warns of.
+void printObject(const QJsonObject& object)
+{
+    print(stdout, QJsonDocument{object}.toJson());
+    for (const QJsonValue warning : object.value(kWarnings).toArray())
+        print(stderr, "warning: " + warning.toString().toUtf8() + '\n');
+}
+
 } // namespace
 
 int runCommandLine(const QStringList& arguments)
@@ -39,7 +48,7 @@ int runCommandLine(const QStringList& arguments)
             print(stderr, QByteArray::fromStdString(object.error().detail) + '\n');
             return 1;
         }
-        print(stdout, QJsonDocument{*object}.toJson());
+        printObject(*object);
         return 0;
     }
     print(stderr, name.isEmpty() ? QByteArray{"carina-lab needs a command"}

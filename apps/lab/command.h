@@ -21,6 +21,9 @@ struct Command {
     Result<QJsonObject> (*run)(const QStringList& arguments);
 };
 
+/// The key of what a command warns of, an array of sentences: they go to stderr, too.
+inline constexpr QLatin1StringView kWarnings{"warnings"};
+
 /// All subcommands this build has.
 [[nodiscard]] std::span<const Command> commands();
 

@@ -1,13 +1,17 @@
 #include "apps/lab/fit_command.h"
 
+#include "apps/lab/command_options.h"
+#include "apps/lab/fit_doubts.h"
 #include "apps/lab/fit_report.h"
-#include "apps/lab/landmark_table.h"
 #include "apps/lab/plus_config.h"
 #include "apps/lab/recorded_stylus.h"
 #include "engine/registration/dwell_detector.h"
 #include "engine/registration/leave_one_out.h"
 
+#include <QJsonArray>
+
 #include <algorithm>
+#include <limits>
 
 namespace carina::lab
 {
@@ -15,17 +19,24 @@ namespace
 {
 
 constexpr std::string_view kFitHelp =
-    R"(fit PAIRS.csv [--covariance] [--fle MM] | --recording SEQ.igs.mha --plus-config CONFIG.xml
+    R"(fit PAIRS.csv [--covariance] [--fle MM] [--repair-order]
+fit --recording SEQ.igs.mha --plus-config CONFIG.xml [--fle MM] [--repair-order]
     Finds the pose of the manikin in the anatomy that brings touched landmarks nearest to their
     places: least squares, always a proper rotation.
-    PAIRS.csv           a line of column names in any order, then one line for each landmark:
+    PAIRS.csv           a line of column names in any order, then one line for each landmark, of
+                        which there are three or more:
       name              of the landmark
       ax,ay,az          its place in the anatomy, mm
       mx,my,mz          where it was touched on the manikin, mm
+    example             name,ax,ay,az,mx,my,mz
+                        Sternal notch,0,-60.4,36.1,112.2,40.5,-1210.9
+                        ... ; carina-lab fit pairs.csv > fit.json
     --covariance        weighs each landmark by how far it strays: cxx,cyy,czz,cxy,cxz,cyz in mm^2
                         along the axes of the anatomy
     --fle MM            how far touches stray, root mean square (2): a landmark is taken for
                         touched in another's place only where that does not explain it
+    --repair-order      fits landmarks that were exchanged by their own touches; without it they
+                        are named and refused, as is a mirror image
     --recording FILE    a recording of a stylus that was held at the landmarks one after another, a
                         second each within a millimetre; the tool Reference, where there is one, is
                         fixed to what is touched
@@ -35,9 +46,11 @@ constexpr std::string_view kFitHelp =
     rms_mm              root of the mean squared residual
     residuals_mm        "name" and "mm", the distance left, of each landmark
     X_AM_mm             the pose: four rows of four numbers, its translation in mm
-    order               of PAIRS.csv: "found" is "as given", "exchanged", "mirror image" or
-                        "unexplained"; "touch_of" names for each landmark the one whose touch it is;
-                        "rms_mm" of that; "explanations" counts the orders that would do
+    order               of the touches: "found" is "as given", "exchanged" or "unexplained";
+                        "touch_of" names for each landmark the one whose touch it is; "rms_mm" of
+                        that; "explanations" counts the orders that would do
+    warnings            sentences, also on stderr, where there are any: landmarks nearly on one
+                        line, touches that no order explains
     fle_mm              how far touches stray by these residuals: "rms", "limit95", which it is below
                         with 95 %, and "degrees" of freedom; without --covariance
     leave_one_out_mm    "name" and "mm", how far each landmark is from the fit of all others; null
@@ -57,54 +70,60 @@ tl::unexpected<Error> cannotFit(const QString& file, const Error& error)
     return fail(error.code, file.toStdString() + " cannot be fitted: " + error.detail + ".");
 }
 
-struct PairOptions {
+struct FitOptions {
     bool withCovariances = false;
+    bool repairsOrder = false;
     Length fle = millimetres(2.0);
 };
 
-Result<PairOptions> pairOptionsOf(const QStringList& words)
+/// What is wrong with the touches' order, or the landmarks with their own.
+Result<void> putInOrder(const QString& file, NamedPairs& named, const OrderFinding& order,
+                        bool repairs)
 {
-    PairOptions options;
-    for (qsizetype i = 0; i < words.size(); ++i) {
-        if (words[i] == QStringLiteral("--covariance")) {
-            options.withCovariances = true;
-            continue;
-        }
-        if (words[i] != QStringLiteral("--fle") || i + 1 == words.size())
-            return fail(Errc::OutOfRange, "fit knows no " + words[i].toStdString() + " here.");
-        const Result<Length> fle = positiveMillimetres(words[i], words[i + 1]);
-        if (!fle)
-            return tl::unexpected(fle.error());
-        options.fle = *fle;
-        ++i;
-    }
-    return options;
+    const std::vector<LandmarkPair> repaired = order.repaired(named.unweighted());
+    const bool isRepaired = repairs && order.order == TouchOrder::Exchanged;
+    if (const auto why = whyNotAsGiven(named.names, order); why && !isRepaired)
+        return fail(Errc::DegenerateLandmarks,
+                    file.toStdString() + " cannot be fitted as it is: " + *why);
+    for (std::size_t i = 0; i < repaired.size(); ++i)
+        named.pairs[i].pair = repaired[i];
+    return {};
 }
 
-Result<QJsonObject> fitPairs(const QString& file, const PairOptions& options)
+/// The fit, and what its residuals tell.
+Result<QJsonObject> fitInOrder(const NamedPairs& named, bool withCovariances)
 {
-    const Result<NamedPairs> named = readPairs(file, options.withCovariances);
-    if (!named)
-        return tl::unexpected(named.error());
-    const std::vector<LandmarkPair> pairs = named->unweighted();
-    const auto order = recogniseOrder(pairs, options.fle);
-    if (!order)
-        return cannotFit(file, order.error());
-    if (options.withCovariances) {
-        const Result<WeightedFit> fit = fitWeighted(named->pairs);
+    if (withCovariances) {
+        const Result<WeightedFit> fit = fitWeighted(named.pairs);
         if (!fit)
-            return cannotFit(file, fit.error());
-        QJsonObject object = describeFit(named->names, fit->fit);
+            return tl::unexpected(fit.error());
+        QJsonObject object = describeFit(named.names, fit->fit);
         describeWeights(object, *fit);
-        describeOrder(object, named->names, *order);
         return object;
     }
+    const std::vector<LandmarkPair> pairs = named.unweighted();
     const Result<RigidFit> fit = fitRigid(pairs);
     if (!fit)
-        return cannotFit(file, fit.error());
-    QJsonObject object = describeFit(named->names, *fit);
-    describeErrors(object, named->names, *fit, *leaveOneOut(pairs));
-    describeOrder(object, named->names, *order);
+        return tl::unexpected(fit.error());
+    QJsonObject object = describeFit(named.names, *fit);
+    describeErrors(object, named.names, *fit, *leaveOneOut(pairs));
+    return object;
+}
+
+/// @param file that the sentences name
+Result<QJsonObject> fitNamed(const QString& file, NamedPairs named, const FitOptions& options)
+{
+    const auto order = recogniseOrder(named.unweighted(), options.fle);
+    if (!order)
+        return cannotFit(file, order.error());
+    if (const auto inOrder = putInOrder(file, named, *order, options.repairsOrder); !inOrder)
+        return tl::unexpected(inOrder.error());
+    auto object = fitInOrder(named, options.withCovariances);
+    if (!object)
+        return cannotFit(file, object.error());
+    describeOrder(*object, named.names, *order);
+    if (const QStringList warnings = fitWarnings(named, *order, options.fle); !warnings.isEmpty())
+        object->insert(kWarnings, QJsonArray::fromStringList(warnings));
     return object;
 }
 
@@ -119,8 +138,9 @@ std::vector<Vec3> dwellsOf(const RecordedStylus& stylus, const Vec3& p_SQ)
     return points;
 }
 
-/// The fit of the landmarks to as many of the points, in their order, that leaves least.
-Result<RigidFit> fitInOrder(const std::vector<Landmark>& landmarks, const std::vector<Vec3>& points)
+/// The landmarks with as many of the points, in their order, as leave least.
+Result<NamedPairs> pairsInOrder(const std::vector<Landmark>& landmarks,
+                                const std::vector<Vec3>& points)
 {
     if (points.size() < landmarks.size() || points.size() > landmarks.size() + kMostDwellsTooMany)
         return fail(Errc::TooFewLandmarks, "the stylus was held still "
@@ -128,20 +148,27 @@ Result<RigidFit> fitInOrder(const std::vector<Landmark>& landmarks, const std::v
                                                + std::to_string(landmarks.size()) + " landmarks");
     std::vector<bool> taken(points.size(), false);
     std::fill_n(taken.begin(), landmarks.size(), true);
-    Result<RigidFit> best = fail(Errc::TooFewLandmarks);
+    NamedPairs best;
+    double least = std::numeric_limits<double>::infinity();
     do {
-        std::vector<LandmarkPair> pairs;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (taken[i])
-                pairs.push_back({landmarks[pairs.size()].p_AQ, points[i]});
-        auto fit = fitRigid(pairs);
-        if (!best || (fit && fit->rms < best->rms))
-            best = std::move(fit);
+        NamedPairs named;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!taken[i])
+                continue;
+            const Landmark& landmark = landmarks[named.pairs.size()];
+            named.names.push_back(landmark.name);
+            named.pairs.push_back({.pair = {landmark.p_AQ, points[i]}});
+        }
+        const Result<RigidFit> fit = fitRigid(named.unweighted());
+        if (best.pairs.empty() || (fit && fit->rms < least))
+            best = std::move(named);
+        least = std::min(least, fit ? fit->rms : least);
     } while (std::prev_permutation(taken.begin(), taken.end()));
     return best;
 }
 
-Result<QJsonObject> fitRecording(const QString& recording, const QString& plusConfig)
+Result<QJsonObject> fitRecording(const QString& recording, const QString& plusConfig,
+                                 const FitOptions& options)
 {
     const Result<PlusConfig> config = readPlusConfig(plusConfig);
     if (!config)
@@ -150,30 +177,51 @@ Result<QJsonObject> fitRecording(const QString& recording, const QString& plusCo
     if (!stylus)
         return tl::unexpected(stylus.error());
     const std::vector<Vec3> points = dwellsOf(*stylus, config->p_SQ);
-    const Result<RigidFit> fit = fitInOrder(config->landmarks, points);
-    if (!fit)
-        return cannotFit(recording, fit.error());
-    std::vector<std::string> names;
-    for (const Landmark& landmark : config->landmarks)
-        names.push_back(landmark.name);
-    QJsonObject object = describeFit(names, *fit);
-    object.insert(QStringLiteral("dwells"), static_cast<qint64>(points.size()));
+    auto named = pairsInOrder(config->landmarks, points);
+    if (!named)
+        return cannotFit(recording, named.error());
+    auto object = fitNamed(recording, std::move(*named), options);
+    if (object)
+        object->insert(QStringLiteral("dwells"), static_cast<qint64>(points.size()));
     return object;
+}
+
+Result<FitOptions> fitOptionsOf(const QCommandLineParser& parser)
+{
+    FitOptions options{.withCovariances = parser.isSet(QStringLiteral("covariance")),
+                       .repairsOrder = parser.isSet(QStringLiteral("repair-order"))};
+    if (!parser.isSet(QStringLiteral("fle")))
+        return options;
+    const auto fle =
+        positiveMillimetres(QStringLiteral("--fle"), parser.value(QStringLiteral("fle")));
+    if (!fle)
+        return tl::unexpected(fle.error());
+    options.fle = *fle;
+    return options;
 }
 
 Result<QJsonObject> runFit(const QStringList& arguments)
 {
-    if (!arguments.isEmpty() && !arguments[0].startsWith(QStringLiteral("--"))) {
-        const Result<PairOptions> options = pairOptionsOf(arguments.mid(1));
-        if (!options)
-            return tl::unexpected(options.error());
-        return fitPairs(arguments[0], *options);
+    const QString recording = QStringLiteral("recording");
+    const QString config = QStringLiteral("plus-config");
+    QCommandLineParser parser;
+    addValueOptions(parser, {"fle", "recording", "plus-config"});
+    parser.addOptions({QCommandLineOption{QStringLiteral("covariance")},
+                       QCommandLineOption{QStringLiteral("repair-order")}});
+    if (const auto parsed = parseOptions(parser, "fit", arguments, 1); !parsed)
+        return tl::unexpected(parsed.error());
+    const auto options = fitOptionsOf(parser);
+    if (!options)
+        return tl::unexpected(options.error());
+    const QStringList files = parser.positionalArguments();
+    const bool isRecorded = parser.isSet(recording) && parser.isSet(config);
+    if (files.size() == 1 && !parser.isSet(recording) && !parser.isSet(config)) {
+        auto named = readPairs(files[0], options->withCovariances);
+        return named ? fitNamed(files[0], std::move(*named), *options)
+                     : Result<QJsonObject>{tl::unexpected(named.error())};
     }
-    const auto recording = arguments.indexOf(QStringLiteral("--recording"));
-    const auto config = arguments.indexOf(QStringLiteral("--plus-config"));
-    if (arguments.size() == 4 && std::min(recording, config) == 0
-        && std::max(recording, config) == 2)
-        return fitRecording(arguments[recording + 1], arguments[config + 1]);
+    if (files.isEmpty() && isRecorded && !options->withCovariances)
+        return fitRecording(parser.value(recording), parser.value(config), *options);
     return fail(Errc::OutOfRange,
                 "fit needs PAIRS.csv, or --recording SEQ.igs.mha --plus-config CONFIG.xml.");
 }

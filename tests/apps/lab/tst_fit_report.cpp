@@ -30,6 +30,13 @@ private:
     {
         return fitCommand().run(arguments);
     }
+    /// Touches of a and b exchanged.
+    QString exchanged() const
+    {
+        return m_folder.write("order.csv", "name,ax,ay,az,mx,my,mz\n"
+                                           "a,100,0,0,0,150,0\nb,0,150,0,100,0,0\n"
+                                           "c,0,0,210,0,0,210\nd,0,0,0,0,0,0\n");
+    }
 
 private Q_SLOTS:
     /// A tetrahedron of which one corner was touched 8 mm from its place. With one order and four
@@ -60,21 +67,73 @@ private Q_SLOTS:
             fit({m_folder.filePath("off.csv"), QStringLiteral("--fle"), QStringLiteral("0.5")});
         QCOMPARE(sure->value(QStringLiteral("order"))[QStringLiteral("found")].toString(),
                  QStringLiteral("unexplained"));
+        QVERIFY(sure->value(QStringLiteral("warnings"))[0].toString().contains(
+            QStringLiteral("touch it again")));
     }
 
-    void namesTheTouchOfEachLandmark()
+    void namesExchangedLandmarksAndFitsThemNot()
     {
-        const auto object =
-            fit({m_folder.write("order.csv", "name,ax,ay,az,mx,my,mz\n"
-                                             "a,100,0,0,0,150,0\nb,0,150,0,100,0,0\n"
-                                             "c,0,0,210,0,0,210\nd,0,0,0,0,0,0\n")});
-        QVERIFY(object.has_value());
+        const auto object = fit({exchanged()});
+        QVERIFY(!object);
+        QCOMPARE(object.error().code, Errc::DegenerateLandmarks);
+        const std::string& sentence = object.error().detail;
+        for (const char* named :
+             {"order.csv", "a has the touch of b, b has the touch of a;", "--repair-order."})
+            QVERIFY2(sentence.find(named) != std::string::npos, sentence.c_str());
+        QVERIFY2(sentence.find("c has") == std::string::npos, sentence.c_str());
+    }
+
+    void repairsTheirOrderOnRequest()
+    {
+        const auto object = fit({exchanged(), QStringLiteral("--repair-order")});
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         const QJsonValue order = object->value(QStringLiteral("order"));
         QCOMPARE(order[QStringLiteral("found")].toString(), QStringLiteral("exchanged"));
         QCOMPARE(order[QStringLiteral("touch_of")].toArray(),
                  (QJsonArray{QStringLiteral("b"), QStringLiteral("a"), QStringLiteral("c"),
                              QStringLiteral("d")}));
         QVERIFY(number(order[QStringLiteral("rms_mm")]) < kExact_mm);
+        QVERIFY(number(object->value(QStringLiteral("rms_mm"))) < kExact_mm);
+        QVERIFY(!object->contains(QStringLiteral("warnings")));
+    }
+
+    /// No order of these is their mirror image: nothing can be repaired.
+    void refusesAMirrorImage()
+    {
+        const QString file = m_folder.write("mirror.csv", "name,ax,ay,az,mx,my,mz\n"
+                                                          "a,100,0,0,-100,0,0\nb,0,150,0,0,150,0\n"
+                                                          "c,0,0,210,0,0,210\nd,0,0,0,0,0,0\n");
+        for (const QStringList& options : {QStringList{}, {QStringLiteral("--repair-order")}}) {
+            const auto object = fit(QStringList{file} + options);
+            QVERIFY(!object);
+            QVERIFY(object.error().detail.find("mirror image") != std::string::npos);
+        }
+    }
+
+    /// Three landmarks 100 mm long and so wide: by 10 mm an error of 1 mm beside their line is
+    /// 3 mm, by 30 mm it is 1.2 mm (Fitzpatrick, West and Maurer's formula by hand).
+    void warnsOfLandmarksNearlyOnALine_data()
+    {
+        QTest::addColumn<int>("width_mm");
+        QTest::addColumn<bool>("warns");
+        QTest::newRow("narrow") << 10 << true;
+        QTest::newRow("wide") << 30 << false;
+    }
+    void warnsOfLandmarksNearlyOnALine()
+    {
+        QFETCH(int, width_mm);
+        QFETCH(bool, warns);
+        const std::string width = std::to_string(width_mm);
+        const QString file = m_folder.write(
+            "line.csv", "name,ax,ay,az,mx,my,mz\na,0,0,0,0,0,0\nb,100,0,0,100,0,0\nc,50," + width
+                            + ",0,50," + width + ",0\n");
+        const auto object = fit({file, QStringLiteral("--fle"), QStringLiteral("1")});
+        QVERIFY(object.has_value());
+        const QJsonArray warnings = object->value(QStringLiteral("warnings")).toArray();
+        QCOMPARE(warnings.size(), warns ? 1 : 0);
+        if (warns)
+            QVERIFY2(warnings[0].toString().contains(QStringLiteral("an error of 3.0 mm (RMS)")),
+                     qPrintable(warnings[0].toString()));
     }
 
     void saysNothingOfThreeLandmarksLeftOut()
@@ -132,9 +191,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("sentence");
         const QString fle = QStringLiteral("--fle");
         const QString positive = QStringLiteral("--fle needs a number of millimetres above 0.");
-        QTest::newRow("another flag")
-            << QStringList{QStringLiteral("--fast")} << QStringLiteral("fit knows no --fast here.");
-        QTest::newRow("no error") << QStringList{fle} << QStringLiteral("fit knows no --fle here.");
+        QTest::newRow("another flag") << QStringList{QStringLiteral("--fast")}
+                                      << QStringLiteral("fit knows no option --fast.");
+        QTest::newRow("no error") << QStringList{fle}
+                                  << QStringLiteral("fit: Missing value after '--fle'.");
         QTest::newRow("an error of nothing") << QStringList{fle, QStringLiteral("0")} << positive;
         QTest::newRow("an error that is no number")
             << QStringList{fle, QStringLiteral("nan")} << positive;
@@ -152,9 +212,10 @@ private Q_SLOTS:
 
     void helpNamesEveryKeyAndFlag()
     {
-        for (const char* name : {"--covariance", "--fle", "cxx,cyy,czz,cxy,cxz,cyz", "fle_mm",
-                                 "limit95", "degrees", "leave_one_out_mm", "order", "found",
-                                 "touch_of", "explanations", "chi_squared", "scale"})
+        for (const char* name :
+             {"--covariance", "--fle", "cxx,cyy,czz,cxy,cxz,cyz", "fle_mm", "limit95", "degrees",
+              "leave_one_out_mm", "order", "found", "touch_of", "explanations", "chi_squared",
+              "scale", "--repair-order", "warnings", "example"})
             QVERIFY2(fitCommand().help.find(name) != std::string_view::npos, name);
     }
 };

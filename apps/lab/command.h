@@ -28,7 +28,8 @@ inline constexpr QLatin1StringView kWarnings{"warnings"};
 [[nodiscard]] std::span<const Command> commands();
 
 /// Runs carina-lab on a whole command line: prints the object on stdout and returns 0, or one
-/// sentence on stderr and returns 1 (2 for a wrong command line).
+/// sentence on stderr and returns 1 (2 for a wrong command line). With --help after the name prints
+/// that command's help.
 int runCommandLine(const QStringList& arguments);
 
 } // namespace carina::lab

@@ -21,6 +21,10 @@ constexpr std::string_view kIcpHelp =
     --swab SWAB.csv     a line of column names in any order, then one line for each point:
       mx,my,mz          where it was touched on the manikin, mm
     --start FIT.json    what fit printed: its X_AM_mm
+    example             mx,my,mz
+                        112.2,40.5,-1210.9
+                        ... ; carina-lab fit pairs.csv > fit.json
+                        carina-lab icp --surface skin.stl --swab swab.csv --start fit.json
     schema              "carina.icp/1"
     X_AM_mm             the pose: four rows of four numbers, its translation in mm
     start_rms_mm        root of the mean squared distance from the surface before, of all points

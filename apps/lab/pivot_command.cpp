@@ -32,6 +32,10 @@ pivot FILE|DIR --spin X,Y,Z
       qx,qy,qz,qw     its rotation as a quaternion of any length but 0
     DIR               its files *.txt, each 16 numbers: a 4x4 pose row by row, translation in mm,
                       parted by blanks, commas or line ends
+    example           tx,ty,tz,qx,qy,qz,qw
+                      12.1,-40.3,-1102.7,0.02,-0.11,0.70,0.70
+                      ... ; carina-lab pivot swung.csv --limit-mm 2
+                      carina-lab pivot spun.csv --spin 0,0,-120
     --limit-mm MM     a pose whose tip is further from the divot is left out; 3 by default
     --spin X,Y,Z      a point in the frame of the tool, mm, to which the axis points, as the tip
     schema            "carina.pivot/1"

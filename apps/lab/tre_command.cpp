@@ -14,11 +14,16 @@ namespace
 {
 
 constexpr std::string_view kTreHelp =
-    R"(tre (LANDMARKS.csv TARGETS.csv | --height M [--landmarks N]) [--fle MM | --covariance] ...
+    R"(tre LANDMARKS.csv TARGETS.csv [--fle MM | --covariance] [OPTIONS]
+tre --height M [--landmarks N] [--fle MM] [OPTIONS]
     Predicts how far a registration on these landmarks is off at targets (the target registration
     error), to first order.
     LANDMARKS.csv      name,ax,ay,az: places in the anatomy, mm, in any order of columns
     TARGETS.csv        the same of the targets
+    example            name,ax,ay,az
+                       Sternal notch,0,-60.4,36.1
+                       ... ; carina-lab tre landmarks.csv targets.csv --fle 1.5 --limit 2
+                       carina-lab tre --height 1.75 --landmarks 4 --degrees 6
     --height M         instead: the places on rib cage and jaw of a body of M metres, and glottis,
                        carina, incisors and lung bases as targets
     --landmarks N      of these the first N: 4 on the rib cage, 6 with the angles of the jaw, 8 with

@@ -70,16 +70,18 @@ FitTask::FitTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& pat
 {
 }
 
-void FitTask::fit() { fit(m_editor.site()); }
-
-void FitTask::fit(Site site)
+void FitTask::fit()
 {
+    Site site = m_editor.site();
     if (site.relay)
         return m_editor.refuse(FitWords::tr("The manikin is being laid anew: touch its landmarks, "
                                             "or leave it where it was."));
     if (isLaidAnew(site))
         return m_editor.refuse(FitWords::tr("The manikin was laid anew since its landmarks were "
                                             "touched: touch them again for a new fit."));
+    // A fit that leaves exchanged landmarks so is of no use to anyone.
+    if (const auto found = orderFound(); found && found->order == TouchOrder::Exchanged)
+        site = withOrder(std::move(site), found->touchOf);
     auto next = withFit(std::move(site), fitInputs(m_watch, m_editor.now()));
     if (!next)
         return m_editor.refuse(next.error());
@@ -96,14 +98,6 @@ TouchOrder FitTask::order() const
 {
     const auto found = orderFound();
     return found ? found->order : TouchOrder::AsGiven;
-}
-
-void FitTask::repairOrder()
-{
-    const auto found = orderFound();
-    if (!found || found->order != TouchOrder::Exchanged)
-        return;
-    fit(withOrder(m_editor.site(), found->touchOf));
 }
 
 QStringList FitTask::findings() const

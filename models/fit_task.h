@@ -22,12 +22,11 @@ public:
     FitTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& patient,
             const SurfaceFinder& surfaces);
 
+    /// Landmarks that were exchanged get each its own touch.
     void fit();
 
     /// Whether the touches belong to other landmarks than it was thought, or show a mirror image.
     [[nodiscard]] TouchOrder order() const;
-    /// Gives each landmark its own touch, and fits again.
-    void repairOrder();
 
     /// What a technician should know of the fit, each a sentence: the most pressing first.
     [[nodiscard]] QStringList findings() const;
@@ -56,7 +55,6 @@ public:
 
 private:
     [[nodiscard]] std::optional<OrderFinding> orderFound() const;
-    void fit(Site site);
 
     SiteEditor& m_editor;
     StylusWatch& m_watch;

@@ -101,7 +101,7 @@ void FitPage::refreshSwab()
 
 QString FitPage::actionText() const
 {
-    if (isExchanged())
+    if (registration().fitting().order() == TouchOrder::Exchanged)
         return tr("&Exchange them and fit");
     return registration().task(SiteStep::Fit).state == TaskState::Done ? tr("&Fit again")
                                                                        : tr("&Fit");
@@ -113,19 +113,7 @@ bool FitPage::canAct() const
            && !registration().fitting().isSwabbing();
 }
 
-/// Where landmarks were exchanged, a fit that leaves them so is not offered.
-void FitPage::act()
-{
-    if (isExchanged())
-        registration().fitting().repairOrder();
-    else
-        registration().fitting().fit();
-}
-
-bool FitPage::isExchanged() const
-{
-    return registration().fitting().order() == TouchOrder::Exchanged;
-}
+void FitPage::act() { registration().fitting().fit(); }
 
 void FitPage::swabOrRefine()
 {

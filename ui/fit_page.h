@@ -28,7 +28,6 @@ public:
     void act() override;
 
 private:
-    [[nodiscard]] bool isExchanged() const;
     void layOut();
     void swabOrRefine();
     void refreshSwab();

@@ -157,6 +157,14 @@ double VerifyTask::boundAt(const Vec3& p_AQ, double share) const
     return errorBound(covariance, registration.degrees, share).si;
 }
 
+bool VerifyTask::isComplete() const
+{
+    const std::vector<CheckPoint> all = places();
+    return !all.empty() && std::ranges::all_of(all, [](const CheckPoint& point) {
+        return point.error_mm.has_value();
+    });
+}
+
 Verdict VerifyTask::suggestion() const
 {
     const auto& verification = m_editor.site().verification;

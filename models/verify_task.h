@@ -23,7 +23,7 @@ struct CheckPoint {
 class VerifyTask
 {
 public:
-    /// Fewer tell nothing.
+    /// Fewer tell nothing. A manikin that hides one of the places can be judged by the others.
     static constexpr std::size_t kFewestPoints = 2;
     /// What is farther from a place was not meant for it.
     static constexpr Length kFarthestCheck = millimetres(40.0);
@@ -52,6 +52,8 @@ public:
     /// Whether the fit tells how large an error may be: one of an older site file does not, and
     /// has no places to check.
     [[nodiscard]] bool canJudge() const;
+    /// Whether each place that is proposed was touched.
+    [[nodiscard]] bool isComplete() const;
     /// What the points touched so far say; Open while they are too few.
     [[nodiscard]] Verdict suggestion() const;
     /// @pre at least kFewestPoints were touched.

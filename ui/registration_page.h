@@ -22,6 +22,8 @@ public:
     /// What the main button says; empty where the page needs none.
     [[nodiscard]] virtual QString actionText() const = 0;
     [[nodiscard]] virtual bool canAct() const { return true; }
+    /// Whether that is what to do next: then the button is in colour, and Return presses it.
+    [[nodiscard]] virtual bool isReady() const { return true; }
     virtual void act() = 0;
 
     [[nodiscard]] RegistrationModel& registration() const { return m_registration; }

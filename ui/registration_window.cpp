@@ -239,11 +239,8 @@ void RegistrationWindow::refreshButtons()
     m_ui->next->setVisible(m_registration.step() != SiteStep::Overview);
     m_ui->next->setText(m_registration.step() == SiteStep::Verify ? tr("To the &overview")
                                                                   : tr("Ne&xt"));
-    // While the stylus is swung no key shall end it by habit.
-    const bool isSwung = m_registration.stylus().isLookingForTip();
-    const bool isBusy = isSwung || (m_registration.step() == SiteStep::Verify && !page().canAct());
     for (QPushButton* button : {m_ui->primary, m_ui->next})
-        button->setDefault(!isBusy && button == &mainButton());
+        button->setDefault(page().isReady() && button == &mainButton());
 }
 
 QPushButton& RegistrationWindow::mainButton() const

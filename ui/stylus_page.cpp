@@ -99,6 +99,9 @@ QString StylusPage::actionText() const
     return stylus.tip() ? tr("Find the tip &again") : tr("&Find the tip");
 }
 
+/// While the stylus is swung no key shall end it by habit.
+bool StylusPage::isReady() const { return !registration().stylus().isLookingForTip(); }
+
 void StylusPage::act()
 {
     StylusTask& stylus = registration().stylus();

@@ -19,6 +19,7 @@ public:
     void refresh() override;
     void refreshLive() override;
     [[nodiscard]] QString actionText() const override;
+    [[nodiscard]] bool isReady() const override;
     void act() override;
 
 private:

@@ -95,9 +95,14 @@ QString VerifyPage::verdict() const
                   "error may be: fit the landmarks again.");
     switch (registration().verifying().suggestion()) {
     case Verdict::Open:
-        return tr("Touch at least %1 places.").arg(VerifyTask::kFewestPoints);
+        return tr("Touch these places. %1 are the fewest that can be judged by.")
+            .arg(VerifyTask::kFewestPoints);
     case Verdict::Good:
-        return tr("✓ The errors are as small as expected.");
+        return registration().verifying().isComplete()
+                   ? tr("✓ The errors are as small as expected.")
+                   : tr(
+                       "✓ So far the errors are as small as expected. Touch the other places, too, "
+                       "or record it where they cannot be touched.");
     case Verdict::NotGood:
         return tr("▲ An error is larger than expected: look at the fit, or touch the landmarks "
                   "again.");
@@ -125,6 +130,12 @@ QString VerifyPage::actionText() const
 }
 
 bool VerifyPage::canAct() const { return registration().verifying().suggestion() != Verdict::Open; }
+
+bool VerifyPage::isReady() const
+{
+    return registration().task(SiteStep::Verify).state == TaskState::Done
+           || (canAct() && registration().verifying().isComplete());
+}
 
 void VerifyPage::act()
 {

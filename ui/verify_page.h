@@ -21,6 +21,7 @@ public:
     void refreshLive() override;
     [[nodiscard]] QString actionText() const override;
     [[nodiscard]] bool canAct() const override;
+    [[nodiscard]] bool isReady() const override;
     void act() override;
 
 private:

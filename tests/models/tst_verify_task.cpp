@@ -190,6 +190,19 @@ private Q_SLOTS:
         QCOMPARE(desk.verifying.suggestion(), Verdict::Good);
     }
 
+    /// Two suffice for a verdict, all are proposed.
+    void isCompleteOnceAllPlacesAreTouched()
+    {
+        MadeDesk desk{fittedSite()};
+        for (int i = 0; i < 3; ++i) {
+            QVERIFY(!desk.verifying.isComplete());
+            desk.verifyAt(desk.verifying.points()[*desk.verifying.next()].p_AQ);
+        }
+        QVERIFY(desk.verifying.isComplete());
+        desk.verifying.choose(1); // to touch it again
+        QVERIFY(desk.verifying.isComplete());
+    }
+
     void keepsTheVerdict()
     {
         MadeDesk desk{fittedSite()};

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void showsWhatIsStale();
     void offersToLayAnewWhereThatIsPossible();
     void offersToRepairExchangedLandmarks();
+    void asksForTheVerdictOnceAllPlacesAreTouched();
     void choosesAPlaceToCheck();
     void tellsHowFarTheStylusIsFromTheAnatomy();
 };
@@ -201,6 +202,24 @@ void TestRegistrationWindow::offersToRepairExchangedLandmarks()
     QVERIFY(!findings.isVisible());
     QVERIFY(desk.button("primary").text().contains(QStringLiteral("Fit")));
     QVERIFY(desk.model->site().registration->rms < 1e-9);
+}
+
+/// It can be recorded before, where a place cannot be touched.
+void TestRegistrationWindow::asksForTheVerdictOnceAllPlacesAreTouched()
+{
+    RegistrationDesk desk;
+    desk.site.fitAll(*desk.model);
+    desk.model->enter(SiteStep::Verify);
+    const std::size_t places = desk.model->verifying().points().size();
+    for (std::size_t touched = 1; touched <= places; ++touched) {
+        desk.site.hold(*desk.model,
+                       desk.site.X_TA * desk.model->verifying().points()[touched - 1].p_AQ);
+        QCOMPARE(desk.button("primary").isEnabled(), touched >= VerifyTask::kFewestPoints);
+        QCOMPARE(desk.button("primary").isDefault(), touched == places);
+        QVERIFY(!desk.button("next").isDefault());
+    }
+    QVERIFY(desk.click("primary"));
+    QVERIFY(desk.button("next").isDefault());
 }
 
 void TestRegistrationWindow::choosesAPlaceToCheck()

@@ -104,13 +104,7 @@ SiteStep RegistrationModel::nextStep() const
 QStringList RegistrationModel::health() const
 {
     return siteHealth(site(), m_watch.tool(), trackerName(), m_editor.today(),
-                      expectedAtGlottis_mm());
-}
-
-std::optional<double> RegistrationModel::expectedAtGlottis_mm() const
-{
-    const std::vector<ExpectedError> expected = m_fitTask.expected();
-    return expected.empty() ? std::nullopt : std::optional{expected.front().bound_mm};
+                      m_fitTask.expected());
 }
 
 QString RegistrationModel::instruction() const { return registrationInstruction(*this); }

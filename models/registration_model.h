@@ -150,7 +150,6 @@ private:
     /// Whether the page asks for one more point.
     [[nodiscard]] bool awaitsTouch() const;
     void take(const StylusTouch& touch);
-    [[nodiscard]] std::optional<double> expectedAtGlottis_mm() const;
 
     Workplace m_workplace;
     const PatientModel& m_patient;

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <algorithm>
 #include <array>
 
 namespace carina
@@ -109,8 +110,7 @@ public:
         return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
     }
 
-    static QString registered(const Site& site, const QDateTime& today,
-                              const std::optional<double>& glottis_mm)
+    static QString registered(const Site& site, const QDateTime& today)
     {
         const SiteRegistration& registration = *site.registration;
         QString sentence = registration.madeAt.empty()
@@ -118,10 +118,30 @@ public:
                                : tr("Registered %1.").arg(howLongAgo(registration.madeAt, today));
         if (!registration.operatorName.empty())
             sentence += tr(" By %1.").arg(QString::fromStdString(registration.operatorName));
-        if (glottis_mm)
-            sentence += tr(" At the glottis less than %1 mm are expected, in 95 of 100 cases.")
-                            .arg(*glottis_mm, 0, 'f', 1);
         return sentence;
+    }
+
+    /// @pre there are some.
+    static QString expected(const std::vector<ExpectedError>& errors)
+    {
+        const ExpectedError& first = errors.front();
+        const ExpectedError& worst = std::ranges::max(errors, {}, &ExpectedError::bound_mm);
+        const QString sentence = tr("Expected error, in 95 of 100 cases: %1, less than %2\u00a0mm.")
+                                     .arg(first.name)
+                                     .arg(first.bound_mm, 0, 'f', 1);
+        if (worst.name == first.name)
+            return sentence + tr(" No other place is worse.");
+        return sentence
+               + tr(" Worst: %1, less than %2\u00a0mm.")
+                     .arg(worst.name)
+                     .arg(worst.bound_mm, 0, 'f', 1);
+    }
+
+    static QString oldStylus(const StylusTip& tip, const QDateTime& today)
+    {
+        return tr("The stylus was calibrated %1: find its tip again before you touch landmarks "
+                  "with it.")
+            .arg(howLongAgo(tip.calibratedAt, today));
     }
 
     static QString verified(const Site& site, const QDateTime& today)
@@ -206,17 +226,21 @@ SiteStep nextTask(const Site& site, const std::string& tool, const QString& trac
 }
 
 QStringList siteHealth(const Site& site, const std::string& tool, const QString& tracker,
-                       const QDateTime& today, const std::optional<double>& glottis_mm)
+                       const QDateTime& today, const std::vector<ExpectedError>& expected)
 {
     QStringList sentences;
     if (!site.registration) {
         sentences << TaskWords::tr("This manikin is not registered yet.");
     } else {
-        sentences << TaskWords::registered(site, today, glottis_mm);
+        sentences << TaskWords::registered(site, today);
+        if (!expected.empty())
+            sentences << TaskWords::expected(expected);
         if (!site.registration->relays.empty())
             sentences << TaskWords::relaid(site.registration->relays.back(), today);
         sentences << TaskWords::verified(site, today);
     }
+    if (const StylusTip* tip = site.stylus(tool); tip && TaskWords::isOld(tip->calibratedAt, today))
+        sentences << TaskWords::oldStylus(*tip, today);
     for (const SiteStep step : kTasks)
         if (const SiteTask task = siteTask(site, step, tool, tracker, today);
             task.state == TaskState::Stale)

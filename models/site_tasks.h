@@ -1,12 +1,12 @@
 #pragma once
 
 #include "engine/io/site.h"
+#include "models/registration_targets.h"
 
 #include <QDateTime>
 #include <QString>
 
 #include <cstdint>
-#include <optional>
 
 namespace carina
 {
@@ -40,12 +40,12 @@ struct SiteTask {
 [[nodiscard]] SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker,
                                 const QDateTime& today);
 
-/// The site in a few sentences: when it was registered, what is expected at the glottis, what was
-/// verified, what is stale, and what to do. @param glottis_mm the 95 % bound there, where there is
-/// one
+/// The site in a few sentences: when it was registered, what error is expected first and where it
+/// is worst, what was verified, what is old or stale, and what to do.
+/// @param expected of the registration at its targets, the glottis first; may be empty
 [[nodiscard]] QStringList siteHealth(const Site& site, const std::string& tool,
                                      const QString& tracker, const QDateTime& today,
-                                     const std::optional<double>& glottis_mm);
+                                     const std::vector<ExpectedError>& expected);
 
 /// "3 days ago", "today".
 [[nodiscard]] QString howLongAgo(const std::string& time, const QDateTime& today);

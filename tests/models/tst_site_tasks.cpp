@@ -22,9 +22,9 @@ SiteTask taskOf(const Site& site, SiteStep step)
 TaskState stateOf(const Site& site, SiteStep step) { return taskOf(site, step).state; }
 
 QStringList healthOf(const Site& site, const QDateTime& today,
-                     const std::optional<double>& glottis_mm = std::nullopt)
+                     const std::vector<ExpectedError>& expected = {})
 {
-    return siteHealth(site, kTool, kThisTracker, today, glottis_mm);
+    return siteHealth(site, kTool, kThisTracker, today, expected);
 }
 
 } // namespace
@@ -146,10 +146,9 @@ private Q_SLOTS:
     void tellsTheHealthOfASite()
     {
         QCOMPARE(healthOf({}, kDay).size(), 1);
-        const QStringList fitted = healthOf(fittedSite(), kDay, 1.24);
+        const QStringList fitted = healthOf(fittedSite(), kDay);
         QVERIFY2(fitted[0].startsWith(QStringLiteral("Registered today. By A. Frei.")),
                  qPrintable(fitted[0]));
-        QVERIFY(fitted[0].contains(QStringLiteral("1.2 mm")));
         QVERIFY(fitted[1].startsWith(QStringLiteral("Not verified")));
         QCOMPARE(healthOf(verifiedSite(), kDay.addDays(2))[1],
                  QStringLiteral("Verified 2 days ago: good."));
@@ -157,6 +156,30 @@ private Q_SLOTS:
             healthOf(verifiedSite(Verdict::NotGood), kDay)[1].contains(QStringLiteral("not good")));
         const Site stale = withStylus(verifiedSite(), someTip());
         QVERIFY(healthOf(stale, kDay)[1].startsWith(QStringLiteral("Not verified")));
+    }
+
+    void namesTheWorstPlaceToExpect()
+    {
+        const ExpectedError glottis{.name = QStringLiteral("Glottis"), .bound_mm = 1.24};
+        const ExpectedError carina{.name = QStringLiteral("Carina"), .bound_mm = 0.9};
+        const ExpectedError base{.name = QStringLiteral("Left lung base"), .bound_mm = 1.86};
+        const QString worst = healthOf(fittedSite(), kDay, {glottis, base, carina})[1];
+        QVERIFY2(worst.contains(QStringLiteral("Glottis, less than 1.2\u00a0mm")),
+                 qPrintable(worst));
+        QVERIFY2(worst.contains(QStringLiteral("Worst: Left lung base, less than 1.9\u00a0mm")),
+                 qPrintable(worst));
+        const QString first = healthOf(fittedSite(), kDay, {glottis, carina})[1];
+        QVERIFY2(!first.contains(QStringLiteral("Worst")), qPrintable(first));
+    }
+
+    void saysHowOldTheStylusIs()
+    {
+        const auto inDays = [](int days) {
+            return healthOf(preparedSite(), kDay.addDays(days)).join(QLatin1Char('\n'));
+        };
+        QVERIFY(!inDays(30).contains(QStringLiteral("stylus")));
+        QVERIFY2(inDays(31).contains(QStringLiteral("The stylus was calibrated 31 days ago")),
+                 qPrintable(inDays(31)));
     }
 
     void asksForAVerificationAfterAMonth()
@@ -167,14 +190,14 @@ private Q_SLOTS:
         QCOMPARE(healthOf(verifiedSite(), kDay.addDays(30)).size(), 2);
         QCOMPARE(inDays(verifiedSite(), 30), TaskState::Done);
         const QStringList old = healthOf(verifiedSite(), kDay.addDays(31));
-        QCOMPARE(old.size(), 3);
-        QVERIFY(old[2].contains(QStringLiteral("verify two points")));
+        QCOMPARE(old.size(), 4); // and one of the stylus
+        QVERIFY(old[3].contains(QStringLiteral("verify two points")));
         QCOMPARE(inDays(verifiedSite(), 31), TaskState::Stale);
         QCOMPARE(nextTask(verifiedSite(), kTool, kThisTracker, kDay.addDays(31)), SiteStep::Verify);
         Site again = verifiedSite(); // registered long ago, and verified since
         again.verification->at = kDay.addDays(29).toString(Qt::ISODate).toStdString();
         QCOMPARE(inDays(again, 31), TaskState::Done);
-        QCOMPARE(healthOf(again, kDay.addDays(31)).size(), 2);
+        QCOMPARE(healthOf(again, kDay.addDays(31)).size(), 3);
     }
 
     void tellsOfARelay()

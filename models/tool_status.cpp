@@ -57,8 +57,9 @@ ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
     const PoseSample& newest = samples.back();
     status.isVisible = true;
     status.text =
-        toolWords(QT_TRANSLATE_NOOP("ToolStatus",
-                                    "visible, %1\u00a0Hz, error %2\u00a0mm, %3\u00a0ms old"))
+        toolWords(QT_TRANSLATE_NOOP(
+                      "ToolStatus",
+                      "visible, %1\u00a0Hz, markers fit to %2\u00a0mm (RMS), %3\u00a0ms old"))
             .arg(qRound(rateOf(samples)))
             .arg(1e3 * newest.error, 0, 'f', 2)
             .arg(qRound(1e3 * toSeconds(now - newest.time)));

@@ -14,7 +14,7 @@ struct ToolStatus {
     ToolRole role = ToolRole::Other;
     QString name{};         ///< as shown: "Stylus"
     bool isVisible = false; ///< tracked, and not silent
-    QString text{};         ///< "visible, 60 Hz, error 0.21 mm, 9 ms old", or "out of view"
+    QString text{};         ///< "out of view", or how often and how well it is seen
 };
 
 /// The tools of a tracker at a time on its clock.

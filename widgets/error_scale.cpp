@@ -24,7 +24,8 @@ QString withDecimals(Length length, int decimals)
 
 QString numberAt(const ErrorBands& bands, int edge)
 {
-    return withDecimals(bands.edge(edge), inMillimetres(bands.width) < 1.0 ? 1 : 0);
+    return ErrorScale::tr("%1\u00a0mm")
+        .arg(withDecimals(bands.edge(edge), inMillimetres(bands.width) < 1.0 ? 1 : 0));
 }
 
 QString captionOf(const ErrorRange& range)

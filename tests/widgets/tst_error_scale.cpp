@@ -69,10 +69,11 @@ void TestErrorScale::hasNumbersWhereBandsMeet_data()
     QTest::addColumn<int>("first");
     QTest::addColumn<int>("count");
     QTest::addColumn<QString>("texts");
-    QTest::newRow("tenths") << 0.1 << 3 << 3 << QStringLiteral("0.3 0.4 0.5 0.6");
-    QTest::newRow("halves") << 0.5 << 1 << 4 << QStringLiteral("0.5 1.0 1.5 2.0 2.5");
-    QTest::newRow("whole ones") << 1.0 << 0 << 3 << QStringLiteral("0 1 2 3");
-    QTest::newRow("tens") << 10.0 << 9 << 2 << QStringLiteral("90 100 110");
+    QTest::newRow("tenths") << 0.1 << 3 << 3 << QStringLiteral("0.3 mm, 0.4 mm, 0.5 mm, 0.6 mm");
+    QTest::newRow("halves") << 0.5 << 1 << 4
+                            << QStringLiteral("0.5 mm, 1.0 mm, 1.5 mm, 2.0 mm, 2.5 mm");
+    QTest::newRow("whole ones") << 1.0 << 0 << 3 << QStringLiteral("0 mm, 1 mm, 2 mm, 3 mm");
+    QTest::newRow("tens") << 10.0 << 9 << 2 << QStringLiteral("90 mm, 100 mm, 110 mm");
 }
 
 void TestErrorScale::hasNumbersWhereBandsMeet()
@@ -82,7 +83,8 @@ void TestErrorScale::hasNumbersWhereBandsMeet()
     QFETCH(const int, count);
     QFETCH(const QString, texts);
     const auto scale = scaleOf({millimetres(width_mm), first, count}, {600, 90});
-    QCOMPARE(textsOf(*scale).join(QLatin1Char{' '}), texts);
+    QCOMPARE(textsOf(*scale).join(QStringLiteral(", ")).replace(QChar::Nbsp, QLatin1Char{' '}),
+             texts);
     const ErrorScale::Drawing drawn = scale->drawing().value();
     for (std::size_t k = 0; k < drawn.bands.size(); ++k)
         QVERIFY(std::abs(drawn.numbers[k].x - drawn.bands[k].left()) < kPixel);

@@ -2,6 +2,7 @@
 
 #include "tests/models/registration_site.h"
 
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,14 @@ struct Desk {
         site.hold(*model, X_TA * landmarks[landmark].p_AQ);
     }
     void touch(std::size_t landmark) { touch(landmark, site.X_TA); }
+    /// These, whatever is asked for.
+    void touchChosen(std::initializer_list<std::size_t> chosen, const RigidTransform& X_TA)
+    {
+        for (const std::size_t landmark : chosen) {
+            model->touching().choose(landmark);
+            touch(landmark, X_TA);
+        }
+    }
     void register_()
     {
         for (std::size_t i = 0; i < landmarks.size(); ++i)

@@ -22,10 +22,7 @@ private Q_SLOTS:
         desk.model->touching().beginRelay();
         QCOMPARE(desk.model->step(), SiteStep::Touch);
         QVERIFY(!desk.isTouched(0));
-        for (const std::size_t landmark : {0U, 2U, 7U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
+        desk.touchChosen({0, 2, 7}, X_TA);
         QVERIFY2(liesAt(*desk.model, X_TA), qPrintable(desk.model->problem()));
         QVERIFY(!desk.model->touching().isRelaying());
         QCOMPARE(desk.model->site().registration->relays.size(), std::size_t{1});
@@ -42,16 +39,12 @@ private Q_SLOTS:
         desk.register_();
         const RigidTransform X_TA = pushed(desk.site.X_TA);
         desk.model->touching().beginRelay();
-        desk.model->touching().choose(0);
-        desk.touch(0, X_TA);
+        desk.touchChosen({0}, X_TA);
         desk.model.reset();
         desk.model = desk.site.model();
         QVERIFY(desk.model->touching().isRelaying());
         QVERIFY(desk.isTouched(0));
-        for (const std::size_t landmark : {2U, 7U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
+        desk.touchChosen({2, 7}, X_TA);
         QVERIFY(liesAt(*desk.model, X_TA));
     }
 
@@ -76,14 +69,10 @@ private Q_SLOTS:
         desk.register_();
         const RigidTransform X_TA = pushed(desk.site.X_TA);
         desk.model->touching().beginRelay();
-        for (const std::size_t landmark : {0U, 2U, 5U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
+        desk.touchChosen({0, 2, 5}, X_TA);
         QVERIFY(desk.model->touching().isRelaying());
         QVERIFY(desk.model->problem().contains(QStringLiteral("one more")));
-        desk.model->touching().choose(7);
-        desk.touch(7, X_TA);
+        desk.touchChosen({7}, X_TA);
         QVERIFY(liesAt(*desk.model, X_TA));
     }
 
@@ -121,8 +110,7 @@ private Q_SLOTS:
         desk.model->fitting().fit();
         const RigidTransform X_TA = pushed(desk.site.X_TA);
         desk.model->touching().beginRelay();
-        desk.model->touching().choose(5);
-        desk.touch(5, X_TA);
+        desk.touchChosen({5}, X_TA);
         QVERIFY(!desk.isTouched(5));
         QVERIFY(desk.model->touching().isRelaying());
     }
@@ -145,17 +133,13 @@ private Q_SLOTS:
         desk.register_();
         const RigidTransform X_TA = pushed(desk.site.X_TA);
         desk.model->touching().beginRelay();
-        for (const std::size_t landmark : {0U, 2U}) {
-            desk.model->touching().choose(landmark);
-            desk.touch(landmark, X_TA);
-        }
+        desk.touchChosen({0, 2}, X_TA);
         desk.model->touching().choose(7);
         desk.site.hold(*desk.model, X_TA * Vec3{desk.landmarks[7].p_AQ + Vec3{0.02, 0.01, 0.0}});
         QVERIFY(!desk.model->problem().isEmpty());
         QVERIFY(desk.model->touching().isRelaying());
         QVERIFY(liesAt(*desk.model, desk.site.X_TA)); // until it is known better
-        desk.model->touching().choose(7);
-        desk.touch(7, X_TA);
+        desk.touchChosen({7}, X_TA);
         QVERIFY(liesAt(*desk.model, X_TA));
     }
 };

@@ -64,6 +64,7 @@ RegistrationScene::RegistrationScene(SceneView& scene, const RegistrationModel& 
 {
     m_scene.setFrameSource([this](int, LocalTime lit) { return frameAt(lit); });
     m_scene.showFrom(ViewPreset::Front);
+    m_scene.nameSides();
     refresh();
 }
 

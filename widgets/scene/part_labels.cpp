@@ -1,9 +1,9 @@
 #include "widgets/scene/part_labels.h"
 
 #include "widgets/scene/orbit_camera.h"
+#include "widgets/scene/picture_label.h"
 
 #include <QLabel>
-#include <QWindow>
 
 #include <algorithm>
 
@@ -13,9 +13,7 @@ namespace carina
 namespace
 {
 
-constexpr int kLabelMargin = 3;  ///< pixels around a name
 constexpr int kRightOfPoint = 6; ///< pixels to the right of the point
-constexpr const char* kLabelStyle = "QLabel { color: #ffffff; background: #10181f; }";
 
 /// A vertex near the middle: the middle itself of a rib lies in the air.
 Vec3 placeOn(const TriangleMesh& mesh)
@@ -26,19 +24,6 @@ Vec3 placeOn(const TriangleMesh& mesh)
             return (a - middle).squaredNorm() < (b - middle).squaredNorm();
         });
     return nearest->cast<double>();
-}
-
-QLabel* makeLabel(QWidget& over, const std::string& name)
-{
-    auto* label = new QLabel{QString::fromStdString(name), &over};
-    label->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
-    label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    label->setTextFormat(Qt::PlainText); // names come from files
-    label->setStyleSheet(QString::fromLatin1(kLabelStyle));
-    label->setAutoFillBackground(true);
-    label->setMargin(kLabelMargin);
-    label->adjustSize();
-    return label;
 }
 
 } // namespace
@@ -73,7 +58,8 @@ void PartLabels::setParts(std::span<const ScenePart> parts, const PartLooks& loo
         const auto look = looks.find(part.id);
         if (look == looks.end() || !look->second.labelled || part.levels.back()->empty())
             continue;
-        m_labels.push_back({makeLabel(m_over, part.name), part.body, placeOn(*part.levels.back())});
+        m_labels.push_back({pictureLabel(m_over, QString::fromStdString(part.name)), part.body,
+                            placeOn(*part.levels.back())});
     }
 }
 
@@ -105,8 +91,7 @@ void PartLabels::place(const SceneFrame& frame, const CameraPose& pose, const Fr
         taken.push_back(wanted);
         if (label->pos() != wanted.topLeft())
             label->move(wanted.topLeft());
-        if (QWindow* window = label->windowHandle())
-            window->raise();
+        raiseLabel(*label);
     }
 }
 

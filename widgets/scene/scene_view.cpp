@@ -169,6 +169,19 @@ void SceneView::drawFrame()
     m_tick.start(std::max(left, std::chrono::milliseconds{0}));
 }
 
+void SceneView::placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras)
+{
+    if (frame.eyes) {
+        m_labels.hide();
+        if (m_sides)
+            m_sides->hide();
+        return;
+    }
+    m_labels.place(frame, cameras.front().pose, cameras.front().frustum);
+    if (m_sides)
+        m_sides->place(cameras.front().pose);
+}
+
 void SceneView::drawExposed(LocalTime asked)
 {
     chooseDetail();
@@ -185,10 +198,7 @@ void SceneView::drawExposed(LocalTime asked)
     m_renderer->apply(drawn.frame, m_detail.levels());
     m_renderer->draw();
     drawn.swapped = monotonicNow();
-    if (drawn.frame.eyes)
-        m_labels.hide();
-    else
-        m_labels.place(drawn.frame, cameras.front().pose, cameras.front().frustum);
+    placeLabels(drawn.frame, cameras);
     m_times.add(drawn.asked, drawn.swapped);
     m_timeOfLight.frameTook(drawn.swapped - drawn.asked);
     m_detail.frameTook(drawn.swapped - drawn.asked);

@@ -10,6 +10,7 @@
 #include "widgets/scene/scene_frame.h"
 #include "widgets/scene/scene_part.h"
 #include "widgets/scene/section.h"
+#include "widgets/scene/side_labels.h"
 
 #include <QImage>
 #include <QTimer>
@@ -65,6 +66,8 @@ public:
     void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
 
     void showFrom(ViewPreset preset);
+    /// Says at the edges from now on which are the patient's right and left, but to no headset.
+    void nameSides() { m_sides.emplace(*this); }
     /// Whether mouse and keys move the camera; they do from the start.
     void setInteractive(bool interactive);
     void setBackground(const QColor& color);
@@ -96,6 +99,7 @@ Q_SIGNALS:
 private:
     void drawFrame();
     void drawExposed(LocalTime asked);
+    void placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras);
     void sendRay(const QPointF& position);
     void chooseDetail();
     [[nodiscard]] std::vector<SceneCamera> camerasOf(const SceneFrame& frame) const;
@@ -105,6 +109,7 @@ private:
     std::vector<ScenePart> m_parts;
     PartLooks m_looks;
     PartLabels m_labels;
+    std::optional<SideLabels> m_sides;
     FrameSource m_source;
     FrameListener m_listener;
     DetailChoice m_detail;

@@ -17,7 +17,7 @@ constexpr double kPulsesPerSecond = 1.5;
 const Length kBall = millimetres(5.0);
 const Length kSwollenBall = millimetres(9.0);
 const Length kDiamond = millimetres(7.0);
-const Length kMargin = millimetres(40.0); ///< of the picture around the landmarks
+const Length kMargin = millimetres(40.0); ///< of the picture around landmarks and head
 const Length kPointer = millimetres(100.0);
 const Length kPointerRadius = millimetres(5.0);
 const QColor kOpenColor{235, 235, 225};
@@ -48,6 +48,20 @@ ViewPreset viewOf(const Vec3& p_AQ)
     if (std::abs(p_AQ.x()) <= -p_AQ.y())
         return ViewPreset::Front;
     return p_AQ.x() > 0.0 ? ViewPreset::Left : ViewPreset::Right;
+}
+
+/// The landmarks, and the patient from there to the top of the head.
+Box boundsToFrame(const std::vector<LandmarkRow>& landmarks, const std::vector<ScenePart>& patient)
+{
+    Box around;
+    for (const LandmarkRow& landmark : landmarks)
+        around.include(landmark.p_AQ);
+    for (const ScenePart& part : patient)
+        if (part.group != MaterialGroup::Tool)
+            around.max.z() = std::max(around.max.z(), boundsOf(*part.levels.back()).max.z());
+    around.min.array() -= kMargin.si;
+    around.max.array() += kMargin.si;
+    return around;
 }
 
 /// X_AF of a pointer whose tip is at the stylus's tip and that runs along its shaft.
@@ -98,6 +112,7 @@ std::optional<RegistrationScene::ShownError> RegistrationScene::showError(bool s
 void RegistrationScene::addMarkers()
 {
     std::vector<ScenePart> parts = sceneParts(m_registration.patient());
+    const Box around = boundsToFrame(m_landmarks, parts);
     const auto add = [&](std::string body, const QColor& color,
                          std::shared_ptr<const TriangleMesh> mesh) {
         parts.push_back({.name = body,
@@ -116,10 +131,6 @@ void RegistrationScene::addMarkers()
         add(bodyOf(Marker::Touched, i), kTouchedColor, diamondMarker(kDiamond));
     }
     add(kStylus, kStylusColor, pointerMarker(kPointer, kPointerRadius));
-    Box around;
-    for (const LandmarkRow& landmark : m_landmarks)
-        for (const double side : {-kMargin.si, kMargin.si})
-            around.include(Vec3{landmark.p_AQ.array() + side});
     m_scene.setParts(parts, around);
 }
 

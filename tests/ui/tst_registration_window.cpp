@@ -31,6 +31,7 @@ private Q_SLOTS:
     void asksForTheVerdictOnceAllPlacesAreTouched();
     void choosesAPlaceToCheck();
     void tellsHowFarTheStylusIsFromTheAnatomy();
+    void showsTheWholeHead();
 };
 
 void TestRegistrationWindow::leadsFromTheTrackerToTheTouches()
@@ -249,6 +250,22 @@ void TestRegistrationWindow::tellsHowFarTheStylusIsFromTheAnatomy()
         QStringLiteral("The tip is 5.0 mm from Xiphoid process")));
     desk.site.m_now += std::chrono::seconds{1};
     QTRY_VERIFY(desk.find<QLabel>("stylus").text().contains(QStringLiteral("out of view")));
+}
+
+void TestRegistrationWindow::showsTheWholeHead()
+{
+    const RegistrationDesk desk;
+    Vec3 top = Vec3::Zero();
+    for (const PatientSurface& surface : desk.site.patient().surfaces())
+        if (surface.description.role == PartRole::Skin)
+            for (const Vec3f& p_A : surface.levels.back()->positions)
+                top = p_A.z() > top.z() ? Vec3{p_A.cast<double>()} : top;
+    QVERIFY(top.z() > desk.site.patient().landmarks().p_A_incisors.z());
+    auto& scene = desk.find<SceneView>("scene");
+    for (const ViewPreset side : {ViewPreset::Front, ViewPreset::Left, ViewPreset::Right}) {
+        scene.showFrom(side);
+        QVERIFY(seenAt(top, scene.camera().pose(), scene.camera().frustum()));
+    }
 }
 
 } // namespace carina

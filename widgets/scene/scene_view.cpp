@@ -99,6 +99,8 @@ void SceneView::setLooks(const PartLooks& looks)
     m_detail.setParts(shown);
 }
 
+const OrbitCamera& SceneView::camera() const { return m_window->camera(); }
+
 void SceneView::setSection(const std::optional<Section>& section)
 {
     m_renderer->setSection(section);

@@ -66,6 +66,8 @@ public:
     void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
 
     void showFrom(ViewPreset preset);
+    /// The view's own, which shows a frame without eyes.
+    [[nodiscard]] const OrbitCamera& camera() const;
     /// Says at the edges from now on which are the patient's right and left, but to no headset.
     void nameSides() { m_sides.emplace(*this); }
     /// Whether mouse and keys move the camera; they do from the start.

@@ -6,6 +6,7 @@
 #include "widgets/scene/scene_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace carina
@@ -17,21 +18,26 @@ constexpr double kPulsesPerSecond = 1.5;
 const Length kBall = millimetres(5.0);
 const Length kSwollenBall = millimetres(9.0);
 const Length kDiamond = millimetres(7.0);
+const Length kRim = millimetres(2.5); ///< around a mark, dark: it stands out without colours, too
 const Length kMargin = millimetres(40.0); ///< of the picture around landmarks and head
 const Length kPointer = millimetres(100.0);
 const Length kPointerRadius = millimetres(5.0);
 const QColor kOpenColor{235, 235, 225};
 const QColor kNextColor{250, 170, 40};
 const QColor kTouchedColor{70, 190, 235};
+const QColor kRimColor{8, 10, 14};
 const QColor kStylusColor{210, 90, 200};
 const std::string kStylus = "stylus";
 
 enum class Marker : std::uint8_t { Open, Next, NextSwollen, Touched };
+const std::array kRadii{kBall, kBall, kSwollenBall, kDiamond}; ///< by Marker
 
 std::string bodyOf(Marker marker, std::size_t landmark)
 {
     return "landmark " + std::to_string(landmark) + " " + std::to_string(int(marker));
 }
+
+std::string rimOf(std::size_t landmark) { return "rim " + std::to_string(landmark); }
 
 Marker markerOf(const LandmarkRow& landmark, LocalTime time)
 {
@@ -62,6 +68,19 @@ Box boundsToFrame(const std::vector<LandmarkRow>& landmarks, const std::vector<S
     around.min.array() -= kMargin.si;
     around.max.array() += kMargin.si;
     return around;
+}
+
+/// Puts a mark and its rim before the bone, on the line of sight: so the rim is whole, and both are
+/// seen where the landmark is.
+void mark(SceneFrame& frame, std::size_t landmark, Marker marker, const Vec3& p_AQ,
+          const Vec3& p_A_eye)
+{
+    const Vec3 towardsEye = (p_A_eye - p_AQ).normalized();
+    const double rim = (kRadii[std::size_t(marker)] + kRim).si;
+    frame.bodies[rimOf(landmark)] = {RigidTransform::translation(p_AQ + 0.5 * rim * towardsEye),
+                                     rim / kBall.si};
+    frame.bodies[bodyOf(marker, landmark)] =
+        RigidTransform::translation(p_AQ + 1.5 * rim * towardsEye);
 }
 
 /// X_AF of a pointer whose tip is at the stylus's tip and that runs along its shaft.
@@ -129,6 +148,7 @@ void RegistrationScene::addMarkers()
         add(bodyOf(Marker::Next, i), kNextColor, ballMarker(kBall));
         add(bodyOf(Marker::NextSwollen, i), kNextColor, ballMarker(kSwollenBall));
         add(bodyOf(Marker::Touched, i), kTouchedColor, diamondMarker(kDiamond));
+        add(rimOf(i), kRimColor, ballMarker(kBall));
     }
     add(kStylus, kStylusColor, pointerMarker(kPointer, kPointerRadius));
     m_scene.setParts(parts, around);
@@ -140,8 +160,8 @@ SceneFrame RegistrationScene::frameAt(LocalTime time) const
     // At rest, with the mouth shut.
     SceneFrame frame = sceneFrame({}, patient.lungs().field(), patient.throat(RigidTransform{}));
     for (std::size_t i = 0; i < m_landmarks.size(); ++i)
-        frame.bodies[bodyOf(markerOf(m_landmarks[i], time), i)] =
-            RigidTransform::translation(m_landmarks[i].p_AQ);
+        mark(frame, i, markerOf(m_landmarks[i], time), m_landmarks[i].p_AQ,
+             m_scene.camera().pose().p_A_eye);
     if (const auto stylus = m_registration.stylusOnAnatomy())
         frame.bodies[kStylus] = pointerAt(*stylus);
     return frame;

@@ -11,7 +11,8 @@ class SceneView;
 
 /// Shows a registration in three dimensions: the patient at rest, the landmarks on it, and the
 /// stylus once the patient is registered. Open landmarks are balls, touched ones diamonds, and the
-/// one that is next is a ball that swells and shrinks.
+/// one that is next is a ball that swells and shrinks. A dark rim sets each off from what is
+/// behind.
 class RegistrationScene
 {
 public:

@@ -95,7 +95,7 @@ std::shared_ptr<const TriangleMesh> PatientModel::shutMesh(const PatientSurface&
     return shared(deformed(finest, shut, *tissue));
 }
 
-Box PatientModel::reachOfLungs() const
+Box PatientModel::reach() const
 {
     constexpr double kFullest = 2.1; // of the gas at rest: 1.77 of it, and a breath
     constexpr double kRibShare = 0.4;
@@ -110,7 +110,18 @@ Box PatientModel::reachOfLungs() const
     for (const BreathingPart& part : m_lungs->parts())
         reach.include(boundsOf(deformed(part.levels.back(), m_lungs->field(),
                                         motionOf(part.region, pose, m_lungs->field()))));
+    if (!reach.empty())
+        reach.max.z() = std::max(reach.max.z(), top());
     return reach;
+}
+
+double PatientModel::top() const
+{
+    Box all;
+    for (const PatientSurface& surface : m_surfaces)
+        if (surface.body != SurfaceBody::Tube)
+            all.include(boundsOf(*surface.levels.back()));
+    return all.max.z();
 }
 
 void PatientModel::addAnatomy(std::vector<AnatomyPart> parts)

@@ -57,14 +57,12 @@ ViewPreset viewOf(const Vec3& p_AQ)
 }
 
 /// The landmarks, and the patient from there to the top of the head.
-Box boundsToFrame(const std::vector<LandmarkRow>& landmarks, const std::vector<ScenePart>& patient)
+Box boundsToFrame(const std::vector<LandmarkRow>& landmarks, const PatientModel& patient)
 {
     Box around;
     for (const LandmarkRow& landmark : landmarks)
         around.include(landmark.p_AQ);
-    for (const ScenePart& part : patient)
-        if (part.group != MaterialGroup::Tool)
-            around.max.z() = std::max(around.max.z(), boundsOf(*part.levels.back()).max.z());
+    around.max.z() = std::max(around.max.z(), patient.top());
     around.min.array() -= kMargin.si;
     around.max.array() += kMargin.si;
     return around;
@@ -131,7 +129,7 @@ std::optional<RegistrationScene::ShownError> RegistrationScene::showError(bool s
 void RegistrationScene::addMarkers()
 {
     std::vector<ScenePart> parts = sceneParts(m_registration.patient());
-    const Box around = boundsToFrame(m_landmarks, parts);
+    const Box around = boundsToFrame(m_landmarks, m_registration.patient());
     const auto add = [&](std::string body, const QColor& color,
                          std::shared_ptr<const TriangleMesh> mesh) {
         parts.push_back({.name = body,

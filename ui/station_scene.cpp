@@ -9,7 +9,7 @@ namespace carina
 StationScene::StationScene(SceneView& scene, const PatientModel& patient, const StationView& view)
     : m_scene{scene}, m_patient{&patient}, m_view{&view}
 {
-    m_scene.setParts(sceneParts(patient), patient.reachOfLungs());
+    m_scene.setParts(sceneParts(patient), patient.reach());
     m_scene.nameSides();
     m_scene.setFrameSource([this](int level, LocalTime lit) {
         m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
@@ -25,7 +25,7 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
 {
     m_patient = &patient;
     m_view = &view;
-    m_scene.setParts(sceneParts(patient), patient.reachOfLungs());
+    m_scene.setParts(sceneParts(patient), patient.reach());
 }
 
 void StationScene::showTo(const HeadsetView& headset, ViewOutput output)

@@ -190,7 +190,7 @@ Result<QJsonArray> drawAll(const PatientModel& patient, const std::vector<PosedP
                                .size = order.size,
                                .prepare =
                                    [&](SceneView& view) {
-                                       view.setParts(sceneParts(patient), patient.reachOfLungs());
+                                       view.setParts(sceneParts(patient), patient.reach());
                                        view.setFixedLevel(int(kFinest));
                                    },
                                .frame =

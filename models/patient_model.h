@@ -51,8 +51,8 @@ public:
     /// The finest mesh of a surface as it is with the mouth shut, on which a manikin is touched.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
-    /// What the lungs take up, in A, as they are drawn at the end of a breath in severe COPD, and up
-    /// to the top of the head: a view that holds it cuts off neither. Empty without lungs.
+    /// What the lungs take up, in A, as they are drawn at the end of a breath in severe COPD, and
+    /// up to the top of the head: a view that holds it cuts off neither. Empty without lungs.
     [[nodiscard]] Box reach() const;
     /// How high the patient reaches along +z of A, m.
     [[nodiscard]] double top() const;

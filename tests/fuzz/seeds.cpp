@@ -8,6 +8,7 @@
 #include "engine/net/secure/token_message.h"
 #include "tests/engine/io/carried_set_files.h"
 #include "tests/engine/io/landmark_samples.h"
+#include "tests/engine/io/texture_files.h"
 #include "tests/engine/net/carriage/frame_samples.h"
 #include "tests/engine/sync/datagram_samples.h"
 #include "tests/fuzz/set_under_seal.h"
@@ -84,7 +85,21 @@ std::vector<std::string> sets()
     const auto withoutSeal = [](const ImportedSet& set) {
         return textOf(encodeSet(set)).substr(fuzz::kSealBytes);
     };
-    return {withoutSeal(test::carriedSample()), withoutSeal({})};
+    ImportedSet painted = test::carriedSample();
+    for (AnatomyPart& part : painted.anatomy.parts)
+        for (const TriangleMesh& level : part.levels)
+            part.colors.emplace_back(level.positions.size(), Rgb{200, 120, 90});
+    return {withoutSeal(test::carriedSample()), withoutSeal(painted), withoutSeal({})};
+}
+
+std::vector<std::string> pictures()
+{
+    constexpr int kSide = 16;
+    const auto pixels = test::pixelsOf(kSide, [](double u, double v) {
+        return test::Pixel{static_cast<unsigned char>(255 * u), static_cast<unsigned char>(255 * v),
+                           9};
+    });
+    return {test::pngOf(kSide, pixels), test::jpegOf(kSide, pixels)};
 }
 
 /// The first byte chooses the decoder.
@@ -116,6 +131,7 @@ int main(int argc, char** argv)
     const bool written =
         areWritten(folder / "datagram", datagrams()) && areWritten(folder / "entry", entries())
         && areWritten(folder / "carriage", frames()) && areWritten(folder / "set", sets())
-        && areWritten(folder / "landmark", landmarks());
+        && areWritten(folder / "landmark", landmarks())
+        && areWritten(folder / "picture", pictures());
     return written ? 0 : 1;
 }

@@ -35,11 +35,6 @@ struct BodyPlan {
     {
         return landmarks.p_A_incisors + face * p_mm;
     }
-    /// From his millimetres, origin between his vocal cords, to A.
-    [[nodiscard]] Vec3 inNeck(const Vec3& p_mm) const
-    {
-        return landmarks.p_A_glottis + airway * p_mm;
-    }
 };
 
 /// The plan of a patient with these figures.

@@ -55,17 +55,68 @@ double wall(const Vec3& p)
     return 0.8 * roundedMax(shell, std::max(s.front - p.y(), ends), 1.5);
 }
 
+/// Where the pharynx of a patient lies: below the vocal cords by the size of the larynx, from there
+/// to the level of the incisors by the height between them, above by the size of the face.
+class PharynxPlace
+{
+public:
+    explicit PharynxPlace(const BodyPlan& plan)
+        : m_cords(plan.landmarks.p_A_glottis),
+          m_larynx(plan.airway),
+          m_face(plan.face),
+          m_between((plan.landmarks.p_A_incisors.z() - m_cords.z()) / kIncisors)
+    {
+    }
+
+    /// To his millimetres, origin between his vocal cords.
+    [[nodiscard]] Vec3 inHis(const Vec3& p_A) const
+    {
+        const Vec3 p = p_A - m_cords;
+        const double over = p.z() - m_between * kIncisors;
+        const double z = p.z() < 0.0  ? p.z() / m_larynx
+                         : over < 0.0 ? p.z() / m_between
+                                      : kIncisors + over / m_face;
+        return {p.x() / breadthAt(z), p.y() / breadthAt(z), z};
+    }
+
+    [[nodiscard]] Vec3 inAnatomy(const Vec3& p_mm) const
+    {
+        const double z = p_mm.z();
+        const double height = z < 0.0         ? z * m_larynx
+                              : z < kIncisors ? z * m_between
+                                              : kIncisors * m_between + (z - kIncisors) * m_face;
+        return m_cords + Vec3{breadthAt(z) * p_mm.x(), breadthAt(z) * p_mm.y(), height};
+    }
+
+    /// Metres that no millimetre of his is less than.
+    [[nodiscard]] double least() const { return std::min({m_larynx, m_face, m_between}); }
+
+private:
+    static constexpr double kIncisors = 48.6; ///< the edge of his upper incisors above his cords
+
+    [[nodiscard]] double breadthAt(double z) const
+    {
+        return m_larynx + (m_face - m_larynx) * std::clamp(z / kIncisors, 0.0, 1.0);
+    }
+
+    Vec3 m_cords;
+    double m_larynx, m_face, m_between;
+};
+
 /// One constrictor: the wall between two heights, a little apart from the next.
 PartPlan constrictor(const char* name, const char* concept_, double from, double to,
                      const BodyPlan& plan)
 {
     constexpr double kApart = 0.6;
-    const Box bounds{plan.inNeck({-36, -20, from - 3}), plan.inNeck({36, 28, to + 3})};
-    const auto distance = [from, to, origin = plan.inNeck(Vec3::Zero()),
-                           unit = plan.airway](const Vec3& p_A) {
-        const Vec3 p = (p_A - origin) / unit;
+    const PharynxPlace place{plan};
+    Box bounds;
+    for (const double z : {from - 3, to + 3})
+        for (const Vec3& corner : {Vec3{-36, -20, z}, Vec3{36, 28, z}})
+            bounds.include(place.inAnatomy(corner));
+    const auto distance = [from, to, place](const Vec3& p_A) {
+        const Vec3 p = place.inHis(p_A);
         const double band = std::max(from + kApart - p.z(), p.z() - to + kApart);
-        return unit * roundedMax(wall(p), band, 1.0);
+        return place.least() * roundedMax(wall(p), band, 1.0);
     };
     return {
         name, PartRole::Pharynx, concept_, {bounds, distance}, 1e3 * plan.airway * kPharynxVoxel};

@@ -117,8 +117,6 @@ demo() {
     done
     [[ $seconds =~ ^[1-9][0-9]*$ ]] || refuse "--seconds takes a whole number above 0, not $seconds"
     [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || refuse "--size takes WIDTHxHEIGHT, not $size"
-    [ -z "$anatomy" ] || [ ${#patient[@]} = 0 ] || refuse "--anatomy and --patient exclude each other"
-    [ ${#patient[@]} = 0 ] || [[ ${patient[1]} =~ ^(adult|child)$ ]] || refuse "--patient is adult or child"
     [ $register = no ] || [ -z "$site" ] || refuse "--register makes a site, and --site takes one"
     [ ${#view[@]} = 0 ] || [[ ${view[1]} =~ ^(screen|mono|side-by-side)$ ]] ||
         refuse "--output is screen, mono or side-by-side"
@@ -130,7 +128,7 @@ demo() {
     if [ -n "$anatomy" ]; then
         say "importing $anatomy"
         lab anatomy import "$anatomy" > /dev/null
-        patient=(--anatomy "$anatomy")
+        patient+=(--anatomy "$anatomy")
     fi
     if [ $register = yes ]; then begin_site "${out:-$(demo_folder)}"; fi
     [ -z "$site" ] || view+=(--site "$site")

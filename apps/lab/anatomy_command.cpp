@@ -44,8 +44,9 @@ constexpr std::string_view kAnatomyHelp =
     cache             the file that keeps the set; null where it could not be written
 anatomy compare [--set DIR] [--patient WHO]
     Makes a patient and looks for faults in it. With --set it is made with its mouth shut and
-    measured, and so is the patient in DIR: how far the two are apart once the set is scaled about its carina: head and airway by the distance from the vocal
-    cords to the carina, the chest by the cube root of the volume of the lungs.
+    measured, and so is the patient in DIR: how far the two are apart once the set is scaled about
+    its carina, head and airway by the distance from the vocal cords to the carina, the chest by the
+    cube root of the volume of the lungs.
     schema            "carina.anatomy-compare/1"
     patient           the words for it: "adult" where nothing is said; as in `breathe`
     generate_s        seconds it took to make

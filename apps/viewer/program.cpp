@@ -21,6 +21,7 @@ namespace
 const QString kMeasure = QStringLiteral("measure");
 const QString kSeconds = QStringLiteral("seconds");
 const QString kSize = QStringLiteral("size");
+constexpr int kWidest = 8192; ///< pixels: what every graphics driver can draw into
 
 } // namespace
 
@@ -85,8 +86,8 @@ Result<QSize> sizeOption(const QCommandLineParser& parser)
 {
     const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
     const QSize size{sides.value(0).toInt(), sides.value(1).toInt()};
-    if (sides.size() != 2 || size.isEmpty())
-        return fail(Errc::WrongOption, "--size needs WxH, such as 1280x800, not '"
+    if (sides.size() != 2 || size.isEmpty() || size.width() > kWidest || size.height() > kWidest)
+        return fail(Errc::WrongOption, "--size needs WxH, such as 1280x800, at most 8192, not '"
                                            + parser.value(kSize).toStdString() + "'");
     return size;
 }

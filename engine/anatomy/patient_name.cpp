@@ -12,11 +12,12 @@ namespace
 {
 
 /// Of what patientFor makes: raised with every change of a shape.
-constexpr std::string_view kVersion = "2";
+constexpr std::string_view kVersion = "3";
 
 constexpr std::string_view kAsked =
-    "adult, child, or age, height and sex, such as \"45 years, 182 cm, woman\", with slim or obese "
-    "where that is so";
+    "a patient is adult, child, or age, height and sex, such as \"45 years, 182 cm, woman\", in "
+    "whole numbers, with slim or obese where that is so";
+constexpr double kGrownUp_years = 18.0;
 
 struct NamedSex {
     std::string_view word;
@@ -33,6 +34,15 @@ struct NamedHabitus {
 constexpr std::array kHabituses{NamedHabitus{"slim", Habitus::Slim},
                                 NamedHabitus{"normal", Habitus::Normal},
                                 NamedHabitus{"obese", Habitus::Obese}};
+
+std::string inLowerCase(std::string_view words)
+{
+    std::string lower{words};
+    std::ranges::transform(lower, lower.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return lower;
+}
 
 std::string_view trimmed(std::string_view text)
 {
@@ -79,6 +89,19 @@ bool take(Said& said, std::string_view text)
     return takeFigure(said, text);
 }
 
+tl::unexpected<Error> notSaid(const std::string& fault)
+{
+    return fail(Errc::OutOfRange, fault + ": " + std::string{kAsked});
+}
+
+std::string_view wordFor(const PatientParameters& p)
+{
+    const bool isGrownUp = p.ageInYears >= kGrownUp_years;
+    if (p.sex == Sex::Male)
+        return isGrownUp ? "man" : "boy";
+    return isGrownUp ? "woman" : "girl";
+}
+
 std::string wholeYears(const PatientParameters& p)
 {
     return std::to_string(std::lround(p.ageInYears));
@@ -96,22 +119,25 @@ std::string_view wordOf(Habitus habitus)
 
 Result<PatientParameters> patientFromWords(std::string_view words)
 {
-    if (words == "adult")
+    const std::string lower = inLowerCase(words);
+    if (lower == "adult")
         return parametersOf(BuiltinPatient::Adult);
-    if (words == "child")
+    if (lower == "child")
         return parametersOf(BuiltinPatient::TwelveYears);
     Said said;
-    bool understood = true;
-    for (std::string_view rest = words; understood;) {
+    for (std::string_view rest = lower;;) {
         const auto comma = rest.find(',');
-        understood = take(said, trimmed(rest.substr(0, comma)));
+        const std::string_view item = trimmed(rest.substr(0, comma));
+        if (!take(said, item))
+            return notSaid("'" + std::string{item} + "' is not understood there, or too much");
         if (comma == std::string_view::npos)
             break;
         rest.remove_prefix(comma + 1);
     }
-    if (!understood || !said.years || !said.centimetres || !said.sex)
-        return fail(Errc::OutOfRange,
-                    "a patient is " + std::string{kAsked} + ", not '" + std::string{words} + "'");
+    if (!said.years || !said.centimetres || !said.sex)
+        return notSaid(!said.years ? "the age is missing"
+                       : !said.sex ? "the sex is missing"
+                                   : "the height is missing");
     const PatientParameters parameters{double(*said.years), metres(*said.centimetres / 100.0),
                                        *said.sex, said.habitus.value_or(Habitus::Normal)};
     if (const auto dimensions = dimensionsFor(parameters); !dimensions)
@@ -124,6 +150,9 @@ std::string nameOf(const PatientParameters& parameters)
     if (parameters == parametersOf(BuiltinPatient::Adult))
         return "Adult";
     std::string name = wholeYears(parameters) + " years, " + wholeCentimetres(parameters) + " cm";
+    if (parameters == parametersOf(BuiltinPatient::TwelveYears))
+        return name;
+    name += ", " + std::string{wordFor(parameters)};
     if (parameters.habitus != Habitus::Normal)
         name += ", " + std::string{wordOf(parameters.habitus)};
     return name;

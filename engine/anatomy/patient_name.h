@@ -13,10 +13,11 @@ namespace carina
 /// commas between them, such as "45 years, 182 cm, man" or "8y, 128cm, girl, slim": whole years and
 /// centimetres, man, boy, woman or girl, and slim or obese where that is so.
 /// @returns OutOfRange for other words, for an age, height or sex that is missing or there twice,
-///          and for figures that dimensionsFor refuses. The detail says what is asked for.
+///          and for figures that dimensionsFor refuses. The detail says what is asked for; capitals
+///          do not matter.
 [[nodiscard]] Result<PatientParameters> patientFromWords(std::string_view words);
 
-/// "Adult", "12 years, 150 cm", "45 years, 162 cm, obese".
+/// "Adult", "12 years, 150 cm", "45 years, 162 cm, woman, obese".
 [[nodiscard]] std::string nameOf(const PatientParameters& parameters);
 
 /// The content hash of the patient that these figures make (see patientFor): the figures, in whole

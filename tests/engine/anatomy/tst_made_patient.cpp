@@ -68,8 +68,8 @@ void TestMadePatient::skinStandsOffTheRibsByTheFat()
 
 void TestMadePatient::isCalledByAgeAndHeight()
 {
-    QCOMPARE(woman().name, std::string{"45 years, 162 cm, obese"});
-    QCOMPARE(woman().contentHash, std::string{"builtin-45y-162cm-female-obese-2"});
+    QCOMPARE(woman().name, std::string{"45 years, 162 cm, woman, obese"});
+    QCOMPARE(woman().contentHash, std::string{"builtin-45y-162cm-female-obese-3"});
 }
 
 void TestMadePatient::isRefusedBelowSixYears()

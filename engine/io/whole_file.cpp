@@ -9,6 +9,19 @@
 
 namespace carina
 {
+namespace
+{
+
+/// An empty path, such as above a bare file name, is the current folder.
+std::error_code makeFolder(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    if (!folder.empty())
+        std::filesystem::create_directories(folder, error);
+    return error;
+}
+
+} // namespace
 
 Result<std::string> readWholeFile(const std::filesystem::path& file)
 {
@@ -28,8 +41,7 @@ Result<std::string> readWholeFile(const std::filesystem::path& file)
 
 Result<void> writeWholeFile(const std::filesystem::path& file, std::string_view bytes)
 {
-    std::error_code error;
-    std::filesystem::create_directories(file.parent_path(), error);
+    const std::error_code error = makeFolder(file.parent_path());
     QSaveFile target{QString::fromStdString(file.string())};
     const auto size = static_cast<qint64>(bytes.size());
     if (error || !target.open(QIODevice::WriteOnly) || target.write(bytes.data(), size) != size
@@ -40,8 +52,7 @@ Result<void> writeWholeFile(const std::filesystem::path& file, std::string_view 
 
 Result<void> writePrivateFile(const std::filesystem::path& file, std::string_view bytes)
 {
-    std::error_code error;
-    std::filesystem::create_directories(file.parent_path(), error);
+    std::error_code error = makeFolder(file.parent_path());
     // QTemporaryFile opens its file with mode 0600.
     QTemporaryFile target{QString::fromStdString(file.string()) + QStringLiteral(".XXXXXX")};
     const auto size = static_cast<qint64>(bytes.size());
@@ -57,8 +68,7 @@ Result<void> writePrivateFile(const std::filesystem::path& file, std::string_vie
 
 Result<void> openFolder(const std::filesystem::path& folder)
 {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    const std::error_code error = makeFolder(folder);
     QTemporaryFile file{QString::fromStdString((folder / "carina").string())};
     if (error || !file.open())
         return fail(Errc::FileUnwritable, folder.string() + ": nothing can be written into it");

@@ -22,6 +22,22 @@ private Q_SLOTS:
         QVERIFY(openFolder(folder.path().toStdString())); // and that one is there
     }
 
+    void bareNameIsAFileOfTheCurrentFolder()
+    {
+        const QTemporaryDir folder;
+        const QString before = QDir::currentPath();
+        QVERIFY(QDir::setCurrent(folder.path()));
+        const bool opened = openFolder({}).has_value();
+        const bool written = writeWholeFile("site.json", "x").has_value();
+        const bool kept = writePrivateFile("key", "y").has_value();
+        QVERIFY(QDir::setCurrent(before));
+        QVERIFY(opened && written && kept);
+        QCOMPARE(*readWholeFile(folder.filePath(QStringLiteral("site.json")).toStdString()),
+                 std::string{"x"});
+        QCOMPARE(*readWholeFile(folder.filePath(QStringLiteral("key")).toStdString()),
+                 std::string{"y"});
+    }
+
     void folderThatTakesNothingIsNamed()
     {
         const QTemporaryDir above;

@@ -166,10 +166,13 @@ bool takeStep(const Swab& swab, double leastHold, Search& search)
     return true;
 }
 
+/// Further away, a touch does not count in the first step.
+Length firstLimit(const RefinementSettings& settings) { return 2.0 * settings.farthestMove; }
+
 Search searchFrom(const Swab& swab, const RigidTransform& X_AM, const RefinementSettings& settings)
 {
     Search search{.X_AM = X_AM, .touches = swab.touches(X_AM)};
-    search.limit = 2.0 * settings.farthestMove.si;
+    search.limit = firstLimit(settings).si;
     while (!search.settled && search.iterations < settings.mostSteps) {
         ++search.iterations;
         const bool stands = !takeStep(swab, settings.leastHold, search);
@@ -215,6 +218,16 @@ Result<void> checkSwab(const SurfaceTree& surface_A, std::span<const Vec3> p_MQ)
     return {};
 }
 
+/// Without a touch that counts there is no step to take.
+Result<void> checkReach(std::span<const Touch> touches, const RefinementSettings& settings)
+{
+    const Length reach = firstLimit(settings);
+    if (std::ranges::all_of(touches, [&](const Touch& touch) { return touch.distance > reach.si; }))
+        return fail(Errc::NoSurfaceFit,
+                    "no point of the swab lies within " + inWords(reach) + " of the surface");
+    return {};
+}
+
 Result<void> checkSettled(const Search& search, const SurfaceRefinement& result,
                           const RefinementSettings& settings)
 {
@@ -251,10 +264,13 @@ Result<SurfaceRefinement> refineOnSurface(const SurfaceTree& surface_A, std::spa
     if (const auto sound = checkSwab(surface_A, p_MQ); !sound)
         return tl::unexpected(sound.error());
     const Swab swab{&surface_A, p_MQ};
+    const std::vector<Touch> before = swab.touches(X_AM);
+    if (const auto reached = checkReach(before, settings); !reached)
+        return tl::unexpected(reached.error());
     const double everything = std::numeric_limits<double>::infinity();
     const Search search = searchFrom(swab, X_AM, settings);
     SurfaceRefinement result{.X_AM = search.X_AM,
-                             .startRms = rmsOf(swab.touches(X_AM), everything),
+                             .startRms = rmsOf(before, everything),
                              .rms = rmsOf(search.touches, search.limit),
                              .iterations = search.iterations};
     for (const Vec3& p_M : p_MQ)

@@ -69,8 +69,9 @@ inline constexpr std::size_t kFewestSwabPoints = 20;
 /// @param p_MQ      the tip on the swab, in M, metres
 /// @param X_AM      from landmarks: the refinement finds the nearest way to the surface, no other
 /// @returns TooFewPoints below kFewestSwabPoints; NotFinite for NaN or infinity and OutOfRange for
-///          a kilometre or more in a point; NoSurfaceFit for an empty surface, and where the points
-///          would move too far, do not come near enough or leave out too many, or keep on moving.
+///          a kilometre or more in a point; NoSurfaceFit for an empty surface, where no point lies
+///          within twice the farthest move of it, and where the points would move too far, do not
+///          come near enough or leave out too many, or keep on moving.
 [[nodiscard]] Result<SurfaceRefinement> refineOnSurface(const SurfaceTree& surface_A,
                                                         std::span<const Vec3> p_MQ,
                                                         const RigidTransform& X_AM,

@@ -89,6 +89,21 @@ private Q_SLOTS:
         QCOMPARE(more.error().detail, std::string{"27 of 177 points do not lie on the surface"});
     }
 
+    void refusesASwabOutOfReach()
+    {
+        std::mt19937 random{17};
+        const TriangleMesh egg = test::ellipsoid({0.060, 0.045, 0.030});
+        const auto p_MQ = inManikin(test::swabbed(egg, 100, random), 0.0, random);
+        for (const double shift : {0.1, 0.4, 5.0}) {
+            const RigidTransform start = RigidTransform::translation(Vec3::Constant(shift)) * kX_AM;
+            const auto fit = refineOnSurface(SurfaceTree{egg}, p_MQ, start);
+            QVERIFY(!fit);
+            QCOMPARE(fit.error(),
+                     (Error{Errc::NoSurfaceFit,
+                            "no point of the swab lies within 30.00 mm of the surface"}));
+        }
+    }
+
     void takesTwentyPoints()
     {
         std::mt19937 random{10};

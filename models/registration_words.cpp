@@ -59,6 +59,8 @@ public:
         if (const auto next = model.nextLandmark())
             return tr("Keep the manikin's mouth shut. Touch this place and hold still: %1.")
                 .arg(model.landmarks()[*next].name);
+        if (isNotGood(model.site()))
+            return tr("The registration is not good enough: choose a landmark to touch it again.");
         return tr("All landmarks are touched. Go on to the fit, or choose one to touch again.");
     }
 
@@ -84,10 +86,17 @@ public:
             return task.why;
         if (!model.verifying().canJudge())
             return tr("Fit the patient to the landmarks again first.");
+        if (isNotGood(model.site()))
+            return tr("It is recorded that the registration is not good enough. Touch the "
+                      "landmarks again.");
         if (const auto next = model.verifying().next())
             return tr("Touch this place, which the fit did not use: %1. Or click on the model to "
                       "add one.")
                 .arg(model.verifying().points()[*next].name);
+        if (model.verifying().isRecorded())
+            return task.state == TaskState::Done
+                       ? tr("It is recorded that the registration is good. Go on to the overview.")
+                       : task.why;
         if (model.site().operatorName.empty())
             return tr("All places are checked. Give your name on the overview, so that the verdict "
                       "has one, and record it.");

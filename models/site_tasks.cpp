@@ -104,7 +104,7 @@ public:
                     .why = tr("That is long ago: verify two points before a session.")};
         if (site.verification->verdict == Verdict::Good)
             return {.state = TaskState::Done};
-        if (site.verification->verdict == Verdict::NotGood)
+        if (isNotGood(site))
             return {.state = TaskState::Begun,
                     .why = tr("It is not good: touch the landmarks again.")};
         return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
@@ -216,12 +216,18 @@ QString stepTitle(SiteStep step)
     return {};
 }
 
+bool isNotGood(const Site& site)
+{
+    return site.verification && !site.verification->stale
+           && site.verification->verdict == Verdict::NotGood;
+}
+
 SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker,
                   const QDateTime& today)
 {
     for (const SiteStep step : kTasks)
         if (siteTask(site, step, tool, tracker, today).state != TaskState::Done)
-            return step;
+            return step == SiteStep::Verify && isNotGood(site) ? SiteStep::Touch : step;
     return SiteStep::Overview;
 }
 

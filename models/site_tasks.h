@@ -36,7 +36,11 @@ struct SiteTask {
 /// The title of a page.
 [[nodiscard]] QString stepTitle(SiteStep step);
 
-/// The first page of which the task is not done; Overview where all are.
+/// Whether a verdict says that this registration is not good enough.
+[[nodiscard]] bool isNotGood(const Site& site);
+
+/// The first page of which the task is not done; Overview where all are, and Touch after a verdict
+/// that the registration is not good enough.
 [[nodiscard]] SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker,
                                 const QDateTime& today);
 

@@ -179,6 +179,12 @@ Verdict VerifyTask::suggestion() const
     return all ? Verdict::Good : Verdict::NotGood;
 }
 
+bool VerifyTask::isRecorded() const
+{
+    const auto& verification = m_editor.site().verification;
+    return verification && !verification->stale && verification->verdict != Verdict::Open;
+}
+
 void VerifyTask::record(Verdict verdict)
 {
     CARINA_EXPECTS(suggestion() != Verdict::Open);

@@ -56,6 +56,8 @@ public:
     [[nodiscard]] bool isComplete() const;
     /// What the points touched so far say; Open while they are too few.
     [[nodiscard]] Verdict suggestion() const;
+    /// Whether the verdict is recorded, and no place was touched since.
+    [[nodiscard]] bool isRecorded() const;
     /// @pre at least kFewestPoints were touched.
     void record(Verdict verdict);
 

@@ -85,11 +85,10 @@ void VerifyPage::fillPoints()
 
 QString VerifyPage::verdict() const
 {
-    const auto& verification = registration().site().verification;
-    if (verification && !verification->stale && verification->verdict != Verdict::Open)
-        return verification->verdict == Verdict::Good
-                   ? tr("✓ Verified: the errors are as small as expected.")
-                   : tr("▲ Recorded as not good: register the manikin again.");
+    if (isNotGood(registration().site()))
+        return tr("▲ Recorded as not good: touch the landmarks again.");
+    if (registration().verifying().isRecorded())
+        return tr("✓ Verified: the errors are as small as expected.");
     if (registration().site().registration && !registration().verifying().canJudge())
         return tr("▲ This registration is of an older version, which did not keep how large its "
                   "error may be: fit the landmarks again.");
@@ -124,21 +123,31 @@ void VerifyPage::refreshLive()
 
 QString VerifyPage::actionText() const
 {
+    if (isNotGood(registration().site()))
+        return tr("Touch &again");
     return registration().verifying().suggestion() == Verdict::NotGood
                ? tr("&Record: not good enough")
                : tr("&Record: good");
 }
 
-bool VerifyPage::canAct() const { return registration().verifying().suggestion() != Verdict::Open; }
+bool VerifyPage::canAct() const
+{
+    const VerifyTask& task = registration().verifying();
+    return isNotGood(registration().site())
+           || (task.suggestion() != Verdict::Open && !task.isRecorded());
+}
 
 bool VerifyPage::isReady() const
 {
     return registration().task(SiteStep::Verify).state == TaskState::Done
+           || isNotGood(registration().site())
            || (canAct() && registration().verifying().isComplete());
 }
 
 void VerifyPage::act()
 {
+    if (isNotGood(registration().site()))
+        return registration().enter(SiteStep::Touch);
     registration().verifying().record(registration().verifying().suggestion());
 }
 

@@ -103,6 +103,8 @@ private Q_SLOTS:
         const auto next = [](const Site& site) {
             return nextTask(site, kTool, kThisTracker, kDay);
         };
+        Site fittedAgain = verifiedSite(Verdict::NotGood);
+        fittedAgain.verification->stale = StaleCause::Fit;
         QCOMPARE(next({}), SiteStep::Tracker);
         QCOMPARE(next(withTracker({}, kTracker)), SiteStep::Stylus);
         QCOMPARE(next(withStylus(withTracker({}, kTracker), someTip())), SiteStep::Landmarks);
@@ -111,7 +113,8 @@ private Q_SLOTS:
         QCOMPARE(next(touchedSite()), SiteStep::Fit);
         QCOMPARE(next(fittedSite()), SiteStep::Verify);
         QCOMPARE(next(verifiedSite()), SiteStep::Overview);
-        QCOMPARE(next(verifiedSite(Verdict::NotGood)), SiteStep::Verify);
+        QCOMPARE(next(verifiedSite(Verdict::NotGood)), SiteStep::Touch);
+        QCOMPARE(next(fittedAgain), SiteStep::Verify);
         QCOMPARE(next(withStylus(verifiedSite(), someTip())), SiteStep::Touch);
         QCOMPARE(stateOf(fittedSite(), SiteStep::Overview), TaskState::Begun);
         QCOMPARE(stateOf(verifiedSite(), SiteStep::Overview), TaskState::Done);

@@ -208,12 +208,15 @@ private Q_SLOTS:
         MadeDesk desk{fittedSite()};
         for (int i = 0; i < 3; ++i)
             desk.verifyAt(desk.verifying.points()[*desk.verifying.next()].p_AQ);
+        QVERIFY(!desk.verifying.isRecorded());
         desk.verifying.record(desk.verifying.suggestion());
+        QVERIFY(desk.verifying.isRecorded());
         const SiteVerification& kept = *desk.editor.site().verification;
         QCOMPARE(kept.verdict, Verdict::Good);
         QCOMPARE(kept.at, std::string{"2004-03-27T10:15:00Z"});
         QCOMPARE(kept.operatorName, std::string{"A. Frei"});
         desk.editor.undo();
+        QVERIFY(!desk.verifying.isRecorded());
         QCOMPARE(desk.editor.site().verification->verdict, Verdict::Open);
         QCOMPARE(desk.editor.site().verification->points.size(), std::size_t{3});
     }
@@ -235,6 +238,9 @@ private Q_SLOTS:
         QCOMPARE(desk.verifying.suggestion(), Verdict::NotGood);
         desk.verifying.record(Verdict::NotGood);
         QCOMPARE(desk.editor.site().verification->verdict, Verdict::NotGood);
+        desk.verifying.choose(0);
+        desk.verifyAt(desk.verifying.points()[0].p_AQ);
+        QVERIFY(!desk.verifying.isRecorded()); // it is to be judged again
     }
 
     void forgetsErrorsOnceTheFitIsAnother()

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void offersToLayAnewWhereThatIsPossible();
     void offersToRepairExchangedLandmarks();
     void asksForTheVerdictOnceAllPlacesAreTouched();
+    void leadsBackToTheTouchesWhereItIsNotGood();
     void choosesAPlaceToCheck();
     void tellsHowFarTheStylusIsFromTheAnatomy();
     void showsTheWholeHead();
@@ -221,6 +222,28 @@ void TestRegistrationWindow::asksForTheVerdictOnceAllPlacesAreTouched()
     }
     QVERIFY(desk.click("primary"));
     QVERIFY(desk.button("next").isDefault());
+}
+
+void TestRegistrationWindow::leadsBackToTheTouchesWhereItIsNotGood()
+{
+    RegistrationDesk desk;
+    desk.site.fitAll(*desk.model);
+    desk.model->enter(SiteStep::Verify);
+    for (const CheckPoint& point : desk.model->verifying().points())
+        desk.site.hold(*desk.model, desk.site.X_TA * point.p_AQ + Vec3{0.0, 0.0, 0.02});
+    QPushButton& primary = desk.button("primary");
+    QCOMPARE(primary.text(), QStringLiteral("&Record: not good enough"));
+    QVERIFY(desk.click("primary"));
+    QVERIFY(desk.model->verifying().isRecorded());
+    QVERIFY(desk.model->instruction().startsWith(QStringLiteral("It is recorded")));
+    QCOMPARE(primary.text(), QStringLiteral("Touch &again"));
+    QVERIFY(primary.isDefault());
+    desk.model->enter(SiteStep::Overview);
+    QCOMPARE(primary.text(), QStringLiteral("&Go on: Touch"));
+    desk.model->enter(SiteStep::Verify);
+    QVERIFY(desk.click("primary"));
+    QCOMPARE(desk.model->step(), SiteStep::Touch);
+    QVERIFY(desk.model->instruction().contains(QStringLiteral("choose a landmark")));
 }
 
 void TestRegistrationWindow::choosesAPlaceToCheck()

@@ -2,6 +2,7 @@
 
 #include "apps/lab/csv_table.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina::lab
@@ -22,6 +23,17 @@ Result<Eigen::Matrix<double, Count, 1>> numbersOf(const CsvTable& table, std::si
         numbers[i] = *number;
     }
     return numbers;
+}
+
+/// A landmark that stands there twice counts for two where it tells as much as one.
+Result<void> checkNames(const QString& file, std::vector<std::string> names)
+{
+    std::ranges::sort(names);
+    const auto twice = std::ranges::adjacent_find(names);
+    if (twice == names.end())
+        return {};
+    return fail(Errc::FileMalformed,
+                file.toStdString() + " names the landmark " + *twice + " twice; leave one out.");
 }
 
 /// From xx, yy, zz, xy, xz, yz in mm^2.
@@ -77,6 +89,8 @@ Result<NamedPairs> readPairs(const QString& file, bool withCovariances)
     const Result<NamedPlaces> known = readPlaces(file, withCovariances);
     if (!known)
         return tl::unexpected(known.error());
+    if (const auto distinct = checkNames(file, known->names); !distinct)
+        return tl::unexpected(distinct.error());
     const auto table = CsvTable::read(file, {"mx", "my", "mz"});
     if (!table)
         return tl::unexpected(table.error());

@@ -31,6 +31,7 @@ struct NamedPairs {
 [[nodiscard]] Result<NamedPlaces> readPlaces(const QString& file, bool withCovariances);
 
 /// The same with mx, my, mz (mm), where each was touched on the manikin.
+/// @returns FileMalformed, as a sentence, for a name that stands there twice, too.
 [[nodiscard]] Result<NamedPairs> readPairs(const QString& file, bool withCovariances);
 
 /// The value of an option in millimetres.

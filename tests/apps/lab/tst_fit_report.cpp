@@ -71,6 +71,18 @@ private Q_SLOTS:
             QStringLiteral("touch it again")));
     }
 
+    void refusesALandmarkThatStandsThereTwice()
+    {
+        const QString file = m_folder.write("twice.csv", "name,ax,ay,az,mx,my,mz\n"
+                                                         "a,100,0,0,100,0,0\nb,0,150,0,0,150,0\n"
+                                                         "c,0,0,210,0,0,210\nb,0,150,0,0,150,0\n");
+        const auto object = fit({file});
+        QVERIFY(!object);
+        QCOMPARE(object.error(),
+                 (Error{Errc::FileMalformed,
+                        file.toStdString() + " names the landmark b twice; leave one out."}));
+    }
+
     void namesExchangedLandmarksAndFitsThemNot()
     {
         const auto object = fit({exchanged()});

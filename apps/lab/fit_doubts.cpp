@@ -50,6 +50,15 @@ std::optional<QString> nearlyOnALine(const NamedPairs& named, Length fle)
         .arg(withDecimal(beside.away), withDecimal(fle), withDecimal(error));
 }
 
+/// Whether each landmark that was exchanged was so with one other.
+bool pairsUp(const std::vector<std::size_t>& touchOf)
+{
+    for (std::size_t i = 0; i < touchOf.size(); ++i)
+        if (touchOf[touchOf[i]] != i)
+            return false;
+    return true;
+}
+
 } // namespace
 
 std::optional<std::string> whyNotAsGiven(const std::vector<std::string>& names,
@@ -65,7 +74,12 @@ std::optional<std::string> whyNotAsGiven(const std::vector<std::string>& names,
         if (order.touchOf[i] != i)
             exchanged += (exchanged.empty() ? "" : ", ") + names[i] + " has the touch of "
                          + names[order.touchOf[i]];
-    return "landmarks were exchanged: " + exchanged + "; put them right, or add --repair-order.";
+    const std::string symmetric = pairsUp(order.touchOf)
+                                      ? " (a wrong sign of one axis looks the same where "
+                                        "landmarks lie symmetrically)"
+                                      : "";
+    return "landmarks were exchanged: " + exchanged + "; put them right, or add --repair-order"
+           + symmetric + ".";
 }
 
 QStringList fitWarnings(const NamedPairs& named, const OrderFinding& order, Length fle)

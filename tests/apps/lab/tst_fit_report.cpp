@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(object.error().code, Errc::DegenerateLandmarks);
         const std::string& sentence = object.error().detail;
         for (const char* named :
-             {"order.csv", "a has the touch of b, b has the touch of a;", "--repair-order."})
+             {"order.csv", "a has the touch of b, b has the touch of a;", "--repair-order (a"})
             QVERIFY2(sentence.find(named) != std::string::npos, sentence.c_str());
         QVERIFY2(sentence.find("c has") == std::string::npos, sentence.c_str());
     }
@@ -120,6 +120,24 @@ private Q_SLOTS:
             QVERIFY(!object);
             QVERIFY(object.error().detail.find("mirror image") != std::string::npos);
         }
+    }
+
+    /// There a mirror image is an exchange, too, but no cycle of three is one.
+    void saysThatASignMayBeWrongWhereTheLayoutIsSymmetric()
+    {
+        const QString head = QStringLiteral("name,ax,ay,az,mx,my,mz\n");
+        const auto why = [&](const char* rows) {
+            const auto object = fit({m_folder.write("sign.csv", head.toStdString() + rows)});
+            return object ? QString{} : QString::fromStdString(object.error().detail);
+        };
+        const QString mirrored = why("left,-50,0,0,50,0,0\nright,50,0,0,-50,0,0\n"
+                                     "chin,0,120,0,0,120,0\nnotch,0,30,80,0,30,80\n");
+        QVERIFY2(mirrored.contains(QStringLiteral("left has the touch of right"))
+                     && mirrored.contains(QStringLiteral("a wrong sign of one axis")),
+                 qPrintable(mirrored));
+        const QString cycle = why("a,100,0,0,0,150,0\nb,0,150,0,0,0,210\n"
+                                  "c,0,0,210,100,0,0\nd,0,0,0,0,0,0\n");
+        QVERIFY2(cycle.endsWith(QStringLiteral("or add --repair-order.")), qPrintable(cycle));
     }
 
     /// Three landmarks 100 mm long and so wide: by 10 mm an error of 1 mm beside their line is

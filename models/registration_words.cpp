@@ -67,8 +67,8 @@ public:
     static QString fit(const RegistrationModel& model)
     {
         if (model.fitting().isSwabbing())
-            return tr("Slide the tip to and fro over this surface, then refine: %1 points so far.")
-                .arg(model.fitting().swabPoints());
+            return tr("Slide the tip to and fro over this surface, then refine: %n points so far.",
+                      nullptr, int(model.fitting().swabPoints()));
         const SiteTask task = model.task(SiteStep::Fit);
         if (task.state == TaskState::Done)
             return tr("Fitted: the landmarks stay %1 mm (RMS) from their places. What counts is "

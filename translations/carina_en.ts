@@ -1,4 +1,44 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>RegistrationWords</name>
+    <message numerus="yes">
+        <source>Slide the tip to and fro over this surface, then refine: %n points so far.</source>
+        <translation>
+            <numerusform>Slide the tip to and fro over this surface, then refine: %n point so far.</numerusform>
+            <numerusform>Slide the tip to and fro over this surface, then refine: %n points so far.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>carina::FitPage</name>
+    <message numerus="yes">
+        <source>%n points, %1 are the fewest.</source>
+        <translation>
+            <numerusform>%n point, %1 are the fewest.</numerusform>
+            <numerusform>%n points, %1 are the fewest.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>carina::ImportDialog</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>carina::NetworkPanel</name>
+    <message numerus="yes">
+        <source>%n delays, mean %1 ms, sigma %2 ms</source>
+        <translation>
+            <numerusform>%n delay, mean %1 ms, sigma %2 ms</numerusform>
+            <numerusform>%n delays, mean %1 ms, sigma %2 ms</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -86,8 +86,7 @@ void FitPage::refreshSwab()
     m_swab->setEnabled(!swabbing || fitting.swabPoints() >= FitTask::kFewestPoints);
     m_swabbed->setVisible(registered.has_value());
     if (swabbing)
-        m_swabbed->setText(tr("%1 points, %2 are the fewest.")
-                               .arg(fitting.swabPoints())
+        m_swabbed->setText(tr("%n points, %1 are the fewest.", nullptr, int(fitting.swabPoints()))
                                .arg(FitTask::kFewestPoints));
     else if (registered && registered->swab)
         m_swabbed->setText(tr("Refined on %1: %2 points are %3 mm (RMS) off it, %4 mm before.")

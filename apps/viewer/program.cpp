@@ -59,8 +59,9 @@ void prepareProgram(QApplication& application)
 {
     applyDarkTheme(application);
     auto* translator = new QTranslator{&application};
-    if (translator->load(QLocale{}, QStringLiteral("carina"), QStringLiteral("_"),
-                         QStringLiteral(":/carina/translations")))
+    const QString catalogues = QStringLiteral(":/carina/translations");
+    if (translator->load(QLocale{}, QStringLiteral("carina"), QStringLiteral("_"), catalogues)
+        || translator->load(QStringLiteral("carina_en"), catalogues))
         QApplication::installTranslator(translator);
 }
 

@@ -78,8 +78,10 @@ QString judgedIn(const Site& site)
 {
     if (verdictOf(site) == RegistrationReport::Verdict::NotVerified)
         return {};
-    return PaperWords::tr("%1, by %2")
-        .arg(localTime(site.verification->at), named(site.verification->operatorName));
+    const QString at = localTime(site.verification->at);
+    const std::string& person = site.verification->operatorName;
+    return person.empty() ? PaperWords::tr("%1, operator not named").arg(at)
+                          : PaperWords::tr("%1, by %2").arg(at, QString::fromStdString(person));
 }
 
 void addChecked(const Site& site, RegistrationReport& report)

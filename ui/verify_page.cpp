@@ -70,6 +70,7 @@ void VerifyPage::fillPoints()
             QFont font = item->font();
             font.setBold(isNext);
             item->setFont(font);
+            item->setToolTip(text); // a long name may not fit
             m_points->setItem(row, column, item);
         };
         put(PlaceColumn, point.name);

@@ -259,6 +259,8 @@ void TestRegistrationWindow::choosesAPlaceToCheck()
     desk.press(Qt::Key_Up);
     desk.press(Qt::Key_Space);
     QCOMPARE(desk.model->verifying().next(), std::optional<std::size_t>{1});
+    const QModelIndex place = table.model()->index(1, 0);
+    QCOMPARE(place.data(Qt::ToolTipRole), place.data());
 }
 
 void TestRegistrationWindow::tellsHowFarTheStylusIsFromTheAnatomy()

@@ -20,6 +20,7 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 constexpr double kDeviationsPerMedian = 1.4826; // of |d| for a normal d
 constexpr double kLeastLimit = 0.3e-3;          // metres
 constexpr double kOnSurface = 1e-9;             // metres: nearer, the triangle tells the direction
+constexpr double kLeastExtent = 1e-9;           // metres: of a swab of one place
 constexpr double kSettled = 1e-6;               // metres: no step worth taking
 constexpr double kNarrowing = 0.6;              // of the limit, in one step
 
@@ -100,7 +101,7 @@ struct Equations {
             p_AC += touch.p_A / double(touches.size());
         for (const Touch& touch : touches)
             extent += (touch.p_A - p_AC).squaredNorm() / double(touches.size());
-        extent = std::sqrt(extent);
+        extent = std::max(kLeastExtent, std::sqrt(extent));
         Mat6 normal = Mat6::Zero();
         for (const Touch& touch : touches) {
             if (touch.distance > limit)

@@ -111,6 +111,16 @@ private Q_SLOTS:
         QVERIFY(refineOnSurface(SurfaceTree{test::box(kHalf)}, p_MQ, kX_AM));
     }
 
+    /// It tells how far the surface is, and nothing else.
+    void takesASwabOfOnePlace()
+    {
+        const std::vector<Vec3> p_MQ(32, Vec3{0.03125, 0.0625, 0.0}); // of exact sums
+        const auto fit = refineOnSurface(SurfaceTree{test::box(kHalf)}, p_MQ, {});
+        QVERIFY2(fit.has_value(), fit ? "" : fit.error().detail.c_str());
+        QCOMPARE(fit->loose.size(), std::size_t{5});
+        QVERIFY(std::abs(fit->moved - 2.5e-3) < 1e-6);
+    }
+
     void refusesAnEmptySurface()
     {
         std::mt19937 random{11};

@@ -149,7 +149,8 @@ Result<Picture> SurfaceTexture::readPicture(const std::string& name) const
         file = name.substr(name.find_last_of("/\\") + 1);
     const auto bytes = readWholeFile(m_folder / file);
     if (!bytes)
-        return fail(bytes.error().code, "there is no such picture in the folder of the file that names it");
+        return fail(bytes.error().code,
+                    "there is no such picture in the folder of the file that names it");
     return decodePicture(*bytes);
 }
 

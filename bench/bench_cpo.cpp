@@ -3,7 +3,7 @@
 // copy of them. Prints one JSON object.
 
 #include "bench/interleaved.h"
-#include "engine/sync/cpo_codec.h"
+#include "engine/sync/wire/cpo_codec.h"
 
 #include <array>
 #include <cstdio>

@@ -3,8 +3,8 @@
 // can cost. Both write into memory that they wrote before. Prints one JSON object.
 
 #include "bench/interleaved.h"
-#include "engine/lungs/chest_pose.h"
-#include "engine/lungs/deform_columns.h"
+#include "engine/lungs/drawing/chest_pose.h"
+#include "engine/lungs/drawing/deform_columns.h"
 
 #include <cstdio>
 #include <cstring>

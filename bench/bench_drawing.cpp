@@ -8,9 +8,9 @@
 
 #include "bench/drawing/bare_loop.h"
 #include "engine/core/monotonic_clock.h"
-#include "widgets/scene/graphics.h"
-#include "widgets/scene/orbit_camera.h"
-#include "widgets/scene/scene_view.h"
+#include "widgets/scene/view/graphics.h"
+#include "widgets/scene/view/orbit_camera.h"
+#include "widgets/scene/view/scene_view.h"
 
 #include <QApplication>
 #include <QFile>

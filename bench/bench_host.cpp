@@ -3,8 +3,8 @@
 // it, in turn, the least that any host can cost: as many packets of that size sent as they are.
 // Prints one JSON object.
 
-#include "engine/net/session_node.h"
-#include "tests/engine/net/memory_store.h"
+#include "engine/net/node/session_node.h"
+#include "tests/engine/net/node/memory_store.h"
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>

@@ -4,9 +4,9 @@
 // steps up to it, and the pose of the chest that shows them. Prints one JSON object.
 
 #include "bench/interleaved.h"
-#include "engine/anatomy/builtin_patient.h"
-#include "engine/lungs/chest_drawing.h"
-#include "engine/session/respiration_follower.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/lungs/drawing/chest_drawing.h"
+#include "engine/session/respiration/respiration_follower.h"
 
 #include <cmath>
 #include <cstdio>

@@ -9,56 +9,51 @@ function(carina_module name)
   add_library(Carina::${name} ALIAS ${target})
   target_link_libraries(${target} PUBLIC carina_flags ${arg_LINK} PRIVATE ${arg_PRIVATE})
   if(arg_MOC)
-    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOUIC ON
-      AUTOUIC_SEARCH_PATHS "${PROJECT_SOURCE_DIR}/ui")
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOUIC ON)
   endif()
 endfunction()
 
-# What nearly every test includes, precompiled once for all of them. Not <QTest>, which depends on
-# definitions that differ from test to test. Modules do without: their unity builds are as fast alone
-# (docs/decisions/0005-unity-and-precompiled-headers.md).
-function(carina_precompile_for_tests target)
-  if(NOT CARINA_PRECOMPILED_HEADERS)
-    return()
-  endif()
-  if(NOT TARGET carina_test_headers)
-    file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/test_headers.cpp" CONTENT "")
-    add_library(carina_test_headers STATIC "${CMAKE_BINARY_DIR}/test_headers.cpp")
-    target_link_libraries(carina_test_headers PRIVATE carina_flags Eigen3::Eigen tl::expected Qt6::Core)
-    target_precompile_headers(carina_test_headers PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm>
-      <array> <chrono> <cmath> <functional> <map> <memory> <optional> <span> <string> <variant> <vector>
-      <tl/expected.hpp> <QDateTime> <QHash> <QMap> <QMetaEnum> <QObject> <QPointF> <QRectF>
-      <QStringList> <QTemporaryFile> <QUrl> <QVariant>)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM carina_test_headers)
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # for ccache
-endfunction()
-
-# carina_test(NAME SOURCES file... LINK target... [LABELS label...] [DISPLAY])
+# carina_tests(NAME SOURCES file... LINK target... [DISPLAY test...] [SLOW test...])
 #
-# One Qt Test program per class, run by ctest under its own name. DISPLAY marks a test that draws
-# with OpenGL: it runs under Xvfb with xcb; all others run with QT_QPA_PLATFORM=offscreen. A program
-# of which nothing ran but its set-up and clean-up is reported as skipped.
-function(carina_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "SOURCES;LINK;LABELS")
-  add_executable(test_${name} ${arg_SOURCES})
-  set_target_properties(test_${name} PROPERTIES AUTOMOC ON)
-  target_link_libraries(test_${name} PRIVATE carina_flags Qt6::Test ${arg_LINK})
-  target_compile_definitions(test_${name} PRIVATE CARINA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  carina_precompile_for_tests(test_${name})
-  if(arg_DISPLAY)
+# One program, test_NAME, of the test classes of one folder, compiled a few at a time. Each class is
+# a test of ctest, in a process of its own and named after its file: of tests/engine/core/tst_ids.cpp
+# "engine.core.ids". DISPLAY names those that draw with OpenGL: they run under Xvfb with xcb; all
+# others run with QT_QPA_PLATFORM=offscreen. SLOW names those that only `./carina test --all` runs. A
+# class of which nothing ran but its set-up and clean-up is reported as skipped.
+function(carina_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;DISPLAY;SLOW")
+  set(program test_${name})
+  add_executable(${program} ${arg_SOURCES} "${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp")
+  set_target_properties(${program} PROPERTIES AUTOMOC ON)
+  target_link_libraries(${program} PRIVATE carina_flags Qt6::Test ${arg_LINK})
+  target_compile_definitions(${program} PRIVATE CARINA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  foreach(source ${arg_SOURCES})
+    cmake_path(GET source STEM stem)
+    if(stem MATCHES "^tst_(.*)")
+      carina_test_of(${program} "${source}" ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+endfunction()
+
+# One class of such a program, for ctest.
+macro(carina_test_of program source class)
+  cmake_path(GET source PARENT_PATH folder)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/tests"
+             OUTPUT_VARIABLE test)
+  cmake_path(APPEND test "${folder}" ${class})
+  string(REPLACE "/" "." test "${test}")
+  set(platform offscreen)
+  set(display)
+  if(${class} IN_LIST arg_DISPLAY)
     set(platform xcb)
-    add_test(NAME ${name} COMMAND "${PROJECT_SOURCE_DIR}/tests/support/with_display"
-             $<TARGET_FILE:test_${name}>)
-  else()
-    set(platform offscreen)
-    add_test(NAME ${name} COMMAND test_${name})
+    set(display "${PROJECT_SOURCE_DIR}/tests/support/with_display")
   endif()
-  set(labels ${arg_LABELS})
-  if(NOT labels)
-    set(labels fast)
+  set(label fast)
+  if(${class} IN_LIST arg_SLOW)
+    set(label slow)
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 120
+  add_test(NAME ${test} COMMAND ${display} $<TARGET_FILE:${program}> ${class})
+  set_tests_properties(${test} PROPERTIES LABELS ${label} TIMEOUT 120
     SKIP_REGULAR_EXPRESSION "Totals: [12] passed, 0 failed, [1-9][0-9]* skipped"
     ENVIRONMENT "QT_QPA_PLATFORM=${platform};QT3D_RENDERER=opengl;LIBGL_ALWAYS_SOFTWARE=1")
-endfunction()
+endmacro()

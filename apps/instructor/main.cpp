@@ -1,16 +1,16 @@
 #include "apps/instructor/scripted_console.h"
-#include "apps/viewer/entry_option.h"
-#include "apps/viewer/journal.h"
-#include "apps/viewer/measurement.h"
-#include "apps/viewer/patient_option.h"
-#include "apps/viewer/program.h"
-#include "engine/io/anatomy_cache.h"
-#include "engine/io/sql_fact_store.h"
+#include "apps/program/entry_option.h"
+#include "apps/program/journal.h"
+#include "apps/program/measurement.h"
+#include "apps/program/patient_option.h"
+#include "apps/program/program.h"
+#include "engine/io/anatomy_set/anatomy_cache.h"
+#include "engine/io/fact_store/sql_fact_store.h"
 #include "engine/net/discovery/session_beacon.h"
-#include "engine/net/session_identity.h"
-#include "models/checkpoint_keeper.h"
-#include "models/shared_patient.h"
-#include "ui/instructor_window.h"
+#include "engine/net/entry/session_identity.h"
+#include "models/patient/shared_patient.h"
+#include "models/respiration/checkpoint_keeper.h"
+#include "ui/instructor/instructor_window.h"
 
 #include <QApplication>
 #include <QDateTime>
@@ -32,7 +32,6 @@ QString words(const char* text) { return QApplication::translate("Instructor", t
 void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(words("The instructor's console, which hosts the session."));
-    parser.addHelpOption();
     parser.addOption({QStringLiteral("port"),
                       words("UDP and TCP port of the session; 0 takes a free one."),
                       QStringLiteral("P"), QStringLiteral("0")});
@@ -55,9 +54,9 @@ void addOptions(QCommandLineParser& parser)
                       words("Write the codes to join with into this file, for scripts."),
                       QStringLiteral("FILE")});
     parser.addOption({QStringLiteral("start"), words("Start a session that is ready to start.")});
-    viewer::addPatientOptions(parser);
-    viewer::addMeasureOptions(parser);
-    viewer::addJournalOption(parser);
+    program::addPatientOptions(parser);
+    program::addMeasureOptions(parser);
+    program::addJournalOption(parser);
 }
 
 /// Each session has a file of its own, named by the time it began, and is never moved.
@@ -83,7 +82,7 @@ QString latestSessionFile(const QDir& folder)
 }
 
 /// Tells a new session which patient lies at the station and how it breathes at rest.
-void introducePatient(SessionNode& node, const viewer::ChosenPatient& patient)
+void introducePatient(SessionNode& node, const program::ChosenPatient& patient)
 {
     const auto state = node.state();
     const auto station = state->stations().find(kStation);
@@ -101,14 +100,14 @@ void introducePatient(SessionNode& node, const viewer::ChosenPatient& patient)
 
 /// Measures the window while a script works its controls, then leaves.
 int measure(InstructorWindow& window, SessionNode& node, BreathingModel& breathing,
-            const viewer::MeasureOptions& options)
+            const program::MeasureOptions& options)
 {
-    viewer::Measurement measurement{window, window.stationScene()};
+    program::Measurement measurement{window, window.stationScene()};
     ScriptedConsole script{window, node, breathing};
     QTimer::singleShot(options.seconds * 1000, [&] {
         const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("instructor"),
                                              {{QStringLiteral("console"), script.report()}});
-        QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
+        QApplication::exit(wrote ? 0 : program::refuse(wrote.error()));
     });
     return QApplication::exec();
 }
@@ -123,11 +122,11 @@ struct Reach {
 
 Result<Reach> reachOptions(const QCommandLineParser& parser)
 {
-    const auto port = viewer::portOption(parser);
+    const auto port = program::portOption(parser);
     if (!port)
         return tl::unexpected(port.error());
     Reach reach{.port = *port, .open = parser.isSet(QStringLiteral("open"))};
-    if (viewer::importsPatient(parser))
+    if (program::importsPatient(parser))
         reach.anatomyCache = AnatomyCache::defaultFolder();
     if (parser.isSet(kCertificate) != parser.isSet(kPrivateKey))
         return fail(Errc::WrongOption, "--certificate and --private-key need each other");
@@ -185,17 +184,15 @@ Result<std::unique_ptr<SessionBeacon>> beaconOf(const SessionNode& node)
 
 Result<int> run(const QCommandLineParser& parser)
 {
-    if (const auto right = viewer::checkWords(parser, 0); !right)
-        return tl::unexpected(right.error());
-    const auto options = viewer::measureOptions(parser);
+    const auto options = program::measureOptions(parser);
     if (!options)
         return tl::unexpected(options.error());
     const auto reach = reachOptions(parser);
     if (!reach)
         return tl::unexpected(reach.error());
-    if (const auto drawn = viewer::checkGraphics(); !drawn)
+    if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
-    const auto patient = viewer::choosePatient(parser);
+    const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
     const auto node = hostSession(parser, *reach);
@@ -203,11 +200,11 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(node.error());
     const auto beacon = beaconOf(**node);
     if (!beacon)
-        viewer::warn(beacon.error());
+        program::warn(beacon.error());
     introducePatient(**node, *patient);
     sharePatient(**node, kStation, words("Virtual patient").toStdString());
     if (const QString codes = parser.value(QStringLiteral("codes")); !codes.isEmpty())
-        if (const auto written = viewer::writeCodes(codes, (*node)->joinCodes()); !written)
+        if (const auto written = program::writeCodes(codes, (*node)->joinCodes()); !written)
             return tl::unexpected(written.error());
 
     SessionModel session{**node};
@@ -225,7 +222,7 @@ Result<int> run(const QCommandLineParser& parser)
     window.resize(options->size);
     window.show();
     const auto journal =
-        viewer::journalFromOptions(parser, **node, kStation, window.stationScene());
+        program::journalFromOptions(parser, **node, kStation, window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());
     if (parser.isSet(QStringLiteral("start")) && session.canStart())
@@ -239,17 +236,8 @@ Result<int> run(const QCommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    carina::viewer::nameProgram(QStringLiteral("carina-instructor"));
-    QCommandLineParser parser;
-    carina::addOptions(parser);
-    if (carina::viewer::asksForHelp(argc, argv)) {
-        const QCoreApplication application{argc, argv};
-        parser.process(application); // which ends here: help needs no display
-    }
-    carina::viewer::prepareDisplay();
-    QApplication application{argc, argv};
-    carina::viewer::prepareProgram(application);
-    parser.process(application);
-    const carina::Result<int> status = carina::run(parser);
-    return status ? *status : carina::viewer::refuse(status.error());
+    return carina::program::runProgram({.name = QStringLiteral("carina-instructor"),
+                                        .addOptions = carina::addOptions,
+                                        .run = carina::run},
+                                       argc, argv);
 }

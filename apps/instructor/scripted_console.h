@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/net/session_node.h"
-#include "models/breathing_model.h"
+#include "engine/net/node/session_node.h"
+#include "models/respiration/breathing_model.h"
 
 #include <QJsonObject>
 #include <QObject>

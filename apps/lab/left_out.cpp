@@ -1,46 +1,37 @@
-#include "apps/lab/breathe_command.h"
-#include "apps/lab/drawing_application.h"
-#include "apps/lab/figures_command.h"
-#include "apps/lab/render_command.h"
-#include "apps/lab/summary_command.h"
+#include "apps/lab/command/drawing_application.h"
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 
 namespace carina::lab
 {
 namespace
 {
 
-/// What takes the place of a command that needs the desktop build.
-Result<QJsonObject> refuse(const QStringList&)
+Result<QJsonObject> refuse(const Words&)
 {
     return fail(Errc::NoGraphics, "This carina-lab was built without graphics, which this command "
                                   "needs. Configure with CARINA_DESKTOP=ON.");
 }
 
-constexpr std::string_view kBreatheHelp = R"(breathe
-    Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
-)";
-
-constexpr std::string_view kFiguresHelp = R"(figures
-    Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
-)";
-
-constexpr std::string_view kRenderHelp = R"(render
-    Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
-)";
-
-constexpr std::string_view kSummaryHelp = R"(summary
-    Left out of this build, which has no graphics. Configure with CARINA_DESKTOP=ON.
-)";
+/// What takes the place of a command that needs the desktop build.
+Command leftOut(const char* name)
+{
+    return {.name = name,
+            .theme = "left out",
+            .summary = "needs graphics, which this build does not have",
+            .uses = {{.lines = {""},
+                      .text = "Left out of this build, which has no graphics. Configure with "
+                              "CARINA_DESKTOP=ON."}},
+            .mostFiles = 1000,
+            .experiment = refuse};
+}
 
 } // namespace
 
-Command breatheCommand() { return {"breathe", kBreatheHelp, refuse}; }
-
-Command figuresCommand() { return {"figures", kFiguresHelp, refuse}; }
-
-Command renderCommand() { return {"render", kRenderHelp, refuse}; }
-
-Command summaryCommand() { return {"summary", kSummaryHelp, refuse}; }
+Command breatheCommand() { return leftOut("breathe"); }
+Command figuresCommand() { return leftOut("figures"); }
+Command renderCommand() { return leftOut("render"); }
+Command summaryCommand() { return leftOut("summary"); }
 
 std::unique_ptr<QCoreApplication> drawingApplication(int& argc, char** argv)
 {

@@ -1,12 +1,12 @@
+#include "apps/program/program.h"
 #include "apps/registration/patient_landmarks.h"
 #include "apps/registration/registration_journal.h"
 #include "apps/registration/registration_report.h"
 #include "apps/registration/scripted_hand.h"
 #include "apps/registration/scripted_technician.h"
-#include "apps/viewer/program.h"
-#include "engine/io/site_file.h"
-#include "engine/io/whole_file.h"
-#include "ui/registration_window.h"
+#include "engine/io/files/whole_file.h"
+#include "engine/io/site/site_file.h"
+#include "ui/registration/registration_window.h"
 
 #include <QApplication>
 #include <QDir>
@@ -41,7 +41,6 @@ void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(
         words("Registers a patient's anatomy to a manikin by touched landmarks."));
-    parser.addHelpOption();
     parser.addOption({kSite,
                       words("File that the site is kept in, saved after every step; a stored site "
                             "goes on where it stood."),
@@ -59,8 +58,8 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR")});
     parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
                       QStringLiteral("FILE")});
-    viewer::addSizeOption(parser);
-    viewer::addPatientOptions(parser);
+    program::addSizeOption(parser);
+    program::addPatientOptions(parser);
 }
 
 Result<bool> hasScriptedHand(const QCommandLineParser& parser)
@@ -95,7 +94,7 @@ int measure(RegistrationWindow& window, const RegistrationModel& registration,
                                  registration.patient().landmarks(), workplace);
         if (wrote)
             wrote = window.writeReport(folder.filePath(QStringLiteral("registration.pdf")));
-        QApplication::exit(wrote ? 0 : viewer::refuse(wrote.error()));
+        QApplication::exit(wrote ? 0 : program::refuse(wrote.error()));
     });
     QObject::connect(&technician, &ScriptedTechnician::stuck, &window, [](const QString& where) {
         std::fprintf(stderr, "%s\n",
@@ -114,7 +113,7 @@ Result<std::unique_ptr<RegistrationJournal>> journalOf(const RegistrationModel& 
     return RegistrationJournal::open(parser.value(kJournal), registration);
 }
 
-Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& patient,
+Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient& patient,
                  const QSize& size, bool scripted)
 {
     const std::string siteFile = parser.value(kSite).toStdString();
@@ -160,9 +159,7 @@ Result<int> show(const QCommandLineParser& parser, const viewer::ChosenPatient& 
 
 Result<int> run(const QCommandLineParser& parser)
 {
-    if (const auto right = viewer::checkWords(parser, 0); !right)
-        return tl::unexpected(right.error());
-    const auto size = viewer::sizeOption(parser);
+    const auto size = program::sizeOption(parser);
     if (!size)
         return tl::unexpected(size.error());
     const auto scripted = hasScriptedHand(parser);
@@ -177,9 +174,9 @@ Result<int> run(const QCommandLineParser& parser)
                                       "start it with --simulated-tracker.")));
         return 1;
     }
-    if (const auto drawn = viewer::checkGraphics(); !drawn)
+    if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
-    const auto patient = viewer::choosePatient(parser);
+    const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
     return show(parser, *patient, *size, *scripted);
@@ -190,17 +187,8 @@ Result<int> run(const QCommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    carina::viewer::nameProgram(QStringLiteral("carina-registration"));
-    QCommandLineParser parser;
-    carina::addOptions(parser);
-    if (carina::viewer::asksForHelp(argc, argv)) {
-        const QCoreApplication application{argc, argv};
-        parser.process(application); // which ends here: help needs no display
-    }
-    carina::viewer::prepareDisplay();
-    QApplication application{argc, argv};
-    carina::viewer::prepareProgram(application);
-    parser.process(application);
-    const carina::Result<int> status = carina::run(parser);
-    return status ? *status : carina::viewer::refuse(status.error());
+    return carina::program::runProgram({.name = QStringLiteral("carina-registration"),
+                                        .addOptions = carina::addOptions,
+                                        .run = carina::run},
+                                       argc, argv);
 }

@@ -1,6 +1,6 @@
 #include "apps/registration/patient_landmarks.h"
 
-#include "engine/registration/bone_landmarks.h"
+#include "engine/registration/landmarks/bone_landmarks.h"
 
 namespace carina
 {
@@ -34,7 +34,7 @@ LandmarkCatalogue firstOf(LandmarkCatalogue catalogue, std::size_t count)
 
 } // namespace
 
-std::vector<LandmarkCatalogue> landmarkSetsOf(const viewer::ChosenPatient& patient)
+std::vector<LandmarkCatalogue> landmarkSetsOf(const program::ChosenPatient& patient)
 {
     const std::string& anatomy = patient.model->contentHash();
     const Length height = patient.dimensions.height;
@@ -46,7 +46,7 @@ std::vector<LandmarkCatalogue> landmarkSetsOf(const viewer::ChosenPatient& patie
     return {eight, firstOf(eight, 6), four};
 }
 
-std::vector<Landmark> checkPlacesOf(const viewer::ChosenPatient& patient)
+std::vector<Landmark> checkPlacesOf(const program::ChosenPatient& patient)
 {
     return boneCheckPlaces(bonesOf(*patient.model).bones);
 }

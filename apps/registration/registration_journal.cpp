@@ -1,7 +1,7 @@
 #include "apps/registration/registration_journal.h"
 
-#include "engine/io/site_json.h"
-#include "models/site_changes.h"
+#include "engine/io/site/site_json.h"
+#include "models/site/site_changes.h"
 
 #include <QJsonDocument>
 

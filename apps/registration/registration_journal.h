@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/registration_model.h"
+#include "models/registration/registration_model.h"
 
 #include <QFile>
 #include <QObject>

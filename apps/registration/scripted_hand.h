@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/registration/simulated_workplace.h"
-#include "models/registration_model.h"
+#include "models/registration/registration_model.h"
 
 #include <QObject>
 #include <QTimer>

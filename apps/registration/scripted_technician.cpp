@@ -1,6 +1,6 @@
 #include "apps/registration/scripted_technician.h"
 
-#include "engine/io/site_json.h"
+#include "engine/io/site/site_json.h"
 
 #include <QAbstractButton>
 #include <QScreen>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
-#include "engine/anatomy/tube.h"
+#include "engine/anatomy/shapes/tube.h"
 #include "engine/tracking/simulated_tracker.h"
 #include "engine/tracking/stylus_hand.h"
 

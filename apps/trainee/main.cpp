@@ -1,15 +1,15 @@
+#include "apps/program/entry_option.h"
+#include "apps/program/join_question.h"
+#include "apps/program/journal.h"
+#include "apps/program/measurement.h"
+#include "apps/program/patient_option.h"
+#include "apps/program/program.h"
+#include "apps/program/site_option.h"
 #include "apps/trainee/trainee_station.h"
-#include "apps/viewer/entry_option.h"
-#include "apps/viewer/join_question.h"
-#include "apps/viewer/journal.h"
-#include "apps/viewer/measurement.h"
-#include "apps/viewer/patient_option.h"
-#include "apps/viewer/program.h"
-#include "apps/viewer/site_option.h"
-#include "engine/io/anatomy_cache.h"
-#include "models/shared_patient.h"
-#include "ui/trainee_window.h"
-#include "widgets/scene/scene_view.h"
+#include "engine/io/anatomy_set/anatomy_cache.h"
+#include "models/patient/shared_patient.h"
+#include "ui/trainee/trainee_window.h"
+#include "widgets/scene/view/scene_view.h"
 
 #include <QApplication>
 #include <QTimer>
@@ -26,14 +26,13 @@ void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(
         QApplication::translate("Trainee", "What a trainee sees of a Carina session."));
-    parser.addHelpOption();
     parser.addOption(
         {QStringLiteral("port"),
          QApplication::translate("Trainee", "UDP port of the session; the instructor's "
                                             "window shows it. Without it, or with a link but "
                                             "no name, a window asks."),
          QStringLiteral("P")});
-    viewer::addEntryOptions(parser);
+    program::addEntryOptions(parser);
     // Not "name": Qt keeps that for itself.
     parser.addOption({QStringLiteral("as"),
                       QApplication::translate("Trainee", "The trainee's name in the session."),
@@ -56,10 +55,10 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("KIND"), QStringLiteral("screen")});
     parser.addOption(
         {QStringLiteral("full-screen"), QApplication::translate("Trainee", "Fill the screen.")});
-    viewer::addPatientOptions(parser);
-    viewer::addSiteOption(parser);
-    viewer::addMeasureOptions(parser);
-    viewer::addJournalOption(parser);
+    program::addPatientOptions(parser);
+    program::addSiteOption(parser);
+    program::addMeasureOptions(parser);
+    program::addJournalOption(parser);
 }
 
 /// How long the newest action on the virtual patient took to arrive here; empty before there was
@@ -76,7 +75,7 @@ QJsonObject actionReport(const SessionNode& node)
 
 /// Shows the window until it is closed, or measures it for as long as it was asked to.
 int show(TraineeWindow& window, const QCommandLineParser& parser,
-         const viewer::MeasureOptions& options, TraineeStation& station)
+         const program::MeasureOptions& options, TraineeStation& station)
 {
     if (options.folder.isEmpty()) {
         window.resize(options.size);
@@ -88,7 +87,7 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     }
     window.resize(options.size);
     window.show();
-    viewer::Measurement measurement{window, window.stationScene()};
+    program::Measurement measurement{window, window.stationScene()};
     const auto compare = [&] {
         if (station.truth())
             measurement.compareWith(station.truth());
@@ -102,11 +101,11 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
         const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"),
                                              actionReport(station.node()));
         if (!wrote)
-            return QApplication::exit(viewer::refuse(wrote.error()));
+            return QApplication::exit(program::refuse(wrote.error()));
         const SessionNode& node = station.node();
         const bool isIn = node.self() != kNobody;
         QApplication::exit(
-            isIn ? 0 : viewer::refuse(node.refusal().value_or(Error{Errc::HostSilent, {}})));
+            isIn ? 0 : program::refuse(node.refusal().value_or(Error{Errc::HostSilent, {}})));
     });
     return QApplication::exec();
 }
@@ -124,10 +123,10 @@ Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
     Entry entry{{.participantName = parser.value(QStringLiteral("as")).toStdString(),
                  .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer : Role::Trainee,
                  .station = kStation}};
-    const auto link = viewer::linkArgument(parser);
+    const auto link = program::linkArgument(parser);
     if (!link)
         return tl::unexpected(link.error());
-    if (const auto read = viewer::readEntryOptions(parser, entry.settings); !read)
+    if (const auto read = program::readEntryOptions(parser, entry.settings); !read)
         return tl::unexpected(read.error());
     // A link says all but the name.
     entry.isComplete = link->isEmpty() ? !parser.value(QStringLiteral("port")).isEmpty()
@@ -137,22 +136,22 @@ Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
         return entry;
     }
     if (!link->isEmpty())
-        return viewer::readLink(*link, entry.settings).map([&] { return entry; });
-    return viewer::portOption(parser).map([&](std::uint16_t port) {
+        return program::readLink(*link, entry.settings).map([&] { return entry; });
+    return program::portOption(parser).map([&](std::uint16_t port) {
         entry.settings.port = port;
         return entry;
     });
 }
 
 /// Comes in; a person is asked for what is missing or refused, but not while this measures.
-Result<viewer::Entered> enter(const Entry& entry, const viewer::MeasureOptions& options)
+Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions& options)
 {
     if (options.folder.isEmpty())
-        return viewer::askHowToJoin(entry.settings, entry.link, entry.isComplete);
+        return program::askHowToJoin(entry.settings, entry.link, entry.isComplete);
     auto node = SessionNode::join(entry.settings);
     if (!node)
         return tl::unexpected(node.error());
-    return viewer::Entered{*std::move(node), entry.settings.role};
+    return program::Entered{*std::move(node), entry.settings.role};
 }
 
 /// What stands in for hardware; nothing for who only watches.
@@ -174,7 +173,7 @@ Result<TraineeStation::Simulation> simulation(const QCommandLineParser& parser, 
 
 Result<int> run(const QCommandLineParser& parser)
 {
-    const auto options = viewer::measureOptions(parser);
+    const auto options = program::measureOptions(parser);
     if (!options)
         return tl::unexpected(options.error());
     const auto output = viewOutputNamed(parser.value(QStringLiteral("output")));
@@ -183,12 +182,12 @@ Result<int> run(const QCommandLineParser& parser)
     const auto entry = entryOptions(parser, options->folder.isEmpty());
     if (!entry)
         return tl::unexpected(entry.error());
-    if (const auto drawn = viewer::checkGraphics(); !drawn)
+    if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
-    const auto patient = viewer::choosePatient(parser);
+    const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    const auto site = viewer::siteOption(parser, *patient->model);
+    const auto site = program::siteOption(parser, *patient->model);
     if (!site)
         return tl::unexpected(site.error());
     const auto headset =
@@ -206,7 +205,7 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(simulated.error());
     TraineeStation station{
         std::move(entered->node), kStation, *simulated,
-        [&parser](const PatientModel& of) { return viewer::siteOption(parser, of); }};
+        [&parser](const PatientModel& of) { return program::siteOption(parser, of); }};
     if (const auto laid = station.lay(patient->model); !laid)
         return tl::unexpected(laid.error());
 
@@ -221,9 +220,9 @@ Result<int> run(const QCommandLineParser& parser)
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });
     });
-    viewer::watchSite(parser, window, [&station] { station.takePlace(); });
+    program::watchSite(parser, window, [&station] { station.takePlace(); });
     const auto journal =
-        viewer::journalFromOptions(parser, station.node(), kStation, window.stationScene());
+        program::journalFromOptions(parser, station.node(), kStation, window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());
     return show(window, parser, *options, station);
@@ -234,17 +233,9 @@ Result<int> run(const QCommandLineParser& parser)
 
 int main(int argc, char** argv)
 {
-    carina::viewer::nameProgram(QStringLiteral("carina-trainee"));
-    QCommandLineParser parser;
-    carina::addOptions(parser);
-    if (carina::viewer::asksForHelp(argc, argv)) {
-        const QCoreApplication application{argc, argv};
-        parser.process(application); // which ends here: help needs no display
-    }
-    carina::viewer::prepareDisplay();
-    QApplication application{argc, argv};
-    carina::viewer::prepareProgram(application);
-    parser.process(application);
-    const carina::Result<int> status = carina::run(parser);
-    return status ? *status : carina::viewer::refuse(status.error());
+    return carina::program::runProgram({.name = QStringLiteral("carina-trainee"),
+                                        .addOptions = carina::addOptions,
+                                        .mostWords = 1, // a link
+                                        .run = carina::run},
+                                       argc, argv);
 }

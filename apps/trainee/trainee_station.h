@@ -1,13 +1,13 @@
 #pragma once
 
-#include "apps/viewer/seen_overlay.h"
-#include "engine/net/session_node.h"
+#include "apps/program/seen_overlay.h"
+#include "engine/net/node/session_node.h"
 #include "engine/session/station_tracking.h"
-#include "models/chin_probe_model.h"
-#include "models/manikin_breaths.h"
-#include "models/patient_source.h"
-#include "models/site_setup.h"
-#include "models/station_view.h"
+#include "models/patient/patient_source.h"
+#include "models/respiration/manikin_breaths.h"
+#include "models/site/site_setup.h"
+#include "models/station/chin_probe_model.h"
+#include "models/station/station_view.h"
 
 #include <QTimer>
 
@@ -55,14 +55,14 @@ public:
         return ChinProbeModel{m_laid->tracking.get(), &m_laid->guard};
     }
     /// What the simulated head truly has before it; empty without one.
-    [[nodiscard]] const viewer::TrueView& truth() const { return m_laid->truth; }
+    [[nodiscard]] const program::TrueView& truth() const { return m_laid->truth; }
 
 private:
     struct Laid {
         SharedPatientModel patient;
         /// Shared with the node's thread while it asks for poses; none where this only watches.
         std::shared_ptr<StationTracking> tracking;
-        viewer::TrueView truth;
+        program::TrueView truth;
         std::unique_ptr<StationView> view;
         std::unique_ptr<RegistrationGuard> guard; ///< of the tracking; none without a site
         Place place;                              ///< as the site said last

@@ -2,10 +2,10 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "resources/resources.h"
-#include "widgets/scene/chest_uniforms.h"
-#include "widgets/scene/merged_surface.h"
-#include "widgets/scene/orbit_camera.h"
-#include "widgets/scene/organ_shader.h"
+#include "widgets/scene/look/chest_uniforms.h"
+#include "widgets/scene/look/organ_shader.h"
+#include "widgets/scene/surfaces/merged_surface.h"
+#include "widgets/scene/view/orbit_camera.h"
 
 #include <QGuiApplication>
 #include <QMatrix4x4>

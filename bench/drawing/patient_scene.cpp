@@ -1,9 +1,9 @@
 #include "bench/drawing/patient_scene.h"
 
 #include "engine/geometry/rotation.h"
-#include "engine/io/anatomy_set.h"
-#include "engine/lungs/chest_drawing.h"
-#include "ui/scene_parts.h"
+#include "engine/io/anatomy_set/anatomy_set.h"
+#include "engine/lungs/drawing/chest_drawing.h"
+#include "ui/scene/scene_parts.h"
 
 namespace carina::bench
 {

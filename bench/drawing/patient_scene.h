@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/session/respiration_follower.h"
-#include "models/patient_source.h"
-#include "widgets/scene/part_look.h"
-#include "widgets/scene/scene_frame.h"
+#include "engine/session/respiration/respiration_follower.h"
+#include "models/patient/patient_source.h"
+#include "widgets/scene/look/part_look.h"
+#include "widgets/scene/view/scene_frame.h"
 
 #include <vector>
 

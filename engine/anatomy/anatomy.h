@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/geometry/triangle_mesh.h"
-#include "engine/geometry/vertex_color.h"
+#include "engine/geometry/mesh/triangle_mesh.h"
+#include "engine/geometry/mesh/vertex_color.h"
 
 #include <cstdint>
 #include <optional>

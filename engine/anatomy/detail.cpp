@@ -1,8 +1,8 @@
 #include "engine/anatomy/detail.h"
 
 #include "engine/core/expects.h"
-#include "engine/geometry/mesh_edges.h"
-#include "engine/geometry/mesh_winding.h"
+#include "engine/geometry/mesh/mesh_edges.h"
+#include "engine/geometry/mesh/mesh_winding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/mesh/triangle_mesh.h"
 
 #include <span>
 #include <vector>

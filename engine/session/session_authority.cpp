@@ -1,7 +1,7 @@
 #include "engine/session/session_authority.h"
 
-#include "engine/session/fact_rules.h"
-#include "engine/session/respiration_rules.h"
+#include "engine/session/facts/fact_rules.h"
+#include "engine/session/respiration/respiration_rules.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/session/facts.h"
+#include "engine/session/facts/facts.h"
 #include "engine/session/parameter_timeline.h"
-#include "engine/session/respiration_timeline.h"
+#include "engine/session/respiration/respiration_timeline.h"
 
 #include <map>
 #include <string>

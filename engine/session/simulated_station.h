@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
-#include "engine/anatomy/tube.h"
+#include "engine/anatomy/shapes/tube.h"
 #include "engine/session/station_tracking.h"
 #include "engine/tracking/simulated_tracker.h"
 

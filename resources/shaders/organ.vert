@@ -1,10 +1,10 @@
 #version 330 core
 
 // The one vertex shader of everything made of organs. What breathes is moved by the field of the
-// chest, written out in engine/geometry/chest_formula.h and worked out on the processor by
-// engine/geometry/moved_vertex.h; what then follows the jaw is moved by that of the throat, written
-// out in engine/geometry/throat_formula.h. The names here are theirs. Nothing is uploaded meanwhile
-// but a matrix for each region, and one for the jaw. widgets/scene/organ_shader.h tells when what is
+// chest, written out in engine/geometry/deformation/chest_formula.h and worked out on the processor by
+// engine/geometry/deformation/moved_vertex.h; what then follows the jaw is moved by that of the throat, written
+// out in engine/geometry/deformation/throat_formula.h. The names here are theirs. Nothing is uploaded meanwhile
+// but a matrix for each region, and one for the jaw. widgets/scene/look/organ_shader.h tells when what is
 // written between #ifdef and #endif is there.
 
 in vec3 vertexPosition;

@@ -1,9 +1,13 @@
 #include "tests/end_to_end/program.h"
+#include "tests/support/test_class.h"
 
 #include <QJsonArray>
 #include <QTemporaryDir>
 
 #include <numbers>
+
+namespace carina::actions_test
+{
 
 namespace
 {
@@ -111,5 +115,8 @@ private:
     std::unique_ptr<Program> m_trainee;
 };
 
-QTEST_GUILESS_MAIN(TestActions)
+CARINA_TEST(TestActions)
+
+} // namespace carina::actions_test
+
 #include "tst_actions.moc"

@@ -1,8 +1,12 @@
 #include "tests/end_to_end/program.h"
+#include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
 
 #include <QDir>
 #include <QTemporaryDir>
+
+namespace carina::anatomy_test
+{
 
 namespace
 {
@@ -141,5 +145,8 @@ private:
     std::unique_ptr<Program> m_trainee;
 };
 
-QTEST_GUILESS_MAIN(TestAnatomy)
+CARINA_TEST(TestAnatomy)
+
+} // namespace carina::anatomy_test
+
 #include "tst_anatomy.moc"

@@ -1,10 +1,14 @@
+#include "tests/support/test_class.h"
+
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QTest>
+
+namespace carina::live_drift_test
+{
 
 /// The live drift experiment among real programs: that it ends whole and alike everywhere. How far
 /// views were apart depends on the machine, and is not asserted.
@@ -56,5 +60,8 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLiveDrift)
+CARINA_TEST(TestLiveDrift)
+
+} // namespace carina::live_drift_test
+
 #include "tst_live_drift.moc"

@@ -1,6 +1,10 @@
 #include "tests/end_to_end/program.h"
+#include "tests/support/test_class.h"
 
 #include <QTemporaryDir>
+
+namespace carina::registration_test
+{
 
 namespace
 {
@@ -63,5 +67,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRegistration)
+CARINA_TEST(TestRegistration)
+
+} // namespace carina::registration_test
+
 #include "tst_registration.moc"

@@ -1,6 +1,10 @@
 #include "tests/end_to_end/program.h"
+#include "tests/support/test_class.h"
 
 #include <QTemporaryDir>
+
+namespace carina::restart_test
+{
 
 namespace
 {
@@ -137,5 +141,8 @@ private:
     std::unique_ptr<Program> m_trainee;
 };
 
-QTEST_GUILESS_MAIN(TestRestart)
+CARINA_TEST(TestRestart)
+
+} // namespace carina::restart_test
+
 #include "tst_restart.moc"

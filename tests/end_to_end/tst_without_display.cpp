@@ -1,5 +1,9 @@
+#include "tests/support/test_class.h"
+
 #include <QProcess>
-#include <QTest>
+
+namespace carina::without_display_test
+{
 
 namespace
 {
@@ -72,5 +76,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWithoutDisplay)
+CARINA_TEST(TestWithoutDisplay)
+
+} // namespace carina::without_display_test
+
 #include "tst_without_display.moc"

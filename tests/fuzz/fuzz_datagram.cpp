@@ -1,6 +1,6 @@
 // Any bytes from the network: refused, or taken apart without a fault that a sanitizer sees.
 
-#include "engine/sync/datagram_codec.h"
+#include "engine/sync/wire/datagram_codec.h"
 
 #include <cstddef>
 #include <cstdint>

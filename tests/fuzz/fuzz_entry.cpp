@@ -4,10 +4,10 @@
 
 #include "engine/core/expects.h"
 #include "engine/net/discovery/session_notice.h"
-#include "engine/net/join_link.h"
+#include "engine/net/entry/join_link.h"
+#include "engine/net/entry/role_proof.h"
+#include "engine/net/entry/token_message.h"
 #include "engine/net/secure/dtls_record.h"
-#include "engine/net/secure/role_proof.h"
-#include "engine/net/secure/token_message.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Any bytes in place of a fact: refused, or read and written back to the very same bytes.
 
 #include "engine/core/expects.h"
-#include "engine/session/fact_codec.h"
+#include "engine/session/facts/fact_codec.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // room without a fault that a sanitizer sees. What the tables read they write and read again.
 
 #include "engine/core/expects.h"
-#include "engine/io/landmark_text.h"
+#include "engine/io/site/landmark_text.h"
 
 #include <algorithm>
 

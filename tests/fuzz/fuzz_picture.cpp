@@ -2,7 +2,7 @@
 // all its pixels, without a fault that a sanitizer sees.
 
 #include "engine/core/expects.h"
-#include "engine/io/picture_codec.h"
+#include "engine/io/mesh/picture_codec.h"
 
 // libFuzzer calls it by this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -3,7 +3,7 @@
 // through has what those who draw it count on.
 
 #include "engine/core/expects.h"
-#include "engine/io/set_check.h"
+#include "engine/io/anatomy_set/set_check.h"
 #include "tests/fuzz/set_under_seal.h"
 
 #include <algorithm>

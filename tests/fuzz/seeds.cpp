@@ -1,16 +1,16 @@
 // seeds DIR: whole messages for the fuzzers to begin with, in a folder below DIR for each.
 
-#include "engine/io/set_codec.h"
+#include "engine/io/anatomy_set/set_codec.h"
 #include "engine/net/discovery/session_notice.h"
-#include "engine/net/join_link.h"
+#include "engine/net/entry/join_link.h"
+#include "engine/net/entry/role_proof.h"
+#include "engine/net/entry/token_message.h"
 #include "engine/net/secure/dtls_record.h"
-#include "engine/net/secure/role_proof.h"
-#include "engine/net/secure/token_message.h"
-#include "tests/engine/io/carried_set_files.h"
-#include "tests/engine/io/landmark_samples.h"
-#include "tests/engine/io/texture_files.h"
+#include "tests/engine/io/anatomy_set/carried_set_files.h"
+#include "tests/engine/io/mesh/texture_files.h"
+#include "tests/engine/io/site/landmark_samples.h"
 #include "tests/engine/net/carriage/frame_samples.h"
-#include "tests/engine/sync/datagram_samples.h"
+#include "tests/engine/sync/wire/datagram_samples.h"
 #include "tests/fuzz/set_under_seal.h"
 
 #include <fstream>

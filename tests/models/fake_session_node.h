@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/session_node.h"
+#include "engine/net/node/session_node.h"
 #include "engine/session/session_authority.h"
 
 #include <utility>

@@ -1,9 +1,9 @@
 #include "models/error_text.h"
+#include "tests/support/test_class.h"
 
 #include <QSet>
-#include <QTest>
 
-namespace carina
+namespace carina::error_text_test
 {
 
 class TestErrorText : public QObject
@@ -52,7 +52,8 @@ void TestErrorText::takesParticularsAsTheyAre()
              QStringLiteral("A file is empty (%1 100%2 é): copy or export it again."));
 }
 
-} // namespace carina
+CARINA_TEST(TestErrorText)
 
-QTEST_GUILESS_MAIN(carina::TestErrorText)
+} // namespace carina::error_text_test
+
 #include "tst_error_text.moc"

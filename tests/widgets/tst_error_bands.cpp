@@ -1,10 +1,9 @@
 #include "widgets/error_bands.h"
 
+#include "tests/support/test_class.h"
 #include "tests/widgets/colour_vision.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::error_bands_test
 {
 namespace
 {
@@ -123,7 +122,8 @@ void TestErrorBands::drawLinesThatStandOut()
                         > 2.0 * kClearStep);
 }
 
-} // namespace carina
+CARINA_TEST(TestErrorBands)
 
-QTEST_GUILESS_MAIN(carina::TestErrorBands)
+} // namespace carina::error_bands_test
+
 #include "tst_error_bands.moc"

@@ -1,11 +1,11 @@
+#include "tests/support/test_class.h"
 #include "widgets/error_scale.h"
 
 #include <QImage>
-#include <QTest>
 
 #include <memory>
 
-namespace carina
+namespace carina::error_scale_test
 {
 namespace
 {
@@ -153,7 +153,8 @@ void TestErrorScale::isEmptyWithoutAMap()
 
 void TestErrorScale::isReachedByTab() { QCOMPARE(ErrorScale{}.focusPolicy(), Qt::TabFocus); }
 
-} // namespace carina
+CARINA_SCREEN_TEST(TestErrorScale)
 
-QTEST_MAIN(carina::TestErrorScale)
+} // namespace carina::error_scale_test
+
 #include "tst_error_scale.moc"

@@ -1,9 +1,9 @@
+#include "tests/support/test_class.h"
 #include "widgets/history_plot.h"
 
 #include <QImage>
-#include <QTest>
 
-namespace carina
+namespace carina::history_plot_test
 {
 namespace
 {
@@ -132,7 +132,8 @@ private Q_SLOTS:
     void isReachedByTab() { QCOMPARE(plotOf({})->focusPolicy(), Qt::TabFocus); }
 };
 
-} // namespace carina
+CARINA_SCREEN_TEST(TestHistoryPlot)
 
-QTEST_MAIN(carina::TestHistoryPlot)
+} // namespace carina::history_plot_test
+
 #include "tst_history_plot.moc"

@@ -1,12 +1,12 @@
+#include "tests/support/test_class.h"
 #include "widgets/qr_code.h"
 
 #include <QImage>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QTest>
 
-namespace carina
+namespace carina::qr_code_test
 {
 namespace
 {
@@ -179,7 +179,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_SCREEN_TEST(TestQrCode)
 
-QTEST_MAIN(carina::TestQrCode)
+} // namespace carina::qr_code_test
+
 #include "tst_qr_code.moc"

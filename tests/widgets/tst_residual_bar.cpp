@@ -1,11 +1,11 @@
+#include "tests/support/test_class.h"
 #include "widgets/residual_bar.h"
 
 #include <QImage>
 #include <QPainter>
 #include <QStandardItemModel>
-#include <QTest>
 
-namespace carina
+namespace carina::residual_bar_test
 {
 
 class TestResidualBar : public QObject
@@ -133,7 +133,8 @@ void TestResidualBar::leavesCellsWithoutANumberAsTheyAre()
     QVERIFY(image != white); // the words are there
 }
 
-} // namespace carina
+CARINA_SCREEN_TEST(TestResidualBar)
 
-QTEST_MAIN(carina::TestResidualBar)
+} // namespace carina::residual_bar_test
+
 #include "tst_residual_bar.moc"

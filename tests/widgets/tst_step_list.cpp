@@ -1,11 +1,11 @@
+#include "tests/support/test_class.h"
 #include "widgets/step_list.h"
 
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 
-namespace carina
+namespace carina::step_list_test
 {
 
 class TestStepList : public QObject
@@ -122,7 +122,8 @@ void TestStepList::hidesTheStepsThatAreNoMore()
     QCOMPARE(shown.reasons().size(), 2);
 }
 
-} // namespace carina
+CARINA_SCREEN_TEST(TestStepList)
 
-QTEST_MAIN(carina::TestStepList)
+} // namespace carina::step_list_test
+
 #include "tst_step_list.moc"

@@ -1,11 +1,11 @@
+#include "tests/support/test_class.h"
 #include "widgets/waveform_plot.h"
 
 #include <QImage>
-#include <QTest>
 
 #include <cmath>
 
-namespace carina
+namespace carina::waveform_plot_test
 {
 namespace
 {
@@ -141,7 +141,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_SCREEN_TEST(TestWaveformPlot)
 
-QTEST_MAIN(carina::TestWaveformPlot)
+} // namespace carina::waveform_plot_test
+
 #include "tst_waveform_plot.moc"

@@ -1,9 +1,9 @@
 #include "engine/net/carriage/carriage_frame.h"
 
 #include "engine/core/expects.h"
-#include "engine/io/carried_sets.h"
-#include "engine/io/set_hash.h"
-#include "engine/sync/byte_buffer.h"
+#include "engine/io/anatomy_set/carried_sets.h"
+#include "engine/io/anatomy_set/set_hash.h"
+#include "engine/sync/wire/byte_buffer.h"
 
 namespace carina::carriage
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/secure/key_offer.h"
+#include "engine/net/entry/key_offer.h"
 
 namespace carina
 {

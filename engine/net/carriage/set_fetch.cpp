@@ -1,7 +1,7 @@
 #include "engine/net/carriage/set_fetch.h"
 
 #include "engine/core/expects.h"
-#include "engine/io/set_hash.h"
+#include "engine/io/anatomy_set/set_hash.h"
 #include "engine/net/carriage/set_receiver.h"
 
 namespace carina

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/carried_sets.h"
+#include "engine/io/anatomy_set/carried_sets.h"
 #include "engine/net/carriage/host_door.h"
 
 #include <QThread>

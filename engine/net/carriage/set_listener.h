@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/carried_sets.h"
+#include "engine/io/anatomy_set/carried_sets.h"
 #include "engine/net/carriage/carriage_frame.h"
 #include "engine/net/carriage/set_sender.h"
 #include "engine/net/carriage/set_server.h"

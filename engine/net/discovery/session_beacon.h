@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/net/discovery/session_notice.h"
-#include "engine/net/secure/hello_limiter.h"
+#include "engine/net/entry/hello_limiter.h"
 
 #include <QUdpSocket>
 

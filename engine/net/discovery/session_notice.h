@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/sync/datagram.h"
+#include "engine/sync/wire/datagram.h"
 
 #include <cstdint>
 #include <optional>

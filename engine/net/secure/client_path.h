@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/secure/client_credentials.h"
+#include "engine/net/entry/client_credentials.h"
 
 #include <memory>
 

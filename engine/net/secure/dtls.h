@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/core/session_time.h"
-#include "engine/net/secure/certificates.h"
-#include "engine/net/secure/key_offer.h"
+#include "engine/net/entry/certificates.h"
+#include "engine/net/entry/key_offer.h"
 
 #include <QByteArray>
 #include <QDtls>

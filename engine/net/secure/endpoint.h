@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/secure/hello_limiter.h"
+#include "engine/net/entry/hello_limiter.h"
 
 #include <QHostAddress>
 

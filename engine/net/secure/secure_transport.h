@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/net/secure/psk_identity.h"
-#include "engine/sync/sync_host.h"
+#include "engine/net/entry/psk_identity.h"
+#include "engine/sync/connection/sync_host.h"
 
 #include <functional>
 #include <span>

@@ -1,4 +1,4 @@
-#include "engine/sync/probe_trigger.h"
+#include "engine/sync/strategies/probe_trigger.h"
 #include "engine/sync/strategies/relay_host.h"
 #include "engine/sync/strategies/relayed_participant.h"
 #include "engine/sync/strategies/strategies.h"

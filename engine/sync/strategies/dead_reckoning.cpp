@@ -2,7 +2,7 @@
 #include "engine/sync/strategies/relay_host.h"
 #include "engine/sync/strategies/relayed_participant.h"
 #include "engine/sync/strategies/strategies.h"
-#include "engine/sync/stream_tick.h"
+#include "engine/sync/streams/stream_tick.h"
 
 #include <cmath>
 #include <map>

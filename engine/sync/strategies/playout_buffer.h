@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/session_time.h"
-#include "engine/sync/event_cpo.h"
+#include "engine/sync/wire/event_cpo.h"
 
 #include <deque>
 

@@ -1,7 +1,7 @@
 #include "engine/sync/strategies/relayed_message.h"
 
-#include "engine/sync/cpo_codec.h"
-#include "engine/sync/wire_quantities.h"
+#include "engine/sync/wire/cpo_codec.h"
+#include "engine/sync/wire/wire_quantities.h"
 
 namespace carina
 {

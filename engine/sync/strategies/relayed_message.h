@@ -2,7 +2,7 @@
 
 #include "engine/core/ids.h"
 #include "engine/core/result.h"
-#include "engine/sync/event_cpo.h"
+#include "engine/sync/wire/event_cpo.h"
 
 #include <span>
 #include <variant>
@@ -31,7 +31,7 @@ struct RelayedMessage {
 /// Stands for all participants but the sender.
 inline constexpr ParticipantId kAllOthers{0xFFFF};
 
-/// @pre numbers within their ranges (engine/sync/cpo_codec.h)
+/// @pre numbers within their ranges (engine/sync/wire/cpo_codec.h)
 [[nodiscard]] std::vector<std::byte> encodeRelayed(const RelayedMessage& message);
 /// @returns PacketMalformed, naming the rule that was broken.
 [[nodiscard]] Result<RelayedMessage> decodeRelayed(std::span<const std::byte> bytes);

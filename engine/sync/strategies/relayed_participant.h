@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/sync/strategies/relayed_message.h"
-#include "engine/sync/strategy.h"
+#include "engine/sync/strategies/strategy.h"
 
 #include <unordered_map>
 

@@ -1,10 +1,10 @@
-#include "engine/sync/datagram_codec.h"
-#include "engine/sync/datagram_packer.h"
-#include "engine/sync/event_table.h"
-#include "engine/sync/fitted_clock.h"
-#include "engine/sync/peer_link.h"
+#include "engine/sync/actions/event_table.h"
+#include "engine/sync/clock/fitted_clock.h"
+#include "engine/sync/connection/peer_link.h"
 #include "engine/sync/strategies/session_clock_host.h"
 #include "engine/sync/strategies/strategies.h"
+#include "engine/sync/wire/datagram_codec.h"
+#include "engine/sync/wire/datagram_packer.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/sync/event_table.h"
-#include "engine/sync/peer_link.h"
-#include "engine/sync/strategy.h"
+#include "engine/sync/actions/event_table.h"
+#include "engine/sync/connection/peer_link.h"
+#include "engine/sync/strategies/strategy.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/sync/strategy.h"
+#include "engine/sync/strategies/strategy.h"
 
 namespace carina
 {

@@ -1,10 +1,9 @@
 #include "apps/registration/overlay_error.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <cmath>
 
-namespace carina
+namespace carina::overlay_error_test
 {
 
 class TestOverlayError : public QObject
@@ -47,7 +46,8 @@ void TestOverlayError::growsWithTheDistanceFromTheAxisOfATurn()
     QVERIFY(overlayError(X_AT, kX_TA, {0.0, 0.0, 0.5}) < kTolerance);
 }
 
-} // namespace carina
+CARINA_TEST(TestOverlayError)
 
-QTEST_GUILESS_MAIN(carina::TestOverlayError)
+} // namespace carina::overlay_error_test
+
 #include "tst_overlay_error.moc"

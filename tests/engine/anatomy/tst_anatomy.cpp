@@ -1,9 +1,10 @@
 #include "engine/anatomy/anatomy.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
 #include <set>
 
-using namespace carina;
+namespace carina::anatomy_test
+{
 
 class TestAnatomy : public QObject
 {
@@ -72,5 +73,8 @@ void TestAnatomy::onlyLungsHaveASide()
     }
 }
 
-QTEST_APPLESS_MAIN(TestAnatomy)
+CARINA_TEST(TestAnatomy)
+
+} // namespace carina::anatomy_test
+
 #include "tst_anatomy.moc"

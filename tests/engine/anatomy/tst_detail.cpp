@@ -1,13 +1,14 @@
 #include "engine/anatomy/detail.h"
-#include "engine/geometry/mesh_winding.h"
-#include "tests/engine/anatomy/surface_checks.h"
+#include "engine/geometry/mesh/mesh_winding.h"
+#include "tests/engine/anatomy/shapes/surface_checks.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-using namespace carina;
+namespace carina::detail_test
+{
 
 class TestDetail : public QObject
 {
@@ -177,5 +178,8 @@ void TestDetail::aMeshWithoutTrianglesStaysEmpty()
     QVERIFY(levels[1].empty());
 }
 
-QTEST_APPLESS_MAIN(TestDetail)
+CARINA_TEST(TestDetail)
+
+} // namespace carina::detail_test
+
 #include "tst_detail.moc"

@@ -1,14 +1,13 @@
 #include "engine/anatomy/role_recognition.h"
+#include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
-
-#include <QTest>
 
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 
-namespace carina
+namespace carina::role_recognition_test
 {
 namespace
 {
@@ -144,7 +143,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestRoleRecognition)
 
-QTEST_APPLESS_MAIN(carina::TestRoleRecognition)
+} // namespace carina::role_recognition_test
+
 #include "tst_role_recognition.moc"

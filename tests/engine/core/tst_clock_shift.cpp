@@ -1,8 +1,7 @@
 #include "engine/core/clock_shift.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::clock_shift_test
 {
 
 using namespace std::chrono_literals;
@@ -82,7 +81,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestClockShift)
 
-QTEST_GUILESS_MAIN(carina::TestClockShift)
+} // namespace carina::clock_shift_test
+
 #include "tst_clock_shift.moc"

@@ -1,12 +1,11 @@
 #include "engine/core/expects.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace carina
+namespace carina::expects_test
 {
 namespace
 {
@@ -64,7 +63,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(ExpectsTest)
 
-QTEST_APPLESS_MAIN(carina::ExpectsTest)
+} // namespace carina::expects_test
+
 #include "tst_expects.moc"

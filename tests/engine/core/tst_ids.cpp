@@ -1,11 +1,10 @@
 #include "engine/core/ids.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <type_traits>
 #include <unordered_set>
 
-namespace carina
+namespace carina::ids_test
 {
 
 class IdsTest : public QObject
@@ -36,7 +35,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(IdsTest)
 
-QTEST_APPLESS_MAIN(carina::IdsTest)
+} // namespace carina::ids_test
+
 #include "tst_ids.moc"

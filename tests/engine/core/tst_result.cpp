@@ -1,8 +1,7 @@
 #include "engine/core/result.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::result_test
 {
 namespace
 {
@@ -57,7 +56,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(ResultTest)
 
-QTEST_APPLESS_MAIN(carina::ResultTest)
+} // namespace carina::result_test
+
 #include "tst_result.moc"

@@ -1,10 +1,9 @@
 #include "engine/core/session_time.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <type_traits>
 
-namespace carina
+namespace carina::session_time_test
 {
 
 using namespace std::chrono_literals;
@@ -48,7 +47,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(SessionTimeTest)
 
-QTEST_APPLESS_MAIN(carina::SessionTimeTest)
+} // namespace carina::session_time_test
+
 #include "tst_session_time.moc"

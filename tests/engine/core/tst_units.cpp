@@ -1,10 +1,9 @@
 #include "engine/core/units.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <numbers>
 
-namespace carina
+namespace carina::units_test
 {
 
 class UnitsTest : public QObject
@@ -61,7 +60,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(UnitsTest)
 
-QTEST_APPLESS_MAIN(carina::UnitsTest)
+} // namespace carina::units_test
+
 #include "tst_units.moc"

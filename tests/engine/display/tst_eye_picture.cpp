@@ -1,8 +1,8 @@
 #include "engine/display/eye_picture.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-using namespace carina;
+namespace carina::eye_picture_test
+{
 
 Q_DECLARE_METATYPE(carina::Frustum)
 Q_DECLARE_METATYPE(carina::WindowPart)
@@ -126,5 +126,8 @@ void TestEyePicture::showsBeyondAnEdgeWhatIsThere()
     QVERIFY(isNear(odd.frustum, {-1.0, 1.0, -0.5 - 0.75 / 1.5, 0.5 + 0.75 / 1.5}));
 }
 
-QTEST_GUILESS_MAIN(TestEyePicture)
+CARINA_TEST(TestEyePicture)
+
+} // namespace carina::eye_picture_test
+
 #include "tst_eye_picture.moc"

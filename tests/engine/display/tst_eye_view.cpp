@@ -1,11 +1,11 @@
 #include "engine/display/eye_view.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <cmath>
 #include <limits>
 
-using namespace carina;
+namespace carina::eye_view_test
+{
 
 namespace
 {
@@ -155,5 +155,8 @@ void TestEyeView::takesAnEyeAMillimetreBeforeTheScreen()
     QVERIFY(!eyeView(display, Eye::Right).has_value());
 }
 
-QTEST_GUILESS_MAIN(TestEyeView)
+CARINA_TEST(TestEyeView)
+
+} // namespace carina::eye_view_test
+
 #include "tst_eye_view.moc"

@@ -1,10 +1,11 @@
 #include "engine/display/time_of_light.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <limits>
 
-using namespace carina;
+namespace carina::time_of_light_test
+{
+
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
@@ -104,5 +105,8 @@ void TestTimeOfLight::neverRunsBackwards()
     QCOMPARE(time.of(kBegun + milliseconds{60}, kHertz), kBegun + milliseconds{66});
 }
 
-QTEST_GUILESS_MAIN(TestTimeOfLight)
+CARINA_TEST(TestTimeOfLight)
+
+} // namespace carina::time_of_light_test
+
 #include "tst_time_of_light.moc"

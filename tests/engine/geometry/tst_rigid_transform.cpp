@@ -1,12 +1,11 @@
 #include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/rotation.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <limits>
 #include <random>
 
-namespace carina
+namespace carina::rigid_transform_test
 {
 namespace
 {
@@ -179,7 +178,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(RigidTransformTest)
 
-QTEST_APPLESS_MAIN(carina::RigidTransformTest)
+} // namespace carina::rigid_transform_test
+
 #include "tst_rigid_transform.moc"

@@ -1,11 +1,10 @@
 #include "engine/geometry/rotation.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <numbers>
 #include <random>
 
-namespace carina
+namespace carina::rotation_test
 {
 namespace
 {
@@ -132,7 +131,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(RotationTest)
 
-QTEST_APPLESS_MAIN(carina::RotationTest)
+} // namespace carina::rotation_test
+
 #include "tst_rotation.moc"

@@ -3,12 +3,11 @@
 #include "engine/session/station_tracking.h"
 #include "engine/tracking/simulated_tracker.h"
 #include "tests/engine/tracking/airway_walk.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <cmath>
 
-namespace carina
+namespace carina::body_probe_test
 {
 namespace
 {
@@ -261,7 +260,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestBodyProbe)
 
-QTEST_APPLESS_MAIN(carina::TestBodyProbe)
+} // namespace carina::body_probe_test
+
 #include "tst_body_probe.moc"

@@ -1,11 +1,11 @@
 #include "engine/session/parameter_timeline.h"
-#include "tests/engine/session/sample_session.h"
+#include "tests/engine/session/facts/sample_session.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
 #include <random>
 #include <utility>
 
-namespace carina
+namespace carina::parameter_timeline_test
 {
 
 using test::atSeconds;
@@ -120,7 +120,8 @@ void TestParameterTimeline::agreesWithPlainSummationInAnyOrder()
     QCOMPARE(timeline.integral(SessionTime{Duration{2000000}}).count(), sum);
 }
 
-} // namespace carina
+CARINA_TEST(TestParameterTimeline)
 
-QTEST_APPLESS_MAIN(carina::TestParameterTimeline)
+} // namespace carina::parameter_timeline_test
+
 #include "tst_parameter_timeline.moc"

@@ -1,8 +1,7 @@
-#include "tests/engine/session/judging.h"
+#include "tests/engine/session/facts/judging.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina::test
+namespace carina::test::session_authority_test
 {
 
 /// Numbers, ids and effect times of what is permitted.
@@ -250,7 +249,8 @@ void TestSessionAuthority::changesNothingByJudging()
     QVERIFY(!authority.settled(ProposalId{5}));
 }
 
-} // namespace carina::test
+CARINA_TEST(TestSessionAuthority)
 
-QTEST_APPLESS_MAIN(carina::test::TestSessionAuthority)
+} // namespace carina::test::session_authority_test
+
 #include "tst_session_authority.moc"

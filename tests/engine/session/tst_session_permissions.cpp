@@ -1,8 +1,7 @@
-#include "tests/engine/session/judging.h"
+#include "tests/engine/session/facts/judging.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina::test
+namespace carina::test::session_permissions_test
 {
 
 /// Who may do what, and when.
@@ -280,7 +279,8 @@ void TestSessionPermissions::refusesACheckpointOfWhatIsToCome()
              QByteArray{"out of range"});
 }
 
-} // namespace carina::test
+CARINA_TEST(TestSessionPermissions)
 
-QTEST_APPLESS_MAIN(carina::test::TestSessionPermissions)
+} // namespace carina::test::session_permissions_test
+
 #include "tst_session_permissions.moc"

@@ -1,11 +1,11 @@
 #include "engine/session/session_state.h"
-#include "tests/engine/session/judging.h"
+#include "tests/engine/session/facts/judging.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace carina::test
+namespace carina::test::session_state_test
 {
 
 class TestSessionState : public QObject
@@ -285,7 +285,8 @@ void TestSessionState::stopsAtAGapInTheNumbers()
     QVERIFY(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
 }
 
-} // namespace carina::test
+CARINA_TEST(TestSessionState)
 
-QTEST_APPLESS_MAIN(carina::test::TestSessionState)
+} // namespace carina::test::session_state_test
+
 #include "tst_session_state.moc"

@@ -2,10 +2,9 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/tracking/reframed.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::station_tracking_test
 {
 namespace
 {
@@ -266,7 +265,8 @@ private:
     std::unique_ptr<StationTracking> m_station;
 };
 
-} // namespace carina
+CARINA_TEST(TestStationTracking)
 
-QTEST_APPLESS_MAIN(carina::TestStationTracking)
+} // namespace carina::station_tracking_test
+
 #include "tst_station_tracking.moc"

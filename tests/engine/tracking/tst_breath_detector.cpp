@@ -1,6 +1,5 @@
 #include "engine/tracking/breath_detector.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,8 @@
 #include <random>
 #include <vector>
 
-using namespace carina;
+namespace carina::breath_detector_test
+{
 
 namespace
 {
@@ -144,5 +144,8 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBreathDetector)
+CARINA_TEST(TestBreathDetector)
+
+} // namespace carina::breath_detector_test
+
 #include "tst_breath_detector.moc"

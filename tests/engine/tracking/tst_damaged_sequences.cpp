@@ -1,13 +1,12 @@
 #include "engine/tracking/sequence_file.h"
 
 #include "tests/engine/tracking/sequence_text.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <random>
 #include <sstream>
 
-namespace carina
+namespace carina::damaged_sequences_test
 {
 namespace
 {
@@ -125,7 +124,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(DamagedSequencesTest)
 
-QTEST_APPLESS_MAIN(carina::DamagedSequencesTest)
+} // namespace carina::damaged_sequences_test
+
 #include "tst_damaged_sequences.moc"

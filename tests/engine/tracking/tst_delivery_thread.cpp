@@ -1,12 +1,11 @@
 #include "engine/tracking/delivery_thread.h"
 #include "engine/tracking/simulated_tracker.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <atomic>
 #include <latch>
 
-namespace carina
+namespace carina::delivery_thread_test
 {
 namespace
 {
@@ -130,7 +129,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(DeliveryThreadTest)
 
-QTEST_APPLESS_MAIN(carina::DeliveryThreadTest)
+} // namespace carina::delivery_thread_test
+
 #include "tst_delivery_thread.moc"

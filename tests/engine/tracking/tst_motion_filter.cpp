@@ -2,9 +2,8 @@
 
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"
+#include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
-
-#include <QTest>
 
 #include <array>
 #include <cmath>
@@ -13,7 +12,7 @@
 #include <numbers>
 #include <random>
 
-namespace carina
+namespace carina::motion_filter_test
 {
 namespace
 {
@@ -257,7 +256,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestMotionFilter)
 
-QTEST_GUILESS_MAIN(carina::TestMotionFilter)
+} // namespace carina::motion_filter_test
+
 #include "tst_motion_filter.moc"

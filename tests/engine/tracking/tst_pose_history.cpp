@@ -1,11 +1,10 @@
 #include "engine/geometry/rotation.h"
 #include "engine/tracking/pose_history.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <numbers>
 
-namespace carina
+namespace carina::pose_history_test
 {
 namespace
 {
@@ -273,7 +272,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(PoseHistoryTest)
 
-QTEST_APPLESS_MAIN(carina::PoseHistoryTest)
+} // namespace carina::pose_history_test
+
 #include "tst_pose_history.moc"

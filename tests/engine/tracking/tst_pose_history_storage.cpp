@@ -1,12 +1,11 @@
 #include "engine/tracking/pose_history.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <array>
 #include <limits>
 #include <thread>
 
-namespace carina
+namespace carina::pose_history_storage_test
 {
 namespace
 {
@@ -217,7 +216,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(PoseHistoryStorageTest)
 
-QTEST_APPLESS_MAIN(carina::PoseHistoryStorageTest)
+} // namespace carina::pose_history_storage_test
+
 #include "tst_pose_history_storage.moc"

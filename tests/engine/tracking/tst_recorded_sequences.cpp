@@ -1,13 +1,13 @@
 #include "engine/tracking/sequence_file.h"
 
+#include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
 
 #include <QFile>
 #include <QHash>
 #include <QRegularExpression>
-#include <QTest>
 
-namespace carina
+namespace carina::recorded_sequences_test
 {
 namespace
 {
@@ -98,7 +98,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(RecordedSequencesTest)
 
-QTEST_APPLESS_MAIN(carina::RecordedSequencesTest)
+} // namespace carina::recorded_sequences_test
+
 #include "tst_recorded_sequences.moc"

@@ -1,10 +1,9 @@
 #include "engine/tracking/recorded_tracker.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <latch>
 
-namespace carina
+namespace carina::recorded_tracker_test
 {
 namespace
 {
@@ -114,7 +113,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(RecordedTrackerTest)
 
-QTEST_APPLESS_MAIN(carina::RecordedTrackerTest)
+} // namespace carina::recorded_tracker_test
+
 #include "tst_recorded_tracker.moc"

@@ -3,12 +3,11 @@
 #include "engine/tracking/working_volume.h"
 
 #include "tests/engine/tracking/airway_walk.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <limits>
 
-namespace carina
+namespace carina::scripted_hands_test
 {
 namespace
 {
@@ -265,7 +264,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(ScriptedHandsTest)
 
-QTEST_APPLESS_MAIN(carina::ScriptedHandsTest)
+} // namespace carina::scripted_hands_test
+
 #include "tst_scripted_hands.moc"

@@ -1,14 +1,14 @@
 #include "engine/tracking/sequence_file.h"
 
 #include "tests/engine/tracking/sequence_text.h"
+#include "tests/support/test_class.h"
 
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <fstream>
 #include <sstream>
 
-namespace carina
+namespace carina::sequence_file_test
 {
 namespace
 {
@@ -209,7 +209,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(SequenceFileTest)
 
-QTEST_APPLESS_MAIN(carina::SequenceFileTest)
+} // namespace carina::sequence_file_test
+
 #include "tst_sequence_file.moc"

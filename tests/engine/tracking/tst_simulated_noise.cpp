@@ -1,11 +1,10 @@
 #include "engine/geometry/rotation.h"
 #include "engine/tracking/simulated_tracker.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <numbers>
 
-namespace carina
+namespace carina::simulated_noise_test
 {
 namespace
 {
@@ -147,7 +146,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(SimulatedNoiseTest)
 
-QTEST_APPLESS_MAIN(carina::SimulatedNoiseTest)
+} // namespace carina::simulated_noise_test
+
 #include "tst_simulated_noise.moc"

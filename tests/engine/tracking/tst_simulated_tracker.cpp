@@ -1,11 +1,10 @@
 #include "engine/tracking/simulated_tracker.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <array>
 #include <cstdlib>
 
-namespace carina
+namespace carina::simulated_tracker_test
 {
 namespace
 {
@@ -213,7 +212,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(SimulatedTrackerTest)
 
-QTEST_APPLESS_MAIN(carina::SimulatedTrackerTest)
+} // namespace carina::simulated_tracker_test
+
 #include "tst_simulated_tracker.moc"

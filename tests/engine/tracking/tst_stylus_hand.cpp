@@ -1,12 +1,11 @@
 #include "engine/tracking/stylus_hand.h"
 
 #include "engine/geometry/rotation.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <cmath>
 
-namespace carina
+namespace carina::stylus_hand_test
 {
 namespace
 {
@@ -103,7 +102,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestStylusHand)
 
-QTEST_APPLESS_MAIN(carina::TestStylusHand)
+} // namespace carina::stylus_hand_test
+
 #include "tst_stylus_hand.moc"

@@ -1,8 +1,7 @@
 #include "engine/tracking/working_volume.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::working_volume_test
 {
 
 /// The cone of the first Polaris: 1.5 m high, base radius 0.5 m, apex at T, axis -z.
@@ -40,7 +39,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(WorkingVolumeTest)
 
-QTEST_APPLESS_MAIN(carina::WorkingVolumeTest)
+} // namespace carina::working_volume_test
+
 #include "tst_working_volume.moc"

@@ -1,11 +1,10 @@
+#include "tests/support/test_class.h"
 #include "widgets/report/plot.h"
-
-#include <QTest>
 
 #include <cmath>
 #include <limits>
 
-namespace carina
+namespace carina::plot_test
 {
 namespace
 {
@@ -77,7 +76,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(PlotTest)
 
-QTEST_GUILESS_MAIN(carina::PlotTest)
+} // namespace carina::plot_test
+
 #include "tst_plot.moc"

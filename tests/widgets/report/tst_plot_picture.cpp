@@ -1,12 +1,12 @@
 #include "widgets/report/plot_picture.h"
 
+#include "tests/support/test_class.h"
 #include "widgets/report/plot_svg.h"
 
 #include <QImage>
 #include <QRegularExpression>
-#include <QTest>
 
-namespace carina
+namespace carina::plot_picture_test
 {
 
 class PlotPictureTest : public QObject
@@ -42,7 +42,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_SCREEN_TEST(PlotPictureTest)
 
-QTEST_MAIN(carina::PlotPictureTest)
+} // namespace carina::plot_picture_test
+
 #include "tst_plot_picture.moc"

@@ -1,11 +1,11 @@
+#include "tests/support/test_class.h"
 #include "widgets/report/plot_scale.h"
 
 #include <QStringList>
-#include <QTest>
 
 #include <cmath>
 
-namespace carina
+namespace carina::plot_scale_test
 {
 namespace
 {
@@ -110,7 +110,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(PlotScaleTest)
 
-QTEST_GUILESS_MAIN(carina::PlotScaleTest)
+} // namespace carina::plot_scale_test
+
 #include "tst_plot_scale.moc"

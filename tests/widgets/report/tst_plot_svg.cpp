@@ -1,14 +1,14 @@
+#include "tests/support/test_class.h"
 #include "widgets/report/plot_svg.h"
 
 #include <QFont>
 #include <QGuiApplication>
-#include <QTest>
 #include <QXmlStreamReader>
 
 #include <cmath>
 #include <set>
 
-namespace carina
+namespace carina::plot_svg_test
 {
 namespace
 {
@@ -152,7 +152,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_SCREEN_TEST(PlotSvgTest)
 
-QTEST_MAIN(carina::PlotSvgTest)
+} // namespace carina::plot_svg_test
+
 #include "tst_plot_svg.moc"

@@ -1,14 +1,14 @@
 #include "widgets/report/registration_report.h"
 
+#include "tests/support/test_class.h"
 #include "tests/widgets/report/pdf_reader.h"
 #include "tests/widgets/report/whole_report.h"
 
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <limits>
 
-namespace carina
+namespace carina::registration_report_test
 {
 namespace
 {
@@ -234,7 +234,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace carina
+CARINA_SCREEN_TEST(RegistrationReportTest)
 
-QTEST_MAIN(carina::RegistrationReportTest)
+} // namespace carina::registration_report_test
+
 #include "tst_registration_report.moc"

@@ -1,16 +1,16 @@
 #include "widgets/report/registration_report.h"
 
+#include "tests/support/test_class.h"
 #include "tests/widgets/report/whole_report.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <csignal>
 #include <sys/resource.h>
 
-namespace carina
+namespace carina::registration_report_file_test
 {
 namespace
 {
@@ -101,7 +101,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace carina
+CARINA_SCREEN_TEST(RegistrationReportFileTest)
 
-QTEST_MAIN(carina::RegistrationReportFileTest)
+} // namespace carina::registration_report_file_test
+
 #include "tst_registration_report_file.moc"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tests/widgets/scene/scene_shapes.h"
-#include "widgets/scene/scene_view.h"
+#include "widgets/scene/view/scene_view.h"
 
 #include <QScreen>
 #include <QTest>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/chest_field.h"
+#include "engine/geometry/deformation/chest_field.h"
 
 #include <cmath>
 #include <cstdint>

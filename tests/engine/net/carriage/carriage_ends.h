@@ -5,7 +5,7 @@
 #include "engine/net/carriage/set_fetch.h"
 #include "engine/net/carriage/set_server.h"
 #include "engine/net/secure/dtls.h"
-#include "tests/engine/io/carried_set_files.h"
+#include "tests/engine/io/anatomy_set/carried_set_files.h"
 #include "tests/support/soon.h"
 
 #include <QSslCipher>

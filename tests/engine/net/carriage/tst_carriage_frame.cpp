@@ -1,13 +1,12 @@
 #include "engine/net/carriage/carriage_frame.h"
 
-#include "engine/io/set_hash.h"
+#include "engine/io/anatomy_set/set_hash.h"
 #include "tests/engine/net/carriage/frame_samples.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <random>
 
-namespace carina
+namespace carina::carriage_frame_test
 {
 namespace
 {
@@ -221,7 +220,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestCarriageFrame)
 
-QTEST_GUILESS_MAIN(carina::TestCarriageFrame)
+} // namespace carina::carriage_frame_test
+
 #include "tst_carriage_frame.moc"

@@ -1,12 +1,12 @@
 #include "engine/net/carriage/set_fetch.h"
-#include "tests/engine/io/carried_set_files.h"
-#include "tests/engine/net/nodes.h"
+#include "tests/engine/io/anatomy_set/carried_set_files.h"
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
 
 #include <QTcpServer>
 #include <QTcpSocket>
-#include <QTest>
 
-namespace carina
+namespace carina::node_sets_test
 {
 namespace
 {
@@ -129,7 +129,8 @@ private:
     std::unique_ptr<SessionNode> m_host;
 };
 
-} // namespace carina
+CARINA_TEST(TestNodeSets)
 
-QTEST_GUILESS_MAIN(carina::TestNodeSets)
+} // namespace carina::node_sets_test
+
 #include "tst_node_sets.moc"

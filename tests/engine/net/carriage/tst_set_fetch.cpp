@@ -1,6 +1,7 @@
 #include "tests/engine/net/carriage/carriage_ends.h"
+#include "tests/support/test_class.h"
 
-namespace carina
+namespace carina::set_fetch_test
 {
 
 using namespace test;
@@ -169,7 +170,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestSetFetch)
 
-QTEST_GUILESS_MAIN(carina::TestSetFetch)
+} // namespace carina::set_fetch_test
+
 #include "tst_set_fetch.moc"

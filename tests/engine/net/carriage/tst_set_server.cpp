@@ -1,6 +1,7 @@
 #include "tests/engine/net/carriage/carriage_ends.h"
+#include "tests/support/test_class.h"
 
-namespace carina
+namespace carina::set_server_test
 {
 
 using namespace test;
@@ -147,7 +148,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestSetServer)
 
-QTEST_GUILESS_MAIN(carina::TestSetServer)
+} // namespace carina::set_server_test
+
 #include "tst_set_server.moc"

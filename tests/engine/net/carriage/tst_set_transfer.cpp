@@ -1,6 +1,7 @@
 #include "tests/engine/net/carriage/carriage_ends.h"
+#include "tests/support/test_class.h"
 
-namespace carina
+namespace carina::set_transfer_test
 {
 
 using namespace test;
@@ -181,7 +182,8 @@ private:
     std::filesystem::path m_cache;
 };
 
-} // namespace carina
+CARINA_TEST(TestSetTransfer)
 
-QTEST_GUILESS_MAIN(carina::TestSetTransfer)
+} // namespace carina::set_transfer_test
+
 #include "tst_set_transfer.moc"

@@ -1,9 +1,8 @@
 #include "engine/net/discovery/found_sessions.h"
 #include "tests/engine/net/discovery/notices.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::found_sessions_test
 {
 
 class FoundSessionsTest : public QObject
@@ -79,7 +78,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(FoundSessionsTest)
 
-QTEST_GUILESS_MAIN(carina::FoundSessionsTest)
+} // namespace carina::found_sessions_test
+
 #include "tst_found_sessions.moc"

@@ -5,13 +5,12 @@
 #include "engine/net/discovery/session_finder.h"
 #include "engine/net/secure/dtls.h"
 #include "tests/engine/net/discovery/notices.h"
-#include "tests/engine/net/free_port.h"
-
-#include <QTest>
+#include "tests/engine/net/node/free_port.h"
+#include "tests/support/test_class.h"
 
 #include <set>
 
-namespace carina
+namespace carina::session_beacon_test
 {
 
 class SessionBeaconTest : public QObject
@@ -86,7 +85,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(SessionBeaconTest)
 
-QTEST_GUILESS_MAIN(carina::SessionBeaconTest)
+} // namespace carina::session_beacon_test
+
 #include "tst_session_beacon.moc"

@@ -1,10 +1,9 @@
 #include "tests/engine/net/discovery/notices.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <random>
 
-namespace carina
+namespace carina::session_notice_test
 {
 
 class SessionNoticeTest : public QObject
@@ -122,7 +121,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(SessionNoticeTest)
 
-QTEST_GUILESS_MAIN(carina::SessionNoticeTest)
+} // namespace carina::session_notice_test
+
 #include "tst_session_notice.moc"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/lab/transport_pump.h"
 #include "engine/net/secure/client_transport.h"
 #include "engine/net/secure/host_transport.h"
+#include "evaluation/network/transport_pump.h"
 
 #include <QSslPreSharedKeyAuthenticator>
 

@@ -1,9 +1,8 @@
-#include "apps/lab/lossy_relay.h"
+#include "evaluation/network/lossy_relay.h"
 #include "tests/engine/net/secure/transports.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::client_transport_test
 {
 
 class TestClientTransport : public QObject
@@ -129,7 +128,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestClientTransport)
 
-QTEST_GUILESS_MAIN(carina::TestClientTransport)
+} // namespace carina::client_transport_test
+
 #include "tst_client_transport.moc"

@@ -1,11 +1,10 @@
 #include "engine/net/secure/dtls_record.h"
-
-#include <QTest>
+#include "tests/support/test_class.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace carina
+namespace carina::dtls_record_test
 {
 namespace
 {
@@ -117,7 +116,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestDtlsRecord)
 
-QTEST_GUILESS_MAIN(carina::TestDtlsRecord)
+} // namespace carina::dtls_record_test
+
 #include "tst_dtls_record.moc"

@@ -1,8 +1,7 @@
 #include "engine/net/secure/endpoint.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::endpoint_test
 {
 
 class TestEndpoint : public QObject
@@ -34,7 +33,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestEndpoint)
 
-QTEST_GUILESS_MAIN(carina::TestEndpoint)
+} // namespace carina::endpoint_test
+
 #include "tst_endpoint.moc"

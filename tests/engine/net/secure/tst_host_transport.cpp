@@ -1,10 +1,9 @@
-#include "apps/lab/lossy_relay.h"
 #include "engine/net/secure/dtls_record.h"
+#include "evaluation/network/lossy_relay.h"
 #include "tests/engine/net/secure/transports.h"
+#include "tests/support/test_class.h"
 
-#include <QTest>
-
-namespace carina
+namespace carina::host_transport_test
 {
 namespace
 {
@@ -216,7 +215,8 @@ private Q_SLOTS:
     }
 };
 
-} // namespace carina
+CARINA_TEST(TestHostTransport)
 
-QTEST_GUILESS_MAIN(carina::TestHostTransport)
+} // namespace carina::host_transport_test
+
 #include "tst_host_transport.moc"

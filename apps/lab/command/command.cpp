@@ -1,0 +1,89 @@
+#include "apps/lab/command/command.h"
+
+#include "apps/lab/command/help.h"
+#include "apps/lab/command/words.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <cstdio>
+
+namespace carina::lab
+{
+namespace
+{
+
+void print(std::FILE* stream, const QByteArray& text)
+{
+    std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()), stream);
+}
+
+/// What a command printed, and on stderr what it warns of.
+void printObject(const QJsonObject& object)
+{
+    print(stdout, QJsonDocument{object}.toJson());
+    for (const QJsonValue warning : object.value(kWarnings).toArray())
+        print(stderr, "warning: " + warning.toString().toUtf8() + '\n');
+}
+
+bool asksForHelp(const QString& word)
+{
+    return word == QStringLiteral("--help") || word == QStringLiteral("-h");
+}
+
+const Command* commandNamed(std::span<const Command> commands, const QString& name)
+{
+    const auto found = std::ranges::find_if(commands, [&name](const Command& command) {
+        return name == QLatin1StringView{command.name};
+    });
+    return found == commands.end() ? nullptr : &*found;
+}
+
+int refuseName(const QString& name)
+{
+    print(stderr, name.isEmpty() ? QByteArray{"carina-lab needs a command"}
+                                 : "carina-lab knows no command '" + name.toUtf8() + '\'');
+    print(stderr, "; 'carina-lab help' lists them, 'carina-lab help COMMAND' tells of one.\n");
+    return 2;
+}
+
+int printHelp(std::span<const Command> commands, const QString& name)
+{
+    const Command* command = commandNamed(commands, name);
+    if (command == nullptr && !name.isEmpty())
+        return refuseName(name);
+    print(stdout, (command == nullptr ? overviewOf(commands) : pageOf(*command)).toUtf8());
+    return 0;
+}
+
+} // namespace
+
+Result<QJsonObject> Command::run(const QStringList& arguments) const
+{
+    const Result<Words> words = Words::read(*this, arguments);
+    if (words)
+        return experiment(*words);
+    return fail(words.error().code,
+                *reminder == '\0' ? words.error().detail : words.error().detail + ' ' + reminder);
+}
+
+int runCommandLine(std::span<const Command> commands, const QStringList& arguments)
+{
+    const QString name = arguments.value(1);
+    if (name == QStringLiteral("help") || asksForHelp(name))
+        return printHelp(commands, arguments.value(2));
+    const Command* command = commandNamed(commands, name);
+    if (command == nullptr)
+        return refuseName(name);
+    if (asksForHelp(arguments.value(2)))
+        return printHelp(commands, name);
+    const Result<QJsonObject> object = command->run(arguments.mid(2));
+    if (!object) {
+        print(stderr, QByteArray::fromStdString(object.error().detail) + '\n');
+        return 1;
+    }
+    printObject(*object);
+    return 0;
+}
+
+} // namespace carina::lab

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "apps/lab/command/words.h"
+#include "engine/anatomy/anatomy.h"
+#include "engine/anatomy/patient/patient_dimensions.h"
+#include "engine/lungs/mechanics/body_position.h"
+#include "engine/lungs/mechanics/lung_condition.h"
+#include "engine/lungs/mechanics/respiratory_system.h"
+#include "engine/lungs/mechanics/ventilation.h"
+
+namespace carina::lab
+{
+
+inline constexpr Option kPatient{
+    "patient", "WHO",
+    "adult, child, or figures with commas between them, as in \"45 years, 182 cm, man, obese\""};
+inline constexpr Option kAnatomy{
+    "anatomy", "DIR",
+    "folder of an anatomy set to draw instead; --patient then says whose breathing it gets (an "
+    "adult's)"};
+inline constexpr Option kCondition{
+    "condition", "NAME",
+    "normal (where none is given), ards, copd, asthma, simple_pneumothorax, tension_pneumothorax, "
+    "atelectasis, mainstem_intubation, obstruction or stiff_chest"};
+inline constexpr Option kSeverity{"severity", "0..1", "of the condition; 0.6 unless given"};
+inline constexpr Option kSide{"side", "SIDE",
+                              "of the condition: both (unless given), right or left"};
+inline constexpr Option kVentilator{
+    "ventilator", "MODE", "none (the patient breathes; unless given), volume or pressure control"};
+inline constexpr Option kPosition{
+    "position", "NAME",
+    "how the patient lies: supine (unless given), sitting, prone, right_lateral or left_lateral"};
+
+/// Whom kPatient means (see patientFromWords); `otherwise` where it is not given.
+/// @returns OutOfRange for a patient there is not.
+[[nodiscard]] Result<PatientParameters> patientOption(const Words& words, BuiltinPatient otherwise);
+
+/// The condition that kCondition, kSeverity and kSide ask for.
+/// @returns OutOfRange for words and numbers that say none, and for a severity or a side of health.
+[[nodiscard]] Result<LungCondition> conditionOption(const Words& words);
+
+/// What makes the breaths by kVentilator.
+/// @returns OutOfRange for a ventilator there is not.
+[[nodiscard]] Result<VentilationMode> ventilatorOption(const Words& words);
+
+/// How the patient lies or sits by kPosition.
+/// @returns OutOfRange for a word that says none.
+[[nodiscard]] Result<BodyPosition> positionOption(const Words& words);
+
+/// Who is drawn, and what size of a patient breathes.
+struct Subject {
+    Anatomy anatomy;
+    PatientBuild build;
+};
+
+/// The set of kAnatomy or the made patient of kPatient; the child without either. A set breathes as
+/// the patient asked for with it, or as an adult.
+/// @returns OutOfRange for a patient there is not; what reading or making it fails with.
+[[nodiscard]] Result<Subject> subjectOption(const Words& words);
+
+} // namespace carina::lab

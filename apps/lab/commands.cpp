@@ -1,0 +1,22 @@
+#include "apps/lab/commands.h"
+
+#include <array>
+
+namespace carina::lab
+{
+
+std::span<const Command> commands()
+{
+    static const std::array all{anatomyCommand(),                     //
+                                breatheCommand(), mechanicsCommand(), //
+                                deformCommand(),                      //
+                                fitCommand(),     icpCommand(),       pivotCommand(),
+                                treCommand(),                                           //
+                                trackCommand(),                                         //
+                                driftCommand(),   driftNodeCommand(), figuresCommand(), //
+                                carryCommand(),   handshakeCommand(),                   //
+                                renderCommand(),  summaryCommand()};
+    return all;
+}
+
+} // namespace carina::lab

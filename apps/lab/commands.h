@@ -1,0 +1,40 @@
+#pragma once
+
+#include "apps/lab/command/command.h"
+
+namespace carina::lab
+{
+
+// The commands of carina-lab, by the folders they are in. A new one gets its line here and in
+// commands.cpp.
+
+[[nodiscard]] Command anatomyCommand();
+
+[[nodiscard]] Command breatheCommand();
+[[nodiscard]] Command mechanicsCommand();
+
+[[nodiscard]] Command deformCommand();
+
+[[nodiscard]] Command driftCommand();
+[[nodiscard]] Command driftNodeCommand();
+
+[[nodiscard]] Command figuresCommand();
+
+[[nodiscard]] Command carryCommand();
+[[nodiscard]] Command handshakeCommand();
+
+[[nodiscard]] Command fitCommand();
+[[nodiscard]] Command icpCommand();
+[[nodiscard]] Command pivotCommand();
+[[nodiscard]] Command treCommand();
+
+[[nodiscard]] Command renderCommand();
+
+[[nodiscard]] Command summaryCommand();
+
+[[nodiscard]] Command trackCommand();
+
+/// All of them, in the order in which `carina-lab help` lists them.
+[[nodiscard]] std::span<const Command> commands();
+
+} // namespace carina::lab

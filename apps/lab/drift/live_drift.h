@@ -1,0 +1,32 @@
+#pragma once
+
+#include "apps/lab/drift/live_evaluation.h"
+#include "evaluation/network/live_network.h"
+
+#include <QString>
+
+namespace carina::lab
+{
+
+/// The drift experiment among real programs.
+struct LiveSettings {
+    QString program; ///< carina-lab, which starts itself again for the host and each participant
+    std::size_t participants = 2; ///< the host is none of them
+    ActionScript::Settings script;
+    std::uint32_t seed = 1;
+    Duration warmUp = std::chrono::seconds{20}; ///< of the clocks, before the first action
+    QString logs{}; ///< folder for what each wrote down; empty: not kept
+};
+
+/// Largest of what is injected into the participants' clocks, which are spread evenly.
+inline constexpr double kLiveOffset_ms = 250.0;
+inline constexpr double kLiveSkew_ppm = 50.0;
+
+/// Runs it, which takes as long as it says, and tells of its progress on stderr. Ends every program
+/// that it started.
+///
+/// @returns Cancelled for a program that fails or does not come in; FileUnwritable; what
+///          evaluateLive does.
+[[nodiscard]] Result<LiveFigures> runLiveDrift(const LiveSettings& settings, LiveNetwork& network);
+
+} // namespace carina::lab

@@ -1,0 +1,54 @@
+#include "apps/lab/drift/live_orders.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace carina::lab
+{
+namespace
+{
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+} // namespace
+
+QByteArray lineOf(const LiveOrders& orders)
+{
+    const bool isRandom = orders.script.axes == ActionScript::Axes::Random;
+    const QJsonObject json{{QStringLiteral("part"), static_cast<int>(orders.part)},
+                           {QStringLiteral("name"), textOf(orders.name)},
+                           {QStringLiteral("address"), textOf(orders.address)},
+                           {QStringLiteral("port"), int{orders.port}},
+                           {QStringLiteral("open"), orders.isOpen},
+                           {QStringLiteral("key"), textOf(toHex(orders.key))},
+                           {QStringLiteral("actions"), orders.script.actions},
+                           {QStringLiteral("rad_s"), orders.script.angularSpeed},
+                           {QStringLiteral("m_s"), orders.script.speed},
+                           {QStringLiteral("random_axes"), isRandom},
+                           {QStringLiteral("seed"), qint64{orders.seed}}};
+    return QJsonDocument{json}.toJson(QJsonDocument::Compact) + '\n';
+}
+
+Result<LiveOrders> ordersIn(const QByteArray& line)
+{
+    const QJsonObject json = QJsonDocument::fromJson(line).object();
+    const auto key = keyFromHex(json[QStringLiteral("key")].toString().toStdString());
+    LiveOrders orders;
+    orders.part = static_cast<LiveOrders::Part>(json[QStringLiteral("part")].toInt());
+    orders.name = json[QStringLiteral("name")].toString().toStdString();
+    orders.address = json[QStringLiteral("address")].toString().toStdString();
+    orders.port = static_cast<std::uint16_t>(json[QStringLiteral("port")].toInt());
+    orders.isOpen = json[QStringLiteral("open")].toBool();
+    orders.script.actions = json[QStringLiteral("actions")].toInt();
+    orders.script.angularSpeed = json[QStringLiteral("rad_s")].toDouble();
+    orders.script.speed = json[QStringLiteral("m_s")].toDouble();
+    if (json[QStringLiteral("random_axes")].toBool())
+        orders.script.axes = ActionScript::Axes::Random;
+    orders.seed = static_cast<std::uint32_t>(json[QStringLiteral("seed")].toInteger());
+    if (!key || orders.script.actions < 1)
+        return fail(Errc::FileMalformed, "drift-node is started by 'drift --live' only");
+    orders.key = *key;
+    return orders;
+}
+
+} // namespace carina::lab

@@ -1,0 +1,152 @@
+#include "apps/lab/drift/live_participant.h"
+
+#include "engine/core/monotonic_clock.h"
+#include "engine/io/fact_store/sql_fact_store.h"
+
+namespace carina::lab
+{
+namespace
+{
+
+constexpr StationId kStation{0};
+constexpr std::array kNames{"turned", "moved"};
+
+Result<std::unique_ptr<SessionNode>> makeNode(const LiveOrders& orders, const QString& folder)
+{
+    // The launcher gives everybody the key that a join code would be made into.
+    const auto derive = [key = orders.key](const JoinCode&, const SessionKey&) {
+        return Result<AccessKey>{key};
+    };
+    if (orders.part != LiveOrders::Part::Host)
+        return SessionNode::join({.port = orders.port,
+                                  .participantName = orders.name,
+                                  .role = Role::Trainee,
+                                  .station = kStation,
+                                  .code = JoinCode::random(),
+                                  .address = orders.address,
+                                  .derive = derive});
+    return openFactStore(folder.toStdString() + "/session.sqlite")
+        .and_then([&](std::unique_ptr<FactStore> store) {
+            return SessionNode::host({.sessionName = "Drift",
+                                      .participantName = orders.name,
+                                      .port = orders.port,
+                                      .open = orders.isOpen,
+                                      .derive = derive},
+                                     std::move(store));
+        });
+}
+
+} // namespace
+
+LiveParticipant::LiveParticipant(const LiveOrders& orders)
+    : m_orders{orders}, m_script{orders.script, orders.seed}, m_started{monotonicNow()}
+{
+}
+
+Result<std::unique_ptr<LiveParticipant>> LiveParticipant::start(const LiveOrders& orders)
+{
+    std::unique_ptr<LiveParticipant> participant{new LiveParticipant{orders}};
+    auto node = makeNode(orders, participant->m_folder.path());
+    if (!node)
+        return tl::unexpected(node.error());
+    participant->m_node = *std::move(node);
+    return participant;
+}
+
+std::optional<ObjectId> LiveParticipant::find(Which which) const
+{
+    const auto state = m_node->state();
+    for (const auto& [id, object] : state->objects())
+        if (object.name == kNames[which])
+            return id;
+    return std::nullopt;
+}
+
+void LiveParticipant::share()
+{
+    for (const char* name : kNames)
+        m_node->propose(kStation, fact::ObjectShared{{}, m_node->self(), ObjectKind::Tube, name});
+    m_hasShared = true;
+}
+
+bool LiveParticipant::comeIn()
+{
+    const auto now = m_node->now();
+    if (!now || m_node->self() == kNobody)
+        return false;
+    if (m_log.handshake == Duration{} && m_orders.part != LiveOrders::Part::Host)
+        m_log.handshake = monotonicNow() - m_started;
+    const bool isActor = m_orders.part == LiveOrders::Part::Actor;
+    if (isActor && !m_hasShared)
+        share();
+    const auto turned = find(Turned);
+    const auto moved = find(Moved);
+    if (!turned || !moved)
+        return false;
+    if (isActor && !m_isAtRest) {
+        act(-1);
+        m_isAtRest = true;
+    }
+    return m_node->shown(*turned, *now) && m_node->shown(*moved, *now);
+}
+
+void LiveParticipant::act(int action)
+{
+    const bool isMoving = action >= 0 && action < m_script.actions();
+    const EventCpo rotation = m_script.rotation(isMoving ? action : -1);
+    const EventCpo translation = m_script.translation(isMoving ? action : -1);
+    m_node->act(*find(Turned),
+                {ActionKind::Rotation, rotation.axis_A.cast<double>(), double{rotation.rate}, {}});
+    m_node->act(
+        *find(Moved),
+        {ActionKind::Translation, translation.axis_A.cast<double>(), double{translation.rate}, {}});
+}
+
+void LiveParticipant::step(LocalTime begin)
+{
+    const LocalTime now = machineTime(monotonicNow());
+    if (m_orders.part == LiveOrders::Part::Actor) {
+        noteBeginning();
+        if (m_acted <= m_script.actions() && now >= begin + ActionScript::startOf(m_acted)) {
+            m_log.actions.push_back({.called = now});
+            m_begun = {m_node->action(*find(Turned))->start, m_node->action(*find(Moved))->start};
+            act(m_acted++);
+        }
+    }
+    sample();
+}
+
+void LiveParticipant::noteBeginning()
+{
+    if (m_log.actions.empty() || m_log.actions.back().movedSince != LocalTime{})
+        return;
+    const auto turning = m_node->action(*find(Turned));
+    const auto moving = m_node->action(*find(Moved));
+    if (turning->start == m_begun[Turned] || moving->start == m_begun[Moved])
+        return;
+    // The session clock tells only how long ago it was.
+    const LocalTime now = monotonicNow();
+    const SessionTime session = *m_node->sessionTime(now);
+    DeclaredAction& declared = m_log.actions.back();
+    declared.turnedSince = machineTime(now - (session - turning->start));
+    declared.movedSince = machineTime(now - (session - moving->start));
+    declared.q_AO = turning->q_AO;
+    declared.p_AO = moving->p_AO;
+}
+
+void LiveParticipant::sample()
+{
+    const LocalTime now = monotonicNow();
+    LiveSample sample{.machine = machineTime(now), .session = m_node->sessionTime(now)};
+    const auto poseOf = [&](Which which) -> std::optional<RigidTransform> {
+        const auto object = find(which);
+        const auto shown =
+            object && sample.session ? m_node->shown(*object, *sample.session) : std::nullopt;
+        return shown ? std::optional{shown->acted.X_AO} : std::nullopt;
+    };
+    sample.X_AO_turned = poseOf(Turned);
+    sample.X_AO_moved = poseOf(Moved);
+    m_log.samples.push_back(sample);
+}
+
+} // namespace carina::lab

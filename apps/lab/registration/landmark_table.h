@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/registration/error/target_error.h"
+#include "engine/registration/fit/weighted_fit.h"
+
+#include <QString>
+
+#include <string>
+#include <vector>
+
+namespace carina::lab
+{
+
+/// Landmarks or targets of a CSV file, in its order.
+struct NamedPlaces {
+    std::vector<std::string> names;
+    std::vector<LandmarkError> places; ///< covariances 0 where none were asked for
+};
+
+/// Touched landmarks of a CSV file, in its order.
+struct NamedPairs {
+    std::vector<std::string> names;
+    std::vector<UncertainPair> pairs; ///< covariances 0 where none were asked for
+
+    [[nodiscard]] std::vector<LandmarkPair> unweighted() const;
+};
+
+/// Reads the columns name, ax, ay, az (mm), and with covariances cxx, cyy, czz, cxy, cxz, cyz
+/// (mm^2, along the axes of A).
+/// @returns what CsvTable returns.
+[[nodiscard]] Result<NamedPlaces> readPlaces(const QString& file, bool withCovariances);
+
+/// The same with mx, my, mz (mm), where each was touched on the manikin.
+/// @returns FileMalformed, as a sentence, for a name that stands there twice, too.
+[[nodiscard]] Result<NamedPairs> readPairs(const QString& file, bool withCovariances);
+
+/// The value of an option in millimetres.
+/// @returns OutOfRange, as a sentence, where it is no positive number.
+[[nodiscard]] Result<Length> positiveMillimetres(const QString& option, const QString& value);
+
+} // namespace carina::lab

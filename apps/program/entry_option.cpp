@@ -1,0 +1,139 @@
+#include "apps/program/entry_option.h"
+
+#include "apps/program/program.h"
+#include "engine/io/files/whole_file.h"
+#include "engine/net/entry/join_link.h"
+#include "engine/net/entry/psk_identity.h"
+
+#include <QApplication>
+#include <QDeadlineTimer>
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QStringList>
+#include <QThread>
+
+namespace carina::program
+{
+namespace
+{
+
+constexpr int kCodeFilePatience_ms = 30'000;
+constexpr int kLookAgain_ms = 50;
+
+const QString kCode = QStringLiteral("code");
+const QString kCodeFile = QStringLiteral("code-file");
+const QString kHost = QStringLiteral("host");
+const QString kData = QStringLiteral("data");
+const QString kHostName = QStringLiteral("host-name");
+const QString kAuthority = QStringLiteral("authority");
+
+Result<JoinCode> codeInFile(const QString& file, Role role)
+{
+    const QDeadlineTimer deadline{kCodeFilePatience_ms};
+    while (!QFile::exists(file) && !deadline.hasExpired())
+        QThread::msleep(kLookAgain_ms);
+    const auto text = readWholeFile(file.toStdString());
+    if (!text)
+        return tl::unexpected(text.error());
+    const std::string_view word = roleWord(role);
+    for (const QString& line : QString::fromStdString(*text).split(QLatin1Char('\n')))
+        if (line.section(QLatin1Char(' '), 0, 0).toStdString() == word)
+            return JoinCode::parse(line.section(QLatin1Char(' '), 1).toStdString());
+    return fail(Errc::FileMalformed,
+                file.toStdString() + ": it has no code for a " + std::string{word});
+}
+
+} // namespace
+
+void addEntryOptions(QCommandLineParser& parser)
+{
+    parser.addPositionalArgument(
+        QStringLiteral("link"),
+        QApplication::translate("Entry", "A link into a session, which the instructor's window "
+                                         "shows: it says address, port, role and code."),
+        QStringLiteral("[carina:join?...]"));
+    parser.addOption({kCode,
+                      QApplication::translate("Entry", "The code of your role, from the "
+                                                       "instructor's window; needed the first "
+                                                       "time only."),
+                      QStringLiteral("CODE")});
+    parser.addOption({kCodeFile,
+                      QApplication::translate("Entry", "Read the code from this file of the "
+                                                       "instructor's --codes."),
+                      QStringLiteral("FILE")});
+    parser.addOption({kHost,
+                      QApplication::translate("Entry", "Address of the instructor's computer."),
+                      QStringLiteral("ADDRESS"), QStringLiteral("127.0.0.1")});
+    parser.addOption({kHostName,
+                      QApplication::translate("Entry", "Join only a host with a certificate for "
+                                                       "this name, or this address."),
+                      QStringLiteral("NAME")});
+    parser.addOption({kAuthority,
+                      QApplication::translate("Entry", "Join only a host with a certificate from "
+                                                       "an authority in this file (PEM), in place "
+                                                       "of those that the system trusts."),
+                      QStringLiteral("FILE")});
+    parser.addOption({kData,
+                      QApplication::translate("Entry", "Folder that keeps the keys for coming "
+                                                       "back into a session."),
+                      QStringLiteral("DIR"),
+                      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
+}
+
+Result<void> readEntryOptions(const QCommandLineParser& parser, JoinSettings& settings)
+{
+    settings.address = parser.value(kHost).toStdString();
+    settings.tokens = QDir{parser.value(kData)}.filePath(QStringLiteral("tokens")).toStdString();
+    if (parser.isSet(kHostName) || parser.isSet(kAuthority))
+        settings.certificate = ExpectedHost{parser.value(kHostName).toStdString(),
+                                            parser.value(kAuthority).toStdString()};
+    if (!parser.isSet(kCode) && !parser.isSet(kCodeFile))
+        return {};
+    const auto code = parser.isSet(kCode) ? JoinCode::parse(parser.value(kCode).toStdString())
+                                          : codeInFile(parser.value(kCodeFile), settings.role);
+    if (!code)
+        return tl::unexpected(code.error());
+    settings.code = *code;
+    return {};
+}
+
+Result<QString> linkArgument(const QCommandLineParser& parser)
+{
+    const QString link = parser.positionalArguments().value(0);
+    if (link.isEmpty())
+        return link;
+    const QStringList given = parser.optionNames();
+    for (const QString& said :
+         {kHost, QStringLiteral("port"), QStringLiteral("observe"), kCode, kCodeFile})
+        if (given.contains(said))
+            return fail(Errc::WrongOption,
+                        "the link says address, port, role and code: leave out --"
+                            + said.toStdString());
+    return link;
+}
+
+Result<void> readLink(const QString& link, JoinSettings& settings)
+{
+    return joinLink(link.toStdString()).map([&](const JoinLink& read) {
+        settings.address = read.address;
+        settings.port = read.port;
+        settings.role = read.role;
+        settings.code = read.code;
+        if (read.certificate.empty())
+            return;
+        if (!settings.certificate)
+            settings.certificate.emplace();
+        settings.certificate->name = read.certificate;
+    });
+}
+
+Result<void> writeCodes(const QString& file, const JoinCodes& codes)
+{
+    std::string text;
+    for (const auto& [role, code] : codes)
+        text += std::string{roleWord(role)} + ' ' + code.text() + '\n';
+    return writePrivateFile(QFileInfo{file}.absoluteFilePath().toStdString(), text);
+}
+
+} // namespace carina::program

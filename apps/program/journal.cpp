@@ -1,0 +1,113 @@
+#include "apps/program/journal.h"
+
+#include "engine/core/monotonic_clock.h"
+#include "models/patient/shared_patient.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace carina::program
+{
+namespace
+{
+
+constexpr int kInterval_ms = 100;
+const QString kJournal = QStringLiteral("journal");
+
+QString phaseName(SessionPhase phase)
+{
+    switch (phase) {
+    case SessionPhase::Prepared:
+        return QStringLiteral("prepared");
+    case SessionPhase::Running:
+        return QStringLiteral("running");
+    case SessionPhase::Paused:
+        return QStringLiteral("paused");
+    case SessionPhase::Ended:
+        return QStringLiteral("ended");
+    }
+    return {};
+}
+
+void addPatient(QJsonObject& line, const StationMoment& moment, const SharedObject* patient)
+{
+    if (patient)
+        line[QStringLiteral("patient_owner")] = patient->owner.value;
+    if (!moment.patient)
+        return;
+    const ActedPose& acted = moment.patient->acted;
+    const Vec3 p_mm = 1e3 * acted.X_AO.translation();
+    const Quat& q = acted.X_AO.rotation();
+    line[QStringLiteral("patient_rate")] = moment.patient->rate;
+    line[QStringLiteral("patient_xyz_mm")] = QJsonArray{p_mm.x(), p_mm.y(), p_mm.z()};
+    line[QStringLiteral("patient_q_xyzw")] = QJsonArray{q.x(), q.y(), q.z(), q.w()};
+    line[QStringLiteral("patient_size")] = acted.scale;
+}
+
+} // namespace
+
+Journal::Journal(const SessionNode& node, StationId station, const StationScene& scene)
+    : m_node{node}, m_station{station}, m_scene{scene}
+{
+    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { writeLine(); });
+}
+
+Result<std::unique_ptr<Journal>> Journal::open(const QString& path, const SessionNode& node,
+                                               StationId station, const StationScene& scene)
+{
+    std::unique_ptr<Journal> journal{new Journal{node, station, scene}};
+    journal->m_file.setFileName(path);
+    if (!journal->m_file.open(QIODevice::WriteOnly | QIODevice::Append))
+        return fail(Errc::FileUnwritable, path.toStdString());
+    journal->m_timer.start(kInterval_ms);
+    return journal;
+}
+
+void Journal::writeLine()
+{
+    const SessionTime shown = m_scene.moment().time;
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (shown == SessionTime{} || station == state->stations().end())
+        return; // nothing of a session is on the screen yet
+    const BreathingPattern pattern = station->second.respiration.settingsAt(shown).pattern;
+    const auto& lungs = m_scene.moment().breathing.lungs;
+    const auto nanoseconds = [](auto time) { return qint64(time.time_since_epoch().count()); };
+    // The frame's session time, told on the clock that all processes of this machine share.
+    const SessionTime now = m_node.now().value_or(shown);
+    QJsonObject line{
+        {QStringLiteral("local_ns"), nanoseconds(machineTime(monotonicNow() - (now - shown)))},
+        {QStringLiteral("session_ns"), nanoseconds(shown)},
+        {QStringLiteral("facts"), qint64(state->lastApplied().value)},
+        {QStringLiteral("session_id"), QString::fromStdString(state->sessionId())},
+        {QStringLiteral("anatomy"), QString::fromStdString(m_scene.patient().contentHash())},
+        {QStringLiteral("phase"), phaseName(state->phaseAt(shown))},
+        {QStringLiteral("breathing_rate_per_min"), inPerMinute(pattern.rate)},
+        {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
+        {QStringLiteral("right_lung_ml"), inMillilitres(lungs[0].gas)},
+        {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)}};
+    addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
+    m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
+    m_file.flush();
+}
+
+void addJournalOption(QCommandLineParser& parser)
+{
+    parser.addOption({kJournal,
+                      QCoreApplication::translate("Program", "Append a line of what is shown to "
+                                                             "this file ten times a second."),
+                      QStringLiteral("FILE")});
+}
+
+Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
+                                                    const SessionNode& node, StationId station,
+                                                    const StationScene& scene)
+{
+    if (!parser.isSet(kJournal))
+        return nullptr;
+    return Journal::open(parser.value(kJournal), node, station, scene);
+}
+
+} // namespace carina::program

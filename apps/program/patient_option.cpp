@@ -1,0 +1,103 @@
+#include "apps/program/patient_option.h"
+
+#include "engine/anatomy/patient/patient_name.h"
+#include "engine/io/anatomy_set/anatomy_set.h"
+#include "engine/io/anatomy_set/builtin_cache.h"
+#include "models/error_text.h"
+#include "ui/import/import_dialog.h"
+
+#include <QCoreApplication>
+
+#include <cstdio>
+
+namespace carina::program
+{
+namespace
+{
+
+const QString kAnatomy = QStringLiteral("anatomy");
+const QString kPatient = QStringLiteral("patient");
+
+/// Whom `--patient` means; without it a child, or an adult for an imported set.
+Result<PatientParameters> figuresOf(const QCommandLineParser& parser, bool imported)
+{
+    if (!parser.isSet(kPatient))
+        return parametersOf(imported ? BuiltinPatient::Adult : BuiltinPatient::TwelveYears);
+    const auto figures = patientFromWords(parser.value(kPatient).toStdString());
+    if (!figures)
+        return fail(Errc::WrongOption, "--patient: " + figures.error().detail);
+    return figures;
+}
+
+/// Nobody is asked by a program that starts or works by itself.
+bool hasPerson(const QCommandLineParser& parser)
+{
+    const QStringList given = parser.optionNames();
+    return !given.contains(QStringLiteral("measure")) && !given.contains(QStringLiteral("journal"))
+           && !given.contains(QStringLiteral("start"));
+}
+
+/// The set in a folder: from the cache, else while a person looks on, corrects and may stop it.
+Result<LoadedSet> setForPerson(const std::filesystem::path& folder)
+{
+    const std::filesystem::path cache = AnatomyCache::defaultFolder();
+    auto cached = loadAnatomySet(folder, cache, [](double) { return false; });
+    if (cached || cached.error().code != Errc::Cancelled)
+        return cached;
+    SetImport import{folder, cache};
+    ImportDialog dialog{import};
+    dialog.exec();
+    return import.takeResult();
+}
+
+/// Files that could not be used are told on stderr, and the rest is shown.
+Result<Anatomy> importedPatient(const std::filesystem::path& folder, bool forPerson)
+{
+    auto loaded =
+        forPerson ? setForPerson(folder) : loadAnatomySet(folder, AnatomyCache::defaultFolder());
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    for (const FileFault& fault : loaded->set.faults)
+        std::fprintf(stderr, "%s\n", qPrintable(errorText(fault.error)));
+    return std::move(loaded->set.anatomy);
+}
+
+} // namespace
+
+void addPatientOptions(QCommandLineParser& parser)
+{
+    parser.addOption(
+        {kAnatomy,
+         QCoreApplication::translate("Program", "Show the anatomy set in this folder of surfaces."),
+         QStringLiteral("DIR")});
+    parser.addOption({kPatient,
+                      QCoreApplication::translate(
+                          "Program", "Show the built-in patient adult or child, or one made from "
+                                     "figures, such as \"45 years, 182 cm, man, obese\". With "
+                                     "--anatomy: whose breathing the set gets."),
+                      QStringLiteral("WHO")});
+}
+
+bool importsPatient(const QCommandLineParser& parser) { return parser.isSet(kAnatomy); }
+
+Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
+{
+    const bool imported = importsPatient(parser);
+    const auto figures = figuresOf(parser, imported);
+    if (!figures)
+        return tl::unexpected(figures.error());
+    const auto dimensions = dimensionsFor(*figures);
+    if (!dimensions)
+        return tl::unexpected(dimensions.error());
+    auto anatomy = imported
+                       ? importedPatient(parser.value(kAnatomy).toStdString(), hasPerson(parser))
+                       : cachedPatient(*figures, AnatomyCache::defaultFolder());
+    if (!anatomy)
+        return tl::unexpected(anatomy.error());
+    auto model = patientOf(std::move(*anatomy));
+    if (!model)
+        return tl::unexpected(model.error());
+    return ChosenPatient{*std::move(model), *dimensions};
+}
+
+} // namespace carina::program

@@ -1,0 +1,165 @@
+#include "apps/program/program.h"
+
+#include "engine/io/files/whole_file.h"
+#include "models/error_text.h"
+#include "widgets/scene/view/graphics.h"
+#include "widgets/theme/dark_theme.h"
+
+#include <QApplication>
+#include <QLocale>
+#include <QTranslator>
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+
+namespace carina::program
+{
+namespace
+{
+
+const QString kMeasure = QStringLiteral("measure");
+const QString kSeconds = QStringLiteral("seconds");
+const QString kSize = QStringLiteral("size");
+constexpr int kWidest = 8192; ///< pixels: what every graphics driver can draw into
+
+/// Whether the command line asks for help, which is given without a display.
+bool asksForHelp(int argc, char** argv)
+{
+    return std::any_of(argv + 1, argv + argc, [](std::string_view word) {
+        return word == "-h" || word == "--help" || word == "--help-all";
+    });
+}
+
+/// Theme and translations.
+void prepareProgram(QApplication& application)
+{
+    applyDarkTheme(application);
+    auto* translator = new QTranslator{&application};
+    const QString catalogues = QStringLiteral(":/carina/translations");
+    if (translator->load(QLocale{}, QStringLiteral("carina"), QStringLiteral("_"), catalogues)
+        || translator->load(QStringLiteral("carina_en"), catalogues))
+        QApplication::installTranslator(translator);
+}
+
+/// @returns WrongOption where there are more words than this that no option takes.
+Result<void> checkWords(const QCommandLineParser& parser, qsizetype most)
+{
+    const QStringList words = parser.positionalArguments();
+    if (words.size() > most)
+        return fail(Errc::WrongOption, "there is no use for '" + words[most].toStdString() + "'");
+    return {};
+}
+
+Result<int> checkedRun(const Program& program, const QCommandLineParser& parser)
+{
+    if (const auto right = checkWords(parser, program.mostWords); !right)
+        return tl::unexpected(right.error());
+    return program.run(parser);
+}
+
+} // namespace
+
+int runProgram(const Program& program, int argc, char** argv)
+{
+    QCoreApplication::setApplicationName(program.name);
+    QCoreApplication::setOrganizationName(QStringLiteral("carina"));
+    QCommandLineParser parser;
+    parser.addHelpOption();
+    program.addOptions(parser);
+    if (asksForHelp(argc, argv)) {
+        const QCoreApplication application{argc, argv};
+        parser.process(application); // which ends here
+    }
+    prepareDisplay();
+    QApplication application{argc, argv};
+    prepareProgram(application);
+    parser.process(application);
+    const Result<int> status = checkedRun(program, parser);
+    return status ? *status : refuse(status.error());
+}
+
+void prepareDisplay()
+{
+    // Qt tries them in turn, and ends a program that none of them suits.
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")
+        && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "xcb;offscreen");
+    prepareGraphics();
+}
+
+Result<void> checkGraphics()
+{
+    const auto driver = graphicsDriver();
+    if (!driver && QGuiApplication::platformName() == QStringLiteral("offscreen"))
+        return fail(Errc::NoGraphics, "there is no display");
+    return driver.map([](const QString&) {});
+}
+
+void addMeasureOptions(QCommandLineParser& parser)
+{
+    parser.addOption(
+        {kMeasure,
+         QApplication::translate("Program", "Measure what is drawn, write it into this "
+                                            "folder, which is made if need be, and leave."),
+         QStringLiteral("DIR")});
+    parser.addOption({kSeconds, QApplication::translate("Program", "How long to measure."),
+                      QStringLiteral("N"), QStringLiteral("20")});
+    addSizeOption(parser);
+}
+
+void addSizeOption(QCommandLineParser& parser)
+{
+    parser.addOption({kSize, QApplication::translate("Program", "Size of the window."),
+                      QStringLiteral("WxH"), QStringLiteral("1280x800")});
+}
+
+Result<QSize> sizeOption(const QCommandLineParser& parser)
+{
+    const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
+    const QSize size{sides.value(0).toInt(), sides.value(1).toInt()};
+    if (sides.size() != 2 || size.isEmpty() || size.width() > kWidest || size.height() > kWidest)
+        return fail(Errc::WrongOption, "--size needs WxH, such as 1280x800, at most 8192, not '"
+                                           + parser.value(kSize).toStdString() + "'");
+    return size;
+}
+
+Result<MeasureOptions> measureOptions(const QCommandLineParser& parser)
+{
+    MeasureOptions options{.folder = parser.value(kMeasure)};
+    options.seconds = parser.value(kSeconds).toInt();
+    if (options.seconds <= 0)
+        return fail(Errc::WrongOption, "--seconds needs a whole number from 1, not '"
+                                           + parser.value(kSeconds).toStdString() + "'");
+    const auto size = sizeOption(parser);
+    if (!size)
+        return tl::unexpected(size.error());
+    options.size = *size;
+    if (!options.folder.isEmpty())
+        if (const auto opened = openFolder(options.folder.toStdString()); !opened)
+            return tl::unexpected(opened.error());
+    return options;
+}
+
+Result<std::uint16_t> portOption(const QCommandLineParser& parser)
+{
+    if (parser.value(QStringLiteral("port")).isEmpty())
+        return fail(Errc::WrongOption, "--port is missing; the instructor's window shows it");
+    bool right = false;
+    const std::uint16_t port = parser.value(QStringLiteral("port")).toUShort(&right);
+    if (!right)
+        return fail(Errc::WrongOption, "--port needs a number from 0 to 65535, not '"
+                                           + parser.value(QStringLiteral("port")).toStdString()
+                                           + "'");
+    return port;
+}
+
+void warn(const Error& error) { std::fprintf(stderr, "%s\n", qPrintable(errorText(error))); }
+
+int refuse(const Error& error)
+{
+    warn(error);
+    return 1;
+}
+
+} // namespace carina::program

@@ -1,0 +1,62 @@
+#include "apps/program/site_option.h"
+
+#include "engine/io/site/site_file.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QFileSystemWatcher>
+
+namespace carina::program
+{
+namespace
+{
+
+const QString kSiteFile = QStringLiteral("site");
+
+} // namespace
+
+void addSiteOption(QCommandLineParser& parser)
+{
+    parser.addOption(
+        {kSiteFile,
+         QCoreApplication::translate("Program", "Lay the patient on the manikin as this file of "
+                                                "carina-registration says; without it the "
+                                                "simulated manikin is registered exactly."),
+         QStringLiteral("FILE")});
+}
+
+Result<std::optional<SiteSetup>> siteOption(const QCommandLineParser& parser,
+                                            const PatientModel& patient)
+{
+    if (!parser.isSet(kSiteFile))
+        return std::nullopt;
+    const std::string file = parser.value(kSiteFile).toStdString();
+    const Result<Site> site = readSiteFile(file);
+    if (!site)
+        return tl::unexpected(site.error());
+    auto setup = siteSetup(*site, patient);
+    if (!setup)
+        return fail(setup.error().code,
+                    file + (setup.error().detail.empty() ? "" : ": " + setup.error().detail));
+    return std::optional{std::move(*setup)};
+}
+
+void watchSite(const QCommandLineParser& parser, QObject& context,
+               const std::function<void()>& written)
+{
+    if (!parser.isSet(kSiteFile))
+        return;
+    QFileInfo site{parser.value(kSiteFile)};
+    // The folder: a file that is written whole takes the place of the one before.
+    auto* watcher = new QFileSystemWatcher{{site.absolutePath()}, &context};
+    auto look = [site, written, last = site.lastModified()]() mutable {
+        site.refresh();
+        if (!site.exists() || site.lastModified() == last)
+            return;
+        last = site.lastModified();
+        written();
+    };
+    QObject::connect(watcher, &QFileSystemWatcher::directoryChanged, &context, look);
+}
+
+} // namespace carina::program

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/anatomy/patient/body_plan.h"
+
+#include <vector>
+
+namespace carina
+{
+
+/// The wall of the pharynx, open to the front, from the base of the skull to the cricoid, as its
+/// three constrictors; and the oesophagus from there down behind the trachea to the diaphragm.
+[[nodiscard]] std::vector<PartPlan> pharynxAndOesophagus(const BodyPlan& plan);
+
+} // namespace carina

@@ -1,0 +1,59 @@
+#include "engine/anatomy/chest/chest_region.h"
+
+namespace carina
+{
+
+ChestRegion regionOf(PartRole role)
+{
+    switch (role) {
+    case PartRole::RightUpperLobe:
+    case PartRole::RightMiddleLobe:
+    case PartRole::RightLung:
+        return ChestRegion::RightUpperLung;
+    case PartRole::RightLowerLobe:
+        return ChestRegion::RightLowerLung;
+    case PartRole::LeftUpperLobe:
+    case PartRole::LeftLung:
+        return ChestRegion::LeftUpperLung;
+    case PartRole::LeftLowerLobe:
+        return ChestRegion::LeftLowerLung;
+    case PartRole::RightMainBronchus:
+    case PartRole::LeftMainBronchus:
+    case PartRole::BronchialTree:
+        return ChestRegion::Bronchi;
+    case PartRole::Diaphragm:
+        return ChestRegion::Diaphragm;
+    case PartRole::Rib:
+    case PartRole::Skin:
+        return ChestRegion::Wall;
+    case PartRole::Trachea:
+    case PartRole::Oesophagus:
+    case PartRole::Heart:
+    case PartRole::Vessel:
+        return ChestRegion::Mediastinum;
+    case PartRole::Larynx:
+    case PartRole::Epiglottis:
+    case PartRole::Tongue:
+    case PartRole::Muscle:
+        return ChestRegion::Throat;
+    case PartRole::Pharynx:
+        return ChestRegion::Pharynx;
+    default:
+        return ChestRegion::Still;
+    }
+}
+
+std::optional<ThroatTissue> tissueOf(ChestRegion region)
+{
+    switch (region) {
+    case ChestRegion::Mediastinum:
+    case ChestRegion::Throat:
+        return ThroatTissue::Airway;
+    case ChestRegion::Pharynx:
+        return ThroatTissue::Pharynx;
+    default:
+        return std::nullopt;
+    }
+}
+
+} // namespace carina

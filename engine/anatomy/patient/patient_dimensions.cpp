@@ -1,0 +1,186 @@
+#include "engine/anatomy/patient/patient_dimensions.h"
+
+#include "engine/core/expects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+
+namespace
+{
+
+constexpr Length centimetres(double cm) { return millimetres(10.0 * cm); }
+
+/// 0 at `from` or before, 1 at `to` or beyond, straight between.
+double shareBetween(double from, double to, double x)
+{
+    return std::clamp((x - from) / (to - from), 0.0, 1.0);
+}
+
+double mix(double a, double b, double share) { return a + share * (b - a); }
+Length mix(Length a, Length b, double share) { return metres(mix(a.si, b.si, share)); }
+
+/// How much of a grown windpipe somebody has. Boys and girls are alike until fourteen, when girls
+/// have stopped growing and boys go on (Griscom and Wohl 1986).
+double maturity(const PatientParameters& p)
+{
+    return p.sex == Sex::Male ? shareBetween(14.0, 18.0, p.ageInYears)
+                              : shareBetween(12.0, 14.0, p.ageInYears);
+}
+
+/// What a windpipe measures at one height.
+struct Windpipe {
+    Length cordsToCarina;
+    Length tracheaLength;
+    Length sagittal;
+    Length coronal;
+    Length rightBronchus;
+
+    /// Lengths and diameters go with the 1.3th power of height (exponents 1.22 to 1.37, ARRD 1985).
+    [[nodiscard]] Windpipe at(Length height, Length reference) const
+    {
+        const double growth = std::pow(height / reference, 1.3);
+        return {growth * cordsToCarina, growth * tracheaLength, growth * sagittal, growth * coronal,
+                growth * rightBronchus};
+    }
+};
+
+constexpr Length kMansHeight = centimetres(175.0);
+constexpr Length kWomansHeight = centimetres(162.0);
+constexpr Length kChildsHeight = centimetres(150.0);
+
+/// Cords to carina 12.7 (1.6) cm, Caucasian adults (BJA 2006); trachea 10.1 cm (Kumari 2019).
+/// Diameters: MRI of men gives 17.1 (1.4) mm front to back and 15.1 mm side to side (KJA 1993),
+/// radiographs 13 to 27 and 13 to 25 mm (Breatnach 1984), and one man whose surfaces are published
+/// (BodyParts3D), brought to this size, 15.4 and 21.5 mm outside. These lie halfway from MRI and
+/// from the middle of the radiographs to him.
+constexpr Windpipe kMan{centimetres(12.7), centimetres(10.1), millimetres(16.3), millimetres(20.2),
+                        centimetres(2.5)};
+/// Cords to carina 12.0 cm (Indian women, Kumari 2019), trachea 9.4 cm; diameters by the ratio of
+/// women to men in MRI, 13.9 : 17.1 and 13.3 : 15.1 (KJA 1993).
+constexpr Windpipe kWoman{centimetres(12.0), centimetres(9.4), millimetres(13.2), millimetres(17.8),
+                          centimetres(2.26)};
+
+/// Lengths from the man's by height; diameters the mean of the rows for 10-12 and 12-14 years
+/// (Griscom and Wohl 1986): nearly round.
+Windpipe childsAt(Length height)
+{
+    Windpipe child = kMan.at(kChildsHeight, kMansHeight);
+    child.sagittal = millimetres(12.3);
+    child.coronal = millimetres(12.6);
+    return child.at(height, kChildsHeight);
+}
+
+Windpipe windpipeOf(const PatientParameters& p)
+{
+    const Windpipe child = childsAt(p.height);
+    const Windpipe grown =
+        p.sex == Sex::Male ? kMan.at(p.height, kMansHeight) : kWoman.at(p.height, kWomansHeight);
+    const double m = maturity(p);
+    return {mix(child.cordsToCarina, grown.cordsToCarina, m),
+            mix(child.tracheaLength, grown.tracheaLength, m),
+            mix(child.sagittal, grown.sagittal, m), mix(child.coronal, grown.coronal, m),
+            mix(child.rightBronchus, grown.rightBronchus, m)};
+}
+
+/// Children 0.12 h + 5.2 cm (170 children, R 0.98, Anesthesiology 2008;108:1004); grown men
+/// 11.413 + 0.072 h and women 13.555 + 0.056 h cm (Gomez 2016).
+Length teethToCarinaOf(const PatientParameters& p)
+{
+    const Length child = 0.12 * p.height + centimetres(5.2);
+    const Length grown = p.sex == Sex::Male ? 0.072 * p.height + centimetres(11.413)
+                                            : 0.056 * p.height + centimetres(13.555);
+    return mix(child, grown, maturity(p));
+}
+
+/// Weight, lungs and the fat below the skin.
+void addBody(const PatientParameters& p, PatientDimensions& d)
+{
+    d.ageInYears = p.ageInYears;
+    d.sex = p.sex;
+    const double usual = usualBodyMassIndex(p.ageInYears) * p.height.si * p.height.si;
+    const bool obese = p.habitus == Habitus::Obese;
+    // 127 kg is the obese patient of Benumof's curves, 1.65 times the standard one of that height.
+    d.weightInKilograms = usual * (obese ? 1.65 : p.habitus == Habitus::Slim ? 0.8 : 1.0);
+    // 30 ml/kg (Pulse) of the usual weight; 11 ml/kg of an obese patient's own.
+    d.functionalResidualCapacity =
+        obese ? millilitres(11.0 * d.weightInKilograms) : millilitres(30.0 * usual);
+    d.tidalVolume = millilitres(10.0 * std::round(0.7 * usual)); // 7 ml/kg at every age
+    d.rightLungShare = 0.525;                                    // Pulse
+    // CT of 32 people lying gives 17.9, 9.3, 26.5, 23.1 and 23.2 % (PMC7490509), one man's
+    // published surfaces 23.4, 9.9, 21.4, 21.6 and 23.7 %. These are within 3 of both.
+    d.lobes = {0.207, 0.082, 0.236, 0.237, 0.238};
+    d.fatLayer = millimetres(obese ? 38.0 : p.habitus == Habitus::Slim ? 7.0 : 14.0);
+    if (p.ageInYears < 14.0)
+        d.fatLayer = 0.7 * d.fatLayer;
+}
+
+void addBreathing(const PatientParameters& p, PatientDimensions& d)
+{
+    // 26 at 2 and 19 at 12 years (Fleming 2011), 16 grown up (Pulse).
+    const double rate = p.ageInYears < 12.0
+                            ? mix(26.0, 19.0, shareBetween(2.0, 12.0, p.ageInYears))
+                            : mix(19.0, 16.0, shareBetween(12.0, 18.0, p.ageInYears));
+    d.breathingRate = perMinute(rate);
+    d.inspiratoryFraction = 0.0125 * (rate + 4.0) + 0.125; // Pulse
+    // Cuffed: age / 4 + 3.5 mm; usual for men and for women, in steps of half a millimetre.
+    const double grown = p.sex == Sex::Male ? 8.0 : 7.0;
+    const double inner = maturity(p) < 0.5 ? std::min(p.ageInYears / 4.0 + 3.5, 7.0) : grown;
+    d.tubeInnerDiameter = millimetres(0.5 * std::round(2.0 * inner));
+}
+
+} // namespace
+
+double usualBodyMassIndex(double age)
+{
+    constexpr double kTwelve = 40.0 / (1.5 * 1.5);
+    constexpr double kGrown = 77.0 / (1.75 * 1.75);
+    return age < 12.0 ? kTwelve - 0.3 * (12.0 - age)
+                      : mix(kTwelve, kGrown, shareBetween(12.0, 18.0, age));
+}
+
+PatientParameters parametersOf(BuiltinPatient patient)
+{
+    switch (patient) {
+    case BuiltinPatient::Adult:
+        return {30.0, kMansHeight, Sex::Male, Habitus::Normal};
+    case BuiltinPatient::TwelveYears:
+        return {12.0, kChildsHeight, Sex::Female, Habitus::Normal};
+    }
+    CARINA_EXPECTS(false);
+    return {};
+}
+
+Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
+{
+    if (!(p.ageInYears >= 6.0 && p.ageInYears <= 90.0))
+        return fail(Errc::OutOfRange, "an age is 6 to 90 years");
+    if (!(p.height >= metres(1.0) && p.height <= metres(2.1)))
+        return fail(Errc::OutOfRange, "a height is 100 to 210 cm");
+    PatientDimensions d;
+    d.height = p.height;
+    const Windpipe windpipe = windpipeOf(p);
+    d.cordsToCarina = windpipe.cordsToCarina;
+    d.tracheaLength = windpipe.tracheaLength;
+    d.tracheaSagittal = windpipe.sagittal;
+    d.tracheaCoronal = windpipe.coronal;
+    d.tracheaRings = 18; // 16 to 20 in textbooks of anatomy
+    // 26.9 (7.0) and 46.2 (8.0) degrees; 2.5 and 5 cm long in adults (AccessAnesthesiology). The
+    // right one is the wider; diameters by the ratio of a usual drawing to the mean of the trachea.
+    const Length trachea = 0.5 * (windpipe.sagittal + windpipe.coronal);
+    d.rightBronchus = {windpipe.rightBronchus, degrees(26.9), 0.78 * trachea};
+    d.leftBronchus = {2.0 * windpipe.rightBronchus, degrees(46.2), 0.68 * trachea};
+    d.teethToCarina = teethToCarinaOf(p);
+    addBody(p, d);
+    addBreathing(p, d);
+    return d;
+}
+
+PatientDimensions dimensionsOf(BuiltinPatient patient)
+{
+    return dimensionsFor(parametersOf(patient)).value();
+}
+
+} // namespace carina

@@ -1,0 +1,191 @@
+#include "engine/anatomy/patient/patient_name.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+/// Of what patientFor makes: raised with every change of a shape.
+constexpr std::string_view kVersion = "3";
+
+constexpr std::string_view kAsked =
+    "a patient is adult, child, or age, height and sex, such as \"45 years, 182 cm, woman\", in "
+    "whole numbers, with slim or obese where that is so";
+constexpr double kGrownUp_years = 18.0;
+
+struct NamedSex {
+    std::string_view word;
+    Sex sex;
+};
+constexpr std::array kSexes{NamedSex{"man", Sex::Male},  NamedSex{"woman", Sex::Female},
+                            NamedSex{"boy", Sex::Male},  NamedSex{"girl", Sex::Female},
+                            NamedSex{"male", Sex::Male}, NamedSex{"female", Sex::Female}};
+
+struct NamedHabitus {
+    std::string_view word;
+    Habitus habitus;
+};
+constexpr std::array kHabituses{NamedHabitus{"slim", Habitus::Slim},
+                                NamedHabitus{"normal", Habitus::Normal},
+                                NamedHabitus{"obese", Habitus::Obese}};
+
+std::string inLowerCase(std::string_view words)
+{
+    std::string lower{words};
+    std::ranges::transform(lower, lower.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return lower;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// The words of a patient so far.
+struct Said {
+    std::optional<int> years;
+    std::optional<int> centimetres;
+    std::optional<Sex> sex;
+    std::optional<Habitus> habitus;
+};
+
+/// Keeps a value that was not said before.
+template <class Value> bool keep(std::optional<Value>& said, Value value)
+{
+    return !std::exchange(said, value).has_value();
+}
+
+bool takeFigure(Said& said, std::string_view text)
+{
+    int figure = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), figure);
+    if (error != std::errc{})
+        return false;
+    const std::string_view unit = trimmed(text.substr(std::size_t(end - text.data())));
+    if (unit == "years" || unit == "year" || unit == "y")
+        return keep(said.years, figure);
+    return unit == "cm" && keep(said.centimetres, figure);
+}
+
+bool take(Said& said, std::string_view text)
+{
+    const auto sex = std::ranges::find(kSexes, text, &NamedSex::word);
+    if (sex != kSexes.end())
+        return keep(said.sex, sex->sex);
+    const auto habitus = std::ranges::find(kHabituses, text, &NamedHabitus::word);
+    if (habitus != kHabituses.end())
+        return keep(said.habitus, habitus->habitus);
+    return takeFigure(said, text);
+}
+
+tl::unexpected<Error> notSaid(const std::string& fault)
+{
+    return fail(Errc::OutOfRange, fault + ": " + std::string{kAsked});
+}
+
+std::string_view wordFor(const PatientParameters& p)
+{
+    const bool isGrownUp = p.ageInYears >= kGrownUp_years;
+    if (p.sex == Sex::Male)
+        return isGrownUp ? "man" : "boy";
+    return isGrownUp ? "woman" : "girl";
+}
+
+std::string wholeYears(const PatientParameters& p)
+{
+    return std::to_string(std::lround(p.ageInYears));
+}
+std::string wholeCentimetres(const PatientParameters& p)
+{
+    return std::to_string(std::lround(0.1 * inMillimetres(p.height)));
+}
+std::string_view wordOf(Habitus habitus)
+{
+    return std::ranges::find(kHabituses, habitus, &NamedHabitus::habitus)->word;
+}
+
+} // namespace
+
+Result<PatientParameters> patientFromWords(std::string_view words)
+{
+    const std::string lower = inLowerCase(words);
+    if (lower == "adult")
+        return parametersOf(BuiltinPatient::Adult);
+    if (lower == "child")
+        return parametersOf(BuiltinPatient::TwelveYears);
+    Said said;
+    for (std::string_view rest = lower;;) {
+        const auto comma = rest.find(',');
+        const std::string_view item = trimmed(rest.substr(0, comma));
+        if (!take(said, item))
+            return notSaid("'" + std::string{item} + "' is not understood there, or too much");
+        if (comma == std::string_view::npos)
+            break;
+        rest.remove_prefix(comma + 1);
+    }
+    if (!said.years || !said.centimetres || !said.sex)
+        return notSaid(!said.years ? "the age is missing"
+                       : !said.sex ? "the sex is missing"
+                                   : "the height is missing");
+    const PatientParameters parameters{double(*said.years), metres(*said.centimetres / 100.0),
+                                       *said.sex, said.habitus.value_or(Habitus::Normal)};
+    if (const auto dimensions = dimensionsFor(parameters); !dimensions)
+        return tl::unexpected(dimensions.error());
+    return parameters;
+}
+
+std::string nameOf(const PatientParameters& parameters)
+{
+    if (parameters == parametersOf(BuiltinPatient::Adult))
+        return "Adult";
+    std::string name = wholeYears(parameters) + " years, " + wholeCentimetres(parameters) + " cm";
+    if (parameters == parametersOf(BuiltinPatient::TwelveYears))
+        return name;
+    name += ", " + std::string{wordFor(parameters)};
+    if (parameters.habitus != Habitus::Normal)
+        name += ", " + std::string{wordOf(parameters.habitus)};
+    return name;
+}
+
+std::string madeHash(const PatientParameters& parameters)
+{
+    const std::string end = '-' + std::string{kVersion};
+    if (parameters == parametersOf(BuiltinPatient::Adult))
+        return "builtin-adult" + end;
+    if (parameters == parametersOf(BuiltinPatient::TwelveYears))
+        return "builtin-twelve-years" + end;
+    return "builtin-" + wholeYears(parameters) + "y-" + wholeCentimetres(parameters) + "cm-"
+           + (parameters.sex == Sex::Male ? "male-" : "female-")
+           + std::string{wordOf(parameters.habitus)} + end;
+}
+
+std::optional<PatientParameters> parametersOfHash(std::string_view contentHash)
+{
+    for (const BuiltinPatient patient : {BuiltinPatient::Adult, BuiltinPatient::TwelveYears})
+        if (contentHash == madeHash(parametersOf(patient)))
+            return parametersOf(patient);
+    constexpr std::string_view kStart = "builtin-";
+    if (!contentHash.starts_with(kStart)
+        || contentHash.size() < kStart.size() + kVersion.size() + 1)
+        return std::nullopt;
+    std::string words{contentHash.substr(kStart.size())};
+    words.resize(words.size() - kVersion.size() - 1);
+    std::ranges::replace(words, '-', ',');
+    const auto parameters = patientFromWords(words);
+    // "adult" and other ways to say the same are not hashes.
+    return parameters && madeHash(*parameters) == contentHash ? std::optional{*parameters}
+                                                              : std::nullopt;
+}
+
+} // namespace carina

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/anatomy/shapes/implicit_shape.h"
+#include "engine/core/units.h"
+
+namespace carina
+{
+
+/// The surface of a solid as a closed mesh facing outward, made on a grid of cubes of edge `voxel`
+/// by OpenVDB's dual contouring. Edges sharper than a voxel are rounded. Without normals.
+///
+/// @pre voxel is above zero and the surface lies inside the shape's bounds.
+[[nodiscard]] TriangleMesh meshOf(const ImplicitShape& shape, Length voxel);
+
+} // namespace carina

@@ -1,0 +1,146 @@
+#include "engine/anatomy/shapes/tube.h"
+
+#include "engine/anatomy/shapes/swept_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kOutside = 0.05;      ///< metres of tube in front of the incisors
+constexpr double kStep = 0.004;        ///< between rings of the tube's wall, metres
+constexpr double kBevel = 0.003;       ///< of the tip
+constexpr double kMarkRise = 0.00015;  ///< of a depth mark above the wall
+constexpr double kCuffFromTip = 0.015; ///< metres, to its lower end
+constexpr double kCuffLength = 0.032;
+constexpr double kCuffSwell = 1.25; ///< of the tube's radius: fills a trachea the tube fits
+constexpr double kConnectorLength = 0.02;
+constexpr double kConnectorRadius = 0.0075; ///< ISO 5356: 15 mm
+constexpr double kFlangeRadius = 0.0105;
+
+/// Arc length at which the line comes nearest to a point.
+double nearestAlong(const SweptLine& line, const Vec3& p)
+{
+    const auto nearest = std::ranges::min_element(
+        line.points, {}, [&](const Vec3& point) { return (point - p).squaredNorm(); });
+    return line.along[std::size_t(nearest - line.points.begin())];
+}
+
+TriangleMesh wall(const SweptLine& tube, double radius)
+{
+    const double length = tube.along.back();
+    std::vector<Ring> rings;
+    for (double along = 0.0; along < length - kBevel; along += kStep)
+        rings.push_back({along, radius});
+    rings.push_back({length - kBevel, radius});
+    rings.push_back({length, 0.8 * radius});
+    return sweptSurface(tube, rings);
+}
+
+TriangleMesh depthMarks(const SweptLine& tube, double radius)
+{
+    TriangleMesh marks;
+    for (int cm = 5; 0.01 * cm < tube.along.back(); ++cm) {
+        const double half = cm % 5 == 0 ? 0.0012 : 0.0005;
+        const double middle = tube.along.back() - 0.01 * cm;
+        const std::array rings{Ring{middle - half, radius + kMarkRise},
+                               Ring{middle + half, radius + kMarkRise}};
+        append(marks, sweptSurface(tube, rings));
+    }
+    return marks;
+}
+
+TriangleMesh cuff(const SweptLine& tube, double radius)
+{
+    constexpr int kRings = 16;
+    std::vector<Ring> rings;
+    for (int i = 0; i <= kRings; ++i) {
+        const double share = double(i) / kRings;
+        // A half sine to the power of one half: full in the middle, steep at both ends.
+        const double swell = std::sqrt(std::sin(std::numbers::pi * share));
+        rings.push_back({tube.along.back() - kCuffFromTip - kCuffLength * (1.0 - share),
+                         radius * (1.01 + (kCuffSwell - 1.01) * std::max(swell, 0.0))});
+    }
+    return sweptSurface(tube, rings);
+}
+
+TriangleMesh connector(const SweptLine& tube)
+{
+    const Vec3 start = tube.points.front();
+    const std::array ends{Vec3{start - kConnectorLength * tube.tangents.front()}, start};
+    const SweptLine line = sweptLine(ends);
+    const std::array rings{
+        Ring{0.0, kConnectorRadius},         Ring{0.014, kConnectorRadius},
+        Ring{0.014, kFlangeRadius},          Ring{0.016, kFlangeRadius},
+        Ring{0.016, 0.8 * kConnectorRadius}, Ring{kConnectorLength, 0.7 * kConnectorRadius}};
+    return sweptSurface(line, rings);
+}
+
+/// The connector's frame where the tube begins.
+RigidTransform connectorPose(const LinePlace& start)
+{
+    const Vec3 z_A = -start.tangent;
+    Vec3 x_A = Vec3::UnitX() - Vec3::UnitX().dot(z_A) * z_A;
+    x_A = x_A.norm() > 1e-3 ? Vec3{x_A.normalized()} : z_A.unitOrthogonal();
+    Mat3 R_AE;
+    R_AE << x_A, z_A.cross(x_A), z_A;
+    return {Quat{R_AE}, start.point};
+}
+
+} // namespace
+
+Length outerDiameterOf(Length innerDiameter)
+{
+    constexpr std::array kInner{6.0, 6.5, 7.0, 7.5, 8.0};
+    constexpr std::array kOuter{8.2, 8.9, 9.6, 10.2, 10.9};
+    const double inner = inMillimetres(innerDiameter);
+    std::size_t i = 0;
+    while (i + 2 < kInner.size() && inner > kInner[i + 1])
+        ++i;
+    const double share = (inner - kInner[i]) / (kInner[i + 1] - kInner[i]);
+    return millimetres(kOuter[i] + share * (kOuter[i + 1] - kOuter[i]));
+}
+
+Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,
+                           const Vec3& p_A_incisors, Length tipAboveCarina)
+{
+    const double inner_mm = inMillimetres(innerDiameter);
+    if (!(inner_mm >= 2.0 && inner_mm <= 12.0))
+        return fail(Errc::OutOfRange, "a tube of " + std::to_string(inner_mm) + " mm");
+    if (!(tipAboveCarina.si >= 0.0))
+        return fail(Errc::OutOfRange, "the tip of the tube beyond the carina");
+    if (path_A.size() < 2)
+        return fail(Errc::NoAirway);
+    const SweptLine path = sweptLine(path_A);
+    const double from = nearestAlong(path, p_A_incisors) - kOutside;
+    const double until = path.along.back() - tipAboveCarina.si;
+    if (!(from >= 0.0 && until > from + kCuffFromTip + kCuffLength))
+        return fail(Errc::NoAirway, "it is too short");
+
+    const RigidTransform X_AE = connectorPose(placeAt(path, from));
+    const RigidTransform X_EA = X_AE.inverse();
+    std::vector<Vec3> centre;
+    const auto steps = static_cast<int>(std::ceil((until - from) / kStep));
+    for (int i = 0; i <= steps; ++i)
+        centre.push_back(X_EA * placeAt(path, from + (until - from) * i / steps).point);
+    const SweptLine tube = sweptLine(centre);
+    const Length outer = outerDiameterOf(innerDiameter);
+    const double radius = 0.5 * outer.si;
+    return TubeShape{.X_AE = X_AE,
+                     .p_E_centre = tube.points,
+                     .p_E_tip = tube.points.back(),
+                     .dir_E_tip = tube.tangents.back(),
+                     .tipAboveCarina = tipAboveCarina,
+                     .outerDiameter = outer,
+                     .pieces = {{"Tube", wall(tube, radius)},
+                                {"Depth marks", depthMarks(tube, radius)},
+                                {"Cuff", cuff(tube, radius)},
+                                {"Connector", connector(tube)}}};
+}
+
+} // namespace carina

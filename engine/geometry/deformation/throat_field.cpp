@@ -1,0 +1,71 @@
+#include "engine/geometry/deformation/throat_field.h"
+
+#include "engine/core/expects.h"
+
+namespace carina
+{
+
+ThroatField::ThroatField(const Vec3& p_A_carina, const Vec3& p_A_glottis, const Vec3& p_A_incisors)
+{
+    const Vec3 trachea = p_A_glottis - p_A_carina;
+    const double length = (p_A_incisors - p_A_glottis).norm();
+    if (!(trachea.norm() > kLeast && length > kLeast))
+        return;
+    constexpr double kRamp = formula::kStretchTo - formula::kStretchFrom;
+    m_frame.up = trachea / (trachea.squaredNorm() * kRamp);
+    m_frame.upFrom = -m_frame.up.dot(p_A_carina) - formula::kStretchFrom / kRamp;
+    m_frame.incisors = p_A_incisors;
+    m_frame.perLength = 1.0 / length;
+    m_frame.anchor = p_A_incisors + formula::kAnchor * length * Vec3::UnitY();
+}
+
+double ThroatField::share(const Vec3& p_A, ThroatTissue tissue) const
+{
+    return jawShare(m_frame, tissue, p_A).value;
+}
+
+FieldDisplacement ThroatField::at(const Vec3& p_A, const RigidTransform& X_AJ,
+                                  ThroatTissue tissue) const
+{
+    const JawPull<double> pull = jawPull(m_frame, tissue, jawShift(X_AJ), p_A);
+    return {pull.d, pull.gradient};
+}
+
+JawShift<double> jawShift(const RigidTransform& X_AJ)
+{
+    return {X_AJ.rotation().toRotationMatrix() - Mat3::Identity(), X_AJ.translation()};
+}
+
+ThroatFrame<float> inSingle(const ThroatFrame<double>& frame)
+{
+    return {frame.up.cast<float>(), static_cast<float>(frame.upFrom), frame.incisors.cast<float>(),
+            static_cast<float>(frame.perLength), frame.anchor.cast<float>()};
+}
+
+JawShift<float> inSingle(const JawShift<double>& jaw)
+{
+    return {jaw.turn.cast<float>(), jaw.shift.cast<float>()};
+}
+
+TriangleMesh deformed(const TriangleMesh& mesh_A, const FollowingThroat& throat,
+                      ThroatTissue tissue)
+{
+    CARINA_EXPECTS(mesh_A.normals.size() == mesh_A.positions.size());
+    const ThroatFrame<float> frame = inSingle(throat.field.frame());
+    const JawShift<float> jaw = inSingle(jawShift(throat.X_AJ));
+    TriangleMesh out = mesh_A;
+    if (jaw.turn.isZero(0.0F) && jaw.shift.isZero(0.0F))
+        return out;
+    for (std::size_t i = 0; i < mesh_A.positions.size(); ++i) {
+        const JawPull<float> pull = jawPull<float>(frame, tissue, jaw, mesh_A.positions[i]);
+        const Matrix3<float> j = Matrix3<float>::Identity() + pull.gradient;
+        const Vec3f& n = mesh_A.normals[i];
+        out.positions[i] += pull.d;
+        out.normals[i] = (n.x() * j.col(1).cross(j.col(2)) + n.y() * j.col(2).cross(j.col(0))
+                          + n.z() * j.col(0).cross(j.col(1)))
+                             .normalized();
+    }
+    return out;
+}
+
+} // namespace carina

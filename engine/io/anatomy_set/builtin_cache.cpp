@@ -1,0 +1,23 @@
+#include "engine/io/anatomy_set/builtin_cache.h"
+
+#include "engine/anatomy/patient/patient_name.h"
+
+#include <utility>
+
+namespace carina
+{
+
+Result<Anatomy> cachedPatient(const PatientParameters& parameters,
+                              const std::filesystem::path& cacheFolder)
+{
+    const AnatomyCache cache{cacheFolder};
+    if (auto kept = cache.load(madeHash(parameters)))
+        return std::move(kept->anatomy);
+    return patientFor(parameters).map([&](Anatomy&& made) {
+        ImportedSet set{.anatomy = std::move(made), .frame = {}, .faults = {}, .leftOut = {}};
+        static_cast<void>(cache.store(set)); // it can be made again
+        return std::move(set.anatomy);
+    });
+}
+
+} // namespace carina

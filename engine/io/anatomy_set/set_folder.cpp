@@ -1,0 +1,160 @@
+#include "engine/io/anatomy_set/set_folder.h"
+
+#include "engine/io/files/whole_file.h"
+#include "engine/io/mesh/surface_format.h"
+#include "engine/io/mesh/surface_text.h"
+
+#include <QCryptographicHash>
+#include <QStringList>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+namespace carina
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "MANIFEST.tsv";
+constexpr const char* kSource = "SOURCE.txt";
+
+bool isCompanion(const fs::path& file)
+{
+    if (file.filename() == kManifest || file.filename() == kSource)
+        return true;
+    const QString ending = QString::fromStdString(file.extension().string()).toLower();
+    static const QStringList kEndings = QStringLiteral(".bin .mtl .png .jpg .jpeg").split(u' ');
+    return kEndings.contains(ending);
+}
+
+/// Hashes a text so that no other sequence of texts gives the same bytes.
+void addText(QCryptographicHash& hash, std::string_view text)
+{
+    const QByteArray length = QByteArray::number(static_cast<qulonglong>(text.size())) + ' ';
+    hash.addData(length);
+    hash.addData(QByteArrayView{text.data(), static_cast<qsizetype>(text.size())});
+}
+
+std::string inHex(const QCryptographicHash& hash) { return hash.result().toHex().toStdString(); }
+
+std::vector<std::string> allFiles(const SetFolder& folder)
+{
+    std::vector<std::string> files = folder.surfaces;
+    files.insert(files.end(), folder.companions.begin(), folder.companions.end());
+    return files;
+}
+
+template <class Visit>
+void forEachCompanion(const SetFolder& folder, const char* name, const Visit& visit)
+{
+    for (const std::string& file : folder.companions) {
+        if (fs::path{file}.filename() != name)
+            continue;
+        if (const auto text = readWholeFile(folder.root / file))
+            visit(file, *text);
+    }
+}
+
+/// The cell of a line of tab-separated values; empty beyond the last.
+std::string_view cell(std::string_view line, std::size_t column)
+{
+    for (; column > 0; --column)
+        line.remove_prefix(std::min(line.find('\t'), line.size() - 1) + 1);
+    line = line.substr(0, line.find('\t'));
+    return line.substr(0, line.find('\r'));
+}
+
+std::size_t columnOf(std::string_view header, std::string_view name)
+{
+    const auto columns =
+        static_cast<std::size_t>(std::count(header.begin(), header.end(), '\t')) + 1;
+    for (std::size_t i = 0; i < columns; ++i)
+        if (cell(header, i) == name)
+            return i;
+    return columns;
+}
+
+} // namespace
+
+Result<SetFolder> listSetFolder(const fs::path& root)
+{
+    std::error_code error;
+    if (!fs::is_directory(root, error))
+        return fail(Errc::FileNotFound, root.string() + ": no such folder");
+    SetFolder folder{root, {}, {}};
+    const auto options = fs::directory_options::skip_permission_denied;
+    for (auto it = fs::recursive_directory_iterator{root, options, error};
+         it != fs::recursive_directory_iterator{}; it.increment(error)) {
+        if (error || it->is_directory(error))
+            continue;
+        const std::string file = it->path().lexically_relative(root).generic_string();
+        if (surfaceFormat(it->path()))
+            folder.surfaces.push_back(file);
+        else if (isCompanion(it->path()))
+            folder.companions.push_back(file);
+    }
+    std::sort(folder.surfaces.begin(), folder.surfaces.end());
+    std::sort(folder.companions.begin(), folder.companions.end());
+    if (folder.surfaces.empty())
+        return fail(Errc::NothingRecognised, root.string() + ": no surfaces in it");
+    return folder;
+}
+
+std::string contentHashOf(const SetFolder& folder)
+{
+    QCryptographicHash hash{QCryptographicHash::Sha256};
+    for (const std::string& file : allFiles(folder)) {
+        addText(hash, file);
+        addText(hash, readWholeFile(folder.root / file).value_or(std::string{}));
+    }
+    return inHex(hash);
+}
+
+std::string listingHashOf(const SetFolder& folder)
+{
+    QCryptographicHash hash{QCryptographicHash::Sha256};
+    std::error_code error;
+    addText(hash, fs::absolute(folder.root, error).string());
+    for (const std::string& file : allFiles(folder)) {
+        addText(hash, file);
+        addText(hash, std::to_string(fs::file_size(folder.root / file, error)));
+        const auto written = fs::last_write_time(folder.root / file, error);
+        addText(hash, std::to_string(written.time_since_epoch().count()));
+    }
+    return inHex(hash);
+}
+
+std::vector<FileFault> missingFiles(const SetFolder& folder)
+{
+    std::set<fs::path> present;
+    for (const std::string& file : folder.surfaces)
+        present.insert(fs::path{file}.filename());
+    std::vector<FileFault> missing;
+    forEachCompanion(folder, kManifest, [&](const std::string& manifest, std::string_view text) {
+        const std::size_t column = columnOf(takeLine(text), "file");
+        while (!text.empty()) {
+            const std::string name{cell(takeLine(text), column)};
+            if (!name.empty() && !present.contains(fs::path{name}.filename()))
+                missing.push_back(
+                    {name, {Errc::FileNotFound, name + ": missing, though named in " + manifest}});
+        }
+    });
+    return missing;
+}
+
+std::vector<std::string> attributionsBeside(const SetFolder& folder)
+{
+    std::vector<std::string> lines;
+    forEachCompanion(folder, kSource, [&](const std::string&, std::string_view text) {
+        while (!text.empty())
+            if (const std::string_view line = takeLine(text);
+                line.starts_with("LICENCE") || line.starts_with("LICENSE"))
+                lines.emplace_back(line);
+    });
+    return lines;
+}
+
+} // namespace carina

@@ -1,0 +1,78 @@
+#include "engine/io/files/whole_file.h"
+
+#include <QFile>
+#include <QSaveFile>
+#include <QString>
+#include <QTemporaryFile>
+
+#include <unistd.h>
+
+namespace carina
+{
+namespace
+{
+
+/// An empty path, such as above a bare file name, is the current folder.
+std::error_code makeFolder(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    if (!folder.empty())
+        std::filesystem::create_directories(folder, error);
+    return error;
+}
+
+} // namespace
+
+Result<std::string> readWholeFile(const std::filesystem::path& file)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(file, error))
+        return fail(Errc::FileNotFound, file.string() + ": no such file");
+    QFile source{QString::fromStdString(file.string())};
+    if (!std::filesystem::is_regular_file(file, error) || !source.open(QIODevice::ReadOnly))
+        return fail(Errc::FileUnreadable, file.string() + ": cannot be read");
+    std::string bytes(static_cast<std::size_t>(source.size()), '\0');
+    if (bytes.empty())
+        return fail(Errc::FileEmpty, file.string() + ": it is empty");
+    if (source.read(bytes.data(), source.size()) != source.size())
+        return fail(Errc::FileUnreadable, file.string() + ": cannot be read whole");
+    return bytes;
+}
+
+Result<void> writeWholeFile(const std::filesystem::path& file, std::string_view bytes)
+{
+    const std::error_code error = makeFolder(file.parent_path());
+    QSaveFile target{QString::fromStdString(file.string())};
+    const auto size = static_cast<qint64>(bytes.size());
+    if (error || !target.open(QIODevice::WriteOnly) || target.write(bytes.data(), size) != size
+        || !target.commit())
+        return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
+    return {};
+}
+
+Result<void> writePrivateFile(const std::filesystem::path& file, std::string_view bytes)
+{
+    std::error_code error = makeFolder(file.parent_path());
+    // QTemporaryFile opens its file with mode 0600.
+    QTemporaryFile target{QString::fromStdString(file.string()) + QStringLiteral(".XXXXXX")};
+    const auto size = static_cast<qint64>(bytes.size());
+    const bool written = !error && target.open() && target.write(bytes.data(), size) == size
+                         && target.flush() && fsync(target.handle()) == 0;
+    if (written)
+        std::filesystem::rename(target.fileName().toStdString(), file, error);
+    if (!written || error)
+        return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
+    target.setAutoRemove(false);
+    return {};
+}
+
+Result<void> openFolder(const std::filesystem::path& folder)
+{
+    const std::error_code error = makeFolder(folder);
+    QTemporaryFile file{QString::fromStdString((folder / "carina").string())};
+    if (error || !file.open())
+        return fail(Errc::FileUnwritable, folder.string() + ": nothing can be written into it");
+    return {};
+}
+
+} // namespace carina

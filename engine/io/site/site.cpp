@@ -1,0 +1,18 @@
+#include "engine/io/site/site.h"
+
+#include <algorithm>
+
+namespace carina
+{
+
+const StylusTip* tipOfTool(const std::vector<StylusTip>& styluses, const std::string& tool)
+{
+    for (const std::string& name : {tool, std::string{}}) {
+        const auto found = std::ranges::find(styluses, name, &StylusTip::tool);
+        if (found != styluses.end())
+            return &*found;
+    }
+    return nullptr;
+}
+
+} // namespace carina

@@ -1,0 +1,185 @@
+#include "engine/io/site/site_json.h"
+
+#include "engine/core/units.h"
+#include "engine/io/site/landmark_file.h"
+
+namespace carina
+{
+namespace
+{
+
+QString words(const std::string& text) { return QString::fromStdString(text); }
+
+double jsonLength(double length) { return inMillimetres(metres(length)); }
+
+/// Texts that are empty and causes that are none are left out.
+void insertText(QJsonObject& object, const char* key, const std::string& text)
+{
+    if (!text.empty())
+        object.insert(QLatin1StringView{key}, words(text));
+}
+
+void insertStale(QJsonObject& object, const std::optional<StaleCause>& stale)
+{
+    if (stale)
+        object.insert(QStringLiteral("stale"),
+                      QString::fromLatin1(kStaleWords[static_cast<std::size_t>(*stale)]));
+}
+
+template <class Matrix> QJsonArray jsonTriangle(const Matrix& matrix)
+{
+    QJsonArray numbers;
+    for (int row = 0; row < matrix.rows(); ++row)
+        for (int column = row; column < matrix.cols(); ++column)
+            numbers.append(matrix(row, column) / kCovarianceUnit);
+    return numbers;
+}
+
+QJsonObject jsonStylus(const StylusTip& stylus)
+{
+    QJsonObject object{{QStringLiteral("p_SQ_mm"), jsonPoint(stylus.p_SQ)},
+                       {QStringLiteral("rms_mm"), jsonLength(stylus.rms)},
+                       {QStringLiteral("calibrated_at"), words(stylus.calibratedAt)},
+                       {QStringLiteral("covariance_S_mm2"), jsonTriangle(stylus.covariance_S)},
+                       {QStringLiteral("poses"), stylus.poses},
+                       {QStringLiteral("outliers"), stylus.outliers}};
+    insertText(object, "tool", stylus.tool);
+    if (stylus.axis) {
+        const Vec3& axis = stylus.axis->axis_S;
+        object.insert(
+            QStringLiteral("axis"),
+            QJsonObject{{QStringLiteral("axis_S"), QJsonArray{axis.x(), axis.y(), axis.z()}},
+                        {QStringLiteral("wobble_deg"), inDegrees(stylus.axis->wobble)},
+                        {QStringLiteral("calibrated_at"), words(stylus.axis->calibratedAt)}});
+    }
+    return object;
+}
+
+QJsonObject jsonTouch(const TouchedPoint& point)
+{
+    const Quat& q = point.q_TS;
+    QJsonObject object{{QStringLiteral("landmark"), words(point.landmark)},
+                       {QStringLiteral("p_TQ_mm"), jsonPoint(point.p_TQ)},
+                       {QStringLiteral("spread_mm"), jsonLength(point.spread)},
+                       {QStringLiteral("q_TS"), QJsonArray{q.x(), q.y(), q.z(), q.w()}}};
+    insertStale(object, point.stale);
+    return object;
+}
+
+QJsonObject jsonResidual(const LandmarkResidual& residual)
+{
+    QJsonObject object{{QStringLiteral("name"), words(residual.landmark)},
+                       {QStringLiteral("mm"), jsonLength(residual.residual)}};
+    if (residual.leftOut)
+        object.insert(QStringLiteral("left_out_mm"), jsonLength(*residual.leftOut));
+    return object;
+}
+
+QJsonObject jsonSwab(const SiteSwab& swab)
+{
+    return {{QStringLiteral("surface"), words(swab.surface)},
+            {QStringLiteral("points"), swab.points},
+            {QStringLiteral("outliers"), swab.outliers},
+            {QStringLiteral("start_rms_mm"), jsonLength(swab.startRms)},
+            {QStringLiteral("rms_mm"), jsonLength(swab.rms)},
+            {QStringLiteral("moved_mm"), jsonLength(swab.moved)}};
+}
+
+QJsonObject jsonRelay(const SiteRelay& relay)
+{
+    QJsonObject object{{QStringLiteral("at"), words(relay.at)},
+                       {QStringLiteral("landmarks"), relay.landmarks},
+                       {QStringLiteral("rms_mm"), jsonLength(relay.rms)}};
+    insertText(object, "operator", relay.operatorName);
+    return object;
+}
+
+template <class Item, class ToJson>
+QJsonArray jsonList(const std::vector<Item>& items, const ToJson& toJson)
+{
+    QJsonArray list;
+    for (const Item& item : items)
+        list.append(toJson(item));
+    return list;
+}
+
+QJsonObject jsonRegistration(const SiteRegistration& registration)
+{
+    QJsonObject object{
+        {QStringLiteral("X_AM_mm"), jsonPose(registration.X_AM)},
+        {QStringLiteral("X_AT_mm"), jsonPose(registration.X_AT)},
+        {QStringLiteral("rms_mm"), jsonLength(registration.rms)},
+        {QStringLiteral("residuals_mm"), jsonList(registration.residuals, jsonResidual)},
+        {QStringLiteral("covariance_mm_mrad"), jsonTriangle(registration.covariance_A)},
+        {QStringLiteral("fle_mm"), jsonLength(registration.fle)},
+        {QStringLiteral("degrees_of_freedom"), registration.degrees},
+        {QStringLiteral("relays"), jsonList(registration.relays, jsonRelay)}};
+    if (registration.X_JM)
+        object.insert(QStringLiteral("X_JM_mm"), jsonPose(*registration.X_JM));
+    if (registration.X_BM)
+        object.insert(QStringLiteral("X_BM_mm"), jsonPose(*registration.X_BM));
+    if (registration.swab)
+        object.insert(QStringLiteral("swab"), jsonSwab(*registration.swab));
+    insertText(object, "made_at", registration.madeAt);
+    insertText(object, "operator", registration.operatorName);
+    insertStale(object, registration.stale);
+    return object;
+}
+
+QJsonObject jsonVerified(const VerifiedPoint& point)
+{
+    return {{QStringLiteral("name"), words(point.name)},
+            {QStringLiteral("p_AQ_mm"), jsonPoint(point.p_AQ)},
+            {QStringLiteral("p_TQ_mm"), jsonPoint(point.p_TQ)},
+            {QStringLiteral("error_mm"), jsonLength(point.error)},
+            {QStringLiteral("bound_mm"), jsonLength(point.bound)}};
+}
+
+QJsonObject jsonVerification(const SiteVerification& verification)
+{
+    const auto verdict = static_cast<std::size_t>(verification.verdict);
+    QJsonObject object{{QStringLiteral("verdict"), QString::fromLatin1(kVerdictWords[verdict])},
+                       {QStringLiteral("points"), jsonList(verification.points, jsonVerified)}};
+    insertText(object, "at", verification.at);
+    insertText(object, "operator", verification.operatorName);
+    insertStale(object, verification.stale);
+    return object;
+}
+
+QJsonObject jsonDisplay(const DisplayGeometry& display)
+{
+    return {{QStringLiteral("p_HDl_mm"), jsonPoint(display.p_HDl)},
+            {QStringLiteral("p_HDr_mm"), jsonPoint(display.p_HDr)},
+            {QStringLiteral("p_HQ_screen_centre_mm"), jsonPoint(display.p_HQ_screenCentre)},
+            {QStringLiteral("screen_width_mm"), jsonLength(display.screenWidth)},
+            {QStringLiteral("screen_height_mm"), jsonLength(display.screenHeight)}};
+}
+
+} // namespace
+
+QJsonObject jsonSite(const Site& site)
+{
+    QJsonObject object{{QStringLiteral("schema"), kSiteSchema},
+                       {QStringLiteral("step"),
+                        QString::fromLatin1(kStepWords[static_cast<std::size_t>(site.step)])}};
+    insertText(object, "operator", site.operatorName);
+    insertText(object, "tracker", site.tracker);
+    if (!site.styluses.empty())
+        object.insert(QStringLiteral("styluses"), jsonList(site.styluses, jsonStylus));
+    insertText(object, "patient", site.patient);
+    if (site.catalogue)
+        object.insert(QStringLiteral("catalogue"), jsonCatalogue(*site.catalogue));
+    if (!site.touched.empty())
+        object.insert(QStringLiteral("touched"), jsonList(site.touched, jsonTouch));
+    if (site.registration)
+        object.insert(QStringLiteral("registration"), jsonRegistration(*site.registration));
+    if (site.relay)
+        object.insert(QStringLiteral("relay"), jsonList(*site.relay, jsonTouch));
+    if (site.verification)
+        object.insert(QStringLiteral("verification"), jsonVerification(*site.verification));
+    if (site.display)
+        object.insert(QStringLiteral("display"), jsonDisplay(*site.display));
+    return object;
+}
+
+} // namespace carina

@@ -1,0 +1,279 @@
+#include "engine/core/units.h"
+#include "engine/io/site/landmark_file.h"
+#include "engine/io/site/site_json.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kUnitTolerance = 1e-6; ///< of a direction and a quaternion that a person wrote
+
+std::string readText(JsonFields& fields, const char* key)
+{
+    return fields.has(key) ? fields.text(key) : std::string{};
+}
+
+std::string readTime(JsonFields& fields, const char* key)
+{
+    std::string time = fields.text(key);
+    if (!QDateTime::fromString(QString::fromStdString(time), Qt::ISODate).isValid())
+        fields.refuse(key, "a date and time as in ISO 8601 is due");
+    return time;
+}
+
+std::optional<StaleCause> readStale(JsonFields& fields)
+{
+    if (!fields.has("stale"))
+        return std::nullopt;
+    return static_cast<StaleCause>(fields.oneOf("stale", kStaleWords));
+}
+
+/// A covariance of that many dimensions from its upper triangle; zero where it is not there.
+template <int Size>
+Eigen::Matrix<double, Size, Size> readCovariance(JsonFields& fields, const char* key)
+{
+    using Matrix = Eigen::Matrix<double, Size, Size>;
+    Matrix covariance = Matrix::Zero();
+    if (!fields.has(key))
+        return covariance;
+    const std::vector<double> numbers = fields.numbers(key, Size * (Size + 1) / 2);
+    auto next = numbers.begin();
+    for (int row = 0; row < Size; ++row)
+        for (int column = row; column < Size; ++column)
+            covariance(row, column) = covariance(column, row) = kCovarianceUnit * *next++;
+    if (!isCovariance(covariance))
+        fields.refuse(key, "no error has such a covariance");
+    return covariance;
+}
+
+StylusAxis readAxis(JsonFields fields)
+{
+    fields.allowOnly({"axis_S", "wobble_deg", "calibrated_at"});
+    const std::vector<double> axis = fields.numbers("axis_S", 3);
+    const Vec3 axis_S{axis[0], axis[1], axis[2]};
+    if (std::abs(axis_S.norm() - 1.0) > kUnitTolerance)
+        fields.refuse("axis_S", "a direction of length 1 is due");
+    const double wobble_deg = fields.amount("wobble_deg");
+    return {axis_S, degrees(wobble_deg), readTime(fields, "calibrated_at")};
+}
+
+StylusTip readStylus(JsonFields fields)
+{
+    fields.allowOnly({"tool", "p_SQ_mm", "rms_mm", "calibrated_at", "covariance_S_mm2", "poses",
+                      "outliers", "axis"});
+    StylusTip stylus{.p_SQ = fields.point("p_SQ_mm"),
+                     .rms = fields.length("rms_mm"),
+                     .calibratedAt = readTime(fields, "calibrated_at"),
+                     .tool = readText(fields, "tool"),
+                     .covariance_S = readCovariance<3>(fields, "covariance_S_mm2")};
+    if (fields.has("poses"))
+        stylus.poses = fields.count("poses");
+    if (fields.has("outliers"))
+        stylus.outliers = fields.count("outliers");
+    if (fields.has("axis"))
+        stylus.axis = readAxis(fields.object("axis"));
+    return stylus;
+}
+
+std::vector<StylusTip> readStyluses(JsonFields& fields)
+{
+    std::vector<StylusTip> styluses;
+    if (fields.has("stylus")) // of the version before
+        styluses.push_back(readStylus(fields.object("stylus")));
+    if (!fields.has("styluses"))
+        return styluses;
+    for (JsonFields& each : fields.objects("styluses")) {
+        StylusTip stylus = readStylus(each);
+        if (std::ranges::count(styluses, stylus.tool, &StylusTip::tool) > 0)
+            each.refuse("tool", "\"" + stylus.tool + "\" is there twice");
+        styluses.push_back(std::move(stylus));
+    }
+    return styluses;
+}
+
+Quat readTurn(JsonFields& fields, const char* key)
+{
+    if (!fields.has(key))
+        return Quat::Identity();
+    const std::vector<double> q = fields.numbers(key, 4);
+    const Quat turn{q[3], q[0], q[1], q[2]};
+    if (std::abs(turn.norm() - 1.0) > kUnitTolerance) {
+        fields.refuse(key, "a quaternion of length 1 is due");
+        return Quat::Identity();
+    }
+    return turn.normalized();
+}
+
+std::vector<TouchedPoint> readTouched(JsonFields& fields, const char* key,
+                                      const LandmarkCatalogue& catalogue)
+{
+    std::vector<TouchedPoint> touched;
+    std::set<std::string> names;
+    for (JsonFields& point : fields.objects(key)) {
+        point.allowOnly({"landmark", "p_TQ_mm", "spread_mm", "q_TS", "stale"});
+        touched.push_back({.landmark = point.text("landmark"),
+                           .p_TQ = point.point("p_TQ_mm"),
+                           .spread = point.length("spread_mm"),
+                           .q_TS = readTurn(point, "q_TS"),
+                           .stale = readStale(point)});
+        const std::string& name = touched.back().landmark;
+        if (std::ranges::count(catalogue.landmarks, name, &Landmark::name) == 0)
+            point.refuse("landmark", "\"" + name + "\" is not in the catalogue");
+        if (!names.insert(name).second)
+            point.refuse("landmark", "\"" + name + "\" is there twice");
+    }
+    return touched;
+}
+
+SiteSwab readSwab(JsonFields fields)
+{
+    fields.allowOnly({"surface", "points", "outliers", "start_rms_mm", "rms_mm", "moved_mm"});
+    return {.surface = fields.text("surface"),
+            .points = fields.count("points"),
+            .outliers = fields.count("outliers"),
+            .startRms = fields.length("start_rms_mm"),
+            .rms = fields.length("rms_mm"),
+            .moved = fields.length("moved_mm")};
+}
+
+std::vector<LandmarkResidual> readResiduals(JsonFields& fields)
+{
+    std::vector<LandmarkResidual> residuals;
+    for (JsonFields& each : fields.objects("residuals_mm")) {
+        each.allowOnly({"name", "mm", "left_out_mm"});
+        LandmarkResidual residual{.landmark = each.text("name"), .residual = each.length("mm")};
+        if (each.has("left_out_mm"))
+            residual.leftOut = each.length("left_out_mm");
+        residuals.push_back(std::move(residual));
+    }
+    return residuals;
+}
+
+std::vector<SiteRelay> readRelays(JsonFields& fields)
+{
+    std::vector<SiteRelay> relays;
+    for (JsonFields& relay : fields.objects("relays")) {
+        relay.allowOnly({"at", "operator", "landmarks", "rms_mm"});
+        relays.push_back({.at = readTime(relay, "at"),
+                          .operatorName = readText(relay, "operator"),
+                          .landmarks = relay.count("landmarks"),
+                          .rms = relay.length("rms_mm")});
+    }
+    return relays;
+}
+
+/// What the version before did not have.
+void readMoreOf(SiteRegistration& registration, JsonFields& fields)
+{
+    for (const auto& [key, pose] :
+         {std::pair{"X_JM_mm", &registration.X_JM}, std::pair{"X_BM_mm", &registration.X_BM}})
+        if (fields.has(key))
+            *pose = fields.pose(key);
+    registration.covariance_A = readCovariance<6>(fields, "covariance_mm_mrad");
+    if (fields.has("fle_mm"))
+        registration.fle = fields.length("fle_mm");
+    if (fields.has("degrees_of_freedom"))
+        registration.degrees = fields.count("degrees_of_freedom");
+    if (registration.degrees > 0.0 && !(registration.fle > 0.0))
+        fields.refuse("fle_mm", "an error estimated from residuals is above 0");
+    if (fields.has("made_at"))
+        registration.madeAt = readTime(fields, "made_at");
+    if (fields.has("swab"))
+        registration.swab = readSwab(fields.object("swab"));
+    if (fields.has("relays"))
+        registration.relays = readRelays(fields);
+    registration.operatorName = readText(fields, "operator");
+    registration.stale = readStale(fields);
+}
+
+SiteRegistration readRegistration(JsonFields fields)
+{
+    fields.allowOnly({"X_AM_mm", "X_AT_mm", "X_JM_mm", "X_BM_mm", "rms_mm", "residuals_mm",
+                      "covariance_mm_mrad", "fle_mm", "degrees_of_freedom", "made_at", "operator",
+                      "swab", "relays", "stale"});
+    SiteRegistration registration{.X_AM = fields.pose("X_AM_mm"),
+                                  .X_AT = fields.pose("X_AT_mm"),
+                                  .rms = fields.length("rms_mm"),
+                                  .residuals = readResiduals(fields)};
+    readMoreOf(registration, fields);
+    return registration;
+}
+
+SiteVerification readVerification(JsonFields fields)
+{
+    fields.allowOnly({"verdict", "at", "operator", "points", "stale"});
+    SiteVerification verification{.verdict =
+                                      static_cast<Verdict>(fields.oneOf("verdict", kVerdictWords)),
+                                  .operatorName = readText(fields, "operator"),
+                                  .stale = readStale(fields)};
+    if (verification.verdict != Verdict::Open)
+        verification.at = readTime(fields, "at");
+    std::set<std::string> names;
+    for (JsonFields& point : fields.objects("points")) {
+        point.allowOnly({"name", "p_AQ_mm", "p_TQ_mm", "error_mm", "bound_mm"});
+        verification.points.push_back({.name = point.text("name"),
+                                       .p_AQ = point.point("p_AQ_mm"),
+                                       .p_TQ = point.point("p_TQ_mm"),
+                                       .error = point.length("error_mm"),
+                                       .bound = point.length("bound_mm")});
+        const std::string& name = verification.points.back().name;
+        if (!names.insert(name).second)
+            point.refuse("name", "\"" + name + "\" is there twice");
+    }
+    return verification;
+}
+
+DisplayGeometry readDisplay(JsonFields fields)
+{
+    fields.allowOnly(
+        {"p_HDl_mm", "p_HDr_mm", "p_HQ_screen_centre_mm", "screen_width_mm", "screen_height_mm"});
+    const DisplayGeometry display{
+        fields.point("p_HDl_mm"), fields.point("p_HDr_mm"), fields.point("p_HQ_screen_centre_mm"),
+        fields.length("screen_width_mm"), fields.length("screen_height_mm")};
+    if (display.screenWidth <= 0.0)
+        fields.refuse("screen_width_mm", "a screen has some width");
+    if (display.screenHeight <= 0.0)
+        fields.refuse("screen_height_mm", "a screen has some height");
+    return display;
+}
+
+} // namespace
+
+Site readSite(JsonFields& fields)
+{
+    fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "patient",
+                      "catalogue", "touched", "registration", "relay", "verification", "display"});
+    Site site{.step = static_cast<SiteStep>(fields.oneOf("step", kStepWords)),
+              .operatorName = readText(fields, "operator"),
+              .tracker = readText(fields, "tracker"),
+              .styluses = readStyluses(fields),
+              .patient = readText(fields, "patient")};
+    if (fields.has("catalogue")) {
+        JsonFields object = fields.object("catalogue");
+        site.catalogue = readCatalogue(object);
+    }
+    const LandmarkCatalogue catalogue = site.catalogue.value_or(LandmarkCatalogue{});
+    if (fields.has("touched"))
+        site.touched = readTouched(fields, "touched", catalogue);
+    if (fields.has("registration"))
+        site.registration = readRegistration(fields.object("registration"));
+    if (fields.has("relay")) {
+        site.relay = readTouched(fields, "relay", catalogue);
+        if (!site.registration)
+            fields.refuse("relay", "only a registered manikin is laid anew");
+    }
+    if (fields.has("verification"))
+        site.verification = readVerification(fields.object("verification"));
+    if (fields.has("display"))
+        site.display = readDisplay(fields.object("display"));
+    return site;
+}
+
+} // namespace carina

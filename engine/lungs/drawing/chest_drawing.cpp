@@ -1,0 +1,154 @@
+#include "engine/lungs/drawing/chest_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+constexpr LungPose kDiaphragm{1.0, 0.0, kQuietBreath.gravity, 0.0};
+constexpr LungPose kRibs{0.0, 1.0, 0.0, 0.0};
+constexpr LungPose kCollapse{0.0, 0.0, 0.0, 1.0};
+constexpr double kUnseen_ml = 0.01;
+constexpr int kHalvings = 20;
+/// Beside one of the diaphragm, whatever a surface of odd shape would have.
+constexpr double kMostRibs = 2.0;
+
+/// One lung in a level of detail, leant on by the mediastinum.
+struct DrawnLung {
+    const LungPair& lungs;
+    Side side;
+    std::size_t level;
+    double shift;
+
+    [[nodiscard]] double shiftInto() const { return side == Side::Left ? shift : -shift; }
+    /// Of the range, what the mediastinum leaves it.
+    [[nodiscard]] double room() const { return 1.0 - std::max(0.0, shiftInto()) / kMostShift; }
+    [[nodiscard]] VolumeCubic cubic(const LungPose& given, const LungPose& along) const
+    {
+        return lungs.volumeAlong(side, level, given, along, shift);
+    }
+};
+
+/// The amount of `along`, within a range, at which the lung comes nearest to a volume. Volumes grow
+/// or shrink all the way along what lungs are moved by.
+double amountFor(const VolumeCubic& cubic, Volume volume, const AmplitudeRange& range)
+{
+    const auto [least, greatest] = std::minmax({cubic.at(range.least), cubic.at(range.greatest)});
+    return amplitudeFor(cubic, std::clamp(volume, least, greatest), 0.0, range).value_or(0.0);
+}
+
+/// A breath of amplitude 1, in which the ribs make their share of a small change of volume.
+LungPose breathOf(const LungPair& lungs, Side side, double ribShare)
+{
+    const auto gain = [&](const LungPose& along) {
+        return lungs.volumeAlong(side, 0, {}, along, 0.0).c[1];
+    };
+    const double ribs = ribShare / (1.0 - ribShare) * gain(kDiaphragm) / gain(kRibs);
+    return kDiaphragm + std::clamp(ribs, 0.0, kMostRibs) * kRibs;
+}
+
+/// A lung in a pose, and whether it encloses what it should.
+struct PosedLung {
+    LungPose pose;
+    bool fits = true;
+};
+
+/// Where the collapse that is within the range does not bring the volume: along the range's edge
+/// from there to where breathing takes none of it.
+PosedLung alongTheEdge(const DrawnLung& lung, const LungPose& breath, double collapse,
+                       Volume volume)
+{
+    const LungPose from = breath + collapse * kCollapse;
+    const bool shrinks = volume < lung.cubic(from, kCollapse).at(0.0);
+    const double all = shrinks ? kMostCollapse : kLeastCollapse;
+    const LungPose along = lung.room() * all * kCollapse + -1.0 * from;
+    const VolumeCubic cubic = lung.cubic(from, along);
+    const double amount = amountFor(cubic, volume, {0.0, 1.0});
+    const double off_ml = inMillilitres(cubic.at(amount) - volume);
+    return {from + amount * along, std::abs(off_ml) < kUnseen_ml};
+}
+
+PosedLung poseOf(const DrawnLung& lung, double sag, const LungPose& breath, Volume room,
+                 Volume volume)
+{
+    const LungPose lying{0.0, 0.0, lung.room() * sag, 0.0};
+    const AmplitudeRange breaths = amplitudesWithin(lying, breath, lung.shiftInto()).value();
+    // The wall stands where it does wherever mediastinum and inside of the lung are.
+    const VolumeCubic unshifted = lung.lungs.volumeAlong(lung.side, lung.level, {}, breath, 0.0);
+    const LungPose given = lying + amountFor(unshifted, room, breaths) * breath;
+    const AmplitudeRange collapses =
+        amplitudesWithin(given, kCollapse, lung.shiftInto()).value_or(AmplitudeRange{});
+    const double collapse = amountFor(lung.cubic(given, kCollapse), volume, collapses);
+    if (collapse > collapses.least && collapse < collapses.greatest)
+        return {given + collapse * kCollapse, true};
+    return alongTheEdge(lung, given, collapse, volume);
+}
+
+struct PosedChest {
+    ChestPose pose;
+    bool fits = true;
+};
+
+PosedChest posedWith(const LungPair& lungs, const ChestShape& shape, std::size_t level,
+                     double shift)
+{
+    PosedChest posed;
+    posed.pose.mediastinalShift = shift;
+    for (const Side side : {Side::Right, Side::Left}) {
+        if (lungs.restVolume(side).si == 0.0)
+            continue;
+        const LungShape& lung = shape.lungs[indexOf(side)];
+        const PosedLung drawn = poseOf(
+            {lungs, side, level, shift}, shape.sag, breathOf(lungs, side, shape.ribShare),
+            lungs.restVolume(side) + lung.room - lung.healthy, drawnVolume(lungs, shape, side));
+        posed.pose.lungs[indexOf(side)] = drawn.pose;
+        posed.fits = posed.fits && drawn.fits;
+    }
+    return posed;
+}
+
+} // namespace
+
+Volume drawnVolume(const LungPair& lungs, const ChestShape& shape, Side side)
+{
+    const LungShape& lung = shape.lungs[indexOf(side)];
+    return lungs.restVolume(side) + lung.gas - lung.healthy;
+}
+
+Volume notDrawn(const LungPair& lungs, const ChestShape& shape, const ChestPose& drawn,
+                std::size_t level)
+{
+    Volume missing{};
+    for (const Side side : {Side::Right, Side::Left}) {
+        if (lungs.restVolume(side).si == 0.0)
+            continue;
+        const Volume enclosed = lungs
+                                    .volumeAlong(side, level, drawn.lungs[indexOf(side)], kCollapse,
+                                                 drawn.mediastinalShift)
+                                    .at(0.0);
+        missing = missing + std::max(Volume{}, drawnVolume(lungs, shape, side) - enclosed);
+    }
+    return missing;
+}
+
+ChestPose drawnPose(const LungPair& lungs, const ChestShape& shape, std::size_t level)
+{
+    const double asked = std::clamp(shape.mediastinalShift.si * lungs.field().frame().perMetre.u,
+                                    -kDrawnShift, kDrawnShift);
+    const PosedChest posed = posedWith(lungs, shape, level, asked);
+    if (posed.fits)
+        return posed.pose;
+    // As far aside as leaves both lungs their volumes.
+    double fits = 0.0;
+    double tooFar = 1.0;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = 0.5 * (fits + tooFar);
+        (posedWith(lungs, shape, level, middle * asked).fits ? fits : tooFar) = middle;
+    }
+    return posedWith(lungs, shape, level, fits * asked).pose;
+}
+
+} // namespace carina

@@ -1,0 +1,237 @@
+#include "engine/lungs/mechanics/lung_condition.h"
+
+#include "engine/core/expects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+/// Values at the severities 0, 0.3, 0.6 and 0.9, on straight lines between and beyond.
+using SeverityTable = std::array<double, 4>;
+
+double lookedUp(const SeverityTable& table, double severity)
+{
+    const double place = severity / 0.3;
+    const std::size_t from = std::min<std::size_t>(2, static_cast<std::size_t>(place));
+    return table[from] + (place - static_cast<double>(from)) * (table[from + 1] - table[from]);
+}
+
+// Pulse's table of diseases; fatigue is a factor on the tidal volume.
+constexpr SeverityTable kArdsOpen{1.0, 0.7, 0.5, 0.4};
+constexpr SeverityTable kArdsFatigue{1.0, 0.76, 0.52, 0.28};
+constexpr SeverityTable kArdsDeadSpace_l{0.0, 0.0, 0.03, 0.15};
+constexpr SeverityTable kCopdCompliance{1.0, 1.0, 1.1, 1.4};
+constexpr SeverityTable kCopdResistance{1.0, 0.85 / 0.45, 1.7 / 0.45, 2.4 / 0.45};
+// To gas that leaves, over that to gas that comes in: of 24.4 cmH2O s/L in severe COPD (the mean of
+// "An identifiable model of lung mechanics to diagnose and monitor COPD") 1.125 lie above the
+// carina. The straight line to it is ours.
+constexpr SeverityTable kCopdCompression{1.0, 3.9, 6.8, 9.7};
+constexpr SeverityTable kCopdFatigue{1.0, 0.87, 0.76, 0.64};
+constexpr SeverityTable kCopdDeadSpace_l{0.0, 0.3, 0.6, 0.9};
+constexpr double kPulseRest_l = 2.31; // resting volume of the patient the dead spaces are of
+// Emphysema (AJRCCM 158:3), reached at 0.9.
+constexpr SeverityTable kCopdRest{1.0, 1.0 + 0.77 / 3.0, 1.0 + 1.54 / 3.0, 1.77};
+constexpr SeverityTable kCopdCapacity{1.0, 1.0 + 0.40 / 3.0, 1.0 + 0.80 / 3.0, 1.40};
+constexpr SeverityTable kCopdResidual{1.0, 1.0 + 1.42 / 3.0, 1.0 + 2.84 / 3.0, 2.42};
+
+bool affects(const LungCondition& condition, std::size_t lung)
+{
+    return condition.side == ConditionSide::Both
+           || (condition.side == ConditionSide::Right) == (lung == 0);
+}
+
+Volume ceilingOf(const PressureVolumeCurve& curve) { return curve.floor + curve.span; }
+
+/// Leaves a share of the lung open. The wall comes in and pulls more on what is left.
+void closeAllBut(LungMechanics& lung, double open)
+{
+    const PressureVolumeCurve& before = lung.curve;
+    const Volume rest = before.floor + open * (lung.wallVolume - before.floor);
+    const Pressure recoil = lung.wallRecoil + Pressure{(lung.wallVolume - rest).si / lung.wall.si};
+    lung.curve = PressureVolumeCurve::through(before.floor, before.floor + open * before.span, rest,
+                                              recoil, open * before.complianceAt(lung.wallVolume));
+}
+
+/// The effort that brings `fatigue` times the tidal volume when the lung's compliance is multiplied
+/// and the wall, as compliant as a healthy lung, stays as it is.
+double tiredEffort(double fatigue, double compliance)
+{
+    return fatigue * (1.0 + 1.0 / compliance) / 2.0;
+}
+
+void makeArds(LungMechanics& lung, double severity)
+{
+    closeAllBut(lung, lookedUp(kArdsOpen, severity));
+    lung.limbSpread = (1.0 + severity) * lung.limbSpread;
+    lung.alveolarDeadSpace = lookedUp(kArdsDeadSpace_l, severity) / kPulseRest_l * lung.wallVolume;
+}
+
+void makeCopd(LungMechanics& lung, double severity)
+{
+    const PressureVolumeCurve& before = lung.curve;
+    const Volume healthyRest = lung.wallVolume;
+    lung.wallVolume = lookedUp(kCopdRest, severity) * healthyRest;
+    lung.wallRecoil = (1.0 - 0.5 * severity) * lung.wallRecoil;
+    lung.curve = PressureVolumeCurve::through(
+        lookedUp(kCopdResidual, severity) * before.floor,
+        lookedUp(kCopdCapacity, severity) * ceilingOf(before), lung.wallVolume, lung.wallRecoil,
+        lookedUp(kCopdCompliance, severity) * before.complianceAt(healthyRest));
+    lung.bronchi = (1.0 / lookedUp(kCopdResistance, severity)) * lung.bronchi;
+    lung.compression = lookedUp(kCopdCompression, severity);
+    lung.alveolarDeadSpace = lookedUp(kCopdDeadSpace_l, severity) / kPulseRest_l * healthyRest;
+}
+
+/// Of the natural airway 1.125 of 1.575 cmH2O s/L lie above the carina, and stay.
+void makeAsthma(LungMechanics& lung, double severity)
+{
+    lung.bronchi = (1.0 / (1.0 + 14.0 * severity * 1.575 / 0.45)) * lung.bronchi;
+}
+
+/// What the mediastinum gives way to a rise of the pleural pressure on one side: the other side
+/// takes it with its lung and its wall.
+Volume givenWay(const RespiratorySystem& healthy, const LungMechanics& other, Pressure rise)
+{
+    const double taken = other.wall.si + other.curve.complianceAt(other.wallVolume).si;
+    return {healthy.mediastinum.si * rise.si / (1.0 + healthy.mediastinum.si / taken)};
+}
+
+void makePneumothorax(LungMechanics& lung, double severity, Volume mediastinum)
+{
+    const Volume rest = (1.0 - 0.75 * severity) * lung.wallVolume;
+    const Pressure recoil = (1.0 - severity) * lung.wallRecoil;
+    const double open =
+        std::max(kLeastOpenShare,
+                 (rest - lung.curve.floor) / (lung.curve.volumeAt(recoil) - lung.curve.floor));
+    lung.curve.span = open * lung.curve.span;
+    lung.bronchi = open * lung.bronchi;
+    lung.pleuralGas =
+        lung.wallVolume - rest + Volume{severity * lung.wallRecoil.si * lung.wall.si} + mediastinum;
+}
+
+void makeTension(LungMechanics& lung, double severity)
+{
+    // The gas fills the side of the chest as through a resistance: minutes under a ventilator.
+    constexpr double kFilling_s = 40.0;
+    if (severity == 0.0)
+        return;
+    lung.valve = {severity * lung.wall.si / kFilling_s};
+    lung.relief = {};
+}
+
+void blockBehindTube(LungMechanics& lung, double severity)
+{
+    lung.bronchi = (1.0 - severity) * (1.0 - severity) * lung.bronchi;
+    lung.uptake = {severity / 180.0};
+    lung.uptakeEnd = 0.45 * lung.wallVolume;
+}
+
+/// A short narrow place of an open share of the trachea's section loses the head of its jet. With
+/// the last hundredth of the section closed nothing passes to either lung.
+void narrowTrachea(RespiratorySystem& system, double severity)
+{
+    constexpr double kDensity = 1.2;           // kg/m^3
+    constexpr double kTracheaSection = 2.0e-4; // m^2
+    constexpr double kLeastOpen = 0.01;
+    const double open = 1.0 - severity;
+    const double jet = (1.0 / std::max(kLeastOpen, open) - 1.0) / kTracheaSection;
+    system.upperTurbulent += 0.5 * kDensity * jet * jet;
+    for (LungMechanics& lung : system.lungs)
+        lung.bronchi = std::min(1.0, open / kLeastOpen) * lung.bronchi;
+}
+
+void afflict(LungMechanics& lung, const LungCondition& condition)
+{
+    const double severity = condition.severity;
+    switch (condition.kind) {
+    case ConditionKind::Ards:
+        return makeArds(lung, severity);
+    case ConditionKind::Copd:
+        return makeCopd(lung, severity);
+    case ConditionKind::Asthma:
+        return makeAsthma(lung, severity);
+    case ConditionKind::TensionPneumothorax:
+        return makeTension(lung, severity);
+    case ConditionKind::Atelectasis:
+        closeAllBut(lung, 1.0 - 0.9 * severity);
+        lung.bronchi = (1.0 - 0.9 * severity) * lung.bronchi;
+        return;
+    case ConditionKind::Obstruction:
+        lung.bronchi = (1.0 - severity) * (1.0 - severity) * lung.bronchi;
+        return;
+    case ConditionKind::StiffChest:
+        lung.wall = (1.0 / (1.0 + 4.0 * severity)) * lung.wall;
+        return;
+    case ConditionKind::Normal:
+    case ConditionKind::SimplePneumothorax:
+    case ConditionKind::MainstemIntubation:
+        return;
+    }
+}
+
+double effortWith(const LungCondition& condition)
+{
+    const double severity = condition.severity;
+    double effort = 1.0;
+    if (condition.kind == ConditionKind::Ards)
+        effort = tiredEffort(lookedUp(kArdsFatigue, severity), lookedUp(kArdsOpen, severity));
+    if (condition.kind == ConditionKind::Copd)
+        effort = tiredEffort(lookedUp(kCopdFatigue, severity), lookedUp(kCopdCompliance, severity));
+    return condition.side == ConditionSide::Both ? effort : 0.5 * (1.0 + effort);
+}
+
+/// The share of a breath that leaves in the time a quiet one has for it, by the time constant of
+/// the bronchi and the system.
+double shareThatLeaves(const RespiratorySystem& system)
+{
+    constexpr double kQuietExpiration = 2.2; // s, of an adult, once the muscles have let go
+    double conductance = 0.0;
+    double compliance = 0.0;
+    for (const LungMechanics& lung : system.lungs) {
+        conductance += lung.bronchi.si / lung.compression;
+        compliance +=
+            1.0 / (1.0 / lung.curve.complianceAt(lung.wallVolume).si + 1.0 / lung.wall.si);
+    }
+    const double tau = (system.upperLaminar.si + 1.0 / conductance) * compliance;
+    return 1.0 - std::exp(-kQuietExpiration / tau);
+}
+
+} // namespace
+
+RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungCondition& condition)
+{
+    const double severity = condition.severity;
+    CARINA_EXPECTS(severity >= 0.0 && severity <= 1.0);
+    const bool isMainstem = condition.kind == ConditionKind::MainstemIntubation;
+    CARINA_EXPECTS(!isMainstem || condition.side != ConditionSide::Both);
+    RespiratorySystem system = healthy;
+    if (condition.kind == ConditionKind::Obstruction && condition.side == ConditionSide::Both) {
+        narrowTrachea(system, severity);
+        return system;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const LungMechanics& other = healthy.lungs[1 - i];
+        if (isMainstem && !affects(condition, i))
+            blockBehindTube(system.lungs[i], severity);
+        if (!affects(condition, i))
+            continue;
+        if (condition.kind == ConditionKind::SimplePneumothorax) {
+            const bool alone = condition.side != ConditionSide::Both;
+            makePneumothorax(system.lungs[i], severity,
+                             alone ? givenWay(healthy, other, severity * other.wallRecoil)
+                                   : Volume{});
+        }
+        afflict(system.lungs[i], condition);
+    }
+    system.effort = effortWith(condition);
+    // The tidal volumes of the table are breathed on top of what stays behind.
+    if (condition.kind == ConditionKind::Copd)
+        system.effort *= shareThatLeaves(healthy) / shareThatLeaves(system);
+    return system;
+}
+
+} // namespace carina

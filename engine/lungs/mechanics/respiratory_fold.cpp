@@ -1,0 +1,226 @@
+#include "engine/lungs/mechanics/respiratory_fold.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+/// Mean alveolar pressure, each lung counting by its bronchi: what the airway comes to when closed.
+/// One that leads nowhere keeps its own.
+Pressure occluded(const RespiratorySystem& system, const ChestMoment& moment)
+{
+    const double right = system.lungs[0].bronchi.si;
+    const double left = system.lungs[1].bronchi.si;
+    if (right < kShut.si && left < kShut.si)
+        return moment.opening;
+    return {(right * moment.alveolar[0].si + left * moment.alveolar[1].si) / (right + left)};
+}
+
+/// Share of the gas that reaches alveoli where blood is: what is breathed spreads evenly over the
+/// gas of both lungs, of which the alveolar dead space is a part.
+double perfusedShare(const RespiratorySystem& system, const ChestContent& content)
+{
+    const Volume gas = content[0].gas + content[1].gas;
+    const Volume dead = system.lungs[0].alveolarDeadSpace + system.lungs[1].alveolarDeadSpace;
+    return std::max(0.0, 1.0 - dead / gas);
+}
+
+RespiratorySystem healthyIn(const RespiratorySettings& settings)
+{
+    RespiratorySystem system = healthySystem(settings.build);
+    place(system, settings.position, healthySystem(settings.build));
+    return system;
+}
+
+} // namespace
+
+RespiratorySystem systemOf(const RespiratorySettings& settings)
+{
+    RespiratorySystem onBack = healthySystem(settings.build);
+    const VentilatorSettings& ventilator = settings.ventilator;
+    if (ventilator.mode != VentilationMode::Spontaneous && ventilator.ownEffort == 0.0)
+        relax(onBack, settings.position == BodyPosition::Sitting ? 1.0 : kRelaxedRest);
+    if (settings.tube.si > 0.0)
+        intubate(onBack, settings.tube);
+    RespiratorySystem system = afflicted(onBack, settings.condition);
+    place(system, settings.position, onBack);
+    return system;
+}
+
+RespiratoryFold::RespiratoryFold(const RespiratorySettings& settings)
+    : m_clock{settings.pattern.rate}
+{
+    set(settings);
+    m_state.system = m_target;
+    m_state.content = restingContent(m_target);
+    m_moment = chestMoment(m_state.system, m_state.content, {}, m_state.opening);
+    beginBreath();
+}
+
+RespiratoryFold::RespiratoryFold(const RespiratorySettings& settings,
+                                 const RespiratoryState& checkpoint)
+    : m_state{checkpoint}, m_clock{checkpoint.clock}
+{
+    set(settings);
+    m_moment = chestMoment(m_state.system, m_state.content, m_state.muscle, m_state.opening);
+}
+
+void RespiratoryFold::set(const RespiratorySettings& settings)
+{
+    m_settings = settings;
+    m_target = systemOf(settings);
+    if (const RespiratorySystem healthy = healthyIn(settings); healthy != m_healthy) {
+        m_healthy = healthy;
+        m_found.reset();
+    }
+}
+
+RespiratoryState RespiratoryFold::state() const
+{
+    RespiratoryState state = m_state;
+    state.clock = m_clock.state();
+    return state;
+}
+
+bool RespiratoryFold::isVentilated() const
+{
+    return m_settings.ventilator.mode != VentilationMode::Spontaneous;
+}
+
+Pressure RespiratoryFold::muscleAt(double breaths) const
+{
+    const double share =
+        muscleShare(breaths - std::floor(breaths), m_state.breath.inspiratoryFraction);
+    return share * m_state.system.effort * m_state.effort;
+}
+
+/// The muscle's pressure when the step has gone on for so long: of its breath, and what is still
+/// above or below it where the effort was changed.
+Pressure RespiratoryFold::relaxedTo(double breaths, double before, double seconds) const
+{
+    const Pressure aim = muscleAt(breaths);
+    const double most = cmH2O(kMuscleSlew_cmH2OPerS).si * seconds;
+    if (std::abs(aim.si - m_state.muscle.si) <= most)
+        return aim;
+    const double left = (m_state.muscle - muscleAt(before)).si;
+    return {aim.si + left - std::clamp(left, -most, most)};
+}
+
+bool RespiratoryFold::ventilatorBegins() const
+{
+    const VentilatorTiming timing =
+        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+    const std::int64_t since = m_state.ventilator.sinceBreath;
+    const auto listening =
+        timing.inspiration + static_cast<std::int64_t>(kTriggerDelay / kRespiratoryStep);
+    const VolumeFlow trigger = m_settings.ventilator.trigger;
+    const bool asked = trigger.si > 0.0 && since >= listening && m_moment.airwayFlow > trigger;
+    return asked || since >= timing.breath;
+}
+
+/// Looked for once for each way to breathe.
+Pressure RespiratoryFold::effortOfHealth(const BreathingPattern& pattern)
+{
+    if (!m_found || m_found->pattern != pattern)
+        m_found = FoundEffort{pattern, effortFor(m_healthy, pattern)};
+    return m_found->effort;
+}
+
+/// The breath that ends is summed up, and the settings hold for the one that begins.
+void RespiratoryFold::beginBreath()
+{
+    const ChestContent& content = m_state.content;
+    BreathTally& tally = m_state.tally;
+    if (tally.steps > 0) {
+        BreathFigures& last = m_state.last;
+        last.tidalVolume = tally.inspired;
+        last.tidalVolumeOfLung = {tally.most[0] - tally.least[0], tally.most[1] - tally.least[1]};
+        last.rate = {1.0 / (static_cast<double>(tally.steps) * kRespiratoryStep)};
+        last.peak = tally.peak;
+        last.plateau = tally.plateau;
+        last.endExpiratory = occluded(m_state.system, m_moment);
+        last.autoPeep = last.endExpiratory - m_state.opening.pressure;
+        const Volume fresh =
+            std::max(Volume{}, tally.inspired - m_state.system.anatomicalDeadSpace);
+        last.alveolarVentilation = {perfusedShare(m_state.system, content) * fresh.si
+                                    * last.rate.si};
+    }
+    const std::array<Volume, 2> gas{content[0].gas, content[1].gas};
+    tally = {0, {}, gas, gas, m_moment.opening, {}};
+    BreathingPattern& pattern = m_state.breath;
+    pattern = m_settings.pattern;
+    pattern.tidalVolume = std::min(pattern.tidalVolume, largestTidalVolume(m_settings.build));
+    const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
+    m_state.effort = own > 0.0 ? own * effortOfHealth(pattern) : Pressure{};
+    m_state.ventilator.sinceBreath = 0;
+}
+
+void RespiratoryFold::step()
+{
+    approach(m_state.system, m_target, kRespiratoryStep / kChangeTime);
+    if (isVentilated() && ventilatorBegins())
+        beginBreath();
+    const double before = m_clock.state().breaths;
+    m_clock.advance(isVentilated() ? m_settings.ventilator.ownRate : m_settings.pattern.rate,
+                    kRespiratoryStep);
+    const double after = m_clock.state().breaths;
+    const std::array<Pressure, 3> muscle{
+        m_state.muscle, relaxedTo(0.5 * (before + after), before, 0.5 * kRespiratoryStep),
+        relaxedTo(after, before, kRespiratoryStep)};
+    m_state.opening = openingNow();
+    const ChestContent content =
+        advanced(m_state.system, m_state.content, muscle, m_state.opening, kRespiratoryStep);
+    m_state.muscle = muscle[2];
+    m_moment = chestMoment(m_state.system, content, m_state.muscle, m_state.opening);
+    tally(content);
+    m_state.content = content;
+    ++m_state.steps;
+    ++m_state.ventilator.sinceBreath;
+    if (!isVentilated() && std::floor(after) > std::floor(before))
+        beginBreath();
+}
+
+AirwayOpening RespiratoryFold::openingNow() const
+{
+    if (!isVentilated())
+        return AirwayOpening::at({});
+    const VentilatorTiming timing =
+        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+    return ventilatorOpening(m_settings.ventilator, timing, m_state.breath.tidalVolume,
+                             m_state.ventilator, kRespiratoryStep);
+}
+
+bool RespiratoryFold::inspires() const
+{
+    if (!isVentilated())
+        return m_clock.phase() <= m_state.breath.inspiratoryFraction;
+    const VentilatorTiming timing =
+        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+    return m_state.ventilator.sinceBreath < timing.inspiration;
+}
+
+/// Counts a step that ends with these contents into the present breath.
+void RespiratoryFold::tally(const ChestContent& content)
+{
+    BreathTally& tally = m_state.tally;
+    double gained = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const LungContent& before = m_state.content[i];
+        const double lost =
+            m_moment.uptake[i].si + m_state.system.lungs[i].relief.si * content[i].trapped.si;
+        gained += (content[i].gas - before.gas + content[i].trapped - before.trapped).si
+                  + lost * kRespiratoryStep;
+        tally.least[i] = std::min(tally.least[i], content[i].gas);
+        tally.most[i] = std::max(tally.most[i], content[i].gas);
+    }
+    tally.inspired.si += std::max(0.0, gained);
+    tally.peak = std::max(tally.peak, m_moment.opening);
+    if (inspires())
+        tally.plateau = m_moment.carina;
+    ++tally.steps;
+}
+
+} // namespace carina

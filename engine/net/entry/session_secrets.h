@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/net/entry/access_key.h"
+#include "engine/net/entry/join_code.h"
+#include "engine/net/entry/psk_identity.h"
+
+#include <filesystem>
+
+namespace carina
+{
+
+/// What opens a session, kept by its host as long as the session: a code for each role with the
+/// key derived from it, and a token for each participant. On disk before it is used, in a file
+/// that only its owner may read, so that all of it outlives a crash.
+class SessionSecrets
+{
+public:
+    /// Those in the file, or new ones where there is none.
+    /// @param file empty: kept in memory only
+    /// @returns FileMalformed for a damaged file, or one of another session; FileUnwritable.
+    [[nodiscard]] static Result<SessionSecrets> open(std::filesystem::path file,
+                                                     std::string sessionId);
+
+    [[nodiscard]] const std::string& sessionId() const { return m_sessionId; }
+    [[nodiscard]] const JoinCodes& codes() const { return m_codes; }
+
+    /// The key of a role's code; nothing until it was derived.
+    [[nodiscard]] std::optional<AccessKey> codeKey(Role role) const;
+    /// @returns FileUnwritable; the key is used all the same, and derived again after a restart.
+    Result<void> setCodeKey(Role role, const AccessKey& key);
+
+    /// The token of a participant who has one, in this role and no other.
+    [[nodiscard]] std::optional<AccessKey> token(Role role, ParticipantId participant) const;
+    /// The same one each time. @returns FileUnwritable, and then there is none.
+    [[nodiscard]] Result<AccessKey> issueToken(Role role, ParticipantId participant);
+
+private:
+    SessionSecrets(std::filesystem::path file, std::string sessionId);
+
+    [[nodiscard]] Result<void> read();
+    [[nodiscard]] Result<void> write() const;
+
+    std::filesystem::path m_file;
+    std::string m_sessionId;
+    JoinCodes m_codes;
+    std::map<Role, AccessKey> m_codeKeys;
+    std::map<std::pair<Role, ParticipantId>, AccessKey> m_tokens;
+};
+
+} // namespace carina

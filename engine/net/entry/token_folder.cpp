@@ -1,0 +1,75 @@
+#include "engine/net/entry/token_folder.h"
+
+#include "engine/io/files/whole_file.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+#include <charconv>
+
+namespace carina
+{
+
+TokenFolder::TokenFolder(std::filesystem::path folder, Role role, std::string name)
+    : m_folder{std::move(folder)}, m_role{role}, m_name{std::move(name)}
+{
+}
+
+std::optional<TokenFolder::Token> TokenFolder::find(const std::string& sessionId) const
+{
+    if (const auto known = m_known.find(sessionId); known != m_known.end())
+        return known->second;
+    if (m_folder.empty())
+        return std::nullopt;
+    const auto text = readWholeFile(fileOf(sessionId));
+    if (!text)
+        return std::nullopt;
+    // "participant key"
+    Token token{};
+    const char* end = text->data() + text->size();
+    const auto [rest, error] = std::from_chars(text->data(), end, token.participant.value);
+    if (error != std::errc{} || rest == end || *rest != ' ')
+        return std::nullopt;
+    const auto key = keyFromHex(std::string{rest + 1, end});
+    if (!key)
+        return std::nullopt;
+    token.key = *key;
+    return token;
+}
+
+Result<void> TokenFolder::keep(const std::string& sessionId, const Token& token)
+{
+    m_known.insert_or_assign(sessionId, token);
+    if (m_folder.empty())
+        return {};
+    return writePrivateFile(fileOf(sessionId),
+                            std::to_string(token.participant.value) + ' ' + toHex(token.key));
+}
+
+bool TokenFolder::hasAny() const
+{
+    if (!m_known.empty())
+        return true;
+    std::error_code none;
+    const std::filesystem::directory_iterator files{m_folder, none};
+    return std::any_of(begin(files), end(files), [ending = ending()](const auto& file) {
+        return file.path().filename().string().ends_with(ending);
+    });
+}
+
+std::string TokenFolder::ending() const
+{
+    // Names may hold anything; their hash may not.
+    const QByteArray name =
+        QCryptographicHash::hash(QByteArray::fromStdString(m_name), QCryptographicHash::Sha256)
+            .toHex()
+            .first(16);
+    return '-' + std::string{roleWord(m_role)} + '-' + name.toStdString() + ".token";
+}
+
+std::filesystem::path TokenFolder::fileOf(const std::string& sessionId) const
+{
+    return m_folder / (sessionId + ending());
+}
+
+} // namespace carina

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/net/entry/token_folder.h"
+
+#include <span>
+#include <vector>
+
+namespace carina
+{
+
+/// Datagrams about tokens, inside the encrypted path. They begin with "CT" where those of
+/// engine/sync begin with "CA".
+
+/// A client that was let in wants its token; asked again until it came.
+[[nodiscard]] std::vector<std::byte> encodeTokenRequest();
+[[nodiscard]] bool isTokenRequest(std::span<const std::byte> bytes);
+
+/// The host's answer.
+[[nodiscard]] std::vector<std::byte> encodeToken(const TokenFolder::Token& token);
+/// Nothing for any other datagram.
+[[nodiscard]] std::optional<TokenFolder::Token> decodeToken(std::span<const std::byte> bytes);
+
+} // namespace carina

@@ -1,0 +1,239 @@
+#include "engine/net/node/client_driver.h"
+
+#include "engine/net/entry/token_message.h"
+#include "engine/session/facts/fact_codec.h"
+
+#include <QRandomGenerator>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr ParticipantId kHostParticipant{0};
+constexpr Duration kTokenRequestInterval = std::chrono::milliseconds{250};
+
+ProposalRecord newProposal(StationId station, FactBody body)
+{
+    const ProposalId id{QRandomGenerator::system()->generate64()};
+    return toRecord(Proposal{id, kNobody, station, std::move(body)});
+}
+
+/// A person waits for it, or has to know that nothing is kept.
+bool isTold(const RefusedProposal& refused)
+{
+    const auto proposal = fromRecord(refused.proposal);
+    return !proposal || !isByItself(proposal->body) || refused.reason == Errc::StoreFailed;
+}
+
+LinkState linkState(SyncClient::State state)
+{
+    switch (state) {
+    case SyncClient::State::Connected:
+        return LinkState::Connected;
+    case SyncClient::State::Connecting:
+        return LinkState::Connecting;
+    case SyncClient::State::Away:
+    case SyncClient::State::Closed:
+        break;
+    }
+    return LinkState::Away;
+}
+
+} // namespace
+
+ClientDriver::ClientDriver(const JoinSettings& settings, NodeBoard& board, LocalTime now)
+    : m_credentials{settings.role, settings.code,
+                    TokenFolder{settings.tokens, settings.role, settings.participantName},
+                    settings.derive},
+      m_door{settings.address, settings.port, {}},
+      m_expectsCertificate{settings.certificate.has_value()},
+      m_board{board},
+      m_core{newProposal(settings.station, fact::ParticipantJoined{ParticipantId{}, settings.role,
+                                                                   settings.participantName}),
+             QRandomGenerator::system()->generate(), now}
+{
+    show(now);
+}
+
+void ClientDriver::connected(PeerAddress host, const Credential&, LocalTime now)
+{
+    m_host = host;
+    m_core.greetNow(now);
+    showDoor();
+}
+
+void ClientDriver::showDoor()
+{
+    auto offer = m_credentials.offerAgain();
+    // There is no certificate behind that door: only the token's other holder shall be asked.
+    if (offer && (offer->identity.who.participant || !m_expectsCertificate))
+        m_board.setDoor({m_door.address, m_door.port, *std::move(offer)});
+}
+
+void ClientDriver::disconnected(PeerAddress, LocalTime)
+{
+    // The core hears by itself that nobody answers.
+}
+
+void ClientDriver::refused(const Error& why, LocalTime) { m_noEntry = why; }
+
+void ClientDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
+{
+    if (from != m_host)
+        return;
+    if (const auto token = decodeToken(bytes)) {
+        m_credentials.keepToken(*token);
+        showDoor();
+    } else {
+        m_core.receive(bytes, now);
+    }
+}
+
+void ClientDriver::propose(StationId station, FactBody body, LocalTime now)
+{
+    if (!isByItself(body))
+        m_refusal.reset();
+    m_core.propose(newProposal(station, std::move(body)), now);
+}
+
+void ClientDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+{
+    m_publications.add(station, kind, std::move(name), std::move(newest));
+}
+
+NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
+{
+    sendOwnStreams(now);
+    m_core.advance(now);
+    SyncClient::Output output = m_core.take();
+    if (output.startedAfresh)
+        startAfresh();
+    for (const FactRecord& record : output.facts)
+        if (!apply(record, now))
+            break;
+    for (const StreamSample& sample : output.streams)
+        m_board.objects.take(sample.cpo, m_core.clock().mapping()->at(now));
+    for (const RefusedProposal& refused : output.refused)
+        if (isTold(refused))
+            m_refusal = Error{refused.reason, {}};
+    show(now);
+    if (wantsToken() && now >= m_nextTokenRequest) {
+        m_nextTokenRequest = now + kTokenRequestInterval;
+        output.datagrams.push_back(encodeTokenRequest());
+    }
+    return addressed(std::move(output.datagrams));
+}
+
+LocalTime ClientDriver::nextWake() const
+{
+    return std::min({m_core.nextWake(), m_publications.nextTick(),
+                     wantsToken() ? m_nextTokenRequest : LocalTime::max()});
+}
+
+bool ClientDriver::wantsToken() const
+{
+    return m_core.state() == SyncClient::State::Connected && !m_credentials.hasToken();
+}
+
+NodeDriver::Datagrams ClientDriver::close(LocalTime now)
+{
+    m_core.leave(now);
+    return addressed(m_core.take().datagrams);
+}
+
+void ClientDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
+{
+    m_refusal.reset();
+    if (const auto done = m_core.act(object, action, now); !done)
+        m_refusal = done.error();
+}
+
+void ClientDriver::sendOwnStreams(LocalTime now)
+{
+    if (m_core.isCaughtUp())
+        for (auto& [station, object] : m_publications.takeUnknown(m_state, m_core.self()))
+            m_core.propose(newProposal(station, std::move(object)), now);
+    for (const auto& [station, cpo] : m_publications.sample(m_state, m_core.self(), now))
+        m_core.publish(station, cpo);
+}
+
+void ClientDriver::startAfresh()
+{
+    m_state = {};
+    m_shownState.reset();
+    m_board.objects.clear();
+    m_publications.forget();
+}
+
+bool ClientDriver::apply(const FactRecord& record, LocalTime now)
+{
+    const auto fact = fromRecord(record);
+    if (!fact) { // no host that judges has such a fact
+        m_refusal = fact.error();
+        m_core.leave(now);
+        return false;
+    }
+    m_state.apply(*fact);
+    m_shownState.reset();
+    if (const auto object = objectOf(fact->body); object && m_state.objects().contains(*object))
+        share(m_state.objects().at(*object));
+    return true;
+}
+
+void ClientDriver::share(const SharedObject& object)
+{
+    m_core.share(object.id, {object.owner, object.epoch});
+    if (object.owner == m_core.self())
+        m_board.objects.remove(object.id);
+    else
+        m_board.objects.add(object.id);
+}
+
+NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>> datagrams) const
+{
+    Datagrams result;
+    for (auto& bytes : datagrams)
+        result.push_back({m_host, std::move(bytes)});
+    return result;
+}
+
+std::optional<ClockReport> ClientDriver::clockReport(LocalTime now) const
+{
+    const FittedClock& clock = m_core.clock();
+    if (!clock.mapping())
+        return std::nullopt;
+    return ClockReport{clock.mapping()->at(now).time_since_epoch() - now.time_since_epoch(),
+                       clock.skew(), fromSeconds(clock.uncertainty(now)), clock.bound(now),
+                       clock.stateAt(now) == FittedClock::State::Holdover};
+}
+
+void ClientDriver::show(LocalTime now)
+{
+    if (!m_shownState)
+        m_shownState = std::make_shared<SessionState>(m_state);
+    NodeBoard::View view;
+    view.self = m_core.self();
+    view.clock = m_core.clock().mapping();
+    view.state = m_shownState;
+    m_board.showActions(view, m_core.actions());
+    for (const ProposalRecord& record : m_core.waiting())
+        if (auto body = decodeBody(record.body))
+            view.pending.push_back(*std::move(body));
+    view.clockReport = clockReport(now);
+    view.links.push_back(linkReport(kHostParticipant, linkState(m_core.state()), m_core.link()));
+    m_board.showPaths(view, now, [&] {
+        return std::vector{reportPath(kHostParticipant, m_core.link(), m_core.clock().trigger())};
+    });
+    view.refusal = m_refusal;
+    if (const auto refused = m_core.helloRefused())
+        view.refusal = Error{*refused, {}};
+    if (m_noEntry)
+        view.refusal = m_noEntry;
+    if (m_board.show(std::move(view)))
+        m_board.announce();
+}
+
+} // namespace carina

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/net/entry/client_credentials.h"
+#include "engine/net/node/node_board.h"
+#include "engine/net/node/node_driver.h"
+#include "engine/net/objects/publications.h"
+#include "engine/sync/connection/sync_client.h"
+
+namespace carina
+{
+
+/// A participant's part: applies the facts that come and shares its own objects.
+class ClientDriver : public NodeDriver
+{
+public:
+    /// @param board outlives the driver
+    ClientDriver(const JoinSettings& settings, NodeBoard& board, LocalTime now);
+
+    /// What it proves itself with; its transport offers them.
+    [[nodiscard]] ClientCredentials& credentials() { return m_credentials; }
+
+    void connected(PeerAddress host, const Credential& who, LocalTime now) override;
+    void disconnected(PeerAddress host, LocalTime now) override;
+    void refused(const Error& why, LocalTime now) override;
+    void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
+    void propose(StationId station, FactBody body, LocalTime now) override;
+    void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
+    Datagrams advance(LocalTime now) override;
+    [[nodiscard]] LocalTime nextWake() const override;
+    Datagrams close(LocalTime now) override;
+
+private:
+    void showDoor();
+    void sendOwnStreams(LocalTime now);
+    void startAfresh();
+    /// @returns false for a fact that nobody can follow; this node then leaves.
+    [[nodiscard]] bool apply(const FactRecord& record, LocalTime now);
+    void share(const SharedObject& object);
+    [[nodiscard]] Datagrams addressed(std::vector<std::vector<std::byte>> datagrams) const;
+    [[nodiscard]] bool wantsToken() const;
+    [[nodiscard]] std::optional<ClockReport> clockReport(LocalTime now) const;
+    void show(LocalTime now);
+
+    ClientCredentials m_credentials;
+    HostDoor m_door; // but for the key
+    bool m_expectsCertificate;
+    PeerAddress m_host = 0; // the path to it
+    LocalTime m_nextTokenRequest{};
+    std::optional<Error> m_noEntry;
+    NodeBoard& m_board;
+    SyncClient m_core;
+    Publications m_publications;
+    SessionState m_state;
+    std::optional<Error> m_refusal;
+    std::shared_ptr<const SessionState> m_shownState;
+};
+
+} // namespace carina

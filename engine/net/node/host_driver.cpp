@@ -1,0 +1,287 @@
+#include "engine/net/node/host_driver.h"
+
+#include "engine/net/entry/session_identity.h"
+#include "engine/net/node/host_clock.h"
+#include "engine/session/facts/fact_codec.h"
+
+#include <QRandomGenerator>
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr ParticipantId kSelf{0};
+constexpr StationId kFirstStation{0};
+/// Whoever acts quickly does not keep the host at its disk.
+constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
+constexpr const char* kFirstStationName = "Station 1";
+
+std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
+
+Result<std::vector<Fact>> decodeLog(const std::vector<FactRecord>& records)
+{
+    std::vector<Fact> facts;
+    for (const FactRecord& record : records) {
+        auto fact = fromRecord(record);
+        if (!fact)
+            return fail(Errc::StoreCorrupt,
+                        "fact " + std::to_string(record.number.value) + ": " + fact.error().detail);
+        facts.push_back(*std::move(fact));
+    }
+    return facts;
+}
+
+} // namespace
+
+Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& settings,
+                                                     std::unique_ptr<FactStore> store,
+                                                     NodeBoard& board, LocalTime now)
+{
+    auto records = store->load();
+    if (!records)
+        return tl::unexpected(records.error());
+    const auto facts = decodeLog(*records);
+    if (!facts)
+        return tl::unexpected(facts.error());
+    const auto anchor = store->clockAnchor();
+    if (!anchor)
+        return tl::unexpected(anchor.error());
+
+    const bool isNew = records->empty();
+    const std::string bootId = readBootId();
+    const auto lastCommitted = isNew ? std::nullopt : std::optional{records->back().committed};
+    const Duration offset = sessionClockOffset(*anchor, bootId, lastCommitted, now, hostRandom());
+    if (const auto kept = store->setClockAnchor({bootId, offset}); !kept)
+        return tl::unexpected(kept.error());
+
+    std::unique_ptr<HostDriver> driver{
+        new HostDriver{std::move(store), SessionAuthority{*facts}, board, now}};
+    const std::string sessionId = isNew ? newSessionId() : driver->m_authority.state().sessionId();
+    auto access = HostAccess::open(settings.secrets, sessionId, settings.derive);
+    if (!access)
+        return tl::unexpected(access.error());
+    driver->m_access = *std::move(access);
+    board.setJoinCodes(driver->m_access->codes());
+    driver->startCore(sessionId, *std::move(records), offset);
+    if (const auto resumed = driver->resumeActions(now); !resumed)
+        return tl::unexpected(resumed.error());
+    const auto ready =
+        (isNew ? driver->begin(settings, sessionId, now) : Result<void>{}).and_then([&] {
+            return driver->joinItself(settings.participantName, now);
+        });
+    if (!ready)
+        return tl::unexpected(ready.error());
+    driver->show(now);
+    return driver;
+}
+
+HostDriver::HostDriver(std::unique_ptr<FactStore> store, SessionAuthority authority,
+                       NodeBoard& board, LocalTime now)
+    : m_store{std::move(store)},
+      m_authority{std::move(authority)},
+      m_board{board},
+      m_returnsEnd{now + kPeerTimeout}
+{
+}
+
+void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord> log,
+                           Duration clockOffset)
+{
+    HostRules rules{
+        [this](const ProposalRecord& join, LocalTime now) { return identify(join, now); },
+        [this](const ProposalRecord& join, LocalTime now) { return admit(join, now); },
+        [this](const ProposalRecord& record, LocalTime now) {
+            return fromRecord(record).and_then(
+                [&](const Proposal& proposal) { return decide(proposal, now); });
+        },
+        [this](ParticipantId participant, LocalTime now) { left(participant, now); },
+        [this](ParticipantId participant) {
+            return m_authority.state().participants().at(participant).role != Role::Observer;
+        }};
+    m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
+                                        std::move(rules));
+    for (const auto& [id, object] : m_authority.state().objects())
+        share(object);
+}
+
+Result<void> HostDriver::resumeActions(LocalTime now)
+{
+    return m_store->actions().map([&](const std::vector<EventCpo>& actions) {
+        for (EventCpo event : actions) {
+            // After a reboot the session goes on from its last fact, which may be before this.
+            event.start = std::min(event.start, m_core->sessionTime(now));
+            m_core->restore(event);
+        }
+    });
+}
+
+Result<void> HostDriver::begin(const HostSettings& settings, const std::string& sessionId,
+                               LocalTime now)
+{
+    return decideByHost(kFirstStation, fact::SessionCreated{settings.sessionName, sessionId}, now)
+        .and_then([&](const FactRecord&) {
+            return decideByHost(kFirstStation, fact::StationAdded{kFirstStationName}, now);
+        })
+        .map([](const FactRecord&) {});
+}
+
+Result<void> HostDriver::joinItself(const std::string& name, LocalTime now)
+{
+    // Not judged: the authority would give the host a number as it does to everybody else.
+    const SessionTime time = m_core->sessionTime(now);
+    const FactNumber number{m_core->log().size() + 1};
+    const fact::ParticipantJoined joined{kSelf, Role::Instructor, name};
+    m_epoch = static_cast<std::uint16_t>(number.value);
+    return enter({number, ProposalId{hostRandom()}, kSelf, kFirstStation, time, time, joined})
+        .map([](const FactRecord&) {});
+}
+
+Result<FactRecord> HostDriver::decide(const Proposal& proposal, LocalTime now)
+{
+    if (const auto number = m_authority.settled(proposal.id))
+        return m_core->log()[number->value - 1];
+    return m_authority.judge(proposal, m_core->sessionTime(now), m_core->slowestPath())
+        .and_then([this](const Fact& fact) { return enter(fact); });
+}
+
+Result<FactRecord> HostDriver::decideByHost(StationId station, FactBody body, LocalTime now)
+{
+    auto fact = decide({ProposalId{hostRandom()}, kSelf, station, std::move(body)}, now);
+    if (!fact)
+        m_refusal = fact.error();
+    return fact;
+}
+
+Result<FactRecord> HostDriver::enter(const Fact& fact)
+{
+    const FactRecord record = toRecord(fact);
+    if (const auto stored = m_store->append(record); !stored)
+        return fail(Errc::StoreFailed, stored.error().detail);
+    m_authority.commit(fact);
+    m_core->append(record);
+    if (const auto object = objectOf(fact.body))
+        share(m_authority.state().objects().at(*object));
+    m_shownState.reset();
+    return record;
+}
+
+void HostDriver::share(const SharedObject& object)
+{
+    m_core->share(object.id, {object.owner, object.epoch});
+    if (object.owner == kSelf)
+        m_board.objects.remove(object.id);
+    else
+        m_board.objects.add(object.id);
+}
+
+void HostDriver::propose(StationId station, FactBody body, LocalTime now)
+{
+    const bool isAwaited = !isByItself(body);
+    if (isAwaited)
+        m_refusal.reset();
+    const auto fact = decide({ProposalId{hostRandom()}, kSelf, station, std::move(body)}, now);
+    if (!fact && (isAwaited || fact.error().code == Errc::StoreFailed))
+        m_refusal = fact.error();
+}
+
+void HostDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+{
+    m_publications.add(station, kind, std::move(name), std::move(newest));
+}
+
+void HostDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
+{
+    m_refusal.reset();
+    if (const auto done = m_core->act(object, action, now); !done)
+        m_refusal = done.error();
+}
+
+void HostDriver::sendOwnStreams(LocalTime now)
+{
+    for (auto& [station, object] : m_publications.takeUnknown(m_authority.state(), kSelf))
+        static_cast<void>(decideByHost(station, std::move(object), now)); // a refusal is shown
+    for (const auto& [station, cpo] : m_publications.sample(m_authority.state(), kSelf, now))
+        m_core->publish({kSelf, m_epoch, station, cpo}, now);
+}
+
+void HostDriver::keepActions(LocalTime now)
+{
+    if (m_unkept.empty() || now < m_nextKeep)
+        return;
+    for (const auto& [object, event] : std::exchange(m_unkept, {}))
+        if (const auto kept = m_store->keepAction(event); !kept)
+            m_refusal = kept.error();
+    m_nextKeep = now + kKeepInterval;
+}
+
+NodeDriver::Datagrams HostDriver::advance(LocalTime now)
+{
+    keepActions(now); // those of the last turn, which are on their way by now
+    sendOwnStreams(now);
+    m_core->advance(now);
+    dropAbsent(now);
+    for (const EventCpo& event : m_core->takeChanged())
+        m_unkept.insert_or_assign(event.object, event);
+    SyncHost::Output output = m_core->take();
+    for (const StreamSample& sample : output.streams)
+        m_board.objects.take(sample.cpo, m_core->sessionTime(now));
+    show(now);
+    std::ranges::move(std::exchange(m_tokens, {}), std::back_inserter(output.datagrams));
+    return std::move(output.datagrams);
+}
+
+LocalTime HostDriver::nextWake() const
+{
+    if (!m_tokens.empty())
+        return LocalTime::min();
+    return std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
+                     m_unkept.empty() ? LocalTime::max() : m_nextKeep});
+}
+
+NodeDriver::Datagrams HostDriver::close(LocalTime now)
+{
+    m_nextKeep = now;
+    keepActions(now);
+    m_core->close(now);
+    return std::move(m_core->take().datagrams);
+}
+
+std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
+{
+    const SessionTime session = m_core->sessionTime(now);
+    std::vector<PathReport> paths;
+    for (const auto& [address, peer] : m_core->peers()) {
+        PathReport path = reportPath(peer.participant, peer.link, peer.clock.trigger());
+        if ((path.clockOffset = peer.clock.offset(session))) {
+            path.clockError = fromSeconds(peer.clock.uncertainty(session));
+            path.clockErrorBound = peer.clock.bound(session);
+        }
+        paths.push_back(std::move(path));
+    }
+    return paths;
+}
+
+void HostDriver::show(LocalTime now)
+{
+    if (!m_shownState)
+        m_shownState = std::make_shared<SessionState>(m_authority.state());
+    NodeBoard::View view;
+    view.self = kSelf;
+    const Duration offset = m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch();
+    view.clock = ClockMapping{now, offset};
+    view.clockReport = ClockReport{offset};
+    view.state = m_shownState;
+    m_board.showActions(view, m_core->actions());
+    for (const auto& [address, peer] : m_core->peers())
+        view.links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
+    m_board.showPaths(view, now, [&] { return measurePaths(now); });
+    view.refusal = m_refusal ? m_refusal : m_access->fault();
+    if (m_board.show(std::move(view)))
+        m_board.announce();
+}
+
+} // namespace carina

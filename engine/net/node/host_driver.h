@@ -1,0 +1,75 @@
+#pragma once
+
+#include "engine/net/node/host_access.h"
+#include "engine/net/node/node_board.h"
+#include "engine/net/node/node_driver.h"
+#include "engine/net/objects/publications.h"
+#include "engine/session/session_authority.h"
+
+namespace carina
+{
+
+/// The host's part: judges what is proposed, has it on disk and then hands it to everyone.
+class HostDriver : public NodeDriver
+{
+public:
+    /// Opens the session of the store, or a new one. @param board outlives the driver.
+    [[nodiscard]] static Result<std::unique_ptr<HostDriver>> open(const HostSettings& settings,
+                                                                  std::unique_ptr<FactStore> store,
+                                                                  NodeBoard& board, LocalTime now);
+
+    [[nodiscard]] const HostAccess& access() const { return *m_access; }
+
+    void connected(PeerAddress peer, const Credential& who, LocalTime now) override;
+    void disconnected(PeerAddress peer, LocalTime now) override;
+    void refused(const Error& why, LocalTime now) override;
+    void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
+    void propose(StationId station, FactBody body, LocalTime now) override;
+    void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
+    Datagrams advance(LocalTime now) override;
+    [[nodiscard]] LocalTime nextWake() const override;
+    Datagrams close(LocalTime now) override;
+
+private:
+    HostDriver(std::unique_ptr<FactStore> store, SessionAuthority authority, NodeBoard& board,
+               LocalTime now);
+
+    void startCore(const std::string& sessionId, std::vector<FactRecord> log, Duration clockOffset);
+    [[nodiscard]] Result<void> begin(const HostSettings& settings, const std::string& sessionId,
+                                     LocalTime now);
+    [[nodiscard]] Result<void> joinItself(const std::string& name, LocalTime now);
+
+    [[nodiscard]] Result<FactRecord> decide(const Proposal& proposal, LocalTime now);
+    [[nodiscard]] Result<FactRecord> decideByHost(StationId station, FactBody body, LocalTime now);
+    [[nodiscard]] Result<FactRecord> enter(const Fact& fact);
+    [[nodiscard]] Result<ParticipantId> identify(const ProposalRecord& join, LocalTime now) const;
+    [[nodiscard]] Result<Admission> admit(const ProposalRecord& join, LocalTime now);
+    void left(ParticipantId participant, LocalTime now);
+    /// Those of the last run who did not come back.
+    void dropAbsent(LocalTime now);
+
+    [[nodiscard]] Result<void> resumeActions(LocalTime now);
+    void keepActions(LocalTime now);
+    void share(const SharedObject& object);
+    void sendOwnStreams(LocalTime now);
+    void show(LocalTime now);
+    [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;
+
+    std::unique_ptr<FactStore> m_store;
+    SessionAuthority m_authority;
+    NodeBoard& m_board;
+    std::unique_ptr<SyncHost> m_core;
+    std::unique_ptr<HostAccess> m_access;
+    PeerAddress m_speaker = 0; // whose datagram is being received
+    Datagrams m_tokens;        // to be sent
+    Publications m_publications;
+    std::uint16_t m_epoch = 0;
+    std::map<ObjectId, EventCpo> m_unkept; // not on disk yet
+    LocalTime m_nextKeep{};
+    LocalTime m_returnsEnd; // until then those of the last run may come back
+    std::optional<Error> m_refusal;
+    std::shared_ptr<const SessionState> m_shownState;
+};
+
+} // namespace carina

@@ -1,0 +1,99 @@
+#include "engine/net/node/node_board.h"
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr Duration kPathInterval = std::chrono::milliseconds{100};
+
+bool sameLinks(const std::vector<NodeBoard::Link>& a, const std::vector<NodeBoard::Link>& b)
+{
+    return std::ranges::equal(a, b, [](const NodeBoard::Link& x, const NodeBoard::Link& y) {
+        return x.report.peer == y.report.peer && x.report.state == y.report.state;
+    });
+}
+
+} // namespace
+
+void NodeBoard::showActions(View& view, const SharedActions& actions) const
+{
+    view.actions = this->actions();
+    if (view.actions->revision() != actions.revision())
+        view.actions = std::make_shared<SharedActions>(actions);
+}
+
+void NodeBoard::showPaths(View& view, LocalTime now,
+                          const std::function<std::vector<PathReport>()>& measure) const
+{
+    {
+        const std::scoped_lock lock{m_mutex};
+        view.paths = m_view.paths;
+        view.nextPaths = m_view.nextPaths;
+    }
+    if (now < view.nextPaths)
+        return;
+    view.paths = std::make_shared<std::vector<PathReport>>(measure());
+    view.nextPaths = now + kPathInterval;
+}
+
+std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
+{
+    std::vector<ObjectReport> reports = objects.reports(now);
+    const auto shared = actions();
+    for (const auto& [id, meter] : shared->meters()) {
+        const ActionFigures& figures = meter.figures();
+        auto report = std::ranges::find(reports, id, &ObjectReport::object);
+        if (report == reports.end())
+            report = reports.insert(reports.end(), ObjectReport{id});
+        report->driftDeg = inDegrees(figures.drift.rotation);
+        report->driftMm = inMillimetres(figures.drift.position);
+        report->limitDeg = inDegrees(figures.limit.rotation);
+        report->limitMm = inMillimetres(figures.limit.position);
+        report->delay = figures.delay;
+        report->actionsPerS = shared->analysis().actionFrequency(id, now);
+    }
+    return reports;
+}
+
+bool NodeBoard::show(View view)
+{
+    const std::scoped_lock lock{m_mutex};
+    const bool changed = view.self != m_view.self || view.state != m_view.state
+                         || view.pending != m_view.pending || view.refusal != m_view.refusal
+                         || view.clock.has_value() != m_view.clock.has_value()
+                         || !sameLinks(view.links, m_view.links);
+    m_view = std::move(view);
+    return changed;
+}
+
+void NodeBoard::onChange(std::function<void()> callback)
+{
+    const std::scoped_lock lock{m_mutex};
+    m_callback = std::move(callback);
+}
+
+NodeBoard::Link linkReport(ParticipantId peer, LinkState state, const PeerLink& link)
+{
+    LinkReport report;
+    report.peer = peer;
+    report.state = state;
+    report.roundTrip = link.shortestRoundTrip().value_or(Duration{});
+    report.clockUncertainty = report.roundTrip / 2;
+    return {report, link.lastHeard()};
+}
+
+void NodeBoard::announce() const
+{
+    std::function<void()> callback;
+    {
+        const std::scoped_lock lock{m_mutex};
+        callback = m_callback;
+    }
+    if (callback)
+        callback();
+}
+
+} // namespace carina

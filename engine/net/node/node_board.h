@@ -1,0 +1,105 @@
+#pragma once
+
+#include "engine/net/node/session_node.h"
+#include "engine/net/objects/remote_objects.h"
+#include "engine/sync/actions/shared_actions.h"
+#include "engine/sync/clock/clock_mapping.h"
+#include "engine/sync/connection/peer_link.h"
+
+#include <mutex>
+
+namespace carina
+{
+
+/// What a node shows to the other threads: its own thread writes, any thread reads.
+class NodeBoard
+{
+public:
+    struct Link {
+        LinkReport report; ///< but for sinceLastDatagram
+        LocalTime lastHeard{};
+    };
+    struct View {
+        ParticipantId self = kNobody;
+        std::optional<ClockMapping> clock;
+        std::optional<ClockReport> clockReport;
+        std::shared_ptr<const SessionState> state = std::make_shared<SessionState>();
+        std::shared_ptr<const SharedActions> actions = std::make_shared<SharedActions>();
+        std::vector<FactBody> pending;
+        std::vector<Link> links;
+        std::shared_ptr<const std::vector<PathReport>> paths =
+            std::make_shared<std::vector<PathReport>>();
+        LocalTime nextPaths = LocalTime::min(); ///< when they are to be measured again
+        std::optional<Error> refusal;
+    };
+
+    [[nodiscard]] View view() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view;
+    }
+    /// Parts of it, for those who ask at every frame.
+    [[nodiscard]] std::optional<ClockMapping> clock() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view.clock;
+    }
+    [[nodiscard]] std::shared_ptr<const SessionState> state() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view.state;
+    }
+    [[nodiscard]] std::shared_ptr<const SharedActions> actions() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_view.actions;
+    }
+    /// Of all objects of which anything came, at session time now.
+    [[nodiscard]] std::vector<ObjectReport> objectReports(SessionTime now) const;
+    /// The node's actions in a view: what is shown already, where it is the same.
+    void showActions(View& view, const SharedActions& actions) const;
+    /// The node's paths in a view, measured where what is shown is too old.
+    void showPaths(View& view, LocalTime now,
+                   const std::function<std::vector<PathReport>()>& measure) const;
+    /// @returns whether what onChange announces is another than before.
+    bool show(View view);
+
+    void setJoinCodes(JoinCodes codes)
+    {
+        const std::scoped_lock lock{m_mutex};
+        m_joinCodes = std::move(codes);
+    }
+    [[nodiscard]] JoinCodes joinCodes() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_joinCodes;
+    }
+
+    void setDoor(HostDoor door)
+    {
+        const std::scoped_lock lock{m_mutex};
+        m_door = std::move(door);
+    }
+    [[nodiscard]] std::optional<HostDoor> door() const
+    {
+        const std::scoped_lock lock{m_mutex};
+        return m_door;
+    }
+
+    void onChange(std::function<void()> callback);
+    void announce() const;
+
+    RemoteObjects objects;
+
+private:
+    mutable std::mutex m_mutex;
+    View m_view;
+    JoinCodes m_joinCodes;
+    std::optional<HostDoor> m_door;
+    std::function<void()> m_callback;
+};
+
+/// The link to a peer as it was measured.
+[[nodiscard]] NodeBoard::Link linkReport(ParticipantId peer, LinkState state, const PeerLink& link);
+
+} // namespace carina

@@ -1,0 +1,22 @@
+#include "engine/net/node/path_report.h"
+
+namespace carina
+{
+
+PathReport reportPath(ParticipantId peer, const PeerLink& link, const ProbeTrigger& trigger)
+{
+    PathReport report;
+    report.peer = peer;
+    report.roundTrip = link.newestRoundTrip();
+    report.loss = link.loss();
+    const DelayHistory& history = trigger.history();
+    if (history.size() == 0)
+        return report;
+    report.delays.assign(history.delays().begin(), history.delays().end());
+    report.meanDelay = history.mean();
+    report.sigma = history.sigma();
+    report.probesPerSecond = trigger.rate();
+    return report;
+}
+
+} // namespace carina

@@ -1,0 +1,150 @@
+#include "engine/net/node/threaded_node.h"
+
+#include "engine/core/monotonic_clock.h"
+
+namespace carina
+{
+
+Result<std::unique_ptr<SessionNode>> ThreadedNode::start(const MakeParts& makeParts)
+{
+    std::unique_ptr<ThreadedNode> node{new ThreadedNode};
+    node->m_thread.setObjectName(QStringLiteral("carina-node"));
+    node->m_thread.start();
+    node->m_loop = std::make_unique<NodeLoop>();
+    node->m_loop->moveToThread(&node->m_thread);
+    if (const auto opened = node->open(makeParts); !opened)
+        return tl::unexpected(opened.error());
+    return node;
+}
+
+Result<void> ThreadedNode::open(const MakeParts& makeParts)
+{
+    Result<void> opened;
+    runThere([&] {
+        auto parts = makeParts(m_board, monotonicNow());
+        if (!parts) {
+            opened = tl::unexpected(parts.error());
+            return;
+        }
+        m_port = parts->transport->port();
+        m_open = parts->open;
+        m_sets = std::move(parts->sets);
+        m_certificateName = parts->certificateName;
+        m_loop->drive(std::move(parts->driver), std::move(parts->transport));
+    });
+    return opened;
+}
+
+ThreadedNode::~ThreadedNode()
+{
+    m_board.onChange({});
+    m_sets.reset(); // asks the driver for keys
+    runThere([this] {
+        m_loop->close();
+        m_loop.reset();
+    });
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void ThreadedNode::runThere(const std::function<void()>& task)
+{
+    QMetaObject::invokeMethod(m_loop.get(), task, Qt::BlockingQueuedConnection);
+}
+
+ParticipantId ThreadedNode::self() const { return m_board.view().self; }
+
+std::optional<SessionTime> ThreadedNode::now() const { return sessionTime(monotonicNow()); }
+
+std::optional<SessionTime> ThreadedNode::sessionTime(LocalTime t) const
+{
+    const auto clock = m_board.clock();
+    return clock ? std::optional{clock->at(t)} : std::nullopt;
+}
+
+std::optional<ClockReport> ThreadedNode::clock() const { return m_board.view().clockReport; }
+
+std::shared_ptr<const SessionState> ThreadedNode::state() const { return m_board.state(); }
+
+void ThreadedNode::propose(StationId station, FactBody body)
+{
+    QMetaObject::invokeMethod(
+        m_loop.get(),
+        [this, station, body = std::move(body)] {
+            m_loop->driver().propose(station, body, monotonicNow());
+            m_loop->serve();
+        },
+        Qt::QueuedConnection);
+}
+
+std::vector<FactBody> ThreadedNode::pending() const { return m_board.view().pending; }
+
+void ThreadedNode::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+{
+    QMetaObject::invokeMethod(
+        m_loop.get(),
+        [this, station, kind, name = std::move(name), newest = std::move(newest)] {
+            m_loop->driver().publish(station, kind, name, newest);
+            m_loop->serve();
+        },
+        Qt::QueuedConnection);
+}
+
+std::shared_ptr<const RemoteObject> ThreadedNode::object(ObjectId id) const
+{
+    return m_board.objects.find(id);
+}
+
+void ThreadedNode::act(ObjectId object, const ObjectAction& action)
+{
+    QMetaObject::invokeMethod(
+        m_loop.get(),
+        [this, object, action] {
+            m_loop->driver().act(object, action, monotonicNow());
+            m_loop->serve();
+        },
+        Qt::QueuedConnection);
+}
+
+std::optional<ShownObject> ThreadedNode::shown(ObjectId object, SessionTime t) const
+{
+    return m_board.actions()->shown(object, t, monotonicNow());
+}
+
+std::optional<EventCpo> ThreadedNode::action(ObjectId object) const
+{
+    const auto actions = m_board.actions();
+    const EventCpo* newest = actions->table().newest(object);
+    return newest ? std::optional{*newest} : std::nullopt;
+}
+
+std::vector<LinkReport> ThreadedNode::links() const
+{
+    const LocalTime now = monotonicNow();
+    std::vector<LinkReport> reports;
+    for (const NodeBoard::Link& link : m_board.view().links) {
+        reports.push_back(link.report);
+        reports.back().sinceLastDatagram = now - link.lastHeard;
+    }
+    return reports;
+}
+
+std::shared_ptr<const std::vector<PathReport>> ThreadedNode::paths() const
+{
+    return m_board.view().paths;
+}
+
+std::optional<Error> ThreadedNode::refusal() const { return m_board.view().refusal; }
+
+std::vector<ObjectReport> ThreadedNode::objectReports() const
+{
+    const auto time = now();
+    return time ? m_board.objectReports(*time) : std::vector<ObjectReport>{};
+}
+
+void ThreadedNode::onChange(std::function<void()> callback)
+{
+    m_board.onChange(std::move(callback));
+}
+
+} // namespace carina

@@ -1,0 +1,76 @@
+#include "engine/net/objects/publications.h"
+
+#include "engine/net/objects/pose_stream.h"
+
+#include <algorithm>
+
+namespace carina
+{
+
+void Publications::add(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+{
+    m_publications.push_back({station, kind, std::move(name), std::move(newest)});
+}
+
+std::vector<Publications::Wanted> Publications::takeUnknown(const SessionState& state,
+                                                            ParticipantId self)
+{
+    std::vector<Wanted> wanted;
+    for (Publication& publication : m_publications) {
+        if (publication.toldOf || idOf(publication, state, self))
+            continue;
+        publication.toldOf = true;
+        wanted.push_back(
+            {publication.station, {ObjectId{}, self, publication.kind, publication.name}});
+    }
+    return wanted;
+}
+
+void Publications::forget()
+{
+    for (Publication& publication : m_publications) {
+        publication.toldOf = false;
+        publication.lastSent = SessionTime::min();
+    }
+}
+
+LocalTime Publications::nextTick() const
+{
+    return m_publications.empty() ? LocalTime::max() : m_tick.next();
+}
+
+std::vector<Publications::Outgoing> Publications::sample(const SessionState& state,
+                                                         ParticipantId self, LocalTime now)
+{
+    std::vector<Outgoing> samples;
+    if (m_publications.empty() || !m_tick.isDue(now))
+        return samples;
+    m_tick.served(now);
+    for (Publication& publication : m_publications) {
+        const auto id = idOf(publication, state, self);
+        const auto newest = id ? publication.newest() : std::nullopt;
+        if (!newest || newest->time <= publication.lastSent)
+            continue;
+        publication.lastSent = newest->time;
+        StreamCpo cpo = toStream(*newest);
+        cpo.object = *id;
+        cpo.sequence = ++publication.sequence;
+        samples.push_back({publication.station, cpo});
+    }
+    return samples;
+}
+
+std::optional<ObjectId> Publications::idOf(const Publication& publication,
+                                           const SessionState& state, ParticipantId self)
+{
+    const auto found = std::ranges::find_if(state.objects(), [&](const auto& entry) {
+        const SharedObject& object = entry.second;
+        return object.owner == self && object.kind == publication.kind
+               && object.name == publication.name;
+    });
+    if (found == state.objects().end())
+        return std::nullopt;
+    return found->first;
+}
+
+} // namespace carina

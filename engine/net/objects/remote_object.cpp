@@ -1,0 +1,43 @@
+#include "engine/net/objects/remote_object.h"
+
+#include "engine/net/objects/pose_stream.h"
+
+namespace carina
+{
+
+std::optional<Drift> RemoteObject::take(const StreamCpo& cpo, SessionTime drawn)
+{
+    const std::scoped_lock lock{m_mutex};
+    StreamCpo next = cpo;
+    if (next.validity == StreamValidity::Lost)
+        next.motion.reset(); // where it was last, not where it goes
+    const bool wasSeen = m_newest && m_newest->validity != Validity::Lost;
+    const auto drift = m_ahead.take(next, drawn);
+    m_newest = fromStream(next);
+    m_past.push(*m_newest);
+    return wasSeen && next.validity != StreamValidity::Lost ? drift : std::nullopt;
+}
+
+std::optional<PoseSample> RemoteObject::at(SessionTime t) const
+{
+    const std::scoped_lock lock{m_mutex};
+    if (!m_newest || t <= m_newest->time)
+        return m_past.at(t);
+    PoseSample sample = *m_newest;
+    sample.how = How::Predicted;
+    sample.X_FO = m_ahead.at(t);
+    if (m_ahead.isStale(t))
+        sample.validity = Validity::Lost;
+    if (t - m_newest->time > StreamView::kHorizon)
+        sample.motion.reset();
+    sample.time = t;
+    return sample;
+}
+
+std::optional<PoseSample> RemoteObject::newest() const
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_newest;
+}
+
+} // namespace carina

@@ -1,0 +1,62 @@
+#include "engine/net/objects/remote_objects.h"
+
+namespace carina
+{
+
+void RemoteObjects::add(ObjectId object)
+{
+    const std::scoped_lock lock{m_mutex};
+    if (!m_objects.contains(object))
+        m_objects.emplace(object, Object{std::make_shared<RemoteObject>()});
+}
+
+void RemoteObjects::remove(ObjectId object)
+{
+    const std::scoped_lock lock{m_mutex};
+    m_objects.erase(object);
+    m_analysis.forget(object);
+}
+
+void RemoteObjects::clear()
+{
+    const std::scoped_lock lock{m_mutex};
+    m_objects.clear();
+    m_analysis.clear();
+}
+
+void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
+{
+    const std::scoped_lock lock{m_mutex};
+    const auto found = m_objects.find(cpo.object);
+    if (found == m_objects.end())
+        return;
+    if (const auto drift = found->second.poses->take(cpo, drawn))
+        found->second.drift = *drift;
+    m_analysis.acted(cpo.object, cpo.time);
+}
+
+std::shared_ptr<const RemoteObject> RemoteObjects::find(ObjectId object) const
+{
+    const std::scoped_lock lock{m_mutex};
+    const auto found = m_objects.find(object);
+    return found == m_objects.end() ? nullptr : found->second.poses;
+}
+
+std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
+{
+    const std::scoped_lock lock{m_mutex};
+    std::vector<ObjectReport> reports;
+    for (const auto& [id, object] : m_objects)
+        if (const auto newest = object.poses->newest()) {
+            reports.push_back({id, now - newest->time, inDegrees(object.drift.rotation),
+                               inMillimetres(object.drift.position)});
+            reports.back().actionsPerS = m_analysis.actionFrequency(id, now);
+            if (newest->motion && newest->validity != Validity::Lost) {
+                reports.back().turnDegPerS = inDegrees(radians(newest->motion->w_FO.norm()));
+                reports.back().moveMmPerS = inMillimetres(metres(newest->motion->v_FO.norm()));
+            }
+        }
+    return reports;
+}
+
+} // namespace carina

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/registration/fit/uncertain_transform.h"
+
+namespace carina
+{
+
+/// How large a registration's error is everywhere at once. For a small motion (w, v) of A's points
+/// with covariance C, as UncertainTransform has it, the mean squared error at p is
+///
+///     E |w x p + v|^2 = [p 1] Q [p 1]^T        Q = [ tr(C_ww) I - C_ww   c        ]
+///                                                  [ c^T                 tr(C_vv) ]
+///
+/// with c = E[v x w]: the trace of pointCovariance, written out. What is alike in error lies on
+/// ellipsoids about the place where it is least.
+///
+/// @returns Q in A: [p 1] Q [p 1]^T in m^2 for p in metres; symmetric, and positive semidefinite
+///          where the covariance is.
+[[nodiscard]] Mat4 errorQuadric(const Mat6& covariance_A);
+
+} // namespace carina

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "engine/session/facts/facts.h"
+
+#include <tuple>
+
+namespace carina
+{
+
+/// The fields of each fact, and of what it is made of, in the order in which they are written.
+template <class Whole> inline constexpr std::tuple<> kFields;
+template <>
+inline constexpr std::tuple kFields<fact::SessionCreated>{&fact::SessionCreated::name,
+                                                          &fact::SessionCreated::sessionId};
+template <> inline constexpr std::tuple kFields<fact::PhaseChanged>{&fact::PhaseChanged::phase};
+template <> inline constexpr std::tuple kFields<fact::StationAdded>{&fact::StationAdded::name};
+template <>
+inline constexpr std::tuple kFields<fact::ParticipantJoined>{&fact::ParticipantJoined::participant,
+                                                             &fact::ParticipantJoined::role,
+                                                             &fact::ParticipantJoined::name};
+template <>
+inline constexpr std::tuple kFields<fact::ParticipantLeft>{&fact::ParticipantLeft::participant};
+template <>
+inline constexpr std::tuple kFields<fact::ObjectShared>{
+    &fact::ObjectShared::object, &fact::ObjectShared::owner, &fact::ObjectShared::kind,
+    &fact::ObjectShared::name};
+template <>
+inline constexpr std::tuple kFields<fact::AnatomyChosen>{&fact::AnatomyChosen::contentHash,
+                                                         &fact::AnatomyChosen::name};
+template <>
+inline constexpr std::tuple kFields<fact::BreathingRateSet>{&fact::BreathingRateSet::rate};
+template <>
+inline constexpr std::tuple kFields<fact::TidalVolumeSet>{&fact::TidalVolumeSet::tidalVolume};
+template <>
+inline constexpr std::tuple kFields<fact::InspiratoryFractionSet>{
+    &fact::InspiratoryFractionSet::fraction};
+
+template <>
+inline constexpr std::tuple kFields<fact::ObjectHandedOver>{&fact::ObjectHandedOver::object,
+                                                            &fact::ObjectHandedOver::owner,
+                                                            &fact::ObjectHandedOver::epoch};
+
+template <>
+inline constexpr std::tuple kFields<fact::ObjectWanted>{&fact::ObjectWanted::object,
+                                                        &fact::ObjectWanted::wanted};
+
+template <>
+inline constexpr std::tuple kFields<fact::PatientBuildSet>{&fact::PatientBuildSet::build};
+template <>
+inline constexpr std::tuple kFields<PatientBuild>{&PatientBuild::height,
+                                                  &PatientBuild::weightInKilograms,
+                                                  &PatientBuild::ageInYears, &PatientBuild::sex};
+
+template <>
+inline constexpr std::tuple kFields<fact::LungConditionSet>{&fact::LungConditionSet::condition};
+template <>
+inline constexpr std::tuple kFields<LungCondition>{&LungCondition::kind, &LungCondition::severity,
+                                                   &LungCondition::side};
+
+template <>
+inline constexpr std::tuple kFields<fact::VentilatorSet>{&fact::VentilatorSet::settings};
+template <>
+inline constexpr std::tuple kFields<VentilatorSettings>{&VentilatorSettings::mode,
+                                                        &VentilatorSettings::peep,
+                                                        &VentilatorSettings::drivingPressure,
+                                                        &VentilatorSettings::pressureLimit,
+                                                        &VentilatorSettings::pauseShare,
+                                                        &VentilatorSettings::trigger,
+                                                        &VentilatorSettings::ownRate,
+                                                        &VentilatorSettings::ownEffort};
+
+template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
+template <>
+inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};
+template <>
+inline constexpr std::tuple kFields<fact::ManikinBreathed>{&fact::ManikinBreathed::began};
+
+template <>
+inline constexpr std::tuple kFields<fact::RespirationCheckpoint>{
+    &fact::RespirationCheckpoint::at, &fact::RespirationCheckpoint::state};
+template <>
+inline constexpr std::tuple kFields<RespiratoryState>{
+    &RespiratoryState::steps,  &RespiratoryState::system,     &RespiratoryState::content,
+    &RespiratoryState::clock,  &RespiratoryState::ventilator, &RespiratoryState::breath,
+    &RespiratoryState::effort, &RespiratoryState::muscle,     &RespiratoryState::opening,
+    &RespiratoryState::tally,  &RespiratoryState::last};
+template <>
+inline constexpr std::tuple kFields<RespiratorySystem>{&RespiratorySystem::lungs,
+                                                       &RespiratorySystem::upperLaminar,
+                                                       &RespiratorySystem::upperTurbulent,
+                                                       &RespiratorySystem::mediastinum,
+                                                       &RespiratorySystem::mediastinumMost,
+                                                       &RespiratorySystem::mediastinalWeight,
+                                                       &RespiratorySystem::anatomicalDeadSpace,
+                                                       &RespiratorySystem::effort,
+                                                       &RespiratorySystem::sag};
+template <>
+inline constexpr std::tuple kFields<LungMechanics>{
+    &LungMechanics::curve,      &LungMechanics::limbSpread,  &LungMechanics::limbVolume,
+    &LungMechanics::bronchi,    &LungMechanics::compression, &LungMechanics::wall,
+    &LungMechanics::wallVolume, &LungMechanics::wallRecoil,  &LungMechanics::drive,
+    &LungMechanics::pleuralGas, &LungMechanics::valve,       &LungMechanics::relief,
+    &LungMechanics::uptake,     &LungMechanics::uptakeEnd,   &LungMechanics::alveolarDeadSpace};
+template <>
+inline constexpr std::tuple kFields<PressureVolumeCurve>{
+    &PressureVolumeCurve::floor, &PressureVolumeCurve::span, &PressureVolumeCurve::centre,
+    &PressureVolumeCurve::width};
+template <>
+inline constexpr std::tuple kFields<LungContent>{&LungContent::gas, &LungContent::limb,
+                                                 &LungContent::trapped};
+template <>
+inline constexpr std::tuple kFields<BreathClock::State>{
+    &BreathClock::State::breaths, &BreathClock::State::rate,         &BreathClock::State::measured,
+    &BreathClock::State::pull,    &BreathClock::State::sinceTrigger, &BreathClock::State::triggered,
+    &BreathClock::State::bridged};
+template <> inline constexpr std::tuple kFields<VentilatorState>{&VentilatorState::sinceBreath};
+template <>
+inline constexpr std::tuple kFields<BreathingPattern>{&BreathingPattern::rate,
+                                                      &BreathingPattern::tidalVolume,
+                                                      &BreathingPattern::inspiratoryFraction};
+template <>
+inline constexpr std::tuple kFields<AirwayOpening>{&AirwayOpening::drivesFlow,
+                                                   &AirwayOpening::pressure, &AirwayOpening::flow};
+template <>
+inline constexpr std::tuple kFields<BreathTally>{&BreathTally::steps, &BreathTally::inspired,
+                                                 &BreathTally::least, &BreathTally::most,
+                                                 &BreathTally::peak,  &BreathTally::plateau};
+template <>
+inline constexpr std::tuple kFields<BreathFigures>{
+    &BreathFigures::tidalVolume, &BreathFigures::tidalVolumeOfLung,
+    &BreathFigures::rate,        &BreathFigures::peak,
+    &BreathFigures::plateau,     &BreathFigures::endExpiratory,
+    &BreathFigures::autoPeep,    &BreathFigures::alveolarVentilation};
+
+/// The greatest enumerator there is.
+template <class Enum> inline constexpr Enum kLastEnumerator{};
+template <> inline constexpr SessionPhase kLastEnumerator<SessionPhase> = SessionPhase::Ended;
+template <> inline constexpr Role kLastEnumerator<Role> = Role::Observer;
+template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Patient;
+template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
+template <>
+inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;
+template <> inline constexpr ConditionSide kLastEnumerator<ConditionSide> = ConditionSide::Left;
+template <> inline constexpr BodyPosition kLastEnumerator<BodyPosition> = BodyPosition::LeftLateral;
+template <>
+inline constexpr VentilationMode kLastEnumerator<VentilationMode> =
+    VentilationMode::PressureControl;
+
+} // namespace carina

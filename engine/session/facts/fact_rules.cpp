@@ -1,0 +1,73 @@
+#include "engine/session/facts/fact_rules.h"
+
+#include "engine/session/facts/number_check.h"
+#include "engine/session/facts/utf8.h"
+#include "engine/session/respiration/respiration_rules.h"
+
+#include <initializer_list>
+#include <string>
+
+namespace carina
+{
+
+namespace
+{
+
+Result<void> checkTexts(std::initializer_list<const std::string*> texts)
+{
+    for (const std::string* text : texts) {
+        if (text->size() > kLongestText)
+            return fail(Errc::OutOfRange, "a text of " + std::to_string(text->size()) + " bytes ("
+                                              + std::to_string(kLongestText) + " at most)");
+        if (!isUtf8(*text))
+            return fail(Errc::OutOfRange, "a text that is not UTF-8");
+    }
+    return {};
+}
+
+struct BodyCheck {
+    Result<void> operator()(const fact::SessionCreated& f) const
+    {
+        return checkTexts({&f.name, &f.sessionId});
+    }
+    Result<void> operator()(const fact::PhaseChanged&) const { return {}; }
+    Result<void> operator()(const fact::StationAdded& f) const { return checkTexts({&f.name}); }
+    Result<void> operator()(const fact::ParticipantJoined& f) const
+    {
+        return checkTexts({&f.name});
+    }
+    Result<void> operator()(const fact::ParticipantLeft&) const { return {}; }
+    Result<void> operator()(const fact::ObjectShared& f) const { return checkTexts({&f.name}); }
+    Result<void> operator()(const fact::ObjectHandedOver&) const { return {}; }
+    Result<void> operator()(const fact::ObjectWanted&) const { return {}; }
+    Result<void> operator()(const fact::AnatomyChosen& f) const
+    {
+        return checkTexts({&f.contentHash, &f.name});
+    }
+    Result<void> operator()(const fact::BreathingRateSet& f) const
+    {
+        return checkNumber("breathing rate", inPerMinute(f.rate), inPerMinute(kSlowestBreathing),
+                           inPerMinute(kFastestBreathing), " /min");
+    }
+    Result<void> operator()(const fact::TidalVolumeSet& f) const
+    {
+        return checkNumber("tidal volume", inMillilitres(f.tidalVolume),
+                           inMillilitres(kSmallestTidalVolume), inMillilitres(kLargestTidalVolume),
+                           " ml");
+    }
+    Result<void> operator()(const fact::InspiratoryFractionSet& f) const
+    {
+        return checkNumber("inspiratory fraction", f.fraction, kShortestInspiration,
+                           kLongestInspiration, "");
+    }
+    template <class Fact> Result<void> operator()(const Fact& f) const
+    {
+        return checkRespiration(f);
+    }
+};
+
+} // namespace
+
+Result<void> checkBody(const FactBody& body) { return std::visit(BodyCheck{}, body); }
+
+} // namespace carina

@@ -1,0 +1,161 @@
+#pragma once
+
+#include "engine/core/ids.h"
+#include "engine/core/session_time.h"
+#include "engine/core/units.h"
+#include "engine/session/respiration/respiration_facts.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace carina
+{
+
+enum class Role : std::uint8_t { Instructor, Trainee, Observer };
+enum class SessionPhase : std::uint8_t { Prepared, Running, Paused, Ended };
+enum class ObjectKind : std::uint8_t {
+    Head,
+    Jaw,
+    Tube,
+    Stylus,
+    Patient, ///< the virtual patient as drawn; not tracked, moved by actions
+};
+
+/// What may be decided or happen in a session. Each alternative is one kind of fact; its station,
+/// author and effect time are in the Fact around it.
+namespace fact
+{
+
+/// First fact of every log.
+struct SessionCreated {
+    std::string name;
+    std::string sessionId; ///< 128 random bits in hex
+
+    friend bool operator==(const SessionCreated&, const SessionCreated&) = default;
+};
+/// The session starts, pauses, goes on or ends, for all stations.
+struct PhaseChanged {
+    SessionPhase phase = SessionPhase::Prepared;
+
+    friend bool operator==(const PhaseChanged&, const PhaseChanged&) = default;
+};
+struct StationAdded {
+    std::string name;
+
+    friend bool operator==(const StationAdded&, const StationAdded&) = default;
+};
+/// A program came in, or came back: the same name and role give the same participant id.
+struct ParticipantJoined {
+    ParticipantId participant;
+    Role role = Role::Observer;
+    std::string name;
+
+    friend bool operator==(const ParticipantJoined&, const ParticipantJoined&) = default;
+};
+struct ParticipantLeft {
+    ParticipantId participant;
+
+    friend bool operator==(const ParticipantLeft&, const ParticipantLeft&) = default;
+};
+/// An object is shared from now on, by this owner.
+struct ObjectShared {
+    ObjectId object;
+    ParticipantId owner;
+    ObjectKind kind = ObjectKind::Tube;
+    std::string name;
+
+    friend bool operator==(const ObjectShared&, const ObjectShared&) = default;
+};
+/// A shared object passes from its owner to another.
+struct ObjectHandedOver {
+    ObjectId object;
+    ParticipantId owner;     ///< from now on
+    std::uint16_t epoch = 0; ///< of the ownership that ends: void where another has taken its place
+
+    friend bool operator==(const ObjectHandedOver&, const ObjectHandedOver&) = default;
+};
+/// The author would like to own a shared object, or not any more. A wish stands until the author
+/// owns the object or leaves.
+struct ObjectWanted {
+    ObjectId object;
+    bool wanted = true;
+
+    friend bool operator==(const ObjectWanted&, const ObjectWanted&) = default;
+};
+/// The station's patient, by content hash and name.
+struct AnatomyChosen {
+    std::string contentHash;
+    std::string name;
+
+    friend bool operator==(const AnatomyChosen&, const AnatomyChosen&) = default;
+};
+struct BreathingRateSet {
+    Frequency rate;
+
+    friend bool operator==(const BreathingRateSet&, const BreathingRateSet&) = default;
+};
+struct TidalVolumeSet {
+    Volume tidalVolume;
+
+    friend bool operator==(const TidalVolumeSet&, const TidalVolumeSet&) = default;
+};
+/// Share of a breath that is inspiration: 0.41 is an I:E of 1:1.44.
+struct InspiratoryFractionSet {
+    double fraction = 0.4;
+
+    friend bool operator==(const InspiratoryFractionSet&, const InspiratoryFractionSet&) = default;
+};
+
+} // namespace fact
+
+/// The order of the alternatives is the kind byte on the wire and on disk: new ones go to the end.
+using FactBody = std::variant<
+    fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
+    fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
+    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+    fact::PatientBuildSet, fact::LungConditionSet, fact::VentilatorSet, fact::TubePlaced,
+    fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet>;
+
+/// Whether a program proposes such a fact by itself: no person waits for what becomes of it.
+[[nodiscard]] inline bool isByItself(const FactBody& body)
+{
+    return std::holds_alternative<fact::ManikinBreathed>(body)
+           || std::holds_alternative<fact::RespirationCheckpoint>(body);
+}
+
+/// The object whose ownership a fact is about, if it is about one.
+[[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)
+{
+    if (const auto* shared = std::get_if<fact::ObjectShared>(&body))
+        return shared->object;
+    if (const auto* handed = std::get_if<fact::ObjectHandedOver>(&body))
+        return handed->object;
+    return std::nullopt;
+}
+
+/// A fact that somebody would like to enter the log.
+struct Proposal {
+    ProposalId id;
+    ParticipantId author;
+    StationId station;
+    FactBody body;
+
+    friend bool operator==(const Proposal&, const Proposal&) = default;
+};
+
+/// One entry of the append-only log: ordered by the host, on disk before anyone sees it.
+struct Fact {
+    FactNumber number;   ///< position in the log, from 1 without gaps
+    ProposalId proposal; ///< the proposal it came from
+    ParticipantId author;
+    StationId station;
+    SessionTime committed{}; ///< when the host put it on disk
+    SessionTime effect{};    ///< when it takes effect everywhere
+    FactBody body;
+
+    friend bool operator==(const Fact&, const Fact&) = default;
+};
+
+} // namespace carina

@@ -1,0 +1,47 @@
+#include "engine/session/respiration/respiration_follower.h"
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+SessionTime checkpointTime(const RespirationTimeline& timeline, SessionTime t)
+{
+    const RespirationState* checkpoint = timeline.checkpointBefore(t);
+    return checkpoint ? checkpoint->at : SessionTime::min();
+}
+
+} // namespace
+
+RespirationFollower::Place RespirationFollower::begun(const RespirationTimeline& timeline,
+                                                      SessionTime t)
+{
+    return {RespirationRun{timeline, t}, checkpointTime(timeline, t), timeline.decisions().size()};
+}
+
+/// It can go on from where it stands, and nothing that was decided since is from before.
+bool RespirationFollower::holds(const Place& place, const RespirationTimeline& timeline,
+                                SessionTime t)
+{
+    const auto decisions = timeline.decisions();
+    return place.run.at() <= t && place.checkpoint == checkpointTime(timeline, t)
+           && place.decisions <= decisions.size()
+           && std::ranges::all_of(decisions.subspan(place.decisions),
+                                  [&](SessionTime from) { return from >= place.run.at(); });
+}
+
+const RespirationRun& RespirationFollower::at(const RespirationTimeline& timeline, SessionTime t)
+{
+    if (!m_now || !holds(*m_now, timeline, t))
+        m_now = m_before && holds(*m_before, timeline, t) ? *m_before : begun(timeline, t);
+    const SessionTime from = m_now->run.at();
+    if (!m_before || m_before->run.at() > from || m_before->run.at() + kStepBack < from)
+        m_before = m_now;
+    m_now->run.advanceTo(timeline, t);
+    m_now->decisions = timeline.decisions().size();
+    return m_now->run;
+}
+
+} // namespace carina

@@ -1,0 +1,116 @@
+#include "engine/session/respiration/respiration_timeline.h"
+
+#include "engine/core/expects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+
+void RespirationTimeline::decide(SessionTime from)
+{
+    m_decisions.push_back(from);
+    while (!m_checkpoints.empty() && m_checkpoints.back().at > from)
+        m_checkpoints.pop_back();
+}
+
+void RespirationTimeline::setRate(SessionTime from, Frequency rate)
+{
+    CARINA_EXPECTS(std::isfinite(rate.si) && rate.si >= 0.0);
+    m_rate.set(from, rate);
+    decide(from);
+}
+
+void RespirationTimeline::setTidalVolume(SessionTime from, Volume tidalVolume)
+{
+    m_tidalVolume.set(from, tidalVolume);
+    decide(from);
+}
+
+void RespirationTimeline::setInspiratoryFraction(SessionTime from, double fraction)
+{
+    CARINA_EXPECTS(fraction >= 0.1 && fraction <= 0.9);
+    m_inspiratoryFraction.set(from, fraction);
+    decide(from);
+}
+
+void RespirationTimeline::setBuild(SessionTime from, const PatientBuild& build)
+{
+    m_build.set(from, build);
+    decide(from);
+}
+
+void RespirationTimeline::setCondition(SessionTime from, const LungCondition& condition)
+{
+    m_condition.set(from, condition);
+    decide(from);
+}
+
+void RespirationTimeline::setVentilator(SessionTime from, const VentilatorSettings& settings)
+{
+    m_ventilator.set(from, settings);
+    decide(from);
+}
+
+void RespirationTimeline::setTube(SessionTime from, Length innerDiameter)
+{
+    m_tube.set(from, innerDiameter);
+    decide(from);
+}
+
+void RespirationTimeline::setPosition(SessionTime from, BodyPosition position)
+{
+    m_position.set(from, position);
+    decide(from);
+}
+
+void RespirationTimeline::setRunning(SessionTime from, bool running)
+{
+    m_running.set(from, running);
+    decide(from);
+}
+
+void RespirationTimeline::addBreath(const HeardBreath& breath)
+{
+    const Duration ago = breath.heard - breath.began;
+    const bool inOrder = m_breaths.empty() || m_breaths.back().heard <= breath.heard;
+    if (!inOrder || ago < Duration{0} || ago > kLongestNews)
+        return;
+    m_breaths.push_back(breath);
+    decide(breath.heard);
+}
+
+void RespirationTimeline::addCheckpoint(const RespirationState& checkpoint)
+{
+    if (m_checkpoints.empty() || m_checkpoints.back().at < checkpoint.at)
+        m_checkpoints.push_back(checkpoint);
+}
+
+RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
+{
+    return {m_build.at(t),
+            m_condition.at(t),
+            m_tube.at(t),
+            BreathingPattern{m_rate.at(t), m_tidalVolume.at(t), m_inspiratoryFraction.at(t)},
+            m_ventilator.at(t),
+            m_position.at(t)};
+}
+
+SessionTime RespirationTimeline::changeAfter(SessionTime t) const
+{
+    return std::min({m_rate.changeAfter(t), m_tidalVolume.changeAfter(t),
+                     m_inspiratoryFraction.changeAfter(t), m_build.changeAfter(t),
+                     m_condition.changeAfter(t), m_ventilator.changeAfter(t), m_tube.changeAfter(t),
+                     m_position.changeAfter(t), m_running.changeAfter(t)});
+}
+
+const RespirationState* RespirationTimeline::checkpointBefore(SessionTime t) const
+{
+    const auto after = std::upper_bound(
+        m_checkpoints.begin(), m_checkpoints.end(), t,
+        [](SessionTime time, const RespirationState& checkpoint) { return time < checkpoint.at; });
+    return after == m_checkpoints.begin() ? nullptr : &*std::prev(after);
+}
+
+} // namespace carina

@@ -1,0 +1,84 @@
+#include "engine/sync/actions/client_actions.h"
+
+#include "engine/sync/wire/sequence.h"
+
+#include <utility>
+
+namespace carina
+{
+
+void ClientActions::startAfresh()
+{
+    m_actions.clear();
+    m_repeater = EventRepeater{true};
+    m_adopted.clear();
+    m_acks.clear();
+}
+
+void ClientActions::disconnected()
+{
+    m_acks.clear();
+    m_repeater.doubt();
+}
+
+void ClientActions::share(ObjectId object, const Ownership& ownership)
+{
+    if (!m_actions.share(object, ownership))
+        return;
+    if (m_actions.isOwn(object)) {
+        m_adopted.push_back(object);
+        return;
+    }
+    // What the host never had is void: it continued what it had, which may be here before the fact
+    // is, or there is nothing.
+    const EventCpo* newest = m_actions.table().newest(object);
+    if (newest && m_repeater.awaits(object) && isAfter(ownership.epoch, newest->epoch))
+        m_actions.forget(object);
+    m_repeater.forget(object);
+}
+
+Result<void> ClientActions::act(ObjectId object, const ObjectAction& action, SessionTime session,
+                                LocalTime now)
+{
+    return m_actions.begun(object, action, session).map([&](const EventCpo& event) {
+        m_actions.take(event, session, now);
+        m_repeater.begin(event, now);
+    });
+}
+
+void ClientActions::take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now)
+{
+    const auto verdict = m_actions.take(event, session, now);
+    if (verdict == EventTable::Verdict::Refused)
+        return;
+    m_acks.emplace_back(EventAck{event.object, event.epoch, event.action});
+    // An action of its own that it does not know, from before it was started, or from the last
+    // owner: it is this node's to keep alive.
+    if (verdict == EventTable::Verdict::New && m_actions.isOwn(event.object))
+        m_repeater.begin(event, now);
+}
+
+void ClientActions::take(const EventBeat& beat, std::optional<SessionTime> session, LocalTime now)
+{
+    if (const EventCpo* event = m_actions.table().named(beat))
+        take(EventCpo{*event}, session, now);
+}
+
+std::vector<WireRecord> ClientActions::takeDue(LocalTime now)
+{
+    std::vector<WireRecord> records = std::exchange(m_acks, {});
+    for (const ObjectId object : std::exchange(m_adopted, {}))
+        if (const EventCpo* event = m_actions.table().newest(object);
+            event && m_actions.isOwners(m_actions.self(), *event))
+            m_repeater.begin(*event, now);
+    for (const DueEvent& due : m_repeater.takeDue(now))
+        records.push_back(due.record());
+    return records;
+}
+
+LocalTime ClientActions::nextDue() const
+{
+    return m_acks.empty() && m_adopted.empty() ? m_repeater.nextDue() : LocalTime::min();
+}
+
+} // namespace carina

@@ -1,0 +1,67 @@
+#include "engine/sync/actions/event_table.h"
+
+namespace carina
+{
+
+EventTable::Verdict EventTable::take(const EventCpo& event, std::optional<SessionTime> session,
+                                     LocalTime now)
+{
+    if (session && event.start > *session + kLargestLead)
+        return Verdict::Refused;
+    const auto [place, isNew] =
+        m_entries.try_emplace(event.object, Entry{event, std::nullopt, now});
+    if (isNew)
+        return Verdict::New;
+    Entry& entry = place->second;
+    if (isLater(event, entry.newest)) {
+        entry = Entry{event, entry.newest, now};
+        return Verdict::New;
+    }
+    if (isLater(entry.newest, event))
+        return Verdict::Old;
+    entry.heard = now;
+    return Verdict::Known;
+}
+
+std::optional<ActedPose> EventTable::at(ObjectId object, SessionTime t) const
+{
+    const EventCpo* event = inForce(object, t);
+    return event ? std::optional{evaluate(*event, t)} : std::nullopt;
+}
+
+const EventCpo* EventTable::inForce(ObjectId object, SessionTime t) const
+{
+    const auto found = m_entries.find(object);
+    if (found == m_entries.end())
+        return nullptr;
+    const Entry& entry = found->second;
+    return entry.before && t < entry.newest.start ? &*entry.before : &entry.newest;
+}
+
+bool EventTable::isStale(ObjectId object, LocalTime t) const
+{
+    const auto found = m_entries.find(object);
+    return found != m_entries.end() && t - found->second.heard > kStaleAfter;
+}
+
+const EventCpo* EventTable::newest(ObjectId object) const
+{
+    const auto found = m_entries.find(object);
+    return found == m_entries.end() ? nullptr : &found->second.newest;
+}
+
+const EventCpo* EventTable::named(const EventBeat& beat) const
+{
+    const EventCpo* event = newest(beat.object);
+    return event && event->epoch == beat.epoch && event->action == beat.action ? event : nullptr;
+}
+
+std::vector<EventCpo> EventTable::newest() const
+{
+    std::vector<EventCpo> events;
+    for (const auto& [object, entry] : m_entries)
+        events.push_back(entry.newest);
+    return events;
+}
+
+} // namespace carina

@@ -1,0 +1,124 @@
+#include "engine/sync/actions/shared_actions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr std::uint32_t kContinued = 0; // the number of an action that goes on for a new owner
+
+Result<void> checkAction(const ObjectAction& action)
+{
+    const bool isFinite = std::isfinite(action.rate) && action.axis_A.allFinite()
+                          && action.from.X_AO.translation().allFinite()
+                          && std::isfinite(action.from.scale);
+    if (!isFinite)
+        return fail(Errc::NotFinite, "an action");
+    if (std::abs(action.axis_A.norm() - 1.0) > SharedActions::kAxisTolerance)
+        return fail(Errc::OutOfRange, "the axis of an action");
+    if (std::abs(action.rate) > SharedActions::kFastestAction)
+        return fail(Errc::OutOfRange, "the rate of an action");
+    return {};
+}
+
+ActedPose withinSizes(ActedPose acted)
+{
+    acted.scale =
+        std::clamp(acted.scale, SharedActions::kSmallestScale, SharedActions::kLargestScale);
+    return acted;
+}
+
+} // namespace
+
+void SharedActions::clear()
+{
+    SharedActions empty;
+    empty.m_revision = m_revision + 1;
+    *this = std::move(empty);
+}
+
+void SharedActions::forget(ObjectId object)
+{
+    ++m_revision;
+    m_table.forget(object);
+    m_meters.erase(object);
+}
+
+bool SharedActions::share(ObjectId object, const Ownership& ownership)
+{
+    ++m_revision;
+    const auto [place, isNew] = m_owners.try_emplace(object, ownership);
+    return isNew || std::exchange(place->second, ownership) != ownership;
+}
+
+bool SharedActions::isOwners(ParticipantId who, const EventCpo& event) const
+{
+    const auto found = m_owners.find(event.object);
+    return found != m_owners.end() && found->second == Ownership{who, event.epoch};
+}
+
+bool SharedActions::isOwn(ObjectId object) const
+{
+    const auto found = m_owners.find(object);
+    return found != m_owners.end() && found->second.owner == m_self;
+}
+
+Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& action,
+                                      SessionTime t) const
+{
+    if (!isOwn(object))
+        return fail(Errc::NotPermitted, "object " + std::to_string(object.value));
+    if (const auto valid = checkAction(action); !valid)
+        return tl::unexpected(valid.error());
+    const EventCpo* last = m_table.newest(object);
+    const ActedPose from = last && !action.anew ? evaluate(*last, t) : action.from;
+    EventCpo event;
+    event.object = object;
+    event.epoch = m_owners.at(object).epoch;
+    event.action = last && last->epoch == event.epoch ? last->action + 1 : 1;
+    event.kind = action.kind;
+    event.axis_A = action.axis_A.cast<float>();
+    event.rate = static_cast<float>(action.rate);
+    return begunFrom(withinSizes(from), t, event);
+}
+
+std::optional<EventCpo> SharedActions::continued(EventCpo event) const
+{
+    const auto found = m_owners.find(event.object);
+    if (found == m_owners.end())
+        return std::nullopt;
+    if (std::exchange(event.epoch, found->second.epoch) != found->second.epoch)
+        event.action = kContinued;
+    return event;
+}
+
+EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<SessionTime> session,
+                                        LocalTime now)
+{
+    ++m_revision;
+    const EventCpo* last = m_table.newest(event.object);
+    const std::optional<EventCpo> before = last ? std::optional{*last} : std::nullopt;
+    const auto verdict = m_table.take(event, session, now);
+    const bool isNew = verdict == EventTable::Verdict::New;
+    if (isNew && event.action != kContinued)
+        m_analysis.acted(event.object, event.start);
+    if (isNew && before && session)
+        m_meters[event.object].arrived(event, *before, *session);
+    return verdict;
+}
+
+std::optional<ShownObject> SharedActions::shown(ObjectId object, SessionTime t, LocalTime now) const
+{
+    const EventCpo* event = m_table.inForce(object, t);
+    if (!event)
+        return std::nullopt;
+    return ShownObject{withinSizes(evaluate(*event, t)),
+                       !isOwn(object) && m_table.isStale(object, now), event->kind,
+                       event->axis_A.cast<double>(), double{event->rate}};
+}
+
+} // namespace carina

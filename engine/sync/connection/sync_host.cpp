@@ -1,0 +1,286 @@
+#include "engine/sync/connection/sync_host.h"
+
+#include "engine/core/expects.h"
+#include "engine/sync/wire/datagram_codec.h"
+#include "engine/sync/wire/datagram_packer.h"
+#include "engine/sync/wire/sequence.h"
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr ParticipantId kHost{0};
+
+Duration roundTripOf(const PeerLink& link) { return link.longestRoundTrip().value_or(Duration{}); }
+
+} // namespace
+
+/// What each kind of record means to the host; those that only a client is sent mean nothing.
+struct SyncHost::Visitor {
+    SyncHost& host;
+    PeerAddress from;
+    Peer& peer;
+    LocalTime now;
+
+    void operator()(const ProposalRecord& proposal) const { host.propose(peer, proposal, now); }
+    void operator()(const FactAck& ack) const
+    {
+        peer.facts.acknowledge(ack.last, roundTripOf(peer.link), now);
+    }
+    void operator()(const StreamGroup& group) const { host.takeStreams(peer, group, now); }
+    void operator()(const EventCpo& event) const { take(event); }
+    void operator()(const EventBeat& beat) const { take(beat); }
+    void operator()(const EventAck& ack) const { host.m_actions.acknowledge(from, ack); }
+    template <class Other> void operator()(const Other&) const {}
+
+    void take(const auto& action) const
+    {
+        if (host.m_rules.mayAct(peer.participant))
+            host.m_actions.take(from, action, host.sessionTime(now), now);
+    }
+};
+
+SyncHost::SyncHost(const SessionKey& session, std::vector<FactRecord> log, Duration clockOffset,
+                   HostRules rules)
+    : m_session{session},
+      m_log{std::move(log)},
+      m_clockOffset{clockOffset},
+      m_rules{std::move(rules)}
+{
+}
+
+void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
+{
+    const auto datagram = decodeDatagram(bytes);
+    if (!datagram) {
+        if (datagram.error().code == Errc::VersionMismatch)
+            answerStranger(from, 0, HelloRefused{Errc::VersionMismatch}, now);
+        return;
+    }
+    const BundleHeader& header = datagram->header;
+    if (header.fromHost)
+        return;
+    for (const WireRecord& record : datagram->records)
+        if (const auto* greeting = std::get_if<Hello>(&record))
+            return hello(from, header, *greeting, now);
+
+    const auto found = m_peers.find(from);
+    const bool leaves = std::ranges::any_of(datagram->records, [](const WireRecord& record) {
+        return std::holds_alternative<Goodbye>(record);
+    });
+    if (found == m_peers.end() || found->second.link.connection() != header.connection) {
+        if (!leaves)
+            answerStranger(from, header.connection, ConnectionUnknown{}, now);
+        return;
+    }
+    if (leaves)
+        return remove(from, now);
+    Peer& peer = found->second;
+    peer.heard(header, sessionTime(now), now);
+    peer.answer = peer.answer || header.answerNow;
+    for (const WireRecord& record : datagram->records)
+        std::visit(Visitor{*this, from, peer, now}, record);
+}
+
+void SyncHost::advance(LocalTime now)
+{
+    dropSilentPeers(now);
+    m_actions.advance(sessionTime(now), now);
+    const bool tick = m_streams.isDue(now);
+    for (auto& [address, peer] : m_peers)
+        sendDue(address, peer, tick, now);
+    if (tick)
+        m_streams.served(now);
+}
+
+LocalTime SyncHost::nextWake() const
+{
+    LocalTime wake = std::min(m_actions.nextDue(), m_streams.nextDue());
+    for (const auto& [address, peer] : m_peers) {
+        if (peer.welcome || peer.answer || !peer.outbox.empty())
+            return LocalTime::min();
+        wake = std::min({wake, peer.link.lastHeard() + kPeerTimeout,
+                         peer.link.lastSent() + kKeepAlive, peer.facts.nextDue(logEnd())});
+    }
+    return wake;
+}
+
+void SyncHost::append(const FactRecord& fact)
+{
+    if (fact.number <= logEnd())
+        return;
+    CARINA_EXPECTS(fact.number.value == m_log.size() + 1);
+    m_log.push_back(fact);
+}
+
+void SyncHost::share(ObjectId object, const Ownership& ownership)
+{
+    m_streams.share(object, ownership.owner);
+    m_actions.share(object, ownership);
+}
+
+void SyncHost::publish(const StreamSample& sample, LocalTime now)
+{
+    m_streams.take(sample, sessionTime(now));
+}
+
+void SyncHost::drop(PeerAddress address, LocalTime now)
+{
+    if (m_peers.contains(address))
+        remove(address, now);
+}
+
+void SyncHost::close(LocalTime now)
+{
+    for (auto& [address, peer] : m_peers) {
+        peer.outbox.emplace_back(Goodbye{});
+        sendDue(address, peer, false, now);
+    }
+    m_peers.clear();
+}
+
+Duration SyncHost::slowestPath() const
+{
+    Duration slowest{};
+    for (const auto& [address, peer] : m_peers)
+        slowest = std::max(slowest, roundTripOf(peer.link) / 2);
+    return std::min(slowest, kLongestPath);
+}
+
+void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& hello,
+                     LocalTime now)
+{
+    if (const auto known = m_peers.find(from);
+        known != m_peers.end() && known->second.join == hello.join.id) {
+        Peer& peer = known->second;
+        if (peer.link.connection() == header.connection) {
+            peer.link.heard(header, now);
+            peer.welcome = true; // the first was lost, or this Hello was sent twice
+        }
+        if (!isAfter(header.connection, peer.link.connection()))
+            return;
+    }
+    const auto admission = admit(from, hello, now);
+    if (!admission)
+        return answerStranger(from, header.connection, HelloRefused{admission.error().code}, now);
+
+    forgetParticipant(admission->participant);
+    if (m_peers.contains(from))
+        remove(from, now);
+    append(admission->fact);
+    const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
+    Peer peer{PeerLink{header.connection, m_clockOffset, now}, admission->participant,
+              static_cast<std::uint16_t>(admission->fact.number.value), hello.join.id,
+              FactSender{continues ? hello.lastFact : FactNumber{}}};
+    peer.link.heard(header, now);
+    m_peers.emplace(from, std::move(peer));
+    m_actions.join(from, admission->participant, now);
+}
+
+Result<Admission> SyncHost::admit(PeerAddress from, const Hello& hello, LocalTime now)
+{
+    ProposalRecord join = hello.join;
+    join.author = kNobody;
+    const auto participant = m_rules.identify(join, now);
+    if (!participant)
+        return tl::unexpected(participant.error());
+    const bool taken = std::ranges::any_of(m_peers, [&](const auto& entry) {
+        const auto& [address, peer] = entry;
+        return address != from && peer.participant == *participant && peer.join != join.id
+               && now < peer.link.lastHeard() + kNameHeld;
+    });
+    if (taken || *participant == kHost)
+        return fail(Errc::NameTaken);
+    return m_rules.admit(join, now);
+}
+
+void SyncHost::remove(PeerAddress address, LocalTime now)
+{
+    const ParticipantId participant = m_peers.at(address).participant;
+    m_peers.erase(address);
+    m_actions.leave(address);
+    m_rules.left(participant, now);
+}
+
+void SyncHost::forgetParticipant(ParticipantId participant)
+{
+    for (auto entry = m_peers.begin(); entry != m_peers.end();) {
+        const bool isOne = entry->second.participant == participant;
+        if (isOne)
+            m_actions.leave(entry->first);
+        entry = isOne ? m_peers.erase(entry) : std::next(entry);
+    }
+}
+
+void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
+{
+    proposal.author = peer.participant;
+    const auto fact = m_rules.decide(proposal, now);
+    if (fact)
+        append(*fact);
+    else
+        peer.outbox.emplace_back(ProposalRefused{proposal.id, fact.error().code});
+}
+
+void SyncHost::takeStreams(const Peer& peer, const StreamGroup& group, LocalTime now)
+{
+    if (group.owner != peer.participant || group.epoch != peer.epoch)
+        return;
+    for (const StreamCpo& cpo : group.streams) {
+        const StreamSample sample{group.owner, group.epoch, group.station, cpo};
+        if (m_streams.take(sample, sessionTime(now)))
+            m_output.streams.push_back(sample);
+    }
+}
+
+void SyncHost::dropSilentPeers(LocalTime now)
+{
+    std::vector<PeerAddress> silent;
+    for (const auto& [address, peer] : m_peers)
+        if (now >= peer.link.lastHeard() + kPeerTimeout)
+            silent.push_back(address);
+    for (const PeerAddress address : silent)
+        remove(address, now);
+}
+
+void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)
+{
+    std::vector<WireRecord> records;
+    if (std::exchange(peer.welcome, false))
+        records.emplace_back(Welcome{m_session, peer.participant, peer.epoch, logEnd()});
+    std::ranges::move(std::exchange(peer.outbox, {}), std::back_inserter(records));
+    std::ranges::move(m_actions.takeDue(to, now), std::back_inserter(records));
+    const FactRange due = peer.facts.takeDue(logEnd(), roundTripOf(peer.link), now);
+    for (FactNumber number = due.first; number <= due.last; ++number.value)
+        records.emplace_back(m_log[number.value - 1]);
+    if (tick)
+        std::ranges::move(m_streams.dueTo(peer.participant), std::back_inserter(records));
+    const bool answer = std::exchange(peer.answer, false);
+    if (records.empty() && !answer && now < peer.link.lastSent() + kKeepAlive)
+        return;
+    const auto header = [&] {
+        BundleHeader next = peer.link.nextHeader(now);
+        next.fromHost = true;
+        next.sender = kHost;
+        return next;
+    };
+    for (auto& bytes : packDatagrams(records, header))
+        m_output.datagrams.push_back({to, std::move(bytes)});
+}
+
+void SyncHost::answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,
+                              LocalTime now)
+{
+    BundleHeader header;
+    header.fromHost = true;
+    header.sender = kHost;
+    header.connection = connection;
+    header.sentAt = sessionTime(now).time_since_epoch();
+    const auto datagrams = packDatagrams(std::span{&record, 1}, [&] { return header; });
+    m_output.datagrams.push_back({to, datagrams.front()});
+}
+
+} // namespace carina

@@ -1,0 +1,34 @@
+#include "engine/sync/strategies/action_meter.h"
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+Drift driftAfter(const EventCpo& event, const EventCpo& before, Duration delay)
+{
+    if (delay == Duration{})
+        return {}; // where it puts the object elsewhere that was meant, and drawn in time
+    const SessionTime t = event.start + delay;
+    return driftBetween(evaluate(event, t).X_AO, evaluate(before, t).X_AO);
+}
+
+} // namespace
+
+void ActionMeter::arrived(const EventCpo& event, const EventCpo& before, SessionTime now)
+{
+    const Duration delay = std::max(now - event.start, Duration{});
+    std::erase_if(m_arrivals, [&](const Arrival& past) { return now - past.at > kWindow; });
+    if (m_arrivals.size() == kMostKept)
+        m_arrivals.erase(m_arrivals.begin());
+    m_arrivals.push_back({now, event.epoch, delay});
+    Duration shortest = delay;
+    for (const Arrival& past : m_arrivals)
+        if (past.epoch == event.epoch)
+            shortest = std::min(shortest, past.delay);
+    m_figures = {driftAfter(event, before, delay), driftAfter(event, before, shortest), delay};
+}
+
+} // namespace carina

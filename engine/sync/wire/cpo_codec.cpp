@@ -1,0 +1,200 @@
+#include "engine/sync/wire/cpo_codec.h"
+
+#include "engine/core/expects.h"
+#include "engine/core/units.h"
+#include "engine/sync/wire/wire_quantities.h"
+
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+// Bits of a stream's flag byte, beside the index of the quaternion's largest component.
+constexpr unsigned kValidityShift = 2;
+constexpr std::uint8_t kTwoBits = 0x3;
+constexpr std::uint8_t kHasMotion = 0x10;
+constexpr std::uint8_t kKnownStreamFlags = 0x1F;
+
+constexpr double kUnitTolerance = 1e-9;
+constexpr float kAxisTolerance = 1e-5F;
+
+void writeStream(ByteWriter& buffer, const StreamCpo& stream)
+{
+    BlockWriter<kStreamCpoBytes> out;
+    const PackedRotation rotation = packRotation(stream.X_AO.rotation());
+    const bool inReach = isInReach(stream.X_AO.translation());
+    const StreamValidity validity = inReach ? stream.validity : StreamValidity::Lost;
+    const StreamMotion motion = stream.motion.value_or(StreamMotion{});
+
+    out.number(stream.object.value);
+    out.number(stream.sequence);
+    out.number(static_cast<std::uint8_t>(rotation.largest
+                                         | static_cast<unsigned>(validity) << kValidityShift
+                                         | (stream.motion ? kHasMotion : 0U)));
+    out.number(packError(stream.error));
+    out.number(static_cast<std::uint32_t>(wireMicroseconds(stream.time)));
+    for (const std::int16_t component : rotation.others)
+        out.number(component);
+    for (const double metres : stream.X_AO.translation())
+        out.int24(quantise(metres, kPositionStep, kLargestInt24));
+    for (const double metresPerSecond : motion.v_AO)
+        out.number(
+            static_cast<std::int16_t>(quantise(metresPerSecond, kVelocityStep, kLargestInt16)));
+    for (const double radiansPerSecond : motion.w_AO)
+        out.number(static_cast<std::int16_t>(
+            quantise(radiansPerSecond, kAngularVelocityStep, kLargestInt16)));
+    buffer.bytes(out.bytes());
+}
+
+Vec3 readVelocity(ByteReader& in, double step)
+{
+    Vec3 v;
+    for (double& component : v) {
+        const auto code = in.number<std::int16_t>();
+        in.require(code >= -kLargestInt16, "velocity");
+        component = code * step;
+    }
+    return v;
+}
+
+Vec3 readPosition(ByteReader& in)
+{
+    Vec3 p;
+    for (double& component : p) {
+        const std::int32_t code = in.int24();
+        in.require(code >= -kLargestInt24, "position");
+        component = code * kPositionStep;
+    }
+    return p;
+}
+
+Quat readRotation(ByteReader& in, std::uint8_t largest)
+{
+    PackedRotation packed{largest, {}};
+    for (std::int16_t& component : packed.others)
+        component = in.number<std::int16_t>();
+    const std::optional<Quat> q = unpackRotation(packed);
+    in.require(q.has_value(), "rotation");
+    return q.value_or(Quat::Identity());
+}
+
+std::optional<StreamMotion> readMotion(ByteReader& in, bool known)
+{
+    StreamMotion motion;
+    motion.v_AO = readVelocity(in, kVelocityStep);
+    motion.w_AO = readVelocity(in, kAngularVelocityStep);
+    if (known)
+        return motion;
+    in.require(motion.v_AO.isZero(0.0) && motion.w_AO.isZero(0.0), "motion");
+    return std::nullopt;
+}
+
+/// @param timeBase microseconds to which the sample's time is the nearest with its lower 32 bits
+StreamCpo readStream(ByteReader& in, std::int64_t timeBase)
+{
+    StreamCpo stream;
+    stream.object.value = in.number<std::uint16_t>();
+    stream.sequence = in.number<std::uint16_t>();
+    const auto flags = in.number<std::uint8_t>();
+    const auto validity = static_cast<std::uint8_t>(flags >> kValidityShift & kTwoBits);
+    in.require(flags <= kKnownStreamFlags, "stream flags");
+    in.require(validity <= static_cast<std::uint8_t>(StreamValidity::Lost), "validity");
+    stream.validity = static_cast<StreamValidity>(validity);
+    stream.error = in.number<std::uint8_t>() * kErrorStep;
+    stream.time = fromWireMicroseconds(nearestTime(timeBase, in.number<std::uint32_t>()));
+    const Quat q_AO = readRotation(in, flags & kTwoBits);
+    const Vec3 p_AO = readPosition(in);
+    stream.X_AO = RigidTransform{q_AO, p_AO};
+    stream.motion = readMotion(in, (flags & kHasMotion) != 0);
+    return stream;
+}
+
+} // namespace
+
+void writeStreamGroup(ByteWriter& out, const StreamGroup& group)
+{
+    CARINA_EXPECTS(!group.streams.empty() && group.streams.size() <= kStreamsPerGroup);
+    const SessionTime first = group.streams.front().time;
+    out.number(group.owner.value);
+    out.number(group.epoch);
+    out.number(group.station.value);
+    out.number(static_cast<std::int32_t>(wireMicroseconds(first) >> 32));
+    out.number(static_cast<std::uint8_t>(group.streams.size()));
+    for (const StreamCpo& stream : group.streams) {
+        CARINA_EXPECTS(std::chrono::abs(stream.time - first) <= kGroupTimeSpan);
+        writeStream(out, stream);
+    }
+}
+
+StreamGroup readStreamGroup(ByteReader& in)
+{
+    StreamGroup group;
+    group.owner.value = in.number<std::uint16_t>();
+    group.epoch = in.number<std::uint16_t>();
+    group.station.value = in.number<std::uint16_t>();
+    const auto timeHigh = in.number<std::int32_t>();
+    in.require(timeHigh >= -kLargestTimeHigh && timeHigh <= kLargestTimeHigh, "time");
+    const auto count = in.number<std::uint8_t>();
+    in.require(count >= 1 && count <= kStreamsPerGroup, "stream count");
+    in.require(in.remaining() >= count * kStreamCpoBytes, "length");
+    // The middle of the high part's range, from which every low part is at most half a range away.
+    std::int64_t timeBase = (std::int64_t{timeHigh} << 32) + (std::int64_t{1} << 31);
+    group.streams.reserve(in.ok() ? count : 0);
+    for (int i = 0; i < count && in.ok(); ++i) {
+        group.streams.push_back(readStream(in, timeBase));
+        const SessionTime first = group.streams.front().time;
+        in.require(std::chrono::abs(group.streams.back().time - first) <= kGroupTimeSpan, "time");
+        timeBase = wireMicroseconds(first);
+    }
+    return group;
+}
+
+void writeEventCpo(ByteWriter& buffer, const EventCpo& event)
+{
+    BlockWriter<kEventCpoBytes> out;
+    out.number(event.object.value);
+    out.number(event.epoch);
+    out.number(event.action);
+    out.number(static_cast<std::uint8_t>(event.kind));
+    writeWireTime(out, event.start.time_since_epoch());
+    for (const double component : event.q_AO.coeffs())
+        out.real(component);
+    for (const double metres : event.p_AO)
+        out.real(metres);
+    for (const float component : event.axis_A)
+        out.real(component);
+    out.real(event.rate);
+    out.real(event.scale);
+    buffer.bytes(out.bytes());
+}
+
+EventCpo readEventCpo(ByteReader& in)
+{
+    EventCpo event;
+    event.object.value = in.number<std::uint16_t>();
+    event.epoch = in.number<std::uint16_t>();
+    event.action = in.number<std::uint32_t>();
+    const auto kind = in.number<std::uint8_t>();
+    in.require(kind <= static_cast<std::uint8_t>(ActionKind::Scaling), "action kind");
+    event.kind = static_cast<ActionKind>(kind);
+    event.start = SessionTime{readWireTime(in)};
+    for (double& component : event.q_AO.coeffs())
+        component = in.realDouble();
+    for (double& metres : event.p_AO)
+        metres = in.realDouble();
+    for (float& component : event.axis_A)
+        component = in.realFloat();
+    event.rate = in.realFloat();
+    event.scale = in.realFloat();
+    // Written so that a NaN fails too.
+    in.require(std::abs(event.q_AO.norm() - 1.0) <= kUnitTolerance, "rotation");
+    in.require(event.p_AO.allFinite(), "position");
+    in.require(std::abs(event.axis_A.norm() - 1.0F) <= kAxisTolerance, "axis");
+    in.require(std::isfinite(event.rate), "rate");
+    in.require(std::isfinite(event.scale) && event.scale > 0.0F, "scale");
+    return event;
+}
+
+} // namespace carina

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/sync/wire/byte_buffer.h"
+#include "engine/sync/wire/event_cpo.h"
+#include "engine/sync/wire/stream_cpo.h"
+
+namespace carina
+{
+
+inline constexpr std::size_t kStreamGroupHeaderBytes = 11;
+inline constexpr std::size_t kStreamCpoBytes = 37;
+inline constexpr std::size_t kEventCpoBytes = 93;
+
+/// @pre 1 to kStreamsPerGroup streams within kGroupTimeSpan of the first; all numbers finite.
+void writeStreamGroup(ByteWriter& out, const StreamGroup& group);
+/// Meaningless when in.ok() is false afterwards.
+[[nodiscard]] StreamGroup readStreamGroup(ByteReader& in);
+
+/// @pre all numbers finite, quaternion and axis of unit length, scale above 0.
+void writeEventCpo(ByteWriter& out, const EventCpo& event);
+/// Meaningless when in.ok() is false afterwards.
+[[nodiscard]] EventCpo readEventCpo(ByteReader& in);
+
+} // namespace carina

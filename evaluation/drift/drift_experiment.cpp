@@ -1,0 +1,204 @@
+#include "evaluation/drift/drift_experiment.h"
+
+#include "engine/core/expects.h"
+#include "engine/geometry/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace carina::lab
+{
+namespace
+{
+
+/// Long enough for a history of 100 delays at one a second.
+constexpr Duration kWarmUp = std::chrono::seconds{130};
+/// Both objects are at rest and known to all from about here on.
+constexpr Duration kRestFrom = std::chrono::seconds{-5};
+/// No simple fraction of an action or of a tick, so that samples meet all phases of both.
+constexpr Duration kSampleInterval = std::chrono::nanoseconds{1'000'703};
+
+/// One run on its way.
+class DriftRun
+{
+public:
+    explicit DriftRun(const DriftSettings& settings)
+        : m_settings{settings},
+          m_script{settings.script, settings.seed},
+          m_star{*settings.strategy, settings.participants, settings.scenario,
+                 settings.legs,      settings.seed,         -kWarmUp}
+    {
+    }
+
+    DriftFigures run()
+    {
+        // At another phase of everybody's ticks in each run.
+        std::mt19937 random{m_settings.seed};
+        act(-1, kRestFrom - Duration{static_cast<Duration::rep>(random() % 1'000'000'000U)});
+        m_star.runTo(Duration{-1});
+        const VirtualStar::Traffic before = m_star.traffic();
+        Duration sample{};
+        for (int action = 0; action < m_script.actions(); ++action) {
+            act(action, ActionScript::startOf(action));
+            addLimit(action);
+            const Duration end = ActionScript::startOf(action + 1);
+            for (; sample < end; sample += kSampleInterval)
+                addSample(sample);
+            addEndOfAction(end - Duration{1});
+        }
+        return figures(before);
+    }
+
+private:
+    void act(int action, Duration t)
+    {
+        m_star.act(m_script.rotation(action), t);
+        m_star.act(m_script.translation(action), t);
+    }
+
+    /// The pose of an object that a viewer draws: where it was to begin with while nothing is
+    /// known.
+    RigidTransform drawn(std::uint16_t viewer, ObjectId object, Duration t) const
+    {
+        const auto shown = m_star.shown(viewer, object, t);
+        return shown ? shown->acted.X_AO : RigidTransform{};
+    }
+
+    double angleAt(std::uint16_t viewer, const Quat& truth, Duration t) const
+    {
+        return angleBetween(truth, drawn(viewer, ActionScript::kTurned, t).rotation()).si;
+    }
+
+    double rawAngleAt(std::uint16_t viewer, const Quat& truth, Duration t) const
+    {
+        const Quat shown = drawn(viewer, ActionScript::kTurned, t).rotation();
+        return 2.0 * std::acos(std::clamp((truth * shown.conjugate()).w(), -1.0, 1.0));
+    }
+
+    double distanceAt(std::uint16_t viewer, const Vec3& truth, Duration t) const
+    {
+        return (drawn(viewer, ActionScript::kMoved, t).translation() - truth).norm();
+    }
+
+    void addSample(Duration t)
+    {
+        m_star.runTo(t);
+        const Quat q = m_script.q_AO(t);
+        const Vec3 p = m_script.p_AO(t);
+        for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
+            m_angles.push_back(angleAt(viewer, q, t));
+            m_position += distanceAt(viewer, p, t);
+        }
+    }
+
+    void addEndOfAction(Duration t)
+    {
+        m_star.runTo(t);
+        const Quat q = m_script.q_AO(t);
+        const Vec3 p = m_script.p_AO(t);
+        const double viewers = m_star.participants() - 1;
+        ActionDrift mean;
+        for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
+            mean.angle += angleAt(viewer, q, t) / viewers;
+            mean.rawAngle += rawAngleAt(viewer, q, t) / viewers;
+            mean.distance += distanceAt(viewer, p, t) / viewers;
+        }
+        m_actions.push_back(mean);
+        for (std::uint16_t id = 1; id <= m_star.participants(); ++id) {
+            if (const auto error = m_star.clockError(id, t)) {
+                m_clockError += std::abs(toSeconds(*error));
+                ++m_clockReadings;
+            }
+        }
+    }
+
+    void addLimit(int action)
+    {
+        const double whole = toSeconds(ActionScript::kActionTime);
+        for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
+            const Duration least = m_star.leastDelay(viewer, ActionScript::startOf(action));
+            const double d = std::min(toSeconds(least), whole);
+            m_limit += m_script.changeOfAngularVelocity(action) * d * d / (2.0 * whole);
+            m_positionLimit += m_script.changeOfVelocity(action) * d * d / (2.0 * whole);
+        }
+    }
+
+    DriftFigures figures(const VirtualStar::Traffic& before)
+    {
+        const double seconds = toSeconds(ActionScript::startOf(m_script.actions()));
+        const double events = double(m_script.actions()) * (m_star.participants() - 1);
+        const auto samples = static_cast<double>(m_angles.size());
+        const VirtualStar::Traffic after = m_star.traffic();
+        DriftFigures figures;
+        for (const ActionDrift& action : m_actions)
+            figures.atEvent += action.angle / static_cast<double>(m_actions.size());
+        for (const double angle : m_angles)
+            figures.timeAverage += angle / samples;
+        const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * samples)) - 1;
+        std::ranges::nth_element(m_angles, m_angles.begin() + rank);
+        figures.p95 = m_angles[static_cast<std::size_t>(rank)];
+        figures.position = m_position / samples;
+        figures.limit = m_limit / events;
+        figures.positionLimit = m_positionLimit / events;
+        figures.actions = std::move(m_actions);
+        if (m_clockReadings > 0)
+            figures.clockError = m_clockError / m_clockReadings;
+        // Each datagram is between the host and one participant.
+        figures.bytesPerSecond =
+            static_cast<double>(after.bytes - before.bytes) / (seconds * m_star.participants());
+        figures.probesPerSecond = static_cast<double>(after.probes - before.probes) / seconds;
+        return figures;
+    }
+
+    const DriftSettings& m_settings;
+    ActionScript m_script;
+    VirtualStar m_star;
+    std::vector<double> m_angles;
+    double m_position = 0.0;
+    std::vector<ActionDrift> m_actions;
+    double m_limit = 0.0;
+    double m_positionLimit = 0.0;
+    double m_clockError = 0.0;
+    int m_clockReadings = 0;
+};
+
+void addShare(ActionDrift& sum, const ActionDrift& one, double share)
+{
+    sum.angle += share * one.angle;
+    sum.rawAngle += share * one.rawAngle;
+    sum.distance += share * one.distance;
+}
+
+} // namespace
+
+DriftFigures runDrift(const DriftSettings& settings)
+{
+    CARINA_EXPECTS(settings.strategy != nullptr && settings.participants >= 2);
+    return DriftRun{settings}.run();
+}
+
+DriftFigures runDrift(DriftSettings settings, int seeds)
+{
+    CARINA_EXPECTS(seeds >= 1);
+    DriftFigures mean;
+    mean.actions.resize(static_cast<std::size_t>(settings.script.actions));
+    for (int i = 0; i < seeds; ++i, ++settings.seed) {
+        const DriftFigures one = runDrift(settings);
+        mean.atEvent += one.atEvent / seeds;
+        mean.timeAverage += one.timeAverage / seeds;
+        mean.p95 += one.p95 / seeds;
+        mean.position += one.position / seeds;
+        mean.limit += one.limit / seeds;
+        mean.positionLimit += one.positionLimit / seeds;
+        if (one.clockError)
+            mean.clockError = mean.clockError.value_or(0.0) + *one.clockError / seeds;
+        mean.bytesPerSecond += one.bytesPerSecond / seeds;
+        mean.probesPerSecond += one.probesPerSecond / seeds;
+        for (std::size_t action = 0; action < one.actions.size(); ++action)
+            addShare(mean.actions[action], one.actions[action], 1.0 / seeds);
+    }
+    return mean;
+}
+
+} // namespace carina::lab

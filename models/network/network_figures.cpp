@@ -1,0 +1,108 @@
+#include "models/network/network_figures.h"
+
+#include <algorithm>
+#include <map>
+
+namespace carina
+{
+namespace
+{
+
+using DelaysByPeer = std::map<ParticipantId, Duration>;
+
+std::optional<double> inMs(const std::optional<Duration>& duration)
+{
+    return duration ? std::optional{1e3 * toSeconds(*duration)} : std::nullopt;
+}
+
+std::optional<double> product(const std::optional<double>& rate,
+                              const std::optional<Duration>& time)
+{
+    return rate && time ? std::optional{*rate * toSeconds(*time)} : std::nullopt;
+}
+
+DelaysByPeer meanDelays(const std::vector<PathReport>& paths)
+{
+    DelaysByPeer delays;
+    for (const PathReport& path : paths)
+        if (path.meanDelay)
+            delays.emplace(path.peer, *path.meanDelay);
+    return delays;
+}
+
+/// From a participant to whoever hears of it last: this node, which passes it on, or another peer.
+std::optional<Duration> longestWayFrom(ParticipantId owner, const DelaysByPeer& delays)
+{
+    const auto own = delays.find(owner);
+    if (own == delays.end())
+        return std::nullopt;
+    Duration onwards{};
+    for (const auto& [peer, delay] : delays)
+        if (peer != owner)
+            onwards = std::max(onwards, delay);
+    return own->second + onwards;
+}
+
+ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
+                        const DelaysByPeer& delays)
+{
+    const auto path = delays.find(object.owner);
+    const auto delay = path != delays.end() ? std::optional{path->second} : std::nullopt;
+    ObjectFigures figures;
+    figures.name = QString::fromStdString(object.name);
+    figures.drift_deg = report.driftDeg;
+    figures.drift_mm = report.driftMm;
+    figures.limit_deg = report.limitDeg ? report.limitDeg : product(report.turnDegPerS, delay);
+    figures.limit_mm = report.limitMm ? report.limitMm : product(report.moveMmPerS, delay);
+    figures.actions_per_s = report.actionsPerS;
+    if (const auto longest = longestWayFrom(object.owner, delays))
+        figures.upshot_per_s = upshotFrequency(*longest);
+    return figures;
+}
+
+NetworkFigures figuresOf(const PathReport& path)
+{
+    NetworkFigures figures;
+    figures.id = path.peer;
+    figures.roundTrip_ms = inMs(path.roundTrip);
+    for (const Duration delay : path.delays)
+        figures.delays_ms.push_back(1e3 * toSeconds(delay));
+    figures.meanDelay_ms = inMs(path.meanDelay);
+    figures.sigma_ms = inMs(path.sigma);
+    figures.probes_per_s = path.probesPerSecond;
+    if (path.clockOffset)
+        figures.clockOffset_s = toSeconds(*path.clockOffset);
+    figures.clockError_ms = inMs(path.clockError);
+    figures.clockErrorBound_ms = inMs(path.clockErrorBound);
+    if (path.loss)
+        figures.loss_percent = 100.0 * *path.loss;
+    return figures;
+}
+
+} // namespace
+
+std::vector<NetworkFigures> networkFigures(const SessionNode& node)
+{
+    const auto state = node.state();
+    const auto paths = node.paths();
+    const std::vector<ObjectReport> reports = node.objectReports();
+    const DelaysByPeer delays = meanDelays(*paths);
+    std::vector<NetworkFigures> all;
+    for (const PathReport& path : *paths) {
+        const auto participant = state->participants().find(path.peer);
+        if (participant == state->participants().end())
+            continue;
+        NetworkFigures figures = figuresOf(path);
+        figures.name = QString::fromStdString(participant->second.name);
+        for (const ObjectReport& report : reports) {
+            const auto object = state->objects().find(report.object);
+            if (object != state->objects().end() && object->second.owner == path.peer)
+                figures.objects.push_back(figuresOf(report, object->second, delays));
+        }
+        all.push_back(std::move(figures));
+    }
+    std::ranges::sort(all, {}, &NetworkFigures::id);
+    return all;
+}
+
+} // namespace carina

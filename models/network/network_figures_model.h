@@ -1,0 +1,50 @@
+#pragma once
+
+#include "models/network/network_figures.h"
+
+#include <QAbstractTableModel>
+
+namespace carina
+{
+
+/// The figures of the network to one participant as a table of two columns: what, and how much with
+/// its unit. What is not known yet says so.
+class NetworkFiguresModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column { What, HowMuch, ColumnCount };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// No rows for nobody.
+    void show(const std::optional<NetworkFigures>& figures);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
+
+private:
+    struct Row {
+        QString what;
+        QString howMuch;
+        QString meaning; ///< a sentence
+
+        friend bool operator==(const Row&, const Row&) = default;
+    };
+
+    [[nodiscard]] static std::vector<Row> rowsOf(const NetworkFigures& figures);
+    static void addPath(const NetworkFigures& figures, std::vector<Row>& rows);
+    static void addClock(const NetworkFigures& figures, std::vector<Row>& rows);
+    static void addObject(const ObjectFigures& object, std::vector<Row>& rows);
+
+    /// A row as a screen reader says it: without a shape.
+    [[nodiscard]] static QString spoken(const Row& row);
+
+    std::vector<Row> m_rows;
+};
+
+} // namespace carina

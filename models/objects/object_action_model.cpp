@@ -1,0 +1,219 @@
+#include "models/objects/object_action_model.h"
+
+#include "models/patient/shared_patient.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kMotionInterval_ms = 100;
+constexpr double kAlongAxis = 0.9999; ///< cosine from which on an axis is called x, y or z
+
+/// An action's speed as a person reads it, and back. Scaling is told as growth within a second.
+double rateFor(ActionKind kind, double speed)
+{
+    switch (kind) {
+    case ActionKind::Rotation:
+        return degrees(speed).si;
+    case ActionKind::Translation:
+        return millimetres(speed).si;
+    case ActionKind::Scaling:
+        return std::log1p(0.01 * speed);
+    }
+    return 0.0;
+}
+
+double speedOf(ActionKind kind, double rate)
+{
+    switch (kind) {
+    case ActionKind::Rotation:
+        return inDegrees(radians(rate));
+    case ActionKind::Translation:
+        return inMillimetres(metres(rate));
+    case ActionKind::Scaling:
+        return 100.0 * std::expm1(rate);
+    }
+    return 0.0;
+}
+
+QString number(double value) { return QString::number(value, 'f', 1); }
+
+/// The letter of an axis, and in which direction along it; the numbers of any other.
+std::pair<QString, double> axisText(const Vec3& axis_A)
+{
+    Eigen::Index longest = 0;
+    axis_A.cwiseAbs().maxCoeff(&longest);
+    if (std::abs(axis_A[longest]) < kAlongAxis)
+        return {QStringLiteral("(%1, %2, %3)")
+                    .arg(axis_A.x(), 0, 'f', 2)
+                    .arg(axis_A.y(), 0, 'f', 2)
+                    .arg(axis_A.z(), 0, 'f', 2),
+                1.0};
+    return {QStringLiteral("xyz").mid(int(longest), 1), std::copysign(1.0, axis_A[longest])};
+}
+
+bool isSameMotion(const ShownObject& shown, const ObjectAction& action)
+{
+    const bool isAlong =
+        action.kind == ActionKind::Scaling || shown.axis_A.dot(action.axis_A) > kAlongAxis;
+    return shown.kind == action.kind && isAlong
+           && float(shown.rate) == float(action.rate); // as it travels
+}
+
+} // namespace
+
+ObjectActionModel::ObjectActionModel(SharedObjectModel& object, QObject* parent)
+    : QObject{parent}, m_object{object}
+{
+    connect(&m_object, &SharedObjectModel::changed, this, &ObjectActionModel::changed);
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &ObjectActionModel::look);
+    timer->start(kMotionInterval_ms);
+}
+
+void ObjectActionModel::setKind(ActionKind kind)
+{
+    m_kind = kind;
+    Q_EMIT changed();
+}
+
+void ObjectActionModel::setAxis(Axis axis)
+{
+    m_axis = axis;
+    Q_EMIT changed();
+}
+
+void ObjectActionModel::setSpeed(double speed)
+{
+    const double largest = speedScale(m_kind).largest;
+    m_speeds[std::size_t(m_kind)] = std::clamp(speed, -largest, largest);
+    Q_EMIT changed();
+}
+
+ObjectActionModel::SpeedScale ObjectActionModel::speedScale(ActionKind kind)
+{
+    switch (kind) {
+    case ActionKind::Rotation:
+        return {360.0, tr("°/s")};
+    case ActionKind::Translation:
+        return {200.0, tr("mm/s")};
+    case ActionKind::Scaling:
+        return {50.0, tr("%/s")};
+    }
+    return {};
+}
+
+ObjectAction ObjectActionModel::chosenAction() const
+{
+    return {m_kind, Vec3::Unit(Eigen::Index(m_axis)), rateFor(m_kind, speed())};
+}
+
+std::optional<ShownObject> ObjectActionModel::shown() const
+{
+    const SessionNode& node = m_object.session().node();
+    const auto object = m_object.chosen();
+    const auto now = node.now();
+    return object && now ? node.shown(object->id, *now) : std::nullopt;
+}
+
+bool ObjectActionModel::canStart() const
+{
+    if (!m_object.isOwn() || !m_object.session().node().now() || speed() == 0.0)
+        return false;
+    const auto shown = this->shown();
+    return !shown || !isSameMotion(*shown, chosenAction());
+}
+
+bool ObjectActionModel::canStop() const
+{
+    const auto shown = this->shown();
+    return m_object.isOwn() && shown && shown->rate != 0.0;
+}
+
+bool ObjectActionModel::canReset() const { return canStop() || (m_object.isOwn() && !isInPlace()); }
+
+void ObjectActionModel::start()
+{
+    if (canStart())
+        act(chosenAction());
+}
+
+void ObjectActionModel::stop()
+{
+    if (canStop())
+        act({});
+}
+
+void ObjectActionModel::reset()
+{
+    if (canReset())
+        act({.anew = true});
+}
+
+void ObjectActionModel::act(const ObjectAction& action)
+{
+    if (const auto object = m_object.chosen())
+        m_object.session().node().act(object->id, action);
+    look();
+}
+
+QString ObjectActionModel::motionText() const
+{
+    const auto shown = this->shown();
+    if (!m_object.chosen())
+        return {};
+    if (!shown || shown->rate == 0.0)
+        return tr("■ At rest");
+    const auto [axis, direction] = axisText(shown->axis_A);
+    const double speed = speedOf(shown->kind, shown->rate);
+    const QString unit = speedScale(shown->kind).unit;
+    QString text;
+    switch (shown->kind) {
+    case ActionKind::Rotation:
+        text = tr("● Turns about %1 at %2 %3").arg(axis, number(direction * speed), unit);
+        break;
+    case ActionKind::Translation:
+        text = tr("● Moves along %1 at %2 %3").arg(axis, number(direction * speed), unit);
+        break;
+    case ActionKind::Scaling:
+        text = tr("● Changes its size by %1 %2").arg(number(speed), unit);
+        break;
+    }
+    return shown->isStale ? tr("%1 (nothing heard of its owner)").arg(text) : text;
+}
+
+bool ObjectActionModel::isInPlace() const
+{
+    const auto shown = this->shown();
+    return !shown || isInItsPlace(shown->acted);
+}
+
+QString ObjectActionModel::placeText() const
+{
+    if (!m_object.chosen())
+        return {};
+    const auto shown = this->shown();
+    if (!shown || isInItsPlace(shown->acted))
+        return tr("In its place");
+    const Displacement displacement = displacementOf(shown->acted);
+    return tr("▲ Away from its place: turned %1°, moved %2\u00a0mm, size %3\u00a0%")
+        .arg(number(displacement.turned_deg), number(displacement.moved_mm),
+             number(displacement.size_percent));
+}
+
+void ObjectActionModel::look()
+{
+    Shown shown{motionText(), placeText()};
+    if (shown == m_told)
+        return;
+    m_told = std::move(shown);
+    Q_EMIT changed();
+}
+
+} // namespace carina

@@ -1,0 +1,200 @@
+#include "models/objects/shared_object_model.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace carina
+{
+namespace
+{
+
+/// Everything else is tracked, and moves by hand alone.
+bool isMovedByActions(const SharedObject& object) { return object.kind == ObjectKind::Patient; }
+
+QString nameOf(const SessionState& state, ParticipantId id)
+{
+    const auto found = state.participants().find(id);
+    return found == state.participants().end() ? SharedObjectModel::tr("somebody unknown")
+                                               : QString::fromStdString(found->second.name);
+}
+
+bool isPresent(const SessionState& state, ParticipantId id)
+{
+    const auto found = state.participants().find(id);
+    return found != state.participants().end() && found->second.present;
+}
+
+} // namespace
+
+SharedObjectModel::SharedObjectModel(SessionModel& session, StationId station, QObject* parent)
+    : QObject{parent}, m_session{session}, m_station{station}
+{
+    connect(&m_session, &SessionModel::changed, this, &SharedObjectModel::changed);
+}
+
+std::vector<SharedObjectModel::Named<ObjectId>> SharedObjectModel::objects() const
+{
+    std::vector<Named<ObjectId>> all;
+    const auto state = m_session.node().state();
+    for (const auto& [id, object] : state->objects())
+        if (object.station == m_station && isMovedByActions(object))
+            all.push_back({id, QString::fromStdString(object.name)});
+    return all;
+}
+
+std::optional<SharedObject> SharedObjectModel::chosen() const
+{
+    const auto all = objects();
+    if (all.empty())
+        return std::nullopt;
+    const auto wanted =
+        std::ranges::find_if(all, [this](const auto& o) { return o.id == m_wanted; });
+    const ObjectId id = wanted == all.end() ? all.front().id : wanted->id;
+    return m_session.node().state()->objects().at(id);
+}
+
+void SharedObjectModel::choose(ObjectId object)
+{
+    m_wanted = object;
+    Q_EMIT changed();
+}
+
+const Participant* SharedObjectModel::self(const SessionState& state) const
+{
+    const auto found = state.participants().find(m_session.node().self());
+    return found == state.participants().end() ? nullptr : &found->second;
+}
+
+QString SharedObjectModel::obstacle() const
+{
+    const auto state = m_session.node().state();
+    const Participant* person = self(*state);
+    if (!person)
+        return tr("Wait until the session has let you in.");
+    if (person->role == Role::Observer)
+        return tr("Observers watch. Ask the instructor to let you in as a trainee if you want to "
+                  "move something.");
+    if (!chosen())
+        return tr("Nothing is shared here that could be moved. The instructor's console shares the "
+                  "virtual patient.");
+    return {};
+}
+
+bool SharedObjectModel::isInstructor() const
+{
+    const auto state = m_session.node().state();
+    const Participant* person = self(*state);
+    return person && person->role == Role::Instructor;
+}
+
+bool SharedObjectModel::isOwn() const
+{
+    const auto object = chosen();
+    return object && object->owner == m_session.node().self();
+}
+
+QString SharedObjectModel::ownerText() const
+{
+    const auto object = chosen();
+    if (!object)
+        return {};
+    const auto state = m_session.node().state();
+    const QString owner = nameOf(*state, object->owner);
+    QString text = isOwn()                            ? tr("● you")
+                   : isPresent(*state, object->owner) ? tr("◆ %1").arg(owner)
+                                                      : tr("○ %1, who left").arg(owner);
+    const auto travelling = underWay(object->id);
+    if (const auto* handed =
+            travelling ? std::get_if<fact::ObjectHandedOver>(&*travelling) : nullptr)
+        text += tr(" → %1").arg(nameOf(*state, handed->owner));
+    return text;
+}
+
+QString SharedObjectModel::wishText() const
+{
+    const auto object = chosen();
+    if (!object)
+        return {};
+    const auto state = m_session.node().state();
+    QStringList names;
+    for (const ParticipantId id : object->wantedBy)
+        names << (id == m_session.node().self() ? tr("you") : nameOf(*state, id));
+    return names.isEmpty() ? QString{} : tr("Asking for it: %1").arg(names.join(tr(", ")));
+}
+
+std::optional<FactBody> SharedObjectModel::underWay(ObjectId object) const
+{
+    for (const FactBody& body : m_session.node().pending()) {
+        const auto* wanted = std::get_if<fact::ObjectWanted>(&body);
+        if (objectOf(body) == object || (wanted && wanted->object == object))
+            return body;
+    }
+    return std::nullopt;
+}
+
+bool SharedObjectModel::isAsking() const
+{
+    const auto object = chosen();
+    return object
+           && std::ranges::find(object->wantedBy, m_session.node().self())
+                  != object->wantedBy.end();
+}
+
+bool SharedObjectModel::canAsk() const
+{
+    const auto object = chosen();
+    return object && obstacle().isEmpty() && !isOwn() && !underWay(object->id);
+}
+
+void SharedObjectModel::ask()
+{
+    if (canAsk())
+        m_session.node().propose(m_station, fact::ObjectWanted{chosen()->id, !isAsking()});
+}
+
+bool SharedObjectModel::mayGive(const SharedObject& object) const
+{
+    const auto state = m_session.node().state();
+    const Participant* person = self(*state);
+    return person && person->role != Role::Observer && !underWay(object.id)
+           && (person->role == Role::Instructor || object.owner == person->id);
+}
+
+bool SharedObjectModel::canTakeOver() const
+{
+    const auto object = chosen();
+    return object && !isOwn() && mayGive(*object);
+}
+
+void SharedObjectModel::takeOver()
+{
+    if (canTakeOver())
+        handOver(m_session.node().self());
+}
+
+std::vector<SharedObjectModel::Named<ParticipantId>> SharedObjectModel::heirs() const
+{
+    const auto object = chosen();
+    if (!object || !mayGive(*object))
+        return {};
+    const auto state = m_session.node().state();
+    std::vector<Named<ParticipantId>> all;
+    for (const auto& [id, person] : state->participants())
+        if (person.present && person.role != Role::Observer && id != object->owner
+            && id != m_session.node().self())
+            all.push_back({id, QString::fromStdString(person.name)});
+    const auto turn = [&object](const Named<ParticipantId>& heir) {
+        return std::ranges::find(object->wantedBy, heir.id) - object->wantedBy.begin();
+    };
+    std::ranges::stable_sort(all, {}, turn);
+    return all;
+}
+
+void SharedObjectModel::handOver(ParticipantId heir)
+{
+    if (const auto object = chosen(); object && mayGive(*object))
+        m_session.node().propose(m_station,
+                                 fact::ObjectHandedOver{object->id, heir, object->epoch});
+}
+
+} // namespace carina

@@ -1,0 +1,150 @@
+#include "models/registration/registration_words.h"
+
+#include "models/registration/registration_model.h"
+
+#include <QCoreApplication>
+
+namespace carina
+{
+namespace
+{
+
+class RegistrationWords
+{
+    Q_DECLARE_TR_FUNCTIONS(RegistrationWords)
+
+public:
+    static QString overview(const RegistrationModel& model)
+    {
+        const SiteStep next = model.nextStep();
+        if (next == SiteStep::Overview)
+            return tr("Everything is done. The session can begin.");
+        return tr("Go on with: %1.").arg(stepTitle(next));
+    }
+
+    static QString tracker(const RegistrationModel& model)
+    {
+        return model.task(SiteStep::Tracker).state == TaskState::Done
+                   ? tr("The %1 is in use. Go on to the stylus.").arg(model.trackerName())
+                   : tr("See that stylus and chin probe are visible, then use this tracker.");
+    }
+
+    static QString stylus(const RegistrationModel& model)
+    {
+        const StylusTask& stylus = model.stylus();
+        if (stylus.isSpinning())
+            return tr("Turn the stylus about its shaft, to and fro, by half a turn or more.");
+        if (stylus.isLookingForTip())
+            return missing(stylus.pivot().need);
+        if (stylus.tip())
+            return tr("The tip is known. Go on, or find it again after the stylus was bent.");
+        return tr("Find the tip: set it into a divot and swing the stylus.");
+    }
+
+    static QString landmarks(const RegistrationModel& model)
+    {
+        if (const auto chosen = model.landmarkTask().chosen())
+            return tr("Click on the model where this landmark shall be: %1.")
+                .arg(model.landmarks()[*chosen].name);
+        return tr("Use these landmarks, or choose one in the list to move it.");
+    }
+
+    static QString touch(const RegistrationModel& model)
+    {
+        if (!model.stylus().tip())
+            return tr("Find the tip of the stylus first.");
+        if (model.touching().isRelaying())
+            return tr("Touch any three landmarks where the manikin lies now, and a fourth if it is "
+                      "asked for.");
+        if (const auto next = model.nextLandmark())
+            return tr("Keep the manikin's mouth shut. Touch this place and hold still: %1.")
+                .arg(model.landmarks()[*next].name);
+        if (isNotGood(model.site()))
+            return tr("The registration is not good enough: choose a landmark to touch it again.");
+        return tr("All landmarks are touched. Go on to the fit, or choose one to touch again.");
+    }
+
+    static QString fit(const RegistrationModel& model)
+    {
+        if (model.fitting().isSwabbing())
+            return tr("Slide the tip to and fro over this surface, then refine: %n points so far.",
+                      nullptr, int(model.fitting().swabPoints()));
+        const SiteTask task = model.task(SiteStep::Fit);
+        if (task.state == TaskState::Done)
+            return tr("Fitted: the landmarks stay %1 mm (RMS) from their places. What counts is "
+                      "the error that is expected in the airway.")
+                .arg(inMillimetres(metres(model.site().registration->rms)), 0, 'f', 1);
+        return task.why.isEmpty() || task.state == TaskState::Stale
+                   ? tr("Close the manikin's mouth, then fit the patient to the landmarks.")
+                   : task.why;
+    }
+
+    static QString verify(const RegistrationModel& model)
+    {
+        const SiteTask task = model.task(SiteStep::Verify);
+        if (task.state == TaskState::Waits)
+            return task.why;
+        if (!model.verifying().canJudge())
+            return tr("Fit the patient to the landmarks again first.");
+        if (isNotGood(model.site()))
+            return tr("It is recorded that the registration is not good enough. Touch the "
+                      "landmarks again.");
+        if (const auto next = model.verifying().next())
+            return tr("Touch this place, which the fit did not use: %1. Or click on the model to "
+                      "add one.")
+                .arg(model.verifying().points()[*next].name);
+        if (model.verifying().isRecorded())
+            return task.state == TaskState::Done
+                       ? tr("It is recorded that the registration is good. Go on to the overview.")
+                       : task.why;
+        if (model.site().operatorName.empty())
+            return tr("All places are checked. Give your name on the overview, so that the verdict "
+                      "has one, and record it.");
+        return tr("All places are checked. Record the verdict.");
+    }
+
+private:
+    static QString missing(PivotNeed need)
+    {
+        switch (need) {
+        case PivotNeed::Swing:
+            return tr("Set the tip into a divot and swing the stylus: it begins by itself.");
+        case PivotNeed::Motion:
+            return tr("Swing it further, by 30 degrees to every side.");
+        case PivotNeed::Directions:
+            return tr("Swing it in the other direction too: across the way it went so far.");
+        case PivotNeed::Stillness:
+            return tr("The tip slips: keep it in the divot.");
+        case PivotNeed::Poses:
+            return tr("Good. Keep swinging until the bar is full.");
+        case PivotNeed::Nothing:
+            break;
+        }
+        return {};
+    }
+};
+
+} // namespace
+
+QString registrationInstruction(const RegistrationModel& model)
+{
+    switch (model.step()) {
+    case SiteStep::Overview:
+        return RegistrationWords::overview(model);
+    case SiteStep::Tracker:
+        return RegistrationWords::tracker(model);
+    case SiteStep::Stylus:
+        return RegistrationWords::stylus(model);
+    case SiteStep::Landmarks:
+        return RegistrationWords::landmarks(model);
+    case SiteStep::Touch:
+        return RegistrationWords::touch(model);
+    case SiteStep::Fit:
+        return RegistrationWords::fit(model);
+    case SiteStep::Verify:
+        return RegistrationWords::verify(model);
+    }
+    return {};
+}
+
+} // namespace carina

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "models/session/session_model.h"
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace carina
+{
+
+/// What can be set about a patient's breathing, in the units of the console.
+enum class BreathingParameter : std::uint8_t {
+    Rate,        ///< breaths per minute
+    TidalVolume, ///< millilitres
+    Expiration,  ///< expiratory time for one part of inspiratory time: 1.44 of an I:E of 1:1.44
+};
+inline constexpr std::array kBreathingParameters{
+    BreathingParameter::Rate, BreathingParameter::TidalVolume, BreathingParameter::Expiration};
+
+/// How one station's patient breathes, as an instructor sees and changes it.
+///
+/// A change travels to every site before it takes effect; until then `pending` tells it. While one
+/// change of a parameter is under way only the latest further one is kept, so that dragging a
+/// slider never piles up facts.
+class BreathingModel : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// @pre session outlives this.
+    BreathingModel(SessionModel& session, StationId station, QObject* parent = nullptr);
+
+    /// The value in force now.
+    [[nodiscard]] double value(BreathingParameter parameter) const;
+    /// The value asked for that is not in force yet.
+    [[nodiscard]] std::optional<double> pending(BreathingParameter parameter) const;
+    /// The most that this patient's breaths may be set to, whole millilitres.
+    [[nodiscard]] int largestTidalVolume_ml() const;
+    /// The changes that travel, one a line: "Breathing rate → 24 /min"; empty when none does.
+    [[nodiscard]] QString travellingText() const;
+
+    [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
+
+    void set(BreathingParameter parameter, double value);
+    /// Sets the parameter changed last back to what it was before.
+    void undo();
+
+Q_SIGNALS:
+    /// Values, their bounds, what is pending, or whether undo is possible changed.
+    void changed();
+
+private:
+    struct Change {
+        BreathingParameter parameter;
+        double before = 0.0;
+    };
+    /// What is asked for of one parameter.
+    struct Wish {
+        std::optional<double> sent;   ///< proposed, not in force yet
+        std::optional<double> latest; ///< to be proposed when that is in force
+    };
+
+    struct Shown {
+        std::array<std::pair<double, std::optional<double>>, kBreathingParameters.size()> values;
+        int largestTidalVolume_ml = 0;
+
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+
+    void ask(BreathingParameter parameter, double value);
+    [[nodiscard]] bool isUnderWay(BreathingParameter parameter, double sent) const;
+    void propose(BreathingParameter parameter, double value);
+    void refresh();
+
+    SessionModel& m_session;
+    StationId m_station;
+    std::array<Wish, kBreathingParameters.size()> m_wishes;
+    std::vector<Change> m_undo;
+    Shown m_shown; ///< at the latest signal
+};
+
+} // namespace carina

@@ -1,0 +1,214 @@
+#include "models/respiration/respiration_model.h"
+
+#include "models/respiration/respiration_words.h"
+
+#include <QTimer>
+
+namespace carina
+{
+namespace
+{
+
+/// How often a change under way is looked for; nothing signals the moment a fact takes effect.
+constexpr int kRespirationLook_ms = 50;
+constexpr std::array kThingNames{QT_TRANSLATE_NOOP("carina::RespirationModel", "Condition → %1"),
+                                 QT_TRANSLATE_NOOP("carina::RespirationModel", "Ventilation → %1"),
+                                 QT_TRANSLATE_NOOP("carina::RespirationModel", "Airway → %1"),
+                                 QT_TRANSLATE_NOOP("carina::RespirationModel", "Position → %1")};
+
+bool isUsuallyOfOneLung(ConditionKind kind)
+{
+    return kind == ConditionKind::SimplePneumothorax || kind == ConditionKind::TensionPneumothorax
+           || kind == ConditionKind::Atelectasis || kind == ConditionKind::MainstemIntubation;
+}
+
+struct DecisionText {
+    QString operator()(const LungCondition& condition) const { return conditionText(condition); }
+    QString operator()(const VentilatorSettings& settings) const
+    {
+        return ventilatorText(settings);
+    }
+    QString operator()(Length innerDiameter) const { return tubeText(innerDiameter); }
+    QString operator()(BodyPosition position) const { return positionText(position); }
+};
+
+struct DecisionFact {
+    FactBody operator()(const LungCondition& condition) const
+    {
+        return fact::LungConditionSet{condition};
+    }
+    FactBody operator()(const VentilatorSettings& settings) const
+    {
+        return fact::VentilatorSet{settings};
+    }
+    FactBody operator()(Length innerDiameter) const { return fact::TubePlaced{innerDiameter}; }
+    FactBody operator()(BodyPosition position) const { return fact::BodyPositionSet{position}; }
+};
+
+} // namespace
+
+RespirationModel::RespirationModel(SessionModel& session, StationId station, QObject* parent)
+    : QObject{parent}, m_session{session}, m_station{station}
+{
+    connect(&m_session, &SessionModel::changed, this, &RespirationModel::refresh);
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &RespirationModel::refresh);
+    timer->start(kRespirationLook_ms);
+}
+
+LungCondition RespirationModel::condition() const { return std::get<LungCondition>(shown(0)); }
+VentilatorSettings RespirationModel::ventilator() const
+{
+    return std::get<VentilatorSettings>(shown(1));
+}
+Length RespirationModel::tube() const { return std::get<Length>(shown(2)); }
+BodyPosition RespirationModel::position() const { return std::get<BodyPosition>(shown(3)); }
+
+void RespirationModel::choose(ConditionKind kind)
+{
+    constexpr double kUsual = 0.5;
+    const LungCondition before = condition();
+    if (kind == ConditionKind::Normal)
+        return set(LungCondition{});
+    const ConditionSide one =
+        before.side == ConditionSide::Both ? ConditionSide::Right : before.side;
+    set(LungCondition{kind, before.severity > 0.0 ? before.severity : kUsual,
+                      isUsuallyOfOneLung(kind) ? one : ConditionSide::Both});
+}
+
+void RespirationModel::setCondition(LungCondition condition)
+{
+    if (condition.kind == ConditionKind::MainstemIntubation
+        && condition.side == ConditionSide::Both)
+        condition.side = ConditionSide::Right;
+    set(condition);
+}
+
+QString RespirationModel::inForceText() const
+{
+    const QString ailment = conditionText(std::get<LungCondition>(inForce(0)));
+    const auto position = std::get<BodyPosition>(inForce(3));
+    if (position == BodyPosition::Supine)
+        return ailment;
+    return tr("%1; %2", "what ails the patient; how it lies")
+        .arg(ailment, positionText(position).toLower());
+}
+
+QString RespirationModel::travellingText() const
+{
+    QStringList lines;
+    for (std::size_t thing = 0; thing < kThings; ++thing)
+        if (const auto decision = pending(thing))
+            lines << tr(kThingNames[thing]).arg(std::visit(DecisionText{}, *decision));
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString RespirationModel::obstacle() const
+{
+    const auto state = m_session.node().state();
+    const auto person = state->participants().find(m_session.node().self());
+    if (person == state->participants().end())
+        return tr("Wait until the session has let you in.");
+    if (m_session.phase() == SessionPhase::Ended)
+        return tr("The session has ended.");
+    if (person->second.role != Role::Instructor)
+        return tr("Only an instructor changes the patient.");
+    return {};
+}
+
+RespirationModel::Decision RespirationModel::decidedAt(std::size_t thing, SessionTime t) const
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(m_station);
+    const RespiratorySettings settings = station != state->stations().end()
+                                             ? station->second.respiration.settingsAt(t)
+                                             : RespiratorySettings{};
+    const std::array<Decision, kThings> decisions{settings.condition, settings.ventilator,
+                                                  settings.tube, settings.position};
+    return decisions[thing];
+}
+
+RespirationModel::Decision RespirationModel::inForce(std::size_t thing) const
+{
+    return decidedAt(thing, m_session.node().now().value_or(SessionTime{}));
+}
+
+std::optional<RespirationModel::Decision> RespirationModel::pending(std::size_t thing) const
+{
+    const Wish& wish = m_wishes[thing];
+    return wish.latest ? wish.latest : wish.sent;
+}
+
+RespirationModel::Decision RespirationModel::shown(std::size_t thing) const
+{
+    return pending(thing).value_or(inForce(thing));
+}
+
+void RespirationModel::set(const Decision& decision)
+{
+    const Decision before = shown(decision.index());
+    if (decision == before || !obstacle().isEmpty())
+        return;
+    // A drag is one change: only its first step is what undo goes back to.
+    const bool goesOn =
+        !m_undo.empty() && m_undo.back().index() == decision.index() && pending(decision.index());
+    if (!goesOn)
+        m_undo.push_back(before);
+    ask(decision);
+}
+
+void RespirationModel::undo()
+{
+    if (m_undo.empty())
+        return;
+    const Decision before = m_undo.back();
+    m_undo.pop_back();
+    ask(before);
+}
+
+void RespirationModel::ask(const Decision& decision)
+{
+    Wish& wish = m_wishes[decision.index()];
+    if (wish.sent)
+        wish.latest = decision;
+    else
+        propose(decision);
+    Q_EMIT changed();
+}
+
+void RespirationModel::propose(const Decision& decision)
+{
+    m_wishes[decision.index()].sent = decision;
+    m_session.node().propose(m_station, std::visit(DecisionFact{}, decision));
+}
+
+bool RespirationModel::isUnderWay(const Decision& sent) const
+{
+    if (inForce(sent.index()) == sent)
+        return false;
+    if (!m_session.node().pending().empty())
+        return true; // the host has not answered yet
+    // Decided for later, unless the host refused it or somebody decided otherwise since.
+    return decidedAt(sent.index(), SessionTime::max()) == sent;
+}
+
+void RespirationModel::refresh()
+{
+    for (Wish& wish : m_wishes) {
+        if (!wish.sent || isUnderWay(*wish.sent))
+            continue;
+        wish.sent.reset();
+        if (const auto next = std::exchange(wish.latest, std::nullopt))
+            ask(*next);
+    }
+    Shown now;
+    for (std::size_t thing = 0; thing < kThings; ++thing) {
+        now.decisions[thing] = shown(thing);
+        now.pending[thing] = pending(thing).has_value();
+    }
+    now.obstacle = obstacle();
+    if (std::exchange(m_shown, now) != now)
+        Q_EMIT changed();
+}
+
+} // namespace carina

@@ -1,0 +1,124 @@
+#include "models/respiration/respiration_words.h"
+
+#include <QCoreApplication>
+
+namespace carina
+{
+namespace
+{
+
+QString breathingWords(const char* text)
+{
+    return QCoreApplication::translate("Respiration", text);
+}
+
+} // namespace
+
+QString conditionText(ConditionKind kind)
+{
+    switch (kind) {
+    case ConditionKind::Normal:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Normal"));
+    case ConditionKind::Ards:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "ARDS"));
+    case ConditionKind::Copd:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "COPD"));
+    case ConditionKind::Asthma:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Asthma"));
+    case ConditionKind::SimplePneumothorax:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Pneumothorax, simple"));
+    case ConditionKind::TensionPneumothorax:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Pneumothorax, tension"));
+    case ConditionKind::Atelectasis:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Atelectasis"));
+    case ConditionKind::MainstemIntubation:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Tube in a main bronchus"));
+    case ConditionKind::Obstruction:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Obstruction"));
+    case ConditionKind::StiffChest:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Stiff chest"));
+    }
+    return {};
+}
+
+QString sideText(ConditionSide side)
+{
+    switch (side) {
+    case ConditionSide::Both:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Both lungs"));
+    case ConditionSide::Right:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Right lung"));
+    case ConditionSide::Left:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Left lung"));
+    }
+    return {};
+}
+
+QString modeText(VentilationMode mode)
+{
+    switch (mode) {
+    case VentilationMode::Spontaneous:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Spontaneous"));
+    case VentilationMode::VolumeControl:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Volume control"));
+    case VentilationMode::PressureControl:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Pressure control"));
+    }
+    return {};
+}
+
+QString positionText(BodyPosition position)
+{
+    switch (position) {
+    case BodyPosition::Supine:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "On the back"));
+    case BodyPosition::Sitting:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Sitting"));
+    case BodyPosition::Prone:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Prone"));
+    case BodyPosition::RightLateral:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "On the right side"));
+    case BodyPosition::LeftLateral:
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "On the left side"));
+    }
+    return {};
+}
+
+QString conditionText(const LungCondition& condition)
+{
+    if (condition.kind == ConditionKind::Normal)
+        return conditionText(condition.kind);
+    return QCoreApplication::translate("Respiration", "%1, severity\u00a0%2, %3",
+                                       "condition; 0 to 1; which lung")
+        .arg(conditionText(condition.kind))
+        .arg(condition.severity, 0, 'f', 2)
+        .arg(sideText(condition.side).toLower());
+}
+
+QString ventilatorText(const VentilatorSettings& settings)
+{
+    const QString mode = modeText(settings.mode);
+    if (settings.mode == VentilationMode::Spontaneous)
+        return mode;
+    const QString withPeep =
+        QCoreApplication::translate("Respiration", "%1, PEEP\u00a0%2\u00a0cmH2O",
+                                    "how it is ventilated")
+            .arg(mode)
+            .arg(inCmH2O(settings.peep), 0, 'f', 0);
+    if (settings.mode == VentilationMode::VolumeControl)
+        return withPeep;
+    return QCoreApplication::translate("Respiration", "%1, %2\u00a0cmH2O above it",
+                                       "ventilation with its PEEP; pressure")
+        .arg(withPeep)
+        .arg(inCmH2O(settings.drivingPressure), 0, 'f', 0);
+}
+
+QString tubeText(Length innerDiameter)
+{
+    if (innerDiameter.si == 0.0)
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "no tube"));
+    return QCoreApplication::translate("Respiration", "%1\u00a0mm tube", "inner diameter")
+        .arg(inMillimetres(innerDiameter), 0, 'f', 1);
+}
+
+} // namespace carina

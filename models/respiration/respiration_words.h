@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/lungs/mechanics/body_position.h"
+#include "engine/lungs/mechanics/lung_condition.h"
+#include "engine/lungs/mechanics/ventilation.h"
+
+#include <QString>
+
+namespace carina
+{
+
+[[nodiscard]] QString conditionText(ConditionKind kind);
+[[nodiscard]] QString sideText(ConditionSide side);
+[[nodiscard]] QString modeText(VentilationMode mode);
+[[nodiscard]] QString positionText(BodyPosition position);
+
+/// "COPD, severity 0.60, both lungs"; "Normal".
+[[nodiscard]] QString conditionText(const LungCondition& condition);
+/// "Volume control, PEEP 5 cmH2O"; "Spontaneous".
+[[nodiscard]] QString ventilatorText(const VentilatorSettings& settings);
+/// "6.5 mm tube"; "no tube".
+[[nodiscard]] QString tubeText(Length innerDiameter);
+
+} // namespace carina

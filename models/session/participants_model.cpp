@@ -1,0 +1,217 @@
+#include "models/session/participants_model.h"
+
+#include <QTimer>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kRefreshInterval_ms = 500;
+const QString kNothing = QStringLiteral("–");
+
+QString roleText(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return ParticipantsModel::tr("Instructor");
+    case Role::Trainee:
+        return ParticipantsModel::tr("Trainee");
+    case Role::Observer:
+        return ParticipantsModel::tr("Observer");
+    }
+    return {};
+}
+
+/// The number in place of %1.
+QString number(const std::optional<double>& value, int decimals, const QString& words)
+{
+    return value ? words.arg(*value, 0, 'f', decimals) : kNothing;
+}
+
+void keepLargest(std::optional<double>& largest, double value)
+{
+    largest = std::max(largest.value_or(value), value);
+}
+
+} // namespace
+
+ParticipantsModel::ParticipantsModel(SessionModel& session, QObject* parent)
+    : QAbstractTableModel{parent}, m_session{session}
+{
+    connect(&m_session, &SessionModel::changed, this, &ParticipantsModel::refresh);
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &ParticipantsModel::refresh);
+    timer->start(kRefreshInterval_ms);
+    m_rows = currentRows();
+}
+
+std::optional<double> ParticipantsModel::oldestSample_ms() const
+{
+    std::optional<double> oldest;
+    for (const Row& row : m_rows)
+        if (row.age_ms)
+            keepLargest(oldest, *row.age_ms);
+    return oldest;
+}
+
+int ParticipantsModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int ParticipantsModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const Row& row = m_rows[std::size_t(index.row())];
+    if (role == Qt::DisplayRole)
+        return cell(row, index.column());
+    if (role == Qt::AccessibleTextRole)
+        return spoken(row, index.column());
+    if (role == Qt::TextAlignmentRole && index.column() >= Age && index.column() <= DriftDistance)
+        return int{Qt::AlignRight | Qt::AlignVCenter};
+    return {};
+}
+
+QString ParticipantsModel::cell(const Row& row, int column)
+{
+    switch (column) {
+    case Name:
+        return row.name;
+    case RoleColumn:
+        return row.role;
+    case State:
+        return row.state;
+    case Age:
+        return number(row.age_ms, 0, tr("%1 ms"));
+    case DriftAngle:
+        return number(row.drift_deg, 2, tr("%1°"));
+    case DriftDistance:
+        return number(row.drift_mm, 1, tr("%1 mm"));
+    default:
+        return {};
+    }
+}
+
+QString ParticipantsModel::spoken(const Row& row, int column) const
+{
+    QString words = cell(row, column);
+    if (column == State)
+        words = words.section(QLatin1Char(' '), 1);
+    else if (words == kNothing)
+        words = tr("unknown");
+    return headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() + QStringLiteral(": ")
+           + words;
+}
+
+QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::ToolTipRole) {
+        if (section == Age)
+            return tr("Age of the oldest of the participant's newest samples");
+        if (section == DriftAngle)
+            return tr("By what angle an object of the participant was off when its newest sample "
+                      "came");
+        if (section == DriftDistance)
+            return tr("How far an object of the participant was from its place when its newest "
+                      "sample came");
+        return {};
+    }
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case Name:
+        return tr("Name");
+    case RoleColumn:
+        return tr("Role");
+    case State:
+        return tr("State");
+    case Age:
+        return tr("Age");
+    case DriftAngle:
+        return tr("Drift °");
+    case DriftDistance:
+        return tr("Drift mm");
+    default:
+        return {};
+    }
+}
+
+void ParticipantsModel::refresh()
+{
+    std::vector<Row> rows = currentRows();
+    if (rows == m_rows)
+        return;
+    const auto sameId = [](const Row& a, const Row& b) { return a.id == b.id; };
+    if (std::ranges::equal(rows, m_rows, sameId)) {
+        m_rows = std::move(rows);
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        return;
+    }
+    beginResetModel();
+    m_rows = std::move(rows);
+    endResetModel();
+}
+
+std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
+{
+    const SessionNode& node = m_session.node();
+    const auto state = node.state();
+    const std::vector<ObjectReport> reports = node.objectReports();
+    std::vector<Row> rows;
+    for (const auto& [id, participant] : state->participants()) {
+        Row row{.id = id,
+                .name = QString::fromStdString(participant.name),
+                .role = roleText(participant.role),
+                .state = stateText(participant)};
+        for (const ObjectReport& report : reports) {
+            const auto object = state->objects().find(report.object);
+            if (!participant.present || object == state->objects().end()
+                || object->second.owner != id)
+                continue;
+            keepLargest(row.age_ms, 1e3 * toSeconds(report.age));
+            keepLargest(row.drift_deg, report.driftDeg);
+            keepLargest(row.drift_mm, report.driftMm);
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+QString ParticipantsModel::stateText(const Participant& participant) const
+{
+    if (participant.id == m_session.node().self())
+        return tr("✓ here");
+    if (!participant.present)
+        return tr("○ left");
+    const auto link = linkTo(participant.id);
+    switch (link ? link->state : LinkState::Away) {
+    case LinkState::Connected:
+        return tr("✓ connected");
+    case LinkState::Connecting:
+        return tr("◇ connecting");
+    case LinkState::Away:
+        break;
+    }
+    return tr("▲ away");
+}
+
+std::optional<LinkReport> ParticipantsModel::linkTo(ParticipantId id) const
+{
+    for (const LinkReport& link : m_session.node().links())
+        if (link.peer == id)
+            return link;
+    return std::nullopt;
+}
+
+} // namespace carina

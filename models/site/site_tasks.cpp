@@ -1,0 +1,266 @@
+#include "models/site/site_tasks.h"
+
+#include "models/site/site_changes.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+
+namespace carina
+{
+namespace
+{
+
+constexpr std::size_t kFewestTouches = 3;
+constexpr qint64 kOld_days = 30;
+constexpr std::array kTasks{SiteStep::Tracker, SiteStep::Stylus, SiteStep::Landmarks,
+                            SiteStep::Touch,   SiteStep::Fit,    SiteStep::Verify};
+
+class TaskWords
+{
+    Q_DECLARE_TR_FUNCTIONS(SiteTasks)
+
+public:
+    static QString changed(StaleCause cause)
+    {
+        switch (cause) {
+        case StaleCause::Tracker:
+            return tr("Stale: the tracker has changed since.");
+        case StaleCause::Stylus:
+            return tr("Stale: the stylus was calibrated since.");
+        case StaleCause::Landmarks:
+            return tr("Stale: landmarks were changed since.");
+        case StaleCause::Manikin:
+            return tr("Stale: the manikin was moved since.");
+        case StaleCause::Touches:
+            return tr("Stale: landmarks were touched again since.");
+        case StaleCause::Fit:
+            return tr("Stale: the patient was fitted again since.");
+        }
+        return {};
+    }
+
+    static SiteTask tracker(const Site& site, const QString& tracker)
+    {
+        if (site.tracker.empty())
+            return {};
+        if (site.tracker == tracker.toStdString())
+            return {.state = TaskState::Done};
+        return {.state = TaskState::Stale,
+                .why = tr("This site was prepared with another tracker: %1.")
+                           .arg(QString::fromStdString(site.tracker))};
+    }
+
+    static SiteTask touch(const Site& site, const std::string& tool)
+    {
+        if (!site.stylus(tool))
+            return {.state = TaskState::Waits, .why = tr("Find the tip of the stylus first.")};
+        if (site.relay)
+            return {.state = TaskState::Begun, .why = tr("The manikin is being laid anew.")};
+        const std::size_t fresh = freshTouches(site).size();
+        for (const TouchedPoint& touch : site.touched)
+            if (touch.stale)
+                return {.state = TaskState::Stale, .why = changed(*touch.stale)};
+        if (!site.catalogue || fresh == 0)
+            return {};
+        const std::size_t all = site.catalogue->landmarks.size();
+        if (fresh == all)
+            return {.state = TaskState::Done};
+        return {.state = TaskState::Begun, .why = tr("%1 of %2 are touched.").arg(fresh).arg(all)};
+    }
+
+    static SiteTask relaying()
+    {
+        return {.state = TaskState::Stale, .why = tr("The manikin is being laid anew.")};
+    }
+
+    static SiteTask fit(const Site& site)
+    {
+        if (site.relay)
+            return relaying();
+        if (site.registration && !site.registration->stale)
+            return {.state = TaskState::Done};
+        if (site.registration)
+            return {.state = TaskState::Stale, .why = changed(*site.registration->stale)};
+        if (freshTouches(site).size() < kFewestTouches)
+            return {.state = TaskState::Waits, .why = tr("Touch at least three landmarks first.")};
+        return {};
+    }
+
+    static SiteTask verify(const Site& site, const QDateTime& today)
+    {
+        if (!site.registration)
+            return {.state = TaskState::Waits, .why = tr("Fit the patient first.")};
+        if (site.relay)
+            return relaying();
+        if (!site.verification || site.verification->points.empty())
+            return {};
+        if (site.verification->stale)
+            return {.state = TaskState::Stale, .why = changed(*site.verification->stale)};
+        if (site.verification->verdict == Verdict::Good && isOld(site.verification->at, today))
+            return {.state = TaskState::Stale,
+                    .why = tr("That is long ago: verify two points before a session.")};
+        if (site.verification->verdict == Verdict::Good)
+            return {.state = TaskState::Done};
+        if (isNotGood(site))
+            return {.state = TaskState::Begun,
+                    .why = tr("It is not good: touch the landmarks again.")};
+        return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
+    }
+
+    static QString registered(const Site& site, const QDateTime& today)
+    {
+        const SiteRegistration& registration = *site.registration;
+        QString sentence = registration.madeAt.empty()
+                               ? tr("Registered; when is not known.")
+                               : tr("Registered %1.").arg(howLongAgo(registration.madeAt, today));
+        if (!registration.operatorName.empty())
+            sentence += tr(" By %1.").arg(QString::fromStdString(registration.operatorName));
+        return sentence;
+    }
+
+    /// @pre there are some.
+    static QString expected(const std::vector<ExpectedError>& errors)
+    {
+        const ExpectedError& first = errors.front();
+        const ExpectedError& worst = std::ranges::max(errors, {}, &ExpectedError::bound_mm);
+        const QString sentence = tr("Expected error, in 95 of 100 cases: %1, less than %2\u00a0mm.")
+                                     .arg(first.name)
+                                     .arg(first.bound_mm, 0, 'f', 1);
+        if (worst.name == first.name)
+            return sentence + tr(" No other place is worse.");
+        return sentence
+               + tr(" Worst: %1, less than %2\u00a0mm.")
+                     .arg(worst.name)
+                     .arg(worst.bound_mm, 0, 'f', 1);
+    }
+
+    static QString oldStylus(const StylusTip& tip, const QDateTime& today)
+    {
+        return tr("The stylus was calibrated %1: find its tip again before you touch landmarks "
+                  "with it.")
+            .arg(howLongAgo(tip.calibratedAt, today));
+    }
+
+    static QString verified(const Site& site, const QDateTime& today)
+    {
+        const auto& verification = site.verification;
+        if (!verification || verification->verdict == Verdict::Open || verification->stale)
+            return tr("Not verified as it is now: touch two points to verify it.");
+        const QString when = howLongAgo(verification->at, today);
+        return verification->verdict == Verdict::Good
+                   ? tr("Verified %1: good.").arg(when)
+                   : tr("Verified %1: not good. Register it again.").arg(when);
+    }
+
+    static bool isOld(const std::string& time, const QDateTime& today)
+    {
+        const auto then = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
+        return then.isValid() && then.daysTo(today) > kOld_days;
+    }
+
+    static QString relaid(const SiteRelay& relay, const QDateTime& today)
+    {
+        return tr("The manikin was laid anew by %1 landmarks %2.")
+            .arg(relay.landmarks)
+            .arg(howLongAgo(relay.at, today));
+    }
+};
+
+} // namespace
+
+SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool, const QString& tracker,
+                  const QDateTime& today)
+{
+    switch (step) {
+    case SiteStep::Overview:
+        return {.state = nextTask(site, tool, tracker, today) == SiteStep::Overview
+                             ? TaskState::Done
+                             : TaskState::Begun};
+    case SiteStep::Tracker:
+        return TaskWords::tracker(site, tracker);
+    case SiteStep::Stylus:
+        return {.state = site.stylus(tool) ? TaskState::Done : TaskState::Open};
+    case SiteStep::Landmarks:
+        return {.state = site.catalogue ? TaskState::Done : TaskState::Open};
+    case SiteStep::Touch:
+        return TaskWords::touch(site, tool);
+    case SiteStep::Fit:
+        return TaskWords::fit(site);
+    case SiteStep::Verify:
+        return TaskWords::verify(site, today);
+    }
+    return {};
+}
+
+QString stepTitle(SiteStep step)
+{
+    switch (step) {
+    case SiteStep::Overview:
+        return TaskWords::tr("Overview");
+    case SiteStep::Tracker:
+        return TaskWords::tr("Tracker");
+    case SiteStep::Stylus:
+        return TaskWords::tr("Stylus");
+    case SiteStep::Landmarks:
+        return TaskWords::tr("Landmarks");
+    case SiteStep::Touch:
+        return TaskWords::tr("Touch");
+    case SiteStep::Fit:
+        return TaskWords::tr("Fit");
+    case SiteStep::Verify:
+        return TaskWords::tr("Verify");
+    }
+    return {};
+}
+
+bool isNotGood(const Site& site)
+{
+    return site.verification && !site.verification->stale
+           && site.verification->verdict == Verdict::NotGood;
+}
+
+SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker,
+                  const QDateTime& today)
+{
+    for (const SiteStep step : kTasks)
+        if (siteTask(site, step, tool, tracker, today).state != TaskState::Done)
+            return step == SiteStep::Verify && isNotGood(site) ? SiteStep::Touch : step;
+    return SiteStep::Overview;
+}
+
+QStringList siteHealth(const Site& site, const std::string& tool, const QString& tracker,
+                       const QDateTime& today, const std::vector<ExpectedError>& expected)
+{
+    QStringList sentences;
+    if (!site.registration) {
+        sentences << TaskWords::tr("This manikin is not registered yet.");
+    } else {
+        sentences << TaskWords::registered(site, today);
+        if (!expected.empty())
+            sentences << TaskWords::expected(expected);
+        if (!site.registration->relays.empty())
+            sentences << TaskWords::relaid(site.registration->relays.back(), today);
+        sentences << TaskWords::verified(site, today);
+    }
+    if (const StylusTip* tip = site.stylus(tool); tip && TaskWords::isOld(tip->calibratedAt, today))
+        sentences << TaskWords::oldStylus(*tip, today);
+    for (const SiteStep step : kTasks)
+        if (const SiteTask task = siteTask(site, step, tool, tracker, today);
+            task.state == TaskState::Stale)
+            sentences << QStringLiteral("%1: %2").arg(stepTitle(step), task.why);
+    return sentences;
+}
+
+QString howLongAgo(const std::string& time, const QDateTime& today)
+{
+    const auto then = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
+    const qint64 days = then.isValid() ? then.daysTo(today) : 0;
+    if (days <= 0)
+        return TaskWords::tr("today");
+    return days == 1 ? TaskWords::tr("yesterday") : TaskWords::tr("%1 days ago").arg(days);
+}
+
+} // namespace carina

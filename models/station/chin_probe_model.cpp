@@ -1,0 +1,59 @@
+#include "models/station/chin_probe_model.h"
+
+#include <QCoreApplication>
+
+namespace carina
+{
+namespace
+{
+
+QString probeWords(const char* text) { return QCoreApplication::translate("ChinProbeModel", text); }
+
+} // namespace
+
+QString ChinProbeModel::assumption() const
+{
+    if (!m_tracking)
+        return {};
+    switch (m_tracking->motionAssumption()) {
+    case MotionAssumption::BodyProbe:
+    case MotionAssumption::ChinMovesManikin:
+        return followed();
+    case MotionAssumption::ChinMovesJaw:
+        return probeWords(QT_TRANSLATE_NOOP(
+            "ChinProbeModel", "Manikin and tracker have to stay where they are: the chin "
+                              "probe moves the jaw"));
+    case MotionAssumption::Static:
+        break;
+    }
+    return probeWords(
+        QT_TRANSLATE_NOOP("ChinProbeModel", "Manikin and tracker have to stay where they are"));
+}
+
+QString ChinProbeModel::notice() const
+{
+    if (!m_tracking)
+        return {};
+    const QString drifted = m_guard && *m_guard ? (*m_guard)->notice() : QString{};
+    return drifted.isEmpty() ? followed() : drifted;
+}
+
+/// Which probe the patient follows; empty where it follows none.
+QString ChinProbeModel::followed() const
+{
+    switch (m_tracking->motionAssumption()) {
+    case MotionAssumption::BodyProbe:
+        return probeWords(
+            QT_TRANSLATE_NOOP("ChinProbeModel", "The patient follows the body probe"));
+    case MotionAssumption::ChinMovesManikin:
+        return probeWords(QT_TRANSLATE_NOOP(
+            "ChinProbeModel",
+            "The patient follows the chin probe: keep the manikin's mouth closed"));
+    case MotionAssumption::ChinMovesJaw:
+    case MotionAssumption::Static:
+        break;
+    }
+    return {};
+}
+
+} // namespace carina

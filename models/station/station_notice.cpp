@@ -1,0 +1,80 @@
+#include "models/station/station_notice.h"
+
+#include "models/error_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+/// A host says something every 250 ms; so two in a row may be lost. What others track is lost
+/// sooner than the connection is given up, and not for the tracker's sake.
+constexpr Duration kHostSilent = std::chrono::milliseconds{800};
+
+QString noticeWords(const char* text) { return QCoreApplication::translate("StationNotice", text); }
+
+bool isLost(const std::optional<PoseSample>& sample)
+{
+    return !sample || sample->validity == Validity::Lost;
+}
+
+bool hostIsHere(const SessionNode& node)
+{
+    const auto links = node.links();
+    return std::ranges::any_of(links, [](const LinkReport& link) {
+        return link.state == LinkState::Connected && link.sinceLastDatagram < kHostSilent;
+    });
+}
+
+QString phaseNotice(SessionPhase phase)
+{
+    switch (phase) {
+    case SessionPhase::Prepared:
+        return noticeWords(
+            QT_TRANSLATE_NOOP("StationNotice", "Waiting for the instructor to start"));
+    case SessionPhase::Paused:
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Paused"));
+    case SessionPhase::Ended:
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "The session has ended"));
+    case SessionPhase::Running:
+        break;
+    }
+    return {};
+}
+
+/// Of what goes on, the weightiest; empty when all is well.
+QString situation(const SessionNode& node, const StationMoment& moment, ViewOutput output)
+{
+    if (const auto refusal = node.refusal())
+        return errorText(*refusal);
+    if (!hostIsHere(node))
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Connecting to the instructor …"));
+    const auto state = node.state();
+    const QString phase = phaseNotice(state->phaseAt(moment.time));
+    if (!phase.isEmpty())
+        return phase;
+    if (output != ViewOutput::Screen && isLost(moment.head))
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
+    if (isLost(moment.tube))
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
+    return {};
+}
+
+} // namespace
+
+QString stationNotice(const SessionNode& node, const StationMoment& moment, ViewOutput output)
+{
+    QStringList lines{situation(node, moment, output)};
+    if (isAway(moment))
+        lines.append(noticeWords(QT_TRANSLATE_NOOP(
+            "StationNotice", "The virtual patient was moved away from its place")));
+    lines.removeAll(QString{});
+    return lines.join(QLatin1Char{'\n'});
+}
+
+} // namespace carina

@@ -1,0 +1,107 @@
+#include "apps/lab/anatomy/anatomy_command.h"
+
+#include "tests/engine/io/mesh/surface_files.h"
+#include "tests/support/test_class.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+namespace carina::lab::anatomy_command_test
+{
+
+class TestAnatomyCommand final : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_temporary;
+    QString m_set;
+
+    Result<QJsonObject> run(const char* verb) const
+    {
+        return anatomyCommand().run({QString::fromLatin1(verb), m_set});
+    }
+
+private Q_SLOTS:
+    /// Centimetres, y up and z to the front.
+    void initTestCase()
+    {
+        qputenv("XDG_CACHE_HOME", (m_temporary.path() + QStringLiteral("/cache")).toLocal8Bit());
+        m_set = m_temporary.path() + QStringLiteral("/Somebody");
+        const std::filesystem::path set = m_set.toStdString();
+        test::writeFile(set / "Trachea.obj", test::objOf({10.0F, 0.0F, 130.0F, 0.0F}));
+        test::writeFile(set / "left_lung.obj", test::objOf({20.0F, 5.0F, 110.0F, 0.0F}));
+        test::writeFile(set / "right_lung.obj", test::objOf({20.0F, -25.0F, 110.0F, 0.0F}));
+        test::writeFile(set / "Teapot.obj", test::objOf({3.0F, 0.0F, 140.0F, 9.0F}));
+        test::writeFile(set / "Skull.obj", "");
+    }
+
+    void describesASet()
+    {
+        const auto object = run("import");
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+        const QJsonObject& set = *object;
+        QCOMPARE(set[QStringLiteral("schema")].toString(), QStringLiteral("carina.anatomy/1"));
+        QCOMPARE(set[QStringLiteral("name")].toString(), QStringLiteral("Somebody"));
+        QCOMPARE(set[QStringLiteral("content_hash")].toString().size(), 64);
+        QCOMPARE(set[QStringLiteral("unit_mm")].toDouble(), 10.0);
+        QCOMPARE(set[QStringLiteral("axes")].toArray(),
+                 (QJsonArray{QStringLiteral("left"), QStringLiteral("superior"),
+                             QStringLiteral("anterior")}));
+        QCOMPARE(set[QStringLiteral("triangles")].toInt(), 16);
+        QCOMPARE(set[QStringLiteral("faults")].toArray().size(), 1);
+        QCOMPARE(set[QStringLiteral("faults")][0][QStringLiteral("file")].toString(),
+                 QStringLiteral("Skull.obj"));
+        QVERIFY(set[QStringLiteral("import_s")].toDouble() > 0.0);
+        const double lungMl = 8000.0 / 6.0;
+        for (const char* side : {"right_ml", "left_ml"}) {
+            const double ml = set[QStringLiteral("lungs")][QString::fromLatin1(side)].toDouble();
+            QVERIFY(std::abs(ml - lungMl) < 0.01);
+        }
+        QCOMPARE(set[QStringLiteral("parts")].toArray().size(), 4);
+        const QJsonValue trachea = set[QStringLiteral("parts")][1];
+        QCOMPARE(trachea[QStringLiteral("name")].toString(), QStringLiteral("Trachea"));
+        QCOMPARE(trachea[QStringLiteral("role")].toString(), QStringLiteral("trachea"));
+        QCOMPARE(trachea[QStringLiteral("closed")].toBool(), true);
+        QVERIFY(std::abs(trachea[QStringLiteral("volume_ml")].toDouble() - 1000.0 / 6.0) < 0.01);
+        QCOMPARE(set[QStringLiteral("parts")][0][QStringLiteral("role")].toString(),
+                 QStringLiteral("other"));
+    }
+
+    void listsFromTheCacheAndImportsAnew()
+    {
+        QVERIFY(run("import").has_value());
+        const auto listed = run("list");
+        QCOMPARE((*listed)[QStringLiteral("from_cache")].toBool(), true);
+        QVERIFY((*listed)[QStringLiteral("cache")].toString().startsWith(m_temporary.path()));
+        QCOMPARE((*run("import"))[QStringLiteral("from_cache")].toBool(), false);
+    }
+
+    void saysWhatIsWrong()
+    {
+        QVERIFY(anatomyCommand().run({}).error().code == Errc::OutOfRange);
+        QVERIFY(run("show").error().code == Errc::OutOfRange);
+        const auto missing =
+            anatomyCommand().run({QStringLiteral("list"), m_set + QStringLiteral("/none")});
+        QVERIFY(missing.error().code == Errc::FileNotFound);
+        QVERIFY(missing.error().detail.find("none") != std::string::npos);
+    }
+
+    void namesEveryKeyInItsHelp()
+    {
+        const auto help = anatomyCommand().help;
+        const QJsonObject set = *run("list");
+        for (const QString& key : set.keys())
+            QVERIFY2(help.find("\n    " + key.toStdString() + ' ') != std::string::npos,
+                     qPrintable(key));
+        for (const QString& key : set[QStringLiteral("parts")][1].toObject().keys())
+            QVERIFY2(help.find("\n      " + key.toStdString() + ' ') != std::string::npos,
+                     qPrintable(key));
+    }
+};
+
+CARINA_TEST(TestAnatomyCommand)
+
+} // namespace carina::lab::anatomy_command_test
+
+#include "tst_anatomy_command.moc"

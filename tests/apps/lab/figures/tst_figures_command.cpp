@@ -1,0 +1,281 @@
+#include "apps/lab/figures/figures_command.h"
+
+#include "apps/lab/command/csv_table.h"
+#include "apps/lab/figures/drift_figure.h"
+#include "engine/core/units.h"
+#include "evaluation/drift/drift_experiment.h"
+#include "tests/support/test_class.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+#include <cmath>
+
+namespace carina::lab::figures_command_test
+{
+namespace
+{
+
+constexpr int kActions = 8;
+constexpr std::uint32_t kSeed = 3;
+constexpr double kRoundingError = 1e-12; ///< deg
+/// A mean over samples of 1 ms may be so little below that over time, at delays of a few samples.
+constexpr double kSampling = 0.5;
+
+QStringList wordsFor(const QString& folder)
+{
+    return QStringLiteral("--scenario wan --actions 8 --seed 3 --seeds 1 --out")
+               .split(QLatin1Char{' '})
+           + QStringList{folder};
+}
+
+DriftFigures experimentOf(const char* strategy, std::uint16_t participants, double speed)
+{
+    DriftSettings settings;
+    settings.strategy = findSyncStrategy(strategy);
+    settings.participants = participants;
+    settings.script = {
+        .actions = kActions, .angularSpeed = degrees(speed).si, .speed = millimetres(speed).si};
+    settings.scenario = *findScenario("wan");
+    settings.seed = kSeed;
+    return runDrift(settings, 1);
+}
+
+QByteArray bytesOf(const QString& path)
+{
+    QFile file{path};
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+}
+
+/// Lines of the series in an SVG file; -1 where it is no XML.
+int polylinesIn(const QString& path)
+{
+    QXmlStreamReader xml{bytesOf(path)};
+    int count = 0;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::StartElement
+            && xml.name() == QStringLiteral("polyline"))
+            ++count;
+    return xml.hasError() ? -1 : count;
+}
+
+} // namespace
+
+class FiguresCommandTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const auto object = figuresCommand().run(wordsFor(m_folder.path()));
+        QVERIFY(object);
+        m_object = *object;
+    }
+
+    void namesItsFigures()
+    {
+        QCOMPARE(m_object[QLatin1StringView{"schema"}].toString(),
+                 QStringLiteral("carina.figures/1"));
+        QCOMPARE(m_object[QLatin1StringView{"version"}].toString(), QStringLiteral(CARINA_VERSION));
+        QCOMPARE(m_object[QLatin1StringView{"seed"}].toInt(), int(kSeed));
+        QCOMPARE(m_object[QLatin1StringView{"seeds"}].toInt(), 1);
+        QStringList names;
+        for (const QJsonValue& name : m_object[QLatin1StringView{"figures"}].toArray())
+            names.append(name.toString());
+        QStringList expected;
+        for (const char* stem :
+             {"drift-by-action-none", "drift-by-action-event", "drift-by-action-asa-adaptive",
+              "drift-by-action-session-clock", "drift-by-participants-event",
+              "drift-by-participants-asa-adaptive", "drift-by-participants-session-clock",
+              "drift-by-delay"})
+            for (const char* quantity : {"-orientation", "-position"})
+                expected.append(QLatin1StringView{stem} + QLatin1StringView{quantity});
+        QCOMPARE(names, expected);
+        QStringList files{QStringLiteral("trends.csv")};
+        for (const QString& name : names)
+            for (const char* ending : {".svg", ".png", ".csv"})
+                files.append(name + QLatin1StringView{ending});
+        files.sort();
+        QCOMPARE(QDir{m_folder.path()}.entryList(QDir::Files, QDir::Name), files);
+    }
+
+    void eachCurveIsALineOfItsDrawing_data()
+    {
+        QTest::addColumn<QString>("figure");
+        QTest::addColumn<int>("curves");
+        QTest::newRow("by action") << QStringLiteral("drift-by-action-none-position") << 1;
+        QTest::newRow("by participants")
+            << QStringLiteral("drift-by-participants-event-orientation") << 4;
+        QTest::newRow("by delay") << QStringLiteral("drift-by-delay-orientation")
+                                  << int(syncStrategies().size()) + 1;
+    }
+    void eachCurveIsALineOfItsDrawing()
+    {
+        QFETCH(QString, figure);
+        QFETCH(int, curves);
+        const QString svg = m_folder.filePath(figure + QStringLiteral(".svg"));
+        QCOMPARE(polylinesIn(svg), curves);
+        const QByteArray stamp = "Carina " CARINA_VERSION ", network ";
+        QVERIFY(bytesOf(svg).contains(stamp));
+        QVERIFY(bytesOf(svg).contains("seed 3"));
+    }
+
+    void tableByActionIsTheExperiment()
+    {
+        const auto angles = CsvTable::read(
+            m_folder.filePath(QStringLiteral("drift-by-action-event-orientation.csv")),
+            {"version", "seed", "seeds", "network", "action", "orientation_deg"});
+        const auto distances =
+            CsvTable::read(m_folder.filePath(QStringLiteral("drift-by-action-event-position.csv")),
+                           {"position_mm"});
+        QVERIFY(angles && distances);
+        const DriftFigures experiment = experimentOf("event", 2, 100.0);
+        QCOMPARE(angles->rows(), experiment.actions.size());
+        QCOMPARE(distances->rows(), experiment.actions.size());
+        for (std::size_t i = 0; i < experiment.actions.size(); ++i) {
+            QCOMPARE(angles->text(i, 0), QStringLiteral(CARINA_VERSION));
+            QCOMPARE(angles->text(i, 1), QStringLiteral("3"));
+            QCOMPARE(angles->text(i, 2), QStringLiteral("1"));
+            QCOMPARE(angles->text(i, 3), QStringLiteral("wan"));
+            QCOMPARE(*angles->number(i, 4), double(i + 1));
+            QCOMPARE(*angles->number(i, 5), inDegrees(radians(experiment.actions[i].angle)));
+            QCOMPARE(*distances->number(i, 0),
+                     inMillimetres(metres(experiment.actions[i].distance)));
+        }
+    }
+
+    void lineByParticipantsIsTheRegressionOfTheExperiments()
+    {
+        const auto trends =
+            CsvTable::read(m_folder.filePath(QStringLiteral("trends.csv")),
+                           {"figure", "curve", "order", "coefficient_0", "coefficient_1", "psi_1",
+                            "psi_2", "psi_3", "psi_4", "psi_5"});
+        QVERIFY(trends);
+        QCOMPARE(trends->rows(), std::size_t{4 * 2 + 3 * 2 * 4});
+        std::size_t row = 0;
+        while (trends->text(row, 0)
+                   != QStringLiteral("drift-by-participants-asa-adaptive-orientation")
+               || trends->text(row, 1) != QStringLiteral("50 deg/s"))
+            ++row;
+        QCOMPARE(trends->text(row, 2), QStringLiteral("1"));
+        // Slope and mean of five even steps, written out.
+        double slope = 0.0;
+        double mean = 0.0;
+        for (int i = 0; i < 5; ++i) {
+            const double psi = *trends->number(row, 5 + std::size_t(i));
+            const auto participants = static_cast<std::uint16_t>(i + 2);
+            QCOMPARE(psi,
+                     inDegrees(radians(experimentOf("asa-adaptive", participants, 50.0).atEvent)));
+            slope += (i - 2) * psi / 10.0;
+            mean += psi / 5.0;
+        }
+        QVERIFY(std::abs(*trends->number(row, 4) - slope) < kRoundingError);
+        QVERIFY(std::abs(*trends->number(row, 3) - (mean - 4.0 * slope)) < kRoundingError);
+    }
+
+    void noStrategyIsBelowTheLimit()
+    {
+        const auto table =
+            CsvTable::read(m_folder.filePath(QStringLiteral("drift-by-delay-orientation.csv")),
+                           {"curve", "delay_ms", "orientation_deg"});
+        QVERIFY(table);
+        const std::size_t delays = table->rows() / (syncStrategies().size() + 1);
+        const std::size_t firstLimit = table->rows() - delays;
+        QCOMPARE(table->text(firstLimit, 0), QStringLiteral("physical limit"));
+        for (std::size_t row = 0; row < firstLimit; ++row) {
+            const std::size_t limit = firstLimit + row % delays;
+            QCOMPARE(table->text(row, 1), table->text(limit, 1));
+            QVERIFY2(*table->number(row, 2) > kSampling * *table->number(limit, 2),
+                     qPrintable(table->text(row, 0) + QLatin1Char{' '} + table->text(row, 1)));
+        }
+    }
+
+    void rawAngleIsThatOfThePaper()
+    {
+        FigureSettings settings;
+        settings.scenario = *findScenario("wan");
+        settings.seed = kSeed;
+        settings.source = virtualDrift(1);
+        settings.actions = kActions;
+        settings.isAngleRaw = true;
+        const auto figures = figuresByAction(settings);
+        QVERIFY(figures);
+        const DriftFigure& none = figures->front();
+        QCOMPARE(none.name, std::string{"drift-by-action-none-orientation"});
+        QCOMPARE(none.yColumn, std::string{"raw_angle_deg"});
+        QVERIFY(none.yLabel.starts_with("2 acos(w) as in 2004"));
+        const DriftFigures experiment = experimentOf("none", 2, 100.0);
+        for (std::size_t i = 0; i < experiment.actions.size(); ++i)
+            QCOMPARE(none.curves[0].y[i], inDegrees(radians(experiment.actions[i].rawAngle)));
+    }
+
+    void announcesEveryCurve()
+    {
+        FigureSettings settings;
+        settings.source = virtualDrift(1);
+        settings.actions = kActions;
+        std::size_t curves = 0;
+        settings.onCurve = [&curves](const std::string&) { ++curves; };
+        QVERIFY(figuresByAction(settings));
+        QVERIFY(figuresByParticipants(settings));
+        QVERIFY(figuresByDelay(settings));
+        QCOMPARE(curves, curvesToMeasure(settings.source));
+    }
+
+    void refusesWhatItDoesNotUnderstand_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<QString>("named");
+        const auto row = [](const char* name, const char* words, const char* named) {
+            QTest::newRow(name) << QString::fromLatin1(words) << QString::fromLatin1(named);
+        };
+        row("no folder", "--seed 1", "--out DIR is missing");
+        row("an option there is not", "--out x --dead", "dead");
+        row("seeds of a live session", "--out x --live --seeds 2", "--seeds");
+        row("a warm-up of nothing", "--out x --warm-up-s 3", "--warm-up-s goes with --live");
+        row("too long a warm-up", "--out x --live --warm-up-s 301", "--warm-up-s");
+        row("a word too many", "--out x yonder", "yonder");
+        row("an option without its value", "--out x --seed", "--seed");
+        row("too few actions for a trend", "--out x --actions 7", "--actions");
+        row("no seeds", "--out x --seeds 0", "--seeds");
+        row("negative seed", "--out x --seed -1", "--seed");
+        row("unknown scenario", "--out x --scenario moon", "moon is neither");
+        row("a folder that cannot be", "--out /dev/null/x", "/dev/null/x: nothing can be written");
+        row("a folder that takes no file", "--out /proc", "/proc: nothing can be written");
+    }
+    void refusesWhatItDoesNotUnderstand()
+    {
+        QFETCH(QString, words);
+        QFETCH(QString, named);
+        const auto object = figuresCommand().run(words.split(QLatin1Char{' '}));
+        QVERIFY(!object);
+        QVERIFY2(QString::fromStdString(object.error().detail).contains(named),
+                 object.error().detail.c_str());
+    }
+
+    void sameWordsSameBytes()
+    {
+        const QTemporaryDir again;
+        QVERIFY(figuresCommand().run(wordsFor(again.path())));
+        const QStringList names =
+            QDir{again.path()}.entryList({QStringLiteral("*.csv"), QStringLiteral("*.svg")});
+        QCOMPARE(names.size(), 16 * 2 + 1);
+        for (const QString& name : names)
+            QVERIFY2(bytesOf(again.filePath(name)) == bytesOf(m_folder.filePath(name)),
+                     qPrintable(name));
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QJsonObject m_object;
+};
+
+CARINA_SCREEN_TEST(FiguresCommandTest)
+
+} // namespace carina::lab::figures_command_test
+
+#include "tst_figures_command.moc"

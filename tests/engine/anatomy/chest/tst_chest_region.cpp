@@ -1,0 +1,73 @@
+#include "engine/anatomy/chest/chest_region.h"
+#include "tests/support/test_class.h"
+
+namespace carina::chest_region_test
+{
+
+class TestChestRegion : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tellsHowEachRoleMoves_data();
+    void tellsHowEachRoleMoves();
+    void putsLungsAndNothingElseIntoLungs();
+};
+
+void TestChestRegion::tellsHowEachRoleMoves_data()
+{
+    QTest::addColumn<PartRole>("role");
+    QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("right upper lobe") << PartRole::RightUpperLobe << ChestRegion::RightUpperLung;
+    QTest::newRow("right middle lobe") << PartRole::RightMiddleLobe << ChestRegion::RightUpperLung;
+    QTest::newRow("right lower lobe") << PartRole::RightLowerLobe << ChestRegion::RightLowerLung;
+    QTest::newRow("right lung") << PartRole::RightLung << ChestRegion::RightUpperLung;
+    QTest::newRow("left upper lobe") << PartRole::LeftUpperLobe << ChestRegion::LeftUpperLung;
+    QTest::newRow("left lower lobe") << PartRole::LeftLowerLobe << ChestRegion::LeftLowerLung;
+    QTest::newRow("left lung") << PartRole::LeftLung << ChestRegion::LeftUpperLung;
+    QTest::newRow("right main bronchus") << PartRole::RightMainBronchus << ChestRegion::Bronchi;
+    QTest::newRow("left main bronchus") << PartRole::LeftMainBronchus << ChestRegion::Bronchi;
+    QTest::newRow("bronchial tree") << PartRole::BronchialTree << ChestRegion::Bronchi;
+    QTest::newRow("diaphragm") << PartRole::Diaphragm << ChestRegion::Diaphragm;
+    QTest::newRow("rib") << PartRole::Rib << ChestRegion::Wall;
+    QTest::newRow("skin") << PartRole::Skin << ChestRegion::Wall;
+    QTest::newRow("trachea") << PartRole::Trachea << ChestRegion::Mediastinum;
+    QTest::newRow("oesophagus") << PartRole::Oesophagus << ChestRegion::Mediastinum;
+    QTest::newRow("heart") << PartRole::Heart << ChestRegion::Mediastinum;
+    QTest::newRow("vessel") << PartRole::Vessel << ChestRegion::Mediastinum;
+    for (const PartRole throat :
+         {PartRole::Larynx, PartRole::Epiglottis, PartRole::Tongue, PartRole::Muscle})
+        QTest::newRow(roleName(throat)) << throat << ChestRegion::Throat;
+    QTest::newRow("pharynx") << PartRole::Pharynx << ChestRegion::Pharynx;
+    for (const PartRole still :
+         {PartRole::Mandible, PartRole::Tooth, PartRole::Skull, PartRole::Spine, PartRole::Other})
+        QTest::newRow(roleName(still)) << still << ChestRegion::Still;
+}
+
+void TestChestRegion::tellsHowEachRoleMoves()
+{
+    QFETCH(PartRole, role);
+    QFETCH(ChestRegion, region);
+    QCOMPARE(regionOf(role), region);
+}
+
+void TestChestRegion::putsLungsAndNothingElseIntoLungs()
+{
+    for (int n = 0; n <= static_cast<int>(PartRole::Other); ++n) {
+        const auto role = static_cast<PartRole>(n);
+        const ChestRegion region = regionOf(role);
+        const bool right =
+            region == ChestRegion::RightUpperLung || region == ChestRegion::RightLowerLung;
+        const bool left =
+            region == ChestRegion::LeftUpperLung || region == ChestRegion::LeftLowerLung;
+        QCOMPARE(lungSide(role) == Side::Right, right);
+        QCOMPARE(lungSide(role) == Side::Left, left);
+        QVERIFY(static_cast<std::size_t>(region) < kChestRegions);
+    }
+}
+
+CARINA_TEST(TestChestRegion)
+
+} // namespace carina::chest_region_test
+
+#include "tst_chest_region.moc"

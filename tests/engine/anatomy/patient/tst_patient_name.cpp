@@ -1,0 +1,135 @@
+#include "engine/anatomy/patient/patient_name.h"
+#include "tests/support/test_class.h"
+
+namespace carina::patient_name_test
+{
+
+class TestPatientName : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void knowsTheBuiltInPatients();
+    void readsFiguresInAnyOrder_data();
+    void readsFiguresInAnyOrder();
+    void refusesWhatSaysNoPatient_data();
+    void refusesWhatSaysNoPatient();
+    void namesEveryPatientByAHashThatSaysHowToMakeThem();
+    void takesNothingElseForAHash_data();
+    void takesNothingElseForAHash();
+};
+
+void TestPatientName::knowsTheBuiltInPatients()
+{
+    QVERIFY(patientFromWords("adult") == parametersOf(BuiltinPatient::Adult));
+    QVERIFY(patientFromWords("child") == parametersOf(BuiltinPatient::TwelveYears));
+    QVERIFY(patientFromWords("30 years, 175 cm, man") == parametersOf(BuiltinPatient::Adult));
+    QCOMPARE(nameOf(parametersOf(BuiltinPatient::Adult)), std::string{"Adult"});
+    QCOMPARE(nameOf(parametersOf(BuiltinPatient::TwelveYears)), std::string{"12 years, 150 cm"});
+    QCOMPARE(nameOf({12.0, metres(1.5), Sex::Male, Habitus::Normal}),
+             std::string{"12 years, 150 cm, boy"});
+    QCOMPARE(nameOf({18.0, metres(1.7), Sex::Female, Habitus::Slim}),
+             std::string{"18 years, 170 cm, woman, slim"});
+}
+
+void TestPatientName::readsFiguresInAnyOrder_data()
+{
+    QTest::addColumn<QByteArray>("words");
+    QTest::addColumn<double>("age");
+    QTest::addColumn<double>("height_m");
+    QTest::addColumn<Sex>("sex");
+    QTest::addColumn<Habitus>("habitus");
+    const auto row = [](const char* words, double age, double height_m, Sex sex, Habitus habitus) {
+        QTest::newRow(words) << QByteArray{words} << age << height_m << sex << habitus;
+    };
+    row("45 years, 182 cm, man, obese", 45.0, 1.82, Sex::Male, Habitus::Obese);
+    row("girl,slim,8y,128cm", 8.0, 1.28, Sex::Female, Habitus::Slim);
+    row("  female , 90 years,  210 cm ", 90.0, 2.1, Sex::Female, Habitus::Normal);
+    row("45 Years, 182 CM, Man, OBESE", 45.0, 1.82, Sex::Male, Habitus::Obese);
+    row("6y, 100cm, boy, normal", 6.0, 1.0, Sex::Male, Habitus::Normal);
+}
+
+void TestPatientName::readsFiguresInAnyOrder()
+{
+    QFETCH(QByteArray, words);
+    const auto read = patientFromWords(words.toStdString());
+    QVERIFY2(read.has_value(), read ? "" : read.error().detail.c_str());
+    QTEST(read->ageInYears, "age");
+    QTEST(read->height.si, "height_m");
+    QTEST(read->sex, "sex");
+    QTEST(read->habitus, "habitus");
+}
+
+void TestPatientName::refusesWhatSaysNoPatient_data()
+{
+    QTest::addColumn<QByteArray>("words");
+    QTest::addColumn<QString>("asked");
+    const auto row = [](const char* words, const char* asked) {
+        QTest::newRow(words) << QByteArray{words} << QString::fromLatin1(asked);
+    };
+    row("", "adult, child, or age");
+    row("giant", "'giant' is not understood");
+    row("45 years, 182 cm, purple", "'purple'");
+    row("40.5 years, 182 cm, man", "'40.5 years'");
+    row("91 years, 170 cm", "the sex is missing");
+    row("45 years, 182 cm", "the sex is missing");
+    row("45 years, man", "the height is missing");
+    row("182 cm, man", "the age is missing");
+    row("45, 182, man", "age, height and sex");
+    row("45 years, 45 years, 182 cm, man", "age, height and sex");
+    row("45 years, 182 cm, man, woman", "age, height and sex");
+    row("45 years, 182 cm, man, slim, obese", "age, height and sex");
+    row("45 years, 182 cm, man,", "age, height and sex");
+    row("45 years, 99999999999 cm, man", "age, height and sex");
+    row("5 years, 110 cm, boy", "6 to 90 years");
+    row("91 years, 170 cm, woman", "6 to 90 years");
+    row("7 years, 99 cm, boy", "100 to 210 cm");
+    row("30 years, 211 cm, man", "100 to 210 cm");
+}
+
+void TestPatientName::refusesWhatSaysNoPatient()
+{
+    QFETCH(QByteArray, words);
+    QFETCH(QString, asked);
+    const auto read = patientFromWords(words.toStdString());
+    QVERIFY(!read && read.error().code == Errc::OutOfRange);
+    QVERIFY2(QString::fromStdString(read.error().detail).contains(asked),
+             read.error().detail.c_str());
+}
+
+void TestPatientName::namesEveryPatientByAHashThatSaysHowToMakeThem()
+{
+    QCOMPARE(madeHash(parametersOf(BuiltinPatient::Adult)), std::string{"builtin-adult-3"});
+    for (const double age : {6.0, 12.0, 30.0, 90.0})
+        for (const int height_cm : {100, 150, 175, 210})
+            for (const Sex sex : {Sex::Female, Sex::Male})
+                for (const Habitus habitus : {Habitus::Slim, Habitus::Normal, Habitus::Obese}) {
+                    const PatientParameters who{age, metres(height_cm / 100.0), sex, habitus};
+                    QVERIFY(parametersOfHash(madeHash(who)) == who);
+                }
+}
+
+void TestPatientName::takesNothingElseForAHash_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    for (const char* text :
+         {"", "adult", "builtin-", "builtin-2", "builtin-adult", "builtin-adult-1",
+          "builtin-30y-175cm-male-normal-3", // the adult has a hash of its own
+          "builtin-045y-182cm-male-obese-3", "builtin-45y-182cm-man-obese-3",
+          "builtin-182cm-45y-male-obese-3", "builtin-45y-182cm-male-3",
+          "builtin-5y-182cm-male-obese-3", "builtin-45y-182cm-male-obese-2",
+          "builtin-45y-182cm-male-obese-3x", "../builtin-45y-182cm-male-obese-3"})
+        QTest::newRow(text) << QByteArray{text};
+}
+
+void TestPatientName::takesNothingElseForAHash()
+{
+    QFETCH(QByteArray, text);
+    QVERIFY(!parametersOfHash(text.toStdString()));
+}
+
+CARINA_TEST(TestPatientName)
+
+} // namespace carina::patient_name_test
+
+#include "tst_patient_name.moc"

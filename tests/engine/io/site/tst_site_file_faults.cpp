@@ -1,0 +1,222 @@
+#include "engine/io/site/site_file.h"
+
+#include "tests/engine/io/mesh/surface_files.h"
+#include "tests/engine/io/site/site_sample.h"
+#include "tests/engine/io/site/site_text.h"
+#include "tests/support/test_class.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace carina::site_file_faults_test
+{
+namespace
+{
+
+using namespace test;
+
+void addRow(const char* name, const std::string& text, const char* fault)
+{
+    QTest::newRow(name) << text << QString::fromLatin1(fault);
+}
+
+void addColumns()
+{
+    QTest::addColumn<std::string>("text");
+    QTest::addColumn<QString>("fault");
+}
+
+} // namespace
+
+class TestSiteFileFaults : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    std::filesystem::path path() const
+    {
+        return (m_folder.path() + QStringLiteral("/site.json")).toStdString();
+    }
+
+    void isRefused()
+    {
+        QFETCH(std::string, text);
+        QFETCH(QString, fault);
+        writeFile(path(), text);
+        const auto site = readSiteFile(path());
+        QVERIFY(!site);
+        const QString detail = QString::fromStdString(site.error().detail);
+        QVERIFY2(site.error().code == Errc::FileMalformed, qPrintable(detail));
+        QVERIFY2(detail.startsWith(QString::fromStdString(path().string()) + QStringLiteral(": ")),
+                 qPrintable(detail));
+        QVERIFY2(detail.contains(fault), qPrintable(detail));
+    }
+
+private Q_SLOTS:
+    void saysWhatIsWrongWithASite_data()
+    {
+        addColumns();
+        addRow("no step", json("{'schema': 'carina.site/2'}"), "step: a text is due");
+        addRow("no such step", siteAt("'touching'"), "step: \"touching\" is none of its words");
+        addRow("a number for a step", siteAt("3"), "step: a text is due");
+        addRow("a key too many", siteWith("'tracking': 'x'"), "tracking: this key is not known");
+        addRow("an empty tracker", siteWith("'tracker': ''"), "tracker: a text is due");
+        addRow("an empty operator", siteWith("'operator': ''"), "operator: a text is due");
+        addRow("a faulty catalogue", siteWith("'catalogue': {'name': 'c', 'landmarks': []}"),
+               "catalogue.landmarks: 0 landmarks, and 3 are the fewest");
+        addRow("no display", siteWith("'display': {}"), "display.p_HDl_mm: three numbers are due");
+        addRow("no width", siteWith(display("0", "5")),
+               "display.screen_width_mm: a screen has some width");
+        addRow("no height", siteWith(display("5", "0")),
+               "display.screen_height_mm: a screen has some height");
+    }
+    void saysWhatIsWrongWithASite() { isRefused(); }
+
+    void saysWhatIsWrongWithAStylus_data()
+    {
+        addColumns();
+        addRow("no object", siteWith("'stylus': 5"), "stylus: an object is due");
+        addRow("no list", siteWith("'styluses': 5"), "styluses: a list");
+        addRow("no date", siteWith("'styluses': [" + stylus("1", "today") + "]"),
+               "styluses[0].calibrated_at: a date and time");
+        addRow("negative RMS", siteWith("'styluses': [" + stylus("-1", "2004-03-27") + "]"),
+               "styluses[0].rms_mm: a length in millimetres is due");
+        addRow("the same tool twice",
+               siteWith("'styluses': [" + stylus("1", "2004-03-27") + ", "
+                        + stylus("2", "2004-03-27") + "]"),
+               "styluses[1].tool: \"\" is there twice");
+        addRow("five numbers of a covariance", stylusWith("'covariance_S_mm2': [1, 0, 0, 1, 0]"),
+               "styluses[0].covariance_S_mm2: 6 numbers are due");
+        addRow("a negative variance", stylusWith("'covariance_S_mm2': [1, 0, 0, 1, 0, -1]"),
+               "styluses[0].covariance_S_mm2: no error has such a covariance");
+        addRow("correlated by more than one", stylusWith("'covariance_S_mm2': [1, 2, 0, 1, 0, 1]"),
+               "styluses[0].covariance_S_mm2: no error has such a covariance");
+        addRow("half a pose", stylusWith("'poses': 2.5"), "styluses[0].poses: a whole number");
+        addRow("fewer than no outliers", stylusWith("'outliers': -1"),
+               "styluses[0].outliers: a whole number");
+        const std::string rest = ", 'wobble_deg': 0.2, 'calibrated_at': '2004-03-27'}";
+        addRow("a long axis", stylusWith("'axis': {'axis_S': [0, 0, 2]" + rest),
+               "styluses[0].axis.axis_S: a direction of length 1 is due");
+        addRow("two numbers of an axis", stylusWith("'axis': {'axis_S': [0, 1]" + rest),
+               "styluses[0].axis.axis_S: 3 numbers are due");
+        addRow("a negative wobble",
+               stylusWith("'axis': {'axis_S': [0, 0, 1], 'wobble_deg': -1, 'calibrated_at': 'x'}"),
+               "styluses[0].axis.wobble_deg: a number that is not negative is due");
+        addRow("an axis of no date",
+               stylusWith("'axis': {'axis_S': [0, 0, 1], 'wobble_deg': 1, 'calibrated_at': 'x'}"),
+               "styluses[0].axis.calibrated_at: a date and time");
+        addRow("an axis that knows more", stylusWith("'axis': {'spin': 1}"),
+               "styluses[0].axis.spin: this key is not known");
+    }
+    void saysWhatIsWrongWithAStylus() { isRefused(); }
+
+    void saysWhatIsWrongWithATouch_data()
+    {
+        addColumns();
+        addRow("without a catalogue", siteWith("'touched': [" + touched("a") + "]"),
+               "touched[0].landmark: \"a\" is not in the catalogue");
+        addRow("what is not in it",
+               siteWith(kCatalogue + ", 'touched': [" + touched("a") + ", " + touched("d") + "]"),
+               "touched[1].landmark: \"d\" is not in the catalogue");
+        addRow("twice",
+               siteWith(kCatalogue + ", 'touched': [" + touched("a") + ", " + touched("a") + "]"),
+               "touched[1].landmark: \"a\" is there twice");
+        addRow("three numbers of a turn", touchedWith(", 'q_TS': [0, 0, 1]"),
+               "touched[0].q_TS: 4 numbers are due");
+        addRow("a turn that scales", touchedWith(", 'q_TS': [0, 0, 1, 1]"),
+               "touched[0].q_TS: a quaternion of length 1 is due");
+        addRow("stale for no known cause", touchedWith(", 'stale': 'age'"),
+               "touched[0].stale: \"age\" is none of its words");
+        addRow("laid anew before it is registered",
+               siteWith(kCatalogue + ", 'relay': [" + touched("a") + "]"),
+               "relay: only a registered manikin is laid anew");
+    }
+    void saysWhatIsWrongWithATouch() { isRefused(); }
+
+    void saysWhatIsWrongWithARegistration_data()
+    {
+        addColumns();
+        addRow("a mirror", siteWith(registration("[0, -1, 0, 6]", "1")),
+               "registration.X_AM_mm: a pose matrix scales, shears or mirrors");
+        addRow("three numbers in a row", siteWith(registration("[0, 1, 0]", "1")),
+               "registration.X_AM_mm: four rows of four numbers are due");
+        addRow("five rows", siteWith(registration("[0, 1, 0, 6], [0, 1, 0, 6]", "1")),
+               "registration.X_AM_mm: four rows of four numbers are due");
+        addRow("no RMS", siteWith(registration("[0, 1, 0, 6]", "null")),
+               "registration.rms_mm: a length in millimetres is due");
+        addRow("a body probe's pose that is none", registeredWith("'X_BM_mm': []"),
+               "registration.X_BM_mm: four rows of four numbers are due");
+        addRow("a short covariance", registeredWith("'covariance_mm_mrad': [1, 2, 3]"),
+               "registration.covariance_mm_mrad: 21 numbers are due");
+        addRow("a covariance that is none",
+               registeredWith("'covariance_mm_mrad': [1,0,0,0,0,0, 1,0,0,0,0, 1,0,0,0, 1,0,0, 1,0, "
+                              "-0.001]"),
+               "registration.covariance_mm_mrad: no error has such a covariance");
+        addRow("a negative FLE", registeredWith("'fle_mm': -1"),
+               "registration.fle_mm: a length in millimetres is due");
+        addRow("residuals of no error", registeredWith("'fle_mm': 0, 'degrees_of_freedom': 6"),
+               "registration.fle_mm: an error estimated from residuals is above 0");
+        addRow("negative degrees", registeredWith("'degrees_of_freedom': -3"),
+               "registration.degrees_of_freedom: a whole number is due");
+        addRow("made on no day", registeredWith("'made_at': 'once'"),
+               "registration.made_at: a date and time");
+        addRow("by nobody", registeredWith("'operator': ''"),
+               "registration.operator: a text is due");
+        addRow("a swab of nothing", registeredWith("'swab': {'points': 3}"),
+               "registration.swab.surface: a text is due");
+        addRow("relaid at no time",
+               registeredWith("'relays': [{'at': '', 'landmarks': 3, 'rms_mm': 1}]"),
+               "registration.relays[0].at: a text is due");
+        addRow("stale for no known cause", registeredWith("'stale': 'Touches'"),
+               "registration.stale: \"Touches\" is none of its words");
+    }
+    void saysWhatIsWrongWithARegistration() { isRefused(); }
+
+    void saysWhatIsWrongWithAVerification_data()
+    {
+        addColumns();
+        const std::string points = ", 'points': [" + verifiedPoint("a") + "]";
+        addRow("no such verdict", verificationWith("fine", points),
+               "verification.verdict: \"fine\" is none of its words");
+        addRow("a verdict of no day", verificationWith("good", points),
+               "verification.at: a text is due");
+        addRow("no points", verificationWith("open", ""), "verification.points: a list");
+        addRow("the same point twice",
+               verificationWith("open", ", 'points': [" + verifiedPoint("a") + ", "
+                                            + verifiedPoint("a") + "]"),
+               "verification.points[1].name: \"a\" is there twice");
+        addRow("stale for no known cause", verificationWith("open", points + ", 'stale': 'old'"),
+               "verification.stale: \"old\" is none of its words");
+    }
+    void saysWhatIsWrongWithAVerification() { isRefused(); }
+
+    void refusesAnotherVersion()
+    {
+        writeFile(path(), json("{'schema': 'carina.site/3', 'step': 'fit'}"));
+        const auto site = readSiteFile(path());
+        QVERIFY(!site);
+        QCOMPARE(site.error().code, Errc::UnknownFormat);
+    }
+
+    void refusesEveryCutOffFile()
+    {
+        QVERIFY(writeSiteFile(path(), wholeSite()));
+        QFile file{QString::fromStdString(path().string())};
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray whole = file.readAll().trimmed();
+        for (qsizetype length = 0; length < whole.size(); length += 13) {
+            writeFile(path(), whole.first(length).toStdString());
+            const auto site = readSiteFile(path());
+            QVERIFY(!site);
+            QCOMPARE(site.error().code, length == 0 ? Errc::FileEmpty : Errc::FileMalformed);
+        }
+    }
+};
+
+CARINA_TEST(TestSiteFileFaults)
+
+} // namespace carina::site_file_faults_test
+
+#include "tst_site_file_faults.moc"

@@ -1,0 +1,164 @@
+#include "engine/lungs/drawing/chest_shape.h"
+
+#include "engine/lungs/mechanics/lung_condition.h"
+#include "engine/lungs/mechanics/respiratory_fold.h"
+#include "tests/engine/lungs/mechanics/within.h"
+#include "tests/support/test_class.h"
+
+namespace carina::chest_shape_test
+{
+
+namespace
+{
+
+constexpr double kTolerance_mm = 1e-6;
+constexpr double kTolerance_l = 1e-7;
+
+/// What a side of the chest has more room than at rest in health.
+double more_l(const LungShape& lung) { return inLitres(lung.room - lung.healthy); }
+
+ChestShape shapeOf(const RespiratorySystem& system, const ChestContent& content)
+{
+    return chestShape({}, system, content, chestMoment(system, content, {}, {}));
+}
+
+ChestShape shapeAtRest(const LungCondition& condition)
+{
+    const RespiratorySystem system = afflicted(healthySystem({}), condition);
+    return shapeOf(system, restingContent(system));
+}
+
+} // namespace
+
+class TestChestShape : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void restsWhereHealthRests();
+    void makesRoomForWhatIsBreathedIn();
+    void makesRoomForEmphysema();
+    void followsTheWallWhereTheMediastinumGaveWay();
+    void standsOutBesideAPneumothorax();
+    void shiftsAwayFromATension();
+    void shiftsTowardsAnAtelectasis();
+    void shiftsFurtherInASmallerChest();
+    void sharesTheWorkByTheSex();
+};
+
+void TestChestShape::restsWhereHealthRests()
+{
+    const ChestShape shape = shapeAtRest({});
+    for (std::size_t i = 0; i < 2; ++i) {
+        VERIFY_WITHIN(more_l(shape.lungs[i]), 0.0, kTolerance_l);
+    }
+    VERIFY_WITHIN(inLitres(shape.lungs[0].gas), 0.525 * 2.31, 1e-6);
+    VERIFY_WITHIN(inMillimetres(shape.mediastinalShift), 0.0, kTolerance_mm);
+}
+
+void TestChestShape::makesRoomForWhatIsBreathedIn()
+{
+    const RespiratorySystem system = healthySystem({});
+    ChestContent content = restingContent(system);
+    content[0].gas = content[0].gas + litres(0.525);
+    content[1].gas = content[1].gas + litres(0.475);
+    const ChestShape shape = shapeOf(system, content);
+    // The sides press alike, but for what the mediastinum evens out.
+    VERIFY_WITHIN(more_l(shape.lungs[0]), 0.525, 5e-4);
+    VERIFY_WITHIN(more_l(shape.lungs[1]), 0.475, 5e-4);
+}
+
+/// 177 % of 2.31 L, 47.5 % of it on the left.
+void TestChestShape::makesRoomForEmphysema()
+{
+    const ChestShape shape = shapeAtRest({ConditionKind::Copd, 0.9, ConditionSide::Both});
+    VERIFY_WITHIN(more_l(shape.lungs[1]), 0.475 * 0.77 * 2.31, 5e-4);
+}
+
+/// A relaxed wall stands out by its compliance times the pleural pressure above that at rest.
+void TestChestShape::followsTheWallWhereTheMediastinumGaveWay()
+{
+    const RespiratorySystem system =
+        afflicted(healthySystem({}), {ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left});
+    const ChestContent rest = restingContent(system);
+    const ChestMoment moment = chestMoment(system, rest, {}, {});
+    const ChestShape shape = chestShape({}, system, rest, moment);
+    QVERIFY(moment.mediastinum.si < 0.0);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double share = i == 0 ? 0.525 : 0.475;
+        const double out_l = 0.2 * (inCmH2O(moment.pleural[i]) + 5.0); // both sides alike
+        VERIFY_WITHIN(inLitresPerCmH2O(system.lungs[i].wall), 0.2 * share, 1e-9);
+        VERIFY_WITHIN(more_l(shape.lungs[i]), share * out_l, kTolerance_l);
+    }
+}
+
+void TestChestShape::standsOutBesideAPneumothorax()
+{
+    const ChestShape shape =
+        shapeAtRest({ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left});
+    QVERIFY(more_l(shape.lungs[1]) > 0.0);
+    QVERIFY(inLitres(shape.lungs[1].room - shape.lungs[1].gas) > 0.5);
+    QVERIFY(shape.mediastinalShift.si < 0.0); // away from it, to the right
+}
+
+/// Under a ventilator, by centimetres within minutes, 35 mm at the most.
+void TestChestShape::shiftsAwayFromATension()
+{
+    RespiratorySettings settings;
+    settings.pattern = restingPattern(settings.build);
+    settings.ventilator.mode = VentilationMode::VolumeControl;
+    settings.condition = {ConditionKind::TensionPneumothorax, 1.0, ConditionSide::Right};
+    RespiratoryFold fold{settings};
+    double shift = 0.0;
+    for (int minute = 0; minute < 4; ++minute) {
+        for (int i = 0; i < 30000; ++i)
+            fold.step();
+        const double now =
+            inMillimetres(chestShape(settings.build, fold.system(), fold.content(), fold.moment())
+                              .mediastinalShift);
+        QVERIFY(now > shift);
+        shift = now;
+    }
+    QVERIFY2(shift > 15.0 && shift <= 35.0, qPrintable(QString::number(shift)));
+}
+
+void TestChestShape::shiftsTowardsAnAtelectasis()
+{
+    QVERIFY(
+        inMillimetres(
+            shapeAtRest({ConditionKind::Atelectasis, 1.0, ConditionSide::Right}).mediastinalShift)
+        < -5.0);
+}
+
+/// 200 cm2 in an adult of 77 kg; of a child of 40 kg (40/77)^(2/3) of it.
+void TestChestShape::shiftsFurtherInASmallerChest()
+{
+    const PatientBuild child{metres(1.5), 40.0, 12.0, Sex::Male};
+    for (const PatientBuild& build : {PatientBuild{}, child}) {
+        const RespiratorySystem system = healthySystem(build);
+        ChestMoment moment;
+        moment.mediastinum = litres(0.2);
+        const double area_m2 = 0.02 * std::pow(build.weightInKilograms / 77.0, 2.0 / 3.0);
+        VERIFY_WITHIN(chestShape(build, system, restingContent(system), moment).mediastinalShift.si,
+                      0.2e-3 / area_m2, 1e-9);
+    }
+}
+
+void TestChestShape::sharesTheWorkByTheSex()
+{
+    const RespiratorySystem system = healthySystem({});
+    const ChestContent rest = restingContent(system);
+    PatientBuild woman;
+    woman.sex = Sex::Female;
+    const ChestMoment moment = chestMoment(system, rest, {}, {});
+    const ChestShape ofMan = chestShape({}, system, rest, moment);
+    const ChestShape ofWoman = chestShape(woman, system, rest, moment);
+    VERIFY_WITHIN(0.5 * (ofMan.ribShare + ofWoman.ribShare), 0.4, 1e-12);
+    QVERIFY(ofWoman.ribShare > ofMan.ribShare);
+}
+
+CARINA_TEST(TestChestShape)
+
+} // namespace carina::chest_shape_test
+
+#include "tst_chest_shape.moc"

@@ -1,0 +1,146 @@
+#include "engine/net/entry/client_credentials.h"
+#include "tests/support/test_class.h"
+
+namespace carina::client_credentials_test
+{
+namespace
+{
+
+const std::string kSession = "00112233445566778899aabbccddeeff";
+const std::string kOther = "ffeeddccbbaa99887766554433221100";
+constexpr int kSoonMs = 2000;
+
+struct Person {
+    explicit Person(std::optional<JoinCode> code = JoinCode::random())
+        : credentials{Role::Trainee, std::move(code), TokenFolder{{}, Role::Trainee, "Anna"},
+                      [this](const JoinCode&, const SessionKey& session) -> Result<AccessKey> {
+                          ++derivations;
+                          if (noMemory)
+                              return fail(Errc::NotEnoughMemory);
+                          AccessKey key{};
+                          key[0] = session[0];
+                          return key;
+                      }}
+    {
+    }
+
+    std::atomic<int> derivations = 0;
+    std::atomic<bool> noMemory = false;
+    ClientCredentials credentials;
+};
+
+} // namespace
+
+class TestClientCredentials : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void keyIsDerivedOnceForASession()
+    {
+        Person anna;
+        ClientCredentials& credentials = anna.credentials;
+        QVERIFY(!credentials.offerFor(kSession));
+        QVERIFY(!credentials.mayTry());
+        QVERIFY(!credentials.offerFor(kSession)); // not a second time meanwhile
+        QTRY_VERIFY_WITH_TIMEOUT(credentials.mayTry(), kSoonMs);
+        const auto offer = credentials.offerFor(kSession);
+        QVERIFY(offer);
+        QCOMPARE(toText(offer->identity), "trainee:" + kSession + ":new");
+        QVERIFY(credentials.offerFor(kSession));
+        QCOMPARE(anna.derivations.load(), 1);
+        QVERIFY(!credentials.offerFor(kOther)); // needs a key of its own
+        QTRY_VERIFY_WITH_TIMEOUT(credentials.mayTry(), kSoonMs);
+        QCOMPARE(anna.derivations.load(), 2);
+    }
+
+    void hostThatCannotBeTrustedIsBelievedToBeSoAfterThreeTimes()
+    {
+        Person anna;
+        const Error untrusted{Errc::CertificateUntrusted, "self-signed"};
+        for (int i = 1; i < ClientCredentials::kRejectionsBelieved; ++i) {
+            anna.credentials.turnedAway(untrusted);
+            QVERIFY(!anna.credentials.refusal() && anna.credentials.mayTry());
+        }
+        anna.credentials.turnedAway(untrusted);
+        QVERIFY(!anna.credentials.mayTry());
+        QCOMPARE(*anna.credentials.refusal(), untrusted);
+    }
+
+    void onlySessionsGetAnOffer()
+    {
+        Person anna;
+        for (const char* hint : {"", "Carina", "00112233445566778899AABBCCDDEEFF"})
+            QVERIFY(!anna.credentials.offerFor(hint));
+        QCOMPARE(anna.derivations.load(), 0);
+        QVERIFY(anna.credentials.mayTry());
+    }
+
+    void tokenComesBeforeTheCode()
+    {
+        Person anna;
+        anna.credentials.accepted({{{Role::Trainee, std::nullopt}, kSession}, {}});
+        QVERIFY(!anna.credentials.hasToken());
+        anna.credentials.keepToken({ParticipantId{4}, randomKey()});
+        QVERIFY(anna.credentials.hasToken());
+        const auto offer = anna.credentials.offerFor(kSession);
+        QCOMPARE(toText(offer->identity), "trainee:" + kSession + ":4");
+        QCOMPARE(anna.derivations.load(), 0);
+    }
+
+    void tokenThatIsTurnedDownMakesWayForTheCode()
+    {
+        Person anna;
+        anna.credentials.accepted({{{Role::Trainee, std::nullopt}, kSession}, {}});
+        anna.credentials.keepToken({ParticipantId{4}, randomKey()});
+        const auto offer = anna.credentials.offerFor(kSession);
+        for (int i = 0; i < 3; ++i)
+            anna.credentials.rejected(*offer);
+        QVERIFY(!anna.credentials.hasToken());
+        QVERIFY(!anna.credentials.refusal());
+        QVERIFY(!anna.credentials.offerFor(kSession));
+        QTRY_COMPARE_WITH_TIMEOUT(anna.derivations.load(), 1, kSoonMs);
+    }
+
+    void codeIsGivenUpAfterThreeRejections()
+    {
+        Person anna{*JoinCode::parse("7KQ2M-X4TN9")};
+        const KeyOffer offer{{{Role::Trainee, std::nullopt}, kSession}, {}};
+        anna.credentials.rejected(offer);
+        anna.credentials.rejected(offer);
+        QVERIFY(anna.credentials.mayTry());
+        anna.credentials.accepted(offer); // somebody else had said so
+        anna.credentials.rejected(offer);
+        anna.credentials.rejected(offer);
+        QVERIFY(!anna.credentials.refusal());
+        anna.credentials.rejected(offer);
+        QVERIFY(!anna.credentials.mayTry());
+        QCOMPARE(*anna.credentials.refusal(), (Error{Errc::WrongCode, "7KQ2M-X4TN9"}));
+        QVERIFY(!anna.credentials.offerFor(kSession));
+    }
+
+    void withoutCodeAndTokenThereIsNoWayIn()
+    {
+        Person anna{std::nullopt};
+        QVERIFY(anna.credentials.mayTry()); // the session may be one whose token there is
+        QVERIFY(!anna.credentials.offerFor(kSession));
+        QCOMPARE(anna.credentials.refusal()->code, Errc::WrongCode);
+    }
+
+    void lackOfMemoryIsTold()
+    {
+        Person anna;
+        anna.noMemory = true;
+        bool told = false;
+        anna.credentials.onChange([&] { told = true; });
+        QVERIFY(!anna.credentials.offerFor(kSession));
+        QTRY_VERIFY_WITH_TIMEOUT(told, kSoonMs);
+        QCOMPARE(anna.credentials.refusal()->code, Errc::NotEnoughMemory);
+    }
+};
+
+CARINA_TEST(TestClientCredentials)
+
+} // namespace carina::client_credentials_test
+
+#include "tst_client_credentials.moc"

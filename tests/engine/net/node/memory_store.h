@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/session/facts/fact_store.h"
+
+#include <QTemporaryDir>
+
+#include <memory>
+
+namespace carina
+{
+
+/// A disk that outlives the stores on it, for a test on one thread at a time.
+struct MemoryDisk {
+    std::vector<FactRecord> facts;
+    std::optional<ClockAnchor> anchor;
+    std::vector<EventCpo> actions;
+    bool full = false;    ///< nothing can be written
+    QTemporaryDir folder; ///< for what lies beside the store
+};
+
+/// A FactStore on a MemoryDisk.
+class MemoryStore : public FactStore
+{
+public:
+    explicit MemoryStore(MemoryDisk& disk) : m_disk{disk} {}
+
+    Result<std::vector<FactRecord>> load() override { return m_disk.facts; }
+    Result<void> append(const FactRecord& fact) override
+    {
+        if (m_disk.full)
+            return fail(Errc::StoreFailed, "disk full");
+        m_disk.facts.push_back(fact);
+        return {};
+    }
+    Result<std::optional<ClockAnchor>> clockAnchor() override { return m_disk.anchor; }
+    Result<void> setClockAnchor(const ClockAnchor& anchor) override
+    {
+        m_disk.anchor = anchor;
+        return {};
+    }
+
+    Result<std::vector<EventCpo>> actions() override { return m_disk.actions; }
+    Result<void> keepAction(const EventCpo& event) override
+    {
+        if (m_disk.full)
+            return fail(Errc::StoreFailed, "disk full");
+        std::erase_if(m_disk.actions,
+                      [&](const auto& kept) { return kept.object == event.object; });
+        m_disk.actions.push_back(event);
+        return {};
+    }
+
+private:
+    MemoryDisk& m_disk;
+};
+
+} // namespace carina

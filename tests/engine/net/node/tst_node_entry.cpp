@@ -1,0 +1,226 @@
+#include "engine/net/node/client_driver.h"
+#include "engine/net/node/host_access.h"
+#include "engine/net/node/host_driver.h"
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
+
+#include <QDir>
+#include <QFile>
+#include <QNetworkInterface>
+
+#include <atomic>
+
+namespace carina::node_entry_test
+{
+namespace
+{
+
+/// Counts how often a key is derived.
+struct Derivations {
+    std::atomic<int> count = 0;
+
+    [[nodiscard]] DeriveKey counted()
+    {
+        return [this](const JoinCode& code, const SessionKey& session) {
+            ++count;
+            return cheapKey(code, session);
+        };
+    }
+};
+
+/// Says Hello in a role over a path that proved something; what comes of it.
+NodeBoard::View greet(HostDriver& host, const Credential& proved, Role role)
+{
+    constexpr PeerAddress kGuest = 7;
+    constexpr PeerAddress kPathToHost = 1;
+    NodeBoard board;
+    LocalTime now = monotonicNow();
+    ClientDriver guest{
+        {.participantName = "Mallory", .role = role, .station = kStation}, board, now};
+    host.connected(kGuest, proved, now);
+    guest.connected(kPathToHost, {}, now);
+    for (int turn = 0; turn < 100; ++turn, now += 1ms) {
+        for (const auto& [to, bytes] : guest.advance(now))
+            host.receive(kGuest, bytes, now);
+        for (const auto& [to, bytes] : host.advance(now))
+            guest.receive(kPathToHost, bytes, now);
+    }
+    host.disconnected(kGuest, now);
+    return board.view();
+}
+
+} // namespace
+
+class TestNodeEntry : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void wrongCodeIsRefusedAndNotTriedForEver()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        JoinSettings settings = joinSettings(*instructor, "Anna");
+        settings.code = JoinCode::random();
+        const auto anna = join(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kSoonMs);
+        QCOMPARE(*anna->refusal(), (Error{Errc::WrongCode, settings.code->text()}));
+        QCOMPARE(anna->self(), kNobody);
+        QCOMPARE(instructor->state()->participants().size(), std::size_t{1});
+    }
+
+    void traineesCodeMakesNoInstructor()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        JoinSettings settings = joinSettings(*instructor, "Anna", Role::Instructor);
+        settings.code = instructor->joinCodes().at(Role::Trainee);
+        const auto anna = join(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kSoonMs);
+        QCOMPARE(anna->refusal()->code, Errc::WrongCode);
+    }
+
+    void roleAndNameAreHeldAgainstWhatWasProved()
+    {
+        const auto access = HostAccess::open({}, std::string(32, '0'), cheapKey);
+        QVERIFY(access);
+        constexpr ParticipantId kAnna{3};
+        constexpr ParticipantId kBen{4};
+        (*access)->connected(7, {Role::Trainee, std::nullopt});
+        (*access)->connected(8, {Role::Trainee, kAnna});
+        QVERIFY((*access)->check(7, Role::Trainee, kBen));
+        QVERIFY((*access)->check(8, Role::Trainee, kAnna));
+        for (const auto& refused :
+             {(*access)->check(7, Role::Instructor, kBen), (*access)->check(8, Role::Trainee, kBen),
+              (*access)->check(8, Role::Observer, kAnna), (*access)->check(9, Role::Trainee, kBen)})
+            QCOMPARE(refused.error().code, Errc::NotPermitted);
+        (*access)->disconnected(7);
+        QVERIFY(!(*access)->check(7, Role::Trainee, kBen));
+    }
+
+    void provedRoleIsTheOnlyOneToComeInAs()
+    {
+        MemoryDisk disk;
+        NodeBoard board;
+        const auto host = HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk),
+                                           board, monotonicNow());
+        QVERIFY(host);
+        const Credential byCode{Role::Trainee, std::nullopt};
+        QCOMPARE(greet(**host, byCode, Role::Instructor).refusal->code, Errc::NotPermitted);
+        QCOMPARE(greet(**host, byCode, Role::Observer).refusal->code, Errc::NotPermitted);
+        const auto admitted = greet(**host, byCode, Role::Trainee);
+        QVERIFY(!admitted.refusal);
+        QVERIFY(admitted.self != kNobody);
+        const Credential byToken{Role::Trainee, admitted.self};
+        QCOMPARE(greet(**host, byToken, Role::Trainee).self, admitted.self);
+        const Credential anothersToken{Role::Trainee, ParticipantId{9}};
+        QCOMPARE(greet(**host, anothersToken, Role::Trainee).refusal->code, Errc::NotPermitted);
+    }
+
+    void observersChangeNothing()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto olga = join(*instructor, "Olga", Role::Observer);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kSoonMs);
+        const std::size_t facts = disk.facts.size();
+        olga->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
+        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal().has_value(), kSoonMs);
+        QCOMPARE(olga->refusal()->code, Errc::NotPermitted);
+        olga->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*olga));
+        QTRY_VERIFY_WITH_TIMEOUT(olga->pending().empty(), kSoonMs);
+        QVERIFY(instructor->state()->objects().empty());
+        QCOMPARE(disk.facts.size(), facts);
+    }
+
+    void participantsComeBackByTheirTokensAfterTheHostCrashed()
+    {
+        MemoryDisk disk;
+        const QTemporaryDir tokens;
+        Derivations derivations;
+        auto instructor = host(disk);
+        const std::uint16_t port = instructor->port();
+        const JoinCodes codes = instructor->joinCodes();
+        JoinSettings settings = joinSettings(*instructor, "Anna");
+        settings.tokens = tokens.path().toStdString();
+        settings.derive = derivations.counted();
+        auto anna = join(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        const ParticipantId id = anna->self();
+        QCOMPARE(derivations.count.load(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir{tokens.path()}.isEmpty(), kSoonMs);
+
+        instructor.reset();
+        anna.reset();
+        settings.code.reset(); // the token alone has to do
+        HostSettings again = hostSettings(disk, port);
+        again.derive = derivations.counted();
+        instructor = *SessionNode::host(again, std::make_unique<MemoryStore>(disk));
+        QVERIFY(instructor->joinCodes() == codes);
+        anna = join(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QCOMPARE(anna->self(), id);
+        QCOMPARE(derivations.count.load(), 1); // neither of them derived anything
+    }
+
+    void lostSecretsAreReplacedAndCodesWithThem()
+    {
+        MemoryDisk disk;
+        auto instructor = host(disk);
+        const JoinCodes codes = instructor->joinCodes();
+        instructor.reset();
+        QVERIFY(QFile::remove(disk.folder.filePath(QStringLiteral("secrets.json"))));
+        instructor = host(disk);
+        QVERIFY(instructor->joinCodes() != codes);
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+    }
+
+    void hostWithoutMemoryForKeysSaysSo()
+    {
+        MemoryDisk disk;
+        HostSettings settings = hostSettings(disk);
+        settings.derive = [](const JoinCode&, const SessionKey&) -> Result<AccessKey> {
+            return fail(Errc::NotEnoughMemory, "256 MiB");
+        };
+        const auto instructor = *SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
+        instructor->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal().has_value(), kSoonMs);
+        QCOMPARE(*instructor->refusal(), (Error{Errc::NotEnoughMemory, "256 MiB"}));
+    }
+
+    void addressesThatAreNoneAreRefused()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        JoinSettings settings = joinSettings(*instructor, "Anna");
+        settings.address = "somewhere";
+        const auto anna = SessionNode::join(settings);
+        QVERIFY(!anna);
+        QCOMPARE(anna.error(), (Error{Errc::WrongAddress, "somewhere"}));
+    }
+
+    void openHostIsReachedAtAllItsAddresses()
+    {
+        MemoryDisk disk;
+        HostSettings settings = hostSettings(disk);
+        settings.open = true;
+        const auto instructor = *SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
+        QVERIFY(instructor->isOpen());
+        for (const QHostAddress& address : QNetworkInterface::allAddresses()) {
+            if (address.isLinkLocal())
+                continue;
+            const std::string text = address.toString().toStdString();
+            JoinSettings guest = joinSettings(*instructor, text.c_str());
+            guest.address = text;
+            const auto anna = join(guest);
+            QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        }
+    }
+};
+
+CARINA_TEST(TestNodeEntry)
+
+} // namespace carina::node_entry_test
+
+#include "tst_node_entry.moc"

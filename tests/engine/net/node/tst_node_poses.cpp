@@ -1,0 +1,67 @@
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
+
+namespace carina::node_poses_test
+{
+
+class TestNodePoses : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void posesReachTheOthers()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto anna = join(*instructor, "Anna");
+        const auto ben = join(*instructor, "Ben");
+        anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
+        for (const auto* node : {instructor.get(), ben.get()}) {
+            QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(), kSoonMs);
+            const auto pose = onlyObject(*node)->at(*node->now());
+            QVERIFY(pose);
+            QCOMPARE(pose->validity, Validity::Tracked);
+            QVERIFY((pose->X_FO.translation() - Vec3{0.1, 0.2, 0.3}).norm() < 1e-5);
+            const auto reports = node->objectReports();
+            QCOMPARE(reports.size(), std::size_t{1});
+            QVERIFY(reports[0].age < 200ms);
+            QTRY_VERIFY_WITH_TIMEOUT(node->objectReports()[0].driftMm < 0.02, kSoonMs);
+        }
+        QVERIFY(!onlyObject(*anna)); // one's own is not fetched from the session
+        QVERIFY(anna->objectReports().empty());
+        const SharedObject object = instructor->state()->objects().begin()->second;
+        QCOMPARE(object.owner, anna->self());
+        QCOMPARE(object.kind, ObjectKind::Tube);
+        QCOMPARE(object.name, std::string{"Tube"});
+    }
+
+    void hostsPosesReachTheOthers()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        instructor->publish(kStation, ObjectKind::Head, "Head", stillTube(*instructor));
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*anna) && onlyObject(*anna)->newest(), kSoonMs);
+    }
+
+    void posesGoStaleWhenTheirOwnerFallsSilent()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        auto anna = join(*instructor, "Anna");
+        anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
+                                 kSoonMs);
+        anna.reset();
+        const auto tube = onlyObject(*instructor);
+        const SessionTime last = tube->newest()->time;
+        QCOMPARE(tube->at(last + 300ms)->validity, Validity::Tracked);
+        QCOMPARE(tube->at(last + 301ms)->validity, Validity::Lost);
+    }
+};
+
+CARINA_TEST(TestNodePoses)
+
+} // namespace carina::node_poses_test
+
+#include "tst_node_poses.moc"

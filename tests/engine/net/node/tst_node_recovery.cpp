@@ -1,0 +1,163 @@
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
+
+namespace carina::node_recovery_test
+{
+
+class TestNodeRecovery : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hostThatComesBackIsFoundWithItsTime()
+    {
+        MemoryDisk disk;
+        auto instructor = host(disk);
+        const std::uint16_t port = instructor->port();
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        const LocalTime moment = monotonicNow();
+        const SessionTime before = *instructor->sessionTime(moment);
+        const std::string id = instructor->state()->sessionId();
+
+        instructor.reset();
+        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*anna), LinkState::Away, kSoonMs);
+        QVERIFY(anna->now().has_value()); // the clock runs on
+        instructor = host(disk, port);
+        QVERIFY(instructor);
+        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*anna), LinkState::Connected, kSoonMs);
+        QCOMPARE(instructor->state()->sessionId(), id);
+        QCOMPARE(*instructor->sessionTime(moment), before);
+        QTRY_COMPARE_WITH_TIMEOUT(anna->state()->lastApplied(), instructor->state()->lastApplied(),
+                                  kSoonMs);
+        QVERIFY(apart(*anna, *instructor) < kClockTolerance);
+    }
+
+    void restartedHostHasItsActions()
+    {
+        MemoryDisk disk;
+        auto instructor = host(disk);
+        const std::uint16_t port = instructor->port();
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        instructor->propose(kStation,
+                            fact::ObjectShared{{}, instructor->self(), ObjectKind::Jaw, "jaw"});
+        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kSoonMs);
+        const ObjectId jaw = anna->state()->objects().begin()->first;
+        instructor->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, {}});
+        QTRY_VERIFY_WITH_TIMEOUT(anna->shown(jaw, *anna->now()), kSoonMs);
+        instructor.reset();
+        instructor = host(disk, port);
+        QVERIFY(instructor);
+        const SessionTime t = *instructor->now() + 1s;
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->shown(jaw, t), kSoonMs);
+        QVERIFY(instructor->shown(jaw, t)->acted.X_AO.matrix()
+                == anna->shown(jaw, t)->acted.X_AO.matrix());
+        // It goes on from there.
+        instructor->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, {}});
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->shown(jaw, t + 1s)->acted.X_AO.matrix()
+                                     == instructor->shown(jaw, t)->acted.X_AO.matrix(),
+                                 kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->shown(jaw, t)->acted.X_AO.matrix()
+                                     == instructor->shown(jaw, t)->acted.X_AO.matrix(),
+                                 kSoonMs);
+    }
+
+    void proposalWhileTheHostIsAwayArrivesOnce()
+    {
+        MemoryDisk disk;
+        auto instructor = host(disk);
+        const std::uint16_t port = instructor->port();
+        const auto second = join(*instructor, "Dr Rolland", Role::Instructor);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*second), kSoonMs);
+        instructor.reset();
+        second->propose(kStation, fact::BreathingRateSet{perMinute(30.0)});
+        QTRY_COMPARE_WITH_TIMEOUT(second->pending().size(), std::size_t{1}, kSoonMs);
+        QVERIFY(second->pending().front() == FactBody{fact::BreathingRateSet{perMinute(30.0)}});
+        const std::size_t facts = disk.facts.size();
+        instructor = host(disk, port);
+        QTRY_VERIFY_WITH_TIMEOUT(second->pending().empty(), kSoonMs);
+        QCOMPARE(ratePerMinute(*instructor), 30.0);
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*second), 30.0, kSoonMs);
+        instructor.reset();
+        QCOMPARE(disk.facts.size(), facts + 2); // the host came in again, and the rate
+    }
+
+    void restartedTraineeIsTheSameParticipant()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        const ParticipantId id = anna->self();
+        const auto present = [&] { return instructor->state()->participants().at(id).present; };
+        QVERIFY(present());
+        anna.reset();
+        QTRY_VERIFY_WITH_TIMEOUT(!present(), kSoonMs);
+        anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QCOMPARE(anna->self(), id);
+        QTRY_VERIFY_WITH_TIMEOUT(present(), kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(anna->state()->lastApplied(), instructor->state()->lastApplied(),
+                                  kSoonMs);
+    }
+
+    void participantsWhoDoNotReturnToARestartedHostAreGone()
+    {
+        MemoryDisk disk;
+        auto instructor = host(disk);
+        const std::uint16_t port = instructor->port();
+        auto anna = join(*instructor, "Anna");
+        const auto ben = join(*instructor, "Ben");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kSoonMs);
+        const ParticipantId annaId = anna->self();
+        instructor.reset();
+        anna.reset();
+        instructor = host(disk, port);
+        const auto present = [&](ParticipantId id) {
+            return instructor->state()->participants().at(id).present;
+        };
+        QVERIFY(present(annaId));
+        QTRY_VERIFY_WITH_TIMEOUT(!present(annaId), 5000); // three seconds of grace
+        QVERIFY(present(ben->self()));
+    }
+
+    void namesAreTakenWhileTheirOwnersLive()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        const auto other = join(*instructor, "Anna");
+        const auto usurper = join(*instructor, "Dr Hall", Role::Instructor);
+        QTRY_VERIFY_WITH_TIMEOUT(other->refusal() && usurper->refusal(), kSoonMs);
+        QCOMPARE(other->refusal()->code, Errc::NameTaken);
+        QCOMPARE(usurper->refusal()->code, Errc::NameTaken);
+        QCOMPARE(other->self(), kNobody);
+        QCOMPARE(linkOf(*other), LinkState::Connecting);
+        // Another role is another person.
+        const auto watcher = join(*instructor, "Anna", Role::Observer);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*watcher), kSoonMs);
+    }
+
+    void posesGoOnAfterTheHostComesBack()
+    {
+        MemoryDisk disk;
+        auto instructor = host(disk);
+        const std::uint16_t port = instructor->port();
+        const auto anna = join(*instructor, "Anna");
+        anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
+                                 kSoonMs);
+        instructor.reset();
+        instructor = host(disk, port);
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor)->newest().has_value(), kSoonMs);
+        QCOMPARE(instructor->state()->objects().size(), std::size_t{1});
+    }
+};
+
+CARINA_TEST(TestNodeRecovery)
+
+} // namespace carina::node_recovery_test
+
+#include "tst_node_recovery.moc"

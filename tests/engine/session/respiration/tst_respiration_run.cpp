@@ -1,0 +1,216 @@
+#include "engine/session/respiration/respiration_run.h"
+
+#include "tests/engine/session/facts/sample_session.h"
+#include "tests/support/test_class.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace carina::test::respiration_run_test
+{
+
+namespace
+{
+
+/// A session in which much happens to its patient.
+LogWriter eventfulSession()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(1.0), fact::PatientBuildSet{{metres(1.75), 77.0, 40.0, Sex::Male}});
+    writer.add(atSeconds(3.0), fact::BreathingRateSet{perMinute(14.0)});
+    for (int i = 0; i < 6; ++i)
+        writer.add(atSeconds(4.0 + 3.1 * i), fact::ManikinBreathed{atSeconds(3.85 + 3.1 * i)});
+    writer.add(atSeconds(20.5003), fact::PhaseChanged{SessionPhase::Paused});
+    writer.add(atSeconds(25.1), fact::TubePlaced{millimetres(7.5)});
+    writer.add(atSeconds(26.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(27.0), fact::BodyPositionSet{BodyPosition::LeftLateral});
+    fact::VentilatorSet ventilator;
+    ventilator.settings.mode = VentilationMode::VolumeControl;
+    writer.add(atSeconds(28.0), ventilator);
+    writer.add(atSeconds(29.0), fact::TidalVolumeSet{millilitres(500.0)});
+    writer.add(atSeconds(30.0), fact::LungConditionSet{{ConditionKind::TensionPneumothorax, 0.8,
+                                                        ConditionSide::Right}});
+    return writer;
+}
+
+RespirationRun ranTo(const SessionState& state, double seconds)
+{
+    RespirationRun run{timelineOf(state), atSeconds(seconds)};
+    run.advanceTo(timelineOf(state), atSeconds(seconds));
+    return run;
+}
+
+} // namespace
+
+class TestRespirationRun : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void restsUntilTheSessionRuns();
+    void takesOneStepEveryTwoMilliseconds();
+    void standsStillInAPause();
+    void takesEverySettingAtItsTime();
+    void locksToTheManikin();
+    void doesNotDependOnHowOftenItIsAsked();
+    void goesOnFromACheckpoint_data();
+    void goesOnFromACheckpoint();
+    void doesNotBelieveOldOrFutureBreaths();
+    void keepsCheckpointsInOrder();
+    void namesTheNextChange();
+};
+
+void TestRespirationRun::restsUntilTheSessionRuns()
+{
+    const SessionState state = stateOf(eventfulSession());
+    const RespirationRun run = ranTo(state, 1.0);
+    QCOMPARE(run.fold().state().steps, std::int64_t{0});
+    QCOMPARE(ranTo(state, 1.0019).fold().state().steps, std::int64_t{0});
+    QCOMPARE(ranTo(state, 1.002).fold().state().steps, std::int64_t{1});
+    QVERIFY(ranTo(state, 1.002).at() == atSeconds(1.002));
+}
+
+void TestRespirationRun::takesOneStepEveryTwoMilliseconds()
+{
+    const SessionState state = stateOf(eventfulSession());
+    QCOMPARE(ranTo(state, 11.0).fold().state().steps, std::int64_t{5000});
+    QCOMPARE(ranTo(state, 11.0).fold().settings().pattern.rate, perMinute(14.0));
+}
+
+/// From the step in which it pauses to the moment it goes on.
+void TestRespirationRun::standsStillInAPause()
+{
+    const SessionState state = stateOf(eventfulSession());
+    const std::int64_t paused = ranTo(state, 20.51).fold().state().steps;
+    QCOMPARE(paused, std::int64_t{9751}); // 19.5003 s
+    QCOMPARE(ranTo(state, 25.9).fold().state().steps, paused);
+    QCOMPARE(ranTo(state, 26.0).fold().state().steps, paused);
+    QCOMPARE(ranTo(state, 26.01).fold().state().steps, paused + 5);
+    QVERIFY(ranTo(state, 26.01).at() == atSeconds(26.01));
+}
+
+void TestRespirationRun::takesEverySettingAtItsTime()
+{
+    const SessionState state = stateOf(eventfulSession());
+    const auto settingsAt = [&](double seconds) { return ranTo(state, seconds).fold().settings(); };
+    QVERIFY(settingsAt(2.0).build == (PatientBuild{metres(1.75), 77.0, 40.0, Sex::Male}));
+    QCOMPARE(settingsAt(2.0).pattern.rate, BreathingPattern{}.rate);
+    QCOMPARE(settingsAt(26.5).tube, millimetres(7.5));
+    QCOMPARE(settingsAt(26.9).position, BodyPosition::Supine);
+    QCOMPARE(settingsAt(27.1).position, BodyPosition::LeftLateral);
+    QVERIFY(settingsAt(27.9).ventilator.mode == VentilationMode::Spontaneous);
+    QVERIFY(settingsAt(28.1).ventilator.mode == VentilationMode::VolumeControl);
+    QCOMPARE(settingsAt(29.1).pattern.tidalVolume, millilitres(500.0));
+    QVERIFY(settingsAt(29.9).condition == LungCondition{});
+    QVERIFY(settingsAt(30.1).condition.kind == ConditionKind::TensionPneumothorax);
+    QVERIFY(ranTo(state, 60.0).fold().content()[0].trapped.si > 0.0);
+
+    LogWriter untold = sampleSession();
+    untold.add(atSeconds(0.0), fact::PhaseChanged{SessionPhase::Running});
+    const SessionState plain = stateOf(untold);
+    QVERIFY(ranTo(plain, 1.0).fold().settings().build
+            == (PatientBuild{metres(1.5), 40.0, 12.0, Sex::Female}));
+}
+
+/// Breaths every 3.1 s; the last one heard of began at 19.35 s.
+void TestRespirationRun::locksToTheManikin()
+{
+    const SessionState state = stateOf(eventfulSession());
+    const BreathClock::State clock = ranTo(state, 20.4).fold().state().clock;
+    QVERIFY(std::abs(inPerMinute(clock.measured) - 60.0 / 3.1) < 0.05);
+    const double phase = clock.breaths - (20.4 - 19.35) * clock.rate.si;
+    QVERIFY2(std::abs(phase - std::round(phase)) < 0.05, qPrintable(QString::number(phase)));
+}
+
+void TestRespirationRun::doesNotDependOnHowOftenItIsAsked()
+{
+    const SessionState state = stateOf(eventfulSession());
+    RespirationRun often{timelineOf(state), atSeconds(0.0)};
+    for (double seconds = 0.0; seconds < 40.0; seconds += 0.0166)
+        often.advanceTo(timelineOf(state), atSeconds(seconds));
+    often.advanceTo(timelineOf(state), atSeconds(40.0));
+    const RespirationRun once = ranTo(state, 40.0);
+    QVERIFY(once.at() == often.at());
+    QVERIFY(once.fold().state() == often.fold().state());
+}
+
+void TestRespirationRun::goesOnFromACheckpoint_data()
+{
+    QTest::addColumn<double>("seconds");
+    QTest::newRow("before it runs") << 0.5;
+    QTest::newRow("as a breath is heard") << 10.2;
+    QTest::newRow("just after one is heard") << 10.202;
+    QTest::newRow("in the pause") << 22.0;
+    QTest::newRow("under the ventilator") << 33.3;
+}
+
+/// Who joins late and finds a checkpoint comes to the same state as who was there.
+void TestRespirationRun::goesOnFromACheckpoint()
+{
+    QFETCH(const double, seconds);
+    LogWriter writer = eventfulSession();
+    const RespirationRun there = ranTo(stateOf(writer), seconds);
+    writer.add(atSeconds(35.0), there.checkpoint());
+    const SessionState state = stateOf(writer);
+    RespirationRun late{timelineOf(state), atSeconds(38.0)};
+    QVERIFY(late.at() == there.at());
+    late.advanceTo(timelineOf(state), atSeconds(40.0));
+    const RespirationRun whole = ranTo(stateOf(eventfulSession()), 40.0);
+    QVERIFY(late.at() == whole.at());
+    QVERIFY(late.fold().state() == whole.fold().state());
+}
+
+void TestRespirationRun::doesNotBelieveOldOrFutureBreaths()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(10.0), fact::ManikinBreathed{atSeconds(10.1)});
+    writer.add(atSeconds(11.0), fact::ManikinBreathed{atSeconds(5.9)});
+    writer.add(atSeconds(12.0), fact::ManikinBreathed{atSeconds(7.0)});
+    writer.add(atSeconds(13.0), fact::ManikinBreathed{atSeconds(13.0)});
+    writer.add(atSeconds(12.5), fact::ManikinBreathed{atSeconds(12.4)}); // heard out of order
+    const SessionState state = stateOf(writer);
+    const auto breaths = timelineOf(state).breaths();
+    QCOMPARE(breaths.size(), std::size_t{2});
+    QVERIFY(breaths[0].began == atSeconds(7.0) && breaths[0].heard == atSeconds(12.0));
+    QVERIFY(breaths[1].began == atSeconds(13.0));
+}
+
+void TestRespirationRun::keepsCheckpointsInOrder()
+{
+    RespirationTimeline timeline;
+    QVERIFY(timeline.checkpointBefore(SessionTime::max()) == nullptr);
+    RespiratoryState state;
+    for (const double seconds : {10.0, 20.0, 20.0, 15.0}) {
+        ++state.steps;
+        timeline.addCheckpoint({atSeconds(seconds), state});
+    }
+    QVERIFY(timeline.checkpointBefore(atSeconds(9.9)) == nullptr);
+    QCOMPARE(timeline.checkpointBefore(atSeconds(10.0))->state.steps, std::int64_t{1});
+    QCOMPARE(timeline.checkpointBefore(atSeconds(19.9))->state.steps, std::int64_t{1});
+    QCOMPARE(timeline.checkpointBefore(atSeconds(99.0))->state.steps, std::int64_t{2});
+}
+
+void TestRespirationRun::namesTheNextChange()
+{
+    const SessionState state = stateOf(eventfulSession());
+    const RespirationTimeline& timeline = timelineOf(state);
+    QVERIFY(timeline.changeAfter(atSeconds(0.0)) == atSeconds(1.0));
+    QVERIFY(timeline.changeAfter(atSeconds(1.0)) == atSeconds(3.0));
+    QVERIFY(timeline.changeAfter(atSeconds(20.5003)) == atSeconds(25.1));
+    QVERIFY(timeline.changeAfter(atSeconds(25.1)) == atSeconds(26.0));
+    QVERIFY(timeline.changeAfter(atSeconds(30.0)) == SessionTime::max());
+    QVERIFY(timeline.changeAfter(atSeconds(3.0)) == atSeconds(20.5003));
+    QVERIFY(timeline.changeAfter(atSeconds(26.0)) == atSeconds(27.0));
+    QVERIFY(timeline.changeAfter(atSeconds(27.0)) == atSeconds(28.0));
+    QVERIFY(timeline.changeAfter(atSeconds(28.0)) == atSeconds(29.0));
+    QVERIFY(timeline.changeAfter(atSeconds(29.0)) == atSeconds(30.0));
+    QVERIFY(timeline.runsAt(atSeconds(20.5)));
+    QVERIFY(!timeline.runsAt(atSeconds(20.5003)));
+}
+
+CARINA_TEST(TestRespirationRun)
+
+} // namespace carina::test::respiration_run_test
+
+#include "tst_respiration_run.moc"

@@ -1,0 +1,77 @@
+#include "models/objects/object_action_model.h"
+#include "models/patient/shared_patient.h"
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
+
+namespace carina::actions_everywhere_test
+{
+
+/// Models over real nodes, as the programs have them.
+class TestActionsEverywhere : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void areTheSameForALateJoinerAndAfterARestart();
+};
+
+namespace
+{
+
+/// A program with its models.
+struct Console {
+    std::unique_ptr<SessionNode> node;
+    SessionModel session{*node};
+    SharedObjectModel object{session, kStation};
+    ObjectActionModel model{object};
+
+    [[nodiscard]] QStringList told() const
+    {
+        QString owner = object.ownerText();
+        owner.remove(0, 2); // ● or ◆
+        return {model.motionText(), model.placeText(), object.wishText(), owner};
+    }
+};
+
+} // namespace
+
+void TestActionsEverywhere::areTheSameForALateJoinerAndAfterARestart()
+{
+    MemoryDisk disk;
+    auto host = std::make_unique<Console>(carina::host(disk));
+    const std::uint16_t port = host->node->port();
+    sharePatient(*host->node, kStation, "Adult");
+    Console anna{join(*host->node, "Anna")};
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna.node) && anna.object.chosen(), kSoonMs);
+    host->object.handOver(anna.node->self());
+    QTRY_VERIFY_WITH_TIMEOUT(anna.object.isOwn(), kSoonMs);
+    anna.model.setSpeed(180.0);
+    anna.model.start();
+    QTRY_VERIFY_WITH_TIMEOUT(anna.model.canStop() && !anna.model.isInPlace(), kSoonMs);
+    anna.model.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(!anna.model.canStop(), kSoonMs);
+
+    Console late{join(*host->node, "Ben")};
+    const auto agree = [&anna](const Console& other) {
+        QStringList expected = anna.told();
+        expected.back() = QStringLiteral("Anna");
+        return other.told() == expected;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(agree(late), kSoonMs);
+    late.object.ask();
+    QTRY_COMPARE_WITH_TIMEOUT(anna.object.wishText(), QStringLiteral("Asking for it: Ben"),
+                              kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(agree(*host), kSoonMs);
+    host.reset();
+    host = std::make_unique<Console>(carina::host(disk, port));
+    QTRY_VERIFY_WITH_TIMEOUT(agree(*host), kSoonMs);
+    QVERIFY(!host->model.isInPlace());
+    sharePatient(*host->node, kStation, "Adult");
+    QCOMPARE(host->object.objects().size(), std::size_t{1});
+}
+
+CARINA_TEST(TestActionsEverywhere)
+
+} // namespace carina::actions_everywhere_test
+
+#include "tst_actions_everywhere.moc"

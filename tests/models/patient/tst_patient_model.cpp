@@ -1,0 +1,113 @@
+#include "engine/anatomy/chest/chest_region.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/geometry/mesh/surface_tree.h"
+#include "models/patient/patient_model.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+
+namespace carina::patient_model_test
+{
+namespace
+{
+
+constexpr double kVoxel_m = 1.5e-3; ///< shapes are meshed anew: two meshes of one differ by less
+constexpr Length kTube = millimetres(6.0);
+
+const AnatomyPart& jawOf(const Anatomy& anatomy)
+{
+    return *std::ranges::find(anatomy.parts, PartRole::Mandible, &AnatomyPart::role);
+}
+
+const PatientSurface& jawOf(const PatientModel& patient)
+{
+    return *std::ranges::find(patient.surfaces(), PartRole::Mandible,
+                              [](const PatientSurface& s) { return s.description.role; });
+}
+
+double farthest_m(const TriangleMesh& mesh, const SurfaceTree& from)
+{
+    double farthest = 0.0;
+    for (const Vec3f& p : mesh.positions)
+        farthest = std::max(farthest, from.distanceTo(p.cast<double>()));
+    return farthest;
+}
+
+} // namespace
+
+/// Built-in patients are made with the mouth held open; the same patient made with it shut is the
+/// truth of where the jaw goes.
+class TestPatientModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const auto who = parametersOf(BuiltinPatient::TwelveYears);
+        m_shut = patientFor(who, Posture::Rest).value();
+        Anatomy open = builtinPatient(BuiltinPatient::TwelveYears).value();
+        m_patient = PatientModel::of(std::move(open), kTube).value();
+    }
+
+    void shutsTheMouthThatItsSurfacesHoldOpen()
+    {
+        const SurfaceTree truth{jawOf(m_shut).levels.front()};
+        const PatientSurface& jaw = jawOf(*m_patient);
+        QVERIFY(farthest_m(*jaw.levels.front(), truth) > 10 * kVoxel_m);
+        QVERIFY(farthest_m(*m_patient->shutMesh(jaw), truth) < kVoxel_m);
+        TriangleMesh drawn = *jaw.levels.front();
+        const RigidTransform X = m_patient->throat(RigidTransform{}).X_AJ;
+        for (Vec3f& p : drawn.positions)
+            p = (X * p.cast<double>()).cast<float>();
+        QVERIFY(farthest_m(drawn, truth) < kVoxel_m);
+    }
+
+    void drawsTheMouthAsItsSurfacesHaveItWithoutAChinProbe()
+    {
+        const FollowingThroat throat = m_patient->throat(std::nullopt);
+        const Vec3 chin{0.0, -0.08, 0.12};
+        QCOMPARE((throat.X_AJ * chin - chin).norm(), 0.0);
+    }
+
+    /// What hangs from the jaw is where it is drawn; all else is where it was made.
+    void movesWithTheJawWhatHangsFromIt()
+    {
+        const FollowingThroat shut = m_patient->throat(RigidTransform{});
+        int following = 0;
+        for (const PatientSurface& surface : m_patient->surfaces()) {
+            if (surface.body != SurfaceBody::Anatomy)
+                continue;
+            const auto mesh = m_patient->shutMesh(surface);
+            const auto tissue = tissueOf(regionOf(surface.description.role));
+            following += tissue ? 1 : 0;
+            if (tissue)
+                QVERIFY(mesh->positions
+                        == deformed(*surface.levels.front(), shut, *tissue).positions);
+            else
+                QCOMPARE(mesh, surface.levels.front());
+        }
+        QVERIFY(following > 5);
+    }
+
+    void holdsNoOtherMouthOpen()
+    {
+        Anatomy scanned = m_shut;
+        scanned.contentHash = "0123456789abcdef";
+        const PatientModel patient = PatientModel::of(std::move(scanned), kTube).value();
+        const Vec3 chin{0.0, -0.08, 0.12};
+        QCOMPARE((patient.throat(RigidTransform{}).X_AJ * chin - chin).norm(), 0.0);
+        const PatientSurface& jaw = jawOf(patient);
+        QVERIFY(patient.shutMesh(jaw)->positions == jaw.levels.front()->positions);
+    }
+
+private:
+    Anatomy m_shut;
+    std::optional<PatientModel> m_patient;
+};
+
+CARINA_TEST(TestPatientModel)
+
+} // namespace carina::patient_model_test
+
+#include "tst_patient_model.moc"

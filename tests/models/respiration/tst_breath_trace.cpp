@@ -1,0 +1,211 @@
+#include "models/respiration/breath_trace.h"
+#include "models/respiration/checkpoint_keeper.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <cmath>
+
+namespace carina::breath_trace_test
+{
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test::FakeSessionNode;
+
+/// What goes from the fold to a screen and into the log.
+class TestBreathTrace : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void samplesEvery20Milliseconds();
+    void showsWhatTheFoldHas();
+    void beginsEachBreathAtNoVolume();
+    void isSilentWhileTheSessionDoesNotRun();
+    void makesNoLongGapGood();
+    void tellsTheFiguresOfTheLastBreath();
+    void tellsThePressuresOfAVentilator();
+    void keepsCheckpointsThatChangeNothing();
+    void keepsNoneWhileTheSessionDoesNotRun();
+};
+
+namespace
+{
+
+struct Desk {
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathTrace trace{session, FakeSessionNode::kStation};
+    std::vector<BreathTrace::Sample> samples;
+
+    Desk()
+    {
+        QObject::connect(&trace, &BreathTrace::sampled,
+                         [this](const BreathTrace::Sample& s) { samples.push_back(s); });
+    }
+    void start() { node.decide(fact::PhaseChanged{SessionPhase::Running}); }
+    void run(Duration time, Duration step = milliseconds{37})
+    {
+        for (Duration gone{}; gone < time; gone += step) {
+            node.advance(step);
+            trace.sample();
+        }
+    }
+    [[nodiscard]] RespirationTimeline timeline() const
+    {
+        return node.state()->stations().at(FakeSessionNode::kStation).respiration;
+    }
+};
+
+} // namespace
+
+void TestBreathTrace::samplesEvery20Milliseconds()
+{
+    Desk desk;
+    desk.start();
+    desk.run(seconds{3});
+    QVERIFY(desk.samples.size() > 140);
+    for (std::size_t i = 0; i < desk.samples.size(); ++i) {
+        const double twentieths = desk.samples[i].time_s / 0.02;
+        QVERIFY(std::abs(twentieths - std::round(twentieths)) < 1e-6);
+        if (i > 0)
+            QVERIFY(std::abs(desk.samples[i].time_s - desk.samples[i - 1].time_s - 0.02) < 1e-6);
+    }
+}
+
+void TestBreathTrace::showsWhatTheFoldHas()
+{
+    Desk desk;
+    fact::VentilatorSet ventilator;
+    ventilator.settings.mode = VentilationMode::VolumeControl;
+    desk.node.decide(ventilator);
+    desk.start();
+    desk.run(seconds{8});
+    const BreathTrace::Sample& last = desk.samples.back();
+    RespirationRun run{desk.timeline(), SessionTime::min()};
+    run.advanceTo(desk.timeline(), SessionTime{fromSeconds(last.time_s)});
+    QVERIFY(std::abs(last.pressure_cmH2O - inCmH2O(run.fold().moment().opening)) < 1e-9);
+    QVERIFY(std::abs(last.flow_lPerMin - 6e4 * run.fold().moment().airwayFlow.si) < 1e-9);
+    QVERIFY(last.pressure_cmH2O >= 4.9);
+}
+
+void TestBreathTrace::beginsEachBreathAtNoVolume()
+{
+    Desk desk;
+    desk.start();
+    desk.run(seconds{10}); // the first breaths come from rest
+    desk.samples.clear();
+    desk.run(seconds{10});
+    double least = 1e9;
+    double greatest = -1e9;
+    for (const BreathTrace::Sample& sample : desk.samples) {
+        least = std::min(least, sample.volume_ml);
+        greatest = std::max(greatest, sample.volume_ml);
+    }
+    QVERIFY2(std::abs(greatest - 280.0) < 10.0, qPrintable(QString::number(greatest)));
+    QVERIFY2(std::abs(least) < 5.0, qPrintable(QString::number(least)));
+}
+
+void TestBreathTrace::isSilentWhileTheSessionDoesNotRun()
+{
+    Desk desk;
+    desk.run(seconds{1});
+    QVERIFY(desk.samples.empty());
+    desk.start();
+    desk.run(seconds{1});
+    const std::size_t before = desk.samples.size();
+    QVERIFY(before > 0);
+    desk.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+    desk.run(milliseconds{200});
+    const std::size_t paused = desk.samples.size();
+    desk.run(seconds{2});
+    QCOMPARE(desk.samples.size(), paused);
+    desk.node.loseClock();
+    desk.trace.sample();
+    QCOMPARE(desk.samples.size(), paused);
+}
+
+void TestBreathTrace::makesNoLongGapGood()
+{
+    Desk desk;
+    desk.start();
+    desk.run(seconds{1});
+    std::size_t before = desk.samples.size();
+    desk.node.advance(seconds{9});
+    desk.trace.sample();
+    QCOMPARE(desk.samples.size(), before + 450);
+    before = desk.samples.size();
+    desk.node.advance(seconds{11});
+    desk.trace.sample();
+    QCOMPARE(desk.samples.size(), before + 1);
+}
+
+void TestBreathTrace::tellsTheFiguresOfTheLastBreath()
+{
+    Desk desk;
+    desk.start();
+    desk.run(seconds{1});
+    QVERIFY(!desk.trace.lastBreath());
+    desk.run(seconds{15});
+    const auto breath = desk.trace.lastBreath();
+    QVERIFY(breath.has_value());
+    QVERIFY(std::abs(breath->rate_perMin - 19.0) < 0.05);
+    QVERIFY(std::abs(breath->tidalVolume_ml - 280.0) < 2.8);
+    QVERIFY(std::abs(breath->right_ml + breath->left_ml - breath->tidalVolume_ml) < 2.0);
+    QVERIFY(breath->right_ml > breath->left_ml);
+    QVERIFY(!breath->airway); // nobody pushes
+    QVERIFY(breath->alveolarVentilation_lPerMin > 2.5 && breath->alveolarVentilation_lPerMin < 5.3);
+}
+
+void TestBreathTrace::tellsThePressuresOfAVentilator()
+{
+    Desk desk;
+    desk.start();
+    desk.run(seconds{10});
+    fact::VentilatorSet ventilator;
+    ventilator.settings.mode = VentilationMode::VolumeControl;
+    desk.node.decide(ventilator);
+    desk.run(seconds{10});
+    const auto breath = desk.trace.lastBreath();
+    QVERIFY(breath && breath->airway);
+    QVERIFY(breath->airway->peak_cmH2O > breath->airway->plateau_cmH2O);
+    QVERIFY(breath->airway->plateau_cmH2O > 5.0); // of PEEP
+}
+
+void TestBreathTrace::keepsCheckpointsThatChangeNothing()
+{
+    FakeSessionNode node{FakeSessionNode::kHost};
+    CheckpointKeeper keeper{node};
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    const auto timeline = [&] {
+        return node.state()->stations().at(FakeSessionNode::kStation).respiration;
+    };
+    node.advance(seconds{7});
+    keeper.keep();
+    const auto with = timeline();
+    const RespirationState* checkpoint = with.checkpointBefore(*node.now());
+    QVERIFY(checkpoint);
+    QVERIFY(*node.now() - checkpoint->at < milliseconds{2});
+    RespirationRun late{with, *node.now()};
+    QVERIFY(late.at() == checkpoint->at);
+    RespirationRun whole{with, SessionTime::min()};
+    late.advanceTo(with, *node.now() + seconds{3});
+    whole.advanceTo(with, *node.now() + seconds{3});
+    QVERIFY(late.fold().state() == whole.fold().state());
+}
+
+void TestBreathTrace::keepsNoneWhileTheSessionDoesNotRun()
+{
+    FakeSessionNode node{FakeSessionNode::kHost};
+    CheckpointKeeper keeper{node};
+    keeper.keep();
+    node.loseClock();
+    keeper.keep();
+    QCOMPARE(node.proposed, 0);
+}
+
+CARINA_TEST(TestBreathTrace)
+
+} // namespace carina::breath_trace_test
+
+#include "tst_breath_trace.moc"

@@ -1,0 +1,219 @@
+#include "models/respiration/breathing_model.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+
+namespace carina::breathing_model_test
+{
+
+using test::FakeSessionNode;
+using enum BreathingParameter;
+
+class TestBreathingModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void showsTheValuesInForce();
+    void setsAndTellsWhatTravels_data();
+    void setsAndTellsWhatTravels();
+    void keepsOneProposalUnderWayWhileASliderIsDragged();
+    void doesNotProposeWhatIsAlreadySo();
+    void undoesAWholeDragAtOnce();
+    void undoesStepByStep();
+    void givesUpWhatTheHostRefuses();
+    void followsAnotherInstructor();
+    void signalsOnlyWhatChanged();
+    void boundsABreathByThePatient();
+};
+
+namespace
+{
+
+constexpr double kTolerance = 1e-9; ///< of the unit shown
+constexpr std::chrono::milliseconds kLead{100};
+
+struct Console {
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathingModel breathing{session, FakeSessionNode::kStation};
+
+    /// What the node announced reaches the models.
+    void deliver()
+    {
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    /// Whatever was decided takes effect.
+    void settle()
+    {
+        node.advance(kLead);
+        deliver();
+    }
+    [[nodiscard]] double rate() const { return breathing.value(Rate); }
+};
+
+#define COMPARE_NEAR(actual, expected)                                                             \
+    QVERIFY2(std::abs((actual) - (expected)) <= kTolerance, qPrintable(QString::number(actual)))
+
+} // namespace
+
+void TestBreathingModel::showsTheValuesInForce()
+{
+    Console console;
+    const BreathingPattern pattern;
+    COMPARE_NEAR(console.rate(), inPerMinute(pattern.rate));
+    COMPARE_NEAR(console.breathing.value(TidalVolume), inMillilitres(pattern.tidalVolume));
+    COMPARE_NEAR(console.breathing.value(Expiration), 0.59 / 0.41);
+    QVERIFY(!console.breathing.canUndo());
+    QVERIFY(console.breathing.travellingText().isEmpty());
+}
+
+void TestBreathingModel::setsAndTellsWhatTravels_data()
+{
+    QTest::addColumn<int>("parameter");
+    QTest::addColumn<double>("value");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("rate") << int(Rate) << 24.0 << QStringLiteral("Breathing rate → 24\u00a0/min");
+    QTest::newRow("tidal volume") << int(TidalVolume) << 450.0
+                                  << QStringLiteral("Tidal volume → 450\u00a0ml");
+    QTest::newRow("expiration") << int(Expiration) << 3.0
+                                << QStringLiteral("Inspiration : expiration → 1 : 3.00");
+}
+
+void TestBreathingModel::setsAndTellsWhatTravels()
+{
+    QFETCH(const int, parameter);
+    QFETCH(const double, value);
+    QFETCH(const QString, text);
+    Console console;
+    const auto which = BreathingParameter(parameter);
+    const double before = console.breathing.value(which);
+    console.breathing.set(which, value);
+    COMPARE_NEAR(console.breathing.value(which), before);
+    QVERIFY(console.breathing.pending(which) == value);
+    QCOMPARE(console.breathing.travellingText(), text);
+    console.settle();
+    COMPARE_NEAR(console.breathing.value(which), value);
+    QVERIFY(!console.breathing.pending(which));
+    QVERIFY(console.breathing.travellingText().isEmpty());
+}
+
+void TestBreathingModel::keepsOneProposalUnderWayWhileASliderIsDragged()
+{
+    Console console;
+    console.node.hostGoesAway();
+    for (int rate = 20; rate <= 40; ++rate) {
+        console.breathing.set(Rate, rate);
+        console.deliver();
+    }
+    QCOMPARE(console.node.proposed, 1);
+    QVERIFY(console.breathing.pending(Rate) == 40.0);
+    console.breathing.set(TidalVolume, 500.0); // travels beside it
+    QCOMPARE(console.node.proposed, 2);
+    console.node.hostComesBack();
+    console.settle();
+    QCOMPARE(console.node.proposed, 3);
+    console.settle();
+    COMPARE_NEAR(console.rate(), 40.0);
+    COMPARE_NEAR(console.breathing.value(TidalVolume), 500.0);
+    QVERIFY(!console.breathing.pending(Rate));
+}
+
+void TestBreathingModel::doesNotProposeWhatIsAlreadySo()
+{
+    Console console;
+    console.breathing.set(Rate, console.rate());
+    QCOMPARE(console.node.proposed, 0);
+    QVERIFY(!console.breathing.canUndo());
+}
+
+void TestBreathingModel::undoesAWholeDragAtOnce()
+{
+    Console console;
+    const double before = console.rate();
+    for (int rate = 20; rate <= 30; ++rate)
+        console.breathing.set(Rate, rate);
+    console.settle();
+    console.settle();
+    COMPARE_NEAR(console.rate(), 30.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rate(), before);
+    QVERIFY(!console.breathing.canUndo());
+    console.breathing.undo(); // harmless
+}
+
+void TestBreathingModel::undoesStepByStep()
+{
+    Console console;
+    console.breathing.set(Rate, 25.0);
+    console.settle();
+    console.breathing.set(TidalVolume, 500.0);
+    console.settle();
+    console.breathing.set(Rate, 30.0);
+    console.settle();
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rate(), 25.0);
+    COMPARE_NEAR(console.breathing.value(TidalVolume), 500.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.breathing.value(TidalVolume),
+                 inMillilitres(BreathingPattern{}.tidalVolume));
+    QVERIFY(console.breathing.canUndo());
+}
+
+void TestBreathingModel::givesUpWhatTheHostRefuses()
+{
+    Console console;
+    const double before = console.rate();
+    console.breathing.set(Rate, 500.0);
+    console.settle();
+    QVERIFY(!console.breathing.pending(Rate));
+    COMPARE_NEAR(console.rate(), before);
+    console.breathing.set(Rate, 30.0);
+    console.settle();
+    COMPARE_NEAR(console.rate(), 30.0);
+}
+
+void TestBreathingModel::followsAnotherInstructor()
+{
+    Console console;
+    console.breathing.set(Rate, 25.0);
+    console.node.decide(fact::BreathingRateSet{perMinute(35.0)}); // overtakes it
+    console.settle();
+    COMPARE_NEAR(console.rate(), 35.0);
+    QVERIFY(!console.breathing.pending(Rate));
+}
+
+void TestBreathingModel::signalsOnlyWhatChanged()
+{
+    Console console;
+    console.deliver();
+    QSignalSpy changes{&console.breathing, &BreathingModel::changed};
+    console.deliver();
+    QCOMPARE(changes.count(), 0);
+    console.node.decide(fact::BreathingRateSet{perMinute(35.0)});
+    console.deliver();
+    console.settle();
+    QVERIFY(changes.count() >= 1);
+}
+
+/// 25 ml/kg, and no more than anybody may be set to.
+void TestBreathingModel::boundsABreathByThePatient()
+{
+    Console console;
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 1000); // the child of 40 kg
+    console.node.decide(fact::PatientBuildSet{{metres(1.75), 77.0, 40.0, Sex::Male}});
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 1925);
+    console.node.decide(fact::PatientBuildSet{{metres(2.1), 110.0, 40.0, Sex::Male}});
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 2000);
+}
+
+CARINA_TEST(TestBreathingModel)
+
+} // namespace carina::breathing_model_test
+
+#include "tst_breathing_model.moc"

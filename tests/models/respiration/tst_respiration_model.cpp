@@ -1,0 +1,288 @@
+#include "models/respiration/respiration_model.h"
+#include "models/respiration/respiration_words.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+
+#include <set>
+
+namespace carina::respiration_model_test
+{
+
+using test::FakeSessionNode;
+
+class TestRespirationModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void showsWhatIsInForce();
+    void setsAndTellsWhatTravels();
+    void choosesAConditionWithASeverityToBeSeen();
+    void putsATubeIntoOneBronchus();
+    void keepsOneProposalUnderWayWhileASeverityIsDragged();
+    void doesNotProposeWhatIsAlreadySo();
+    void undoesADragAtOnceAndThenWhatWasBefore();
+    void givesUpWhatTheHostRefuses();
+    void followsAnotherInstructor();
+    void letsOnlyAnInstructorChange_data();
+    void letsOnlyAnInstructorChange();
+    void saysThatTheSessionHasEnded();
+    void hasAWordForEverything();
+};
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kLead{100};
+constexpr LungCondition kRightPneumothorax{ConditionKind::SimplePneumothorax, 0.4,
+                                           ConditionSide::Right};
+
+struct Console {
+    FakeSessionNode node;
+    SessionModel session{node};
+    RespirationModel model{session, FakeSessionNode::kStation};
+
+    explicit Console(ParticipantId self = FakeSessionNode::kInstructor) : node{self} {}
+    void deliver()
+    {
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    void settle()
+    {
+        node.advance(kLead);
+        deliver();
+    }
+    [[nodiscard]] RespiratorySettings decided() const
+    {
+        return node.state()
+            ->stations()
+            .at(FakeSessionNode::kStation)
+            .respiration.settingsAt(SessionTime::max());
+    }
+};
+
+} // namespace
+
+void TestRespirationModel::showsWhatIsInForce()
+{
+    Console console;
+    QVERIFY(console.model.condition() == LungCondition{});
+    QVERIFY(console.model.ventilator() == VentilatorSettings{});
+    QCOMPARE(console.model.tube(), Length{});
+    QVERIFY(!console.model.canUndo());
+    QVERIFY(console.model.travellingText().isEmpty());
+    QVERIFY(console.model.obstacle().isEmpty());
+}
+
+void TestRespirationModel::setsAndTellsWhatTravels()
+{
+    Console console;
+    console.model.setCondition(kRightPneumothorax);
+    QVERIFY(console.model.condition() == kRightPneumothorax);
+    QCOMPARE(console.model.inForceText(), QStringLiteral("Normal")); // until it has travelled
+    QCOMPARE(console.model.travellingText(),
+             QStringLiteral("Condition → Pneumothorax, simple, severity\u00a00.40, right lung"));
+    VentilatorSettings ventilator;
+    ventilator.mode = VentilationMode::VolumeControl;
+    ventilator.peep = cmH2O(8.0);
+    console.model.setVentilator(ventilator);
+    console.model.setTube(millimetres(6.5));
+    console.model.setPosition(BodyPosition::LeftLateral);
+    QCOMPARE(console.model.position(), BodyPosition::LeftLateral);
+    QCOMPARE(console.model.travellingText().section(QLatin1Char('\n'), 1),
+             QStringLiteral(
+                 "Ventilation → Volume control, PEEP\u00a08\u00a0cmH2O\nAirway → 6.5\u00a0mm tube\n"
+                 "Position → On the left side"));
+    console.settle();
+    QVERIFY(console.model.travellingText().isEmpty());
+    QCOMPARE(console.model.inForceText(),
+             QStringLiteral("Pneumothorax, simple, severity\u00a00.40, right lung; "
+                            "on the left side"));
+    QVERIFY(console.decided().condition == kRightPneumothorax);
+    QVERIFY(console.decided().ventilator == ventilator);
+    QCOMPARE(console.decided().tube, millimetres(6.5));
+    QCOMPARE(console.decided().position, BodyPosition::LeftLateral);
+}
+
+void TestRespirationModel::choosesAConditionWithASeverityToBeSeen()
+{
+    Console console;
+    console.model.choose(ConditionKind::Copd);
+    QVERIFY(console.model.condition()
+            == (LungCondition{ConditionKind::Copd, 0.5, ConditionSide::Both}));
+    console.settle();
+    console.model.setCondition({ConditionKind::Copd, 0.8, ConditionSide::Both});
+    console.settle();
+    console.model.choose(ConditionKind::Atelectasis);
+    console.settle();
+    QVERIFY(console.model.condition()
+            == (LungCondition{ConditionKind::Atelectasis, 0.8, ConditionSide::Right}));
+    console.model.setCondition({ConditionKind::Atelectasis, 0.8, ConditionSide::Left});
+    console.settle();
+    for (const ConditionKind one :
+         {ConditionKind::SimplePneumothorax, ConditionKind::TensionPneumothorax,
+          ConditionKind::MainstemIntubation}) {
+        console.model.choose(one);
+        console.settle();
+        QVERIFY(console.model.condition() == (LungCondition{one, 0.8, ConditionSide::Left}));
+    }
+    console.model.choose(ConditionKind::Ards);
+    console.settle();
+    QCOMPARE(console.model.condition().side, ConditionSide::Both);
+    console.model.choose(ConditionKind::Normal);
+    console.settle();
+    QVERIFY(console.model.condition() == LungCondition{});
+}
+
+void TestRespirationModel::putsATubeIntoOneBronchus()
+{
+    Console console;
+    console.model.setCondition({ConditionKind::MainstemIntubation, 0.7, ConditionSide::Both});
+    console.settle();
+    QVERIFY(console.decided().condition
+            == (LungCondition{ConditionKind::MainstemIntubation, 0.7, ConditionSide::Right}));
+}
+
+void TestRespirationModel::keepsOneProposalUnderWayWhileASeverityIsDragged()
+{
+    Console console;
+    console.node.hostGoesAway();
+    for (int hundredths = 1; hundredths <= 40; ++hundredths) {
+        console.model.setCondition({ConditionKind::Ards, hundredths / 100.0, {}});
+        console.deliver();
+    }
+    QCOMPARE(console.node.proposed, 1);
+    console.model.setTube(millimetres(7.0)); // travels beside it
+    QCOMPARE(console.node.proposed, 2);
+    console.node.hostComesBack();
+    console.settle();
+    QCOMPARE(console.node.proposed, 3);
+    console.settle();
+    QCOMPARE(console.decided().condition.severity, 0.4);
+    QVERIFY(console.model.travellingText().isEmpty());
+}
+
+void TestRespirationModel::doesNotProposeWhatIsAlreadySo()
+{
+    Console console;
+    console.model.setCondition({});
+    console.model.setVentilator({});
+    console.model.setTube({});
+    QCOMPARE(console.node.proposed, 0);
+    QVERIFY(!console.model.canUndo());
+}
+
+void TestRespirationModel::undoesADragAtOnceAndThenWhatWasBefore()
+{
+    Console console;
+    VentilatorSettings ventilator;
+    ventilator.mode = VentilationMode::PressureControl;
+    console.model.setVentilator(ventilator);
+    console.settle();
+    console.node.hostGoesAway();
+    for (const double severity : {0.1, 0.2, 0.3})
+        console.model.setCondition({ConditionKind::Asthma, severity, {}});
+    console.node.hostComesBack();
+    console.settle();
+    console.settle();
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.model.condition() == LungCondition{});
+    QVERIFY(console.model.ventilator() == ventilator);
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.model.ventilator() == VentilatorSettings{});
+    QVERIFY(!console.model.canUndo());
+    console.model.undo();
+    QVERIFY(console.model.ventilator() == VentilatorSettings{});
+}
+
+void TestRespirationModel::givesUpWhatTheHostRefuses()
+{
+    Console console;
+    console.model.setTube(millimetres(13.0));
+    console.settle();
+    QCOMPARE(console.model.tube(), Length{});
+    QVERIFY(console.model.travellingText().isEmpty());
+}
+
+void TestRespirationModel::followsAnotherInstructor()
+{
+    Console console;
+    QSignalSpy changes{&console.model, &RespirationModel::changed};
+    console.node.decide(fact::LungConditionSet{kRightPneumothorax});
+    console.settle();
+    QVERIFY(console.model.condition() == kRightPneumothorax);
+    QCOMPARE(changes.size(), 1);
+    console.settle();
+    QCOMPARE(changes.size(), 1);
+}
+
+void TestRespirationModel::letsOnlyAnInstructorChange_data()
+{
+    QTest::addColumn<ParticipantId>("self");
+    QTest::addColumn<QString>("obstacle");
+    const QString others = QStringLiteral("Only an instructor changes the patient.");
+    QTest::newRow("instructor") << FakeSessionNode::kInstructor << QString{};
+    QTest::newRow("trainee") << FakeSessionNode::kTrainee << others;
+    QTest::newRow("observer") << FakeSessionNode::kObserver << others;
+    QTest::newRow("nobody yet") << kNobody
+                                << QStringLiteral("Wait until the session has let you in.");
+}
+
+void TestRespirationModel::letsOnlyAnInstructorChange()
+{
+    QFETCH(ParticipantId, self);
+    QFETCH(QString, obstacle);
+    Console console{self};
+    QCOMPARE(console.model.obstacle(), obstacle);
+    console.model.choose(ConditionKind::Copd);
+    console.model.setTube(millimetres(7.0));
+    QCOMPARE(console.node.proposed, obstacle.isEmpty() ? 2 : 0);
+}
+
+void TestRespirationModel::saysThatTheSessionHasEnded()
+{
+    Console console;
+    console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    console.settle();
+    console.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+    console.settle();
+    QCOMPARE(console.model.obstacle(), QStringLiteral("The session has ended."));
+    console.model.choose(ConditionKind::Copd);
+    QCOMPARE(console.node.proposed, 0);
+}
+
+void TestRespirationModel::hasAWordForEverything()
+{
+    std::set<QString> words;
+    for (const ConditionKind kind : kConditionKinds)
+        words.insert(conditionText(kind));
+    for (const ConditionSide side :
+         {ConditionSide::Both, ConditionSide::Right, ConditionSide::Left})
+        words.insert(sideText(side));
+    for (const VentilationMode mode : {VentilationMode::Spontaneous, VentilationMode::VolumeControl,
+                                       VentilationMode::PressureControl})
+        words.insert(modeText(mode));
+    for (const BodyPosition position : kBodyPositions)
+        words.insert(positionText(position));
+    QCOMPARE(words.size(), std::size_t{21});
+    QVERIFY(!words.contains(QString{}));
+    QCOMPARE(conditionText(LungCondition{}), QStringLiteral("Normal"));
+    QCOMPARE(ventilatorText({}), QStringLiteral("Spontaneous"));
+    VentilatorSettings pressure;
+    pressure.mode = VentilationMode::PressureControl;
+    pressure.drivingPressure = cmH2O(14.0);
+    QCOMPARE(ventilatorText(pressure),
+             QStringLiteral("Pressure control, PEEP\u00a05\u00a0cmH2O, 14\u00a0cmH2O above it"));
+    QCOMPARE(tubeText({}), QStringLiteral("no tube"));
+}
+
+CARINA_TEST(TestRespirationModel)
+
+} // namespace carina::respiration_model_test
+
+#include "tst_respiration_model.moc"

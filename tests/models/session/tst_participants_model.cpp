@@ -1,0 +1,190 @@
+#include "models/session/participants_model.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+
+namespace carina::participants_model_test
+{
+
+using test::FakeSessionNode;
+
+class TestParticipantsModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void listsEverybodyWithTheirRole();
+    void namesItsColumns();
+    void saysWhetherSomebodyIsThere_data();
+    void saysWhetherSomebodyIsThere();
+    void showsTheWorstOfSomebodysObjects();
+    void forgetsTheObjectsOfWhoLeft();
+    void speaksEachCell();
+    void addsWhoComesInAndKeepsWhoLeft();
+    void changesCellsWithoutLosingTheSelection();
+};
+
+namespace
+{
+
+using Column = ParticipantsModel::Column;
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+struct Table {
+    FakeSessionNode node;
+    SessionModel session{node};
+    ParticipantsModel model{session};
+    QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
+
+    void deliver()
+    {
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    [[nodiscard]] QString cell(int row, int column, int role = Qt::DisplayRole) const
+    {
+        return model.data(model.index(row, column), role).toString();
+    }
+};
+
+// Rows come in order of ids.
+constexpr int kInstructorRow = 0;
+constexpr int kTraineeRow = 1;
+constexpr int kObserverRow = 2;
+
+const QString kNoValue = QStringLiteral("–");
+
+} // namespace
+
+void TestParticipantsModel::listsEverybodyWithTheirRole()
+{
+    const Table table;
+    QCOMPARE(table.model.rowCount(), 3);
+    QCOMPARE(table.cell(kInstructorRow, Column::Name), QStringLiteral("Ina"));
+    QCOMPARE(table.cell(kInstructorRow, Column::RoleColumn), QStringLiteral("Instructor"));
+    QCOMPARE(table.cell(kTraineeRow, Column::RoleColumn), QStringLiteral("Trainee"));
+    QCOMPARE(table.cell(kObserverRow, Column::RoleColumn), QStringLiteral("Observer"));
+}
+
+void TestParticipantsModel::namesItsColumns()
+{
+    const Table table;
+    const QStringList expected{QStringLiteral("Name"),     QStringLiteral("State"),
+                               QStringLiteral("Age"),      QStringLiteral("Drift °"),
+                               QStringLiteral("Drift mm"), QStringLiteral("Role")};
+    QStringList headers;
+    for (int column = 0; column < table.model.columnCount(); ++column)
+        headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    QCOMPARE(headers, expected);
+}
+
+void TestParticipantsModel::saysWhetherSomebodyIsThere_data()
+{
+    QTest::addColumn<int>("link"); // -1: none
+    QTest::addColumn<bool>("present");
+    QTest::addColumn<QString>("word");
+    QTest::newRow("connected") << int(LinkState::Connected) << true
+                               << QStringLiteral("✓ connected");
+    QTest::newRow("connecting") << int(LinkState::Connecting) << true
+                                << QStringLiteral("◇ connecting");
+    QTest::newRow("away") << int(LinkState::Away) << true << QStringLiteral("▲ away");
+    QTest::newRow("no link") << -1 << true << QStringLiteral("▲ away");
+    QTest::newRow("left") << int(LinkState::Connected) << false << QStringLiteral("○ left");
+}
+
+void TestParticipantsModel::saysWhetherSomebodyIsThere()
+{
+    QFETCH(const int, link);
+    QFETCH(const bool, present);
+    QFETCH(const QString, word);
+    Table table;
+    table.node.linkReports.push_back(
+        {FakeSessionNode::kObserver, LinkState::Connected, {}, {}, {}});
+    if (link >= 0)
+        table.node.linkReports.push_back({FakeSessionNode::kTrainee, LinkState(link), {}, {}, {}});
+    if (!present)
+        table.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::State), word);
+    QCOMPARE(table.cell(kInstructorRow, Column::State), QStringLiteral("✓ here"));
+    QCOMPARE(table.cell(kObserverRow, Column::State), QStringLiteral("✓ connected"));
+}
+
+void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
+{
+    Table table;
+    table.node.decide(fact::ObjectShared{{}, FakeSessionNode::kTrainee, ObjectKind::Head, "head"});
+    table.node.decide(fact::ObjectShared{{}, FakeSessionNode::kObserver, ObjectKind::Head, "head"});
+    table.node.reports = {{ObjectId{1}, milliseconds{12}, 0.03, 1.26},
+                          {ObjectId{2}, milliseconds{41}, 0.014, 0.2},
+                          {ObjectId{3}, milliseconds{700}, 9.0, 99.0},
+                          {ObjectId{77}, milliseconds{900}, 90.0, 999.0}}; // of nobody
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Age), QStringLiteral("41 ms"));
+    QCOMPARE(table.cell(kTraineeRow, Column::DriftAngle), QStringLiteral("0.03°"));
+    QCOMPARE(table.cell(kTraineeRow, Column::DriftDistance), QStringLiteral("1.3 mm"));
+    QCOMPARE(table.cell(kObserverRow, Column::Age), QStringLiteral("700 ms"));
+    for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
+        QCOMPARE(table.cell(kInstructorRow, column), kNoValue);
+    QCOMPARE(table.model.oldestSample_ms(), std::optional{700.0});
+}
+
+void TestParticipantsModel::forgetsTheObjectsOfWhoLeft()
+{
+    Table table;
+    QVERIFY(!table.model.oldestSample_ms());
+    table.node.reports = {{ObjectId{1}, milliseconds{12}, 0.03, 1.26}};
+    table.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
+    table.deliver();
+    for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
+        QCOMPARE(table.cell(kTraineeRow, column), kNoValue);
+    QVERIFY(!table.model.oldestSample_ms());
+}
+
+void TestParticipantsModel::speaksEachCell()
+{
+    Table table;
+    table.node.reports = {{ObjectId{1}, milliseconds{12}, 0.03, 1.26}};
+    table.deliver();
+    const auto spoken = [&](int row, int column) {
+        return table.cell(row, column, Qt::AccessibleTextRole);
+    };
+    QCOMPARE(spoken(kTraineeRow, Column::Name), QStringLiteral("Name: Tom"));
+    QCOMPARE(spoken(kInstructorRow, Column::State), QStringLiteral("State: here"));
+    QCOMPARE(spoken(kTraineeRow, Column::Age), QStringLiteral("Age: 12 ms"));
+    QCOMPARE(spoken(kObserverRow, Column::Age), QStringLiteral("Age: unknown"));
+}
+
+void TestParticipantsModel::addsWhoComesInAndKeepsWhoLeft()
+{
+    Table table;
+    table.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tess"});
+    table.node.decide(fact::ParticipantLeft{FakeSessionNode::kObserver});
+    table.deliver();
+    QCOMPARE(table.model.rowCount(), 4);
+    QCOMPARE(table.cell(3, Column::Name), QStringLiteral("Tess"));
+    QCOMPARE(table.cell(kObserverRow, Column::Name), QStringLiteral("Olga"));
+}
+
+void TestParticipantsModel::changesCellsWithoutLosingTheSelection()
+{
+    Table table;
+    const QPersistentModelIndex selected = table.model.index(kTraineeRow, Column::Name);
+    QSignalSpy changes{&table.model, &QAbstractItemModel::dataChanged};
+    table.deliver();
+    QCOMPARE(changes.count(), 0); // nothing did
+    table.node.reports = {{ObjectId{1}, milliseconds{12}, 0.03, 1.26}};
+    table.deliver();
+    QCOMPARE(changes.count(), 1);
+    QVERIFY(selected.isValid());
+    QCOMPARE(selected.row(), kTraineeRow);
+}
+
+CARINA_TEST(TestParticipantsModel)
+
+} // namespace carina::participants_model_test
+
+#include "tst_participants_model.moc"

@@ -1,0 +1,211 @@
+#include "engine/lungs/drawing/chest_drawing.h"
+#include "models/station/station_notice.h"
+#include "models/station/station_view.h"
+#include "tests/engine/lungs/drawing/lung_like_mesh.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <map>
+
+namespace carina::station_view_test
+{
+namespace
+{
+
+using std::chrono::milliseconds;
+using test::FakeSessionNode;
+
+constexpr SessionTime kNow{std::chrono::seconds{1000}}; ///< where the fake session begins
+constexpr LocalTime kLit{std::chrono::seconds{2000}};   ///< which it takes for its own time
+
+LungPair lungs()
+{
+    Anatomy anatomy;
+    anatomy.parts = {{"Right lung",
+                      PartRole::RightLung,
+                      {},
+                      {test::lungLikeMesh({-0.06, 0.0, -0.02}, {0.045, 0.065, 0.09}, 12, 24)}},
+                     {"Left lung",
+                      PartRole::LeftLung,
+                      {},
+                      {test::lungLikeMesh({0.06, 0.0, -0.02}, {0.045, 0.065, 0.09}, 12, 24)}}};
+    return LungPair::of(anatomy).value();
+}
+
+/// Poses whose place tells for what and when they were asked: x is the kind, y the seconds.
+PoseSample tellingPose(ObjectKind kind, SessionTime t)
+{
+    PoseSample sample;
+    sample.time = t;
+    sample.X_FO = RigidTransform::translation(
+        {static_cast<double>(kind), toSeconds(t.time_since_epoch()), 0.0});
+    return sample;
+}
+
+ObjectPoses tellingPoses(SessionTime newest)
+{
+    return {.at = [](ObjectKind kind, SessionTime t) { return tellingPose(kind, t); },
+            .newest = [newest](ObjectKind) { return newest; }};
+}
+
+bool tells(const std::optional<PoseSample>& sample, ObjectKind kind, SessionTime t)
+{
+    return sample && sample->X_FO.translation() == tellingPose(kind, t).X_FO.translation();
+}
+
+} // namespace
+
+class TestStationView : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void asksEverythingForTheTimeOfLight();
+    void breathesAtTheTimeOfLight();
+    void exaggeratesOnlyWhereAsked();
+    void showsRestBeforeTheClockIsSet();
+    void showsThePatientAsActionsHaveItAtTheTimeOfLight();
+    void saysThatThePatientIsAway();
+    void saysWhenTheHeadsetIsLost_data();
+    void saysWhenTheHeadsetIsLost();
+};
+
+void TestStationView::asksEverythingForTheTimeOfLight()
+{
+    const FakeSessionNode node;
+    const LungPair pair = lungs();
+    const SessionTime lit{kLit.time_since_epoch()};
+    const StationView view{node, FakeSessionNode::kStation, pair,
+                           tellingPoses(lit - milliseconds{30})};
+    const StationMoment moment = view.litAt(kLit, 0);
+    QVERIFY(moment.time == lit);
+    QVERIFY(tells(moment.tube, ObjectKind::Tube, lit));
+    QVERIFY(tells(moment.jaw, ObjectKind::Jaw, lit));
+    QVERIFY(tells(moment.head, ObjectKind::Head, lit));
+    QVERIFY(moment.sampleAge == milliseconds{30});
+}
+
+void TestStationView::breathesAtTheTimeOfLight()
+{
+    FakeSessionNode node;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    const RespirationTimeline timeline =
+        node.state()->stations().at(FakeSessionNode::kStation).respiration;
+    for (const int ms : {1000, 1040, 4000, 2500}) {
+        const SessionTime t = kNow + milliseconds{ms};
+        RespirationRun run{timeline, t};
+        run.advanceTo(timeline, t);
+        const StationMoment moment = view.at(t, 0);
+        QVERIFY(moment.breathing == run.shape());
+        QCOMPARE(moment.pose, drawnPose(pair, run.shape(), 0));
+    }
+    const auto diaphragm = [&](int ms) {
+        return view.at(kNow + milliseconds{ms}, 0).pose.lungs[0].diaphragm;
+    };
+    QVERIFY(std::abs(diaphragm(1040) - diaphragm(1000)) > 1e-3);
+}
+
+void TestStationView::exaggeratesOnlyWhereAsked()
+{
+    FakeSessionNode node;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    const LungPair pair = lungs();
+    StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    const StationMoment truly = view.at(kNow + milliseconds{1200}, 0);
+    QCOMPARE(truly.exaggeration, 1.0);
+    view.exaggerate(2.0);
+    const StationMoment larger = view.at(kNow + milliseconds{1200}, 0);
+    QCOMPARE(larger.exaggeration, 2.0);
+    QVERIFY(larger.breathing == truly.breathing);
+    QCOMPARE(larger.pose, exaggerated(truly.pose, 2.0));
+    QVERIFY(larger.pose.lungs[0].diaphragm > 1.9 * truly.pose.lungs[0].diaphragm);
+}
+
+void TestStationView::showsRestBeforeTheClockIsSet()
+{
+    FakeSessionNode node;
+    node.loseClock();
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    const StationMoment moment = view.litAt(kLit, 0);
+    QVERIFY(moment.time == SessionTime{});
+    QVERIFY(!moment.tube && !moment.jaw && !moment.head && !moment.sampleAge);
+    QCOMPARE(moment.pose, ChestPose{});
+}
+
+void TestStationView::showsThePatientAsActionsHaveItAtTheTimeOfLight()
+{
+    FakeSessionNode node;
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    node.sharePatient(FakeSessionNode::kTrainee);
+    QVERIFY(!view.at(kNow, 0).patient);
+    node.ownerActs(FakeSessionNode::kPatient, {ActionKind::Translation, Vec3::UnitX(), 0.5});
+    QCOMPARE(view.at(kNow + std::chrono::seconds{2}, 0).patient->acted.X_AO.translation(),
+             Vec3(1.0, 0.0, 0.0));
+    const StationView elsewhere{node, StationId{1}, pair, tellingPoses(kNow)};
+    QVERIFY(!elsewhere.at(kNow, 0).patient);
+}
+
+void TestStationView::saysThatThePatientIsAway()
+{
+    FakeSessionNode node;
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    moment.tube = tellingPose(ObjectKind::Tube, moment.time);
+    const auto notice = [&] { return stationNotice(node, moment, ViewOutput::Screen); };
+    moment.patient.emplace();
+    QCOMPARE(notice(), QString{});
+    moment.patient->acted.scale = 1.01;
+    const QString away = QStringLiteral("The virtual patient was moved away from its place");
+    QCOMPARE(notice(), away);
+    node.linkReports.front().sinceLastDatagram = std::chrono::milliseconds{799};
+    QCOMPARE(notice(), away);
+    node.linkReports.front().sinceLastDatagram = std::chrono::milliseconds{800};
+    QCOMPARE(notice(), QStringLiteral("Connecting to the instructor …\n") + away);
+}
+
+void TestStationView::saysWhenTheHeadsetIsLost_data()
+{
+    QTest::addColumn<ViewOutput>("output");
+    QTest::addColumn<std::optional<Validity>>("head");
+    QTest::addColumn<QString>("notice");
+    using Head = std::optional<Validity>;
+    const QString lost = QStringLiteral("Headset out of the tracker's view");
+    QTest::newRow("never seen, one picture") << ViewOutput::Mono << Head{} << lost;
+    QTest::newRow("lost, one picture") << ViewOutput::Mono << Head{Validity::Lost} << lost;
+    QTest::newRow("lost, two pictures") << ViewOutput::SideBySide << Head{Validity::Lost} << lost;
+    QTest::newRow("seen in part") << ViewOutput::Mono << Head{Validity::PartlyOccluded}
+                                  << QString{};
+    QTest::newRow("seen") << ViewOutput::SideBySide << Head{Validity::Tracked} << QString{};
+    QTest::newRow("lost before a screen")
+        << ViewOutput::Screen << Head{Validity::Lost} << QString{};
+}
+
+void TestStationView::saysWhenTheHeadsetIsLost()
+{
+    QFETCH(ViewOutput, output);
+    QFETCH(std::optional<Validity>, head);
+    QFETCH(QString, notice);
+    FakeSessionNode node;
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    moment.tube = tellingPose(ObjectKind::Tube, moment.time);
+    if (head) {
+        moment.head = tellingPose(ObjectKind::Head, moment.time);
+        moment.head->validity = *head;
+    }
+    QCOMPARE(stationNotice(node, moment, output), notice);
+}
+
+CARINA_TEST(TestStationView)
+
+} // namespace carina::station_view_test
+
+#include "tst_station_view.moc"

@@ -1,0 +1,254 @@
+#include "engine/net/discovery/session_beacon.h"
+#include "models/error_text.h"
+#include "tests/engine/net/node/free_port.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+#include "ui/join/join_dialog.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+
+namespace carina::join_dialog_test
+{
+
+namespace
+{
+
+const QString kLink =
+    QStringLiteral("carina:join?address=192.0.2.7&port=45000&role=observer&code=7K3QM-XW2PD");
+
+} // namespace
+
+class TestJoinDialog : public QObject
+{
+    Q_OBJECT
+
+private:
+    static constexpr int kSoonMs = 5000;
+    static JoinForm complete()
+    {
+        return {QStringLiteral("192.0.2.7"), QStringLiteral("45000"), QStringLiteral("7K3QM-XW2PD"),
+                QStringLiteral("Anna"), Role::Observer};
+    }
+    /// A host that answers when the test says so.
+    Entrance::Join join()
+    {
+        return [this](const JoinSettings&) -> Result<std::unique_ptr<SessionNode>> {
+            ++m_tries;
+            auto node = std::make_unique<test::FakeSessionNode>(kNobody);
+            m_node = node.get();
+            return node;
+        };
+    }
+    template <class Widget> static Widget& find(const QWidget& window, const char* name)
+    {
+        return *window.findChild<Widget*>(QLatin1String{name});
+    }
+    static SessionNotice ward()
+    {
+        SessionNotice notice{{}, "Ward 3", 45000};
+        notice.session.fill(std::byte{1});
+        return notice;
+    }
+
+    test::FakeSessionNode* m_node = nullptr;
+    int m_tries = 0;
+
+private Q_SLOTS:
+    void init() { m_tries = 0; }
+
+    void joinsASessionThatIsFoundByKeyboardAlone()
+    {
+        const std::uint16_t port = freePort();
+        const auto beacon = SessionBeacon::open(ward(), false, port);
+        FoundSessionsModel sessions{port};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, {}};
+        dialog.show();
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QVERIFY(sessions.index(0).data().toString().contains(QStringLiteral("Ward 3")));
+        auto& list = find<QListView>(dialog, "sessions");
+        list.setFocus();
+        QTest::keyClick(&list, Qt::Key_Down);
+        QTest::keyClick(&list, Qt::Key_Home);
+        QCOMPARE(find<QLineEdit>(dialog, "port").text(), QStringLiteral("45000"));
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
+        QTest::keyClicks(&find<QLineEdit>(dialog, "name"), QStringLiteral("Anna"));
+        QTest::keyClicks(&find<QLineEdit>(dialog, "code"), QStringLiteral("7K3QM-XW2PD"));
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), QString{});
+        QTest::keyClick(&find<QLineEdit>(dialog, "name"), Qt::Key_Return);
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), entrance.progress());
+        m_node->becomes(ParticipantId{7});
+        entrance.look();
+        QCOMPARE(dialog.result(), static_cast<int>(QDialog::Accepted));
+        QVERIFY(entrance.isIn());
+        QCOMPARE(dialog.form().name, QStringLiteral("Anna"));
+        QCOMPARE(dialog.form().address, QStringLiteral("127.0.0.1"));
+        QVERIFY(dialog.form().role == Role::Trainee);
+    }
+
+    void saysWhatIsMissingUntilNothingIs()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{
+            sessions, entrance, {.name = QStringLiteral("Anna"), .role = Role::Observer}};
+        const auto& missing = find<QLabel>(dialog, "missing");
+        QVERIFY(missing.text().contains(QStringLiteral("address")));
+        find<QLineEdit>(dialog, "address").setText(QStringLiteral("192.0.2.7"));
+        QVERIFY(missing.text().contains(QStringLiteral("port")));
+        find<QLineEdit>(dialog, "port").setText(QStringLiteral("45000"));
+        QVERIFY(missing.text().contains(QStringLiteral("code of your role")));
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
+        find<QLineEdit>(dialog, "code").setText(QStringLiteral("7K3QM-XW2PD"));
+        QCOMPARE(missing.text(), QString{});
+        QVERIFY(find<QPushButton>(dialog, "join").isEnabled());
+        find<QLineEdit>(dialog, "code").setText(QStringLiteral("7K3"));
+        QVERIFY(missing.text().contains(QStringLiteral("code")));
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
+        QVERIFY(dialog.form().role == Role::Observer);
+    }
+
+    void whatIsIncompleteIsNotTried()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinForm form = complete();
+        form.code.clear();
+        JoinDialog dialog{sessions, entrance, form};
+        dialog.accept();
+        QCOMPARE(m_tries, 0);
+        QVERIFY(!entrance.isTrying());
+    }
+
+    void refusalLeadsBackToTheFieldThatIsWrong_data()
+    {
+        QTest::addColumn<Errc>("why");
+        QTest::addColumn<QString>("field");
+        QTest::newRow("code") << Errc::WrongCode << QStringLiteral("code");
+        QTest::newRow("name") << Errc::NameTaken << QStringLiteral("name");
+        QTest::newRow("certificate") << Errc::CertificateNeeded << QStringLiteral("certificate");
+        QTest::newRow("version") << Errc::VersionMismatch << QStringLiteral("address");
+    }
+
+    void refusalLeadsBackToTheFieldThatIsWrong()
+    {
+        QFETCH(const Errc, why);
+        QFETCH(const QString, field);
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, complete()};
+        dialog.show();
+        dialog.accept();
+        QVERIFY(!find<QLineEdit>(dialog, "code").isEnabled());
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
+        m_node->isRefused({why, {}});
+        for (int i = 0; i < Entrance::kTakenBelieved; ++i)
+            entrance.look();
+        QVERIFY(dialog.isVisible());
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), errorText({why, {}}));
+        QCOMPARE(dialog.focusWidget()->objectName(), field);
+        QCOMPARE(dialog.form().name, complete().name);
+        QCOMPARE(dialog.form().code, complete().code);
+        QCOMPARE(dialog.form().address, complete().address);
+        QVERIFY(dialog.form().role == Role::Observer);
+        QVERIFY(find<QPushButton>(dialog, "join").isEnabled());
+        find<QLineEdit>(dialog, "name").setText(QStringLiteral("Anne"));
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), QString{});
+        dialog.accept();
+        QCOMPARE(m_tries, 2);
+    }
+
+    void cancelStopsJoiningAndThenLeaves()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, complete()};
+        dialog.show();
+        dialog.accept();
+        dialog.reject();
+        QVERIFY(dialog.isVisible() && !entrance.isTrying());
+        QVERIFY(find<QLineEdit>(dialog, "code").isEnabled());
+        dialog.reject();
+        QVERIFY(!dialog.isVisible());
+        QCOMPARE(dialog.result(), static_cast<int>(QDialog::Rejected));
+    }
+
+    void linkThatIsPastedFillsInWhatItSays()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, {.name = QStringLiteral("Anna")}};
+        auto& address = find<QLineEdit>(dialog, "address");
+        QGuiApplication::clipboard()->setText(kLink);
+        address.setFocus();
+        QTest::keySequence(&address, QKeySequence::Paste);
+        QCOMPARE(address.text(), QStringLiteral("192.0.2.7"));
+        QCOMPARE(find<QLineEdit>(dialog, "port").text(), QStringLiteral("45000"));
+        QCOMPARE(find<QLineEdit>(dialog, "code").text(), QStringLiteral("7K3QM-XW2PD"));
+        QVERIFY(dialog.form().role == Role::Observer);
+        QCOMPARE(dialog.form().name, QStringLiteral("Anna"));
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), QString{});
+    }
+
+    void linkThatTheProgramWasGivenFillsInWhatItSays()
+    {
+        FoundSessionsModel sessions{freePort()};
+        const QString link = kLink + QStringLiteral("&certificate=carina.example");
+        Entrance entrance{{}, join()};
+        const JoinDialog dialog{
+            sessions, entrance, {.address = link, .name = QStringLiteral("Anna")}};
+        QCOMPARE(dialog.form().address, QStringLiteral("192.0.2.7"));
+        QCOMPARE(dialog.form().certificate, QStringLiteral("carina.example"));
+        QVERIFY(dialog.form().role == Role::Observer);
+        QVERIFY(find<QPushButton>(dialog, "join").isEnabled());
+    }
+
+    void wrongLinkIsSaidToBeOneAndFillsInNothing()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, {.name = QStringLiteral("Anna")}};
+        find<QLineEdit>(dialog, "address").setText(QString{kLink}.remove(QStringLiteral("-XW2PD")));
+        const QString missing = find<QLabel>(dialog, "missing").text();
+        QVERIFY2(missing.contains(QStringLiteral("link")), qPrintable(missing));
+        QVERIFY2(missing.contains(QStringLiteral("ten letters")), qPrintable(missing));
+        QCOMPARE(find<QLineEdit>(dialog, "port").text(), QString{});
+        QVERIFY(!find<QPushButton>(dialog, "join").isEnabled());
+    }
+
+    void sessionThatIsGoneLeavesTheList()
+    {
+        const std::uint16_t port = freePort();
+        auto beacon = SessionBeacon::open(ward(), false, port);
+        FoundSessionsModel sessions{port};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, {}};
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        beacon->reset();
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 0, 2 * kSoonMs);
+        QVERIFY(find<QLabel>(dialog, "searching").text().contains(QStringLiteral("Looking")));
+    }
+
+    void everyControlHasANameForAScreenReader()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        const JoinDialog dialog{sessions, entrance, {}};
+        for (const QLineEdit* edit : dialog.findChildren<QLineEdit*>())
+            QVERIFY(!edit->accessibleName().isEmpty());
+        QVERIFY(!find<QListView>(dialog, "sessions").accessibleName().isEmpty());
+        QVERIFY(!find<QComboBox>(dialog, "role").accessibleName().isEmpty());
+    }
+};
+
+CARINA_SCREEN_TEST(TestJoinDialog)
+
+} // namespace carina::join_dialog_test
+
+#include "tst_join_dialog.moc"

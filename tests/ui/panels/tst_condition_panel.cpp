@@ -1,0 +1,276 @@
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+#include "ui/panels/condition_panel.h"
+#include "ui/panels/waveform_panel.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+
+namespace carina::condition_panel_test
+{
+
+using test::FakeSessionNode;
+
+/// The console's controls of the mechanics, and its curves.
+class TestConditionPanel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void laysThePatientByKeyboardAlone();
+    void setsAConditionByKeyboardAlone();
+    void setsSeverityBySliderAndBox();
+    void offersWhatTheVentilatorHasInItsMode();
+    void setsPauseOwnBreathsAndTrigger();
+    void placesAndTakesOutATube();
+    void undoesFromItsButton();
+    void keepsWhatIsBeingTyped();
+    void changesNothingForAnObserver();
+    void namesEveryControlForAScreenReader();
+    void tellsTheFiguresOfTheLastBreath();
+};
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kLead{100};
+
+struct Desk {
+    FakeSessionNode node;
+    SessionModel session{node};
+    RespirationModel model{session, FakeSessionNode::kStation};
+    ConditionPanel panel;
+
+    explicit Desk(ParticipantId self = FakeSessionNode::kInstructor) : node{self}
+    {
+        panel.setModel(model);
+        panel.show();
+        QApplication::setActiveWindow(&panel); // the display has no window manager
+    }
+    template <class Widget> [[nodiscard]] Widget& find(const char* name) const
+    {
+        return *panel.findChild<Widget*>(QLatin1String{name});
+    }
+    [[nodiscard]] QDoubleSpinBox& box(const char* name) const { return find<QDoubleSpinBox>(name); }
+    void settle()
+    {
+        node.advance(kLead);
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    void choose(const char* name, int place)
+    {
+        auto& combo = find<QComboBox>(name);
+        combo.setFocus();
+        QTest::keyClick(&combo, Qt::Key_Home);
+        for (int i = 0; i < place; ++i)
+            QTest::keyClick(&combo, Qt::Key_Down);
+        settle();
+    }
+    [[nodiscard]] RespiratorySettings decided() const
+    {
+        return node.state()
+            ->stations()
+            .at(FakeSessionNode::kStation)
+            .respiration.settingsAt(SessionTime::max());
+    }
+};
+
+} // namespace
+
+void TestConditionPanel::laysThePatientByKeyboardAlone()
+{
+    Desk desk;
+    QCOMPARE(desk.find<QComboBox>("position").currentText(), QStringLiteral("On the back"));
+    desk.choose("position", 3);
+    desk.settle();
+    QCOMPARE(desk.decided().position, BodyPosition::RightLateral);
+    desk.node.decide(fact::BodyPositionSet{BodyPosition::Sitting});
+    desk.settle();
+    QCOMPARE(desk.find<QComboBox>("position").currentText(), QStringLiteral("Sitting"));
+}
+
+void TestConditionPanel::setsAConditionByKeyboardAlone()
+{
+    Desk desk;
+    QVERIFY(!desk.box("severity").isEnabled() && !desk.find<QComboBox>("side").isEnabled());
+    desk.choose("condition", 4);
+    desk.settle();
+    QVERIFY(desk.decided().condition
+            == (LungCondition{ConditionKind::SimplePneumothorax, 0.5, ConditionSide::Right}));
+    QCOMPARE(desk.find<QComboBox>("side").currentText(), QStringLiteral("Right lung"));
+    desk.choose("side", 2);
+    QCOMPARE(desk.decided().condition.side, ConditionSide::Left);
+}
+
+void TestConditionPanel::setsSeverityBySliderAndBox()
+{
+    Desk desk;
+    desk.choose("condition", 2);
+    desk.settle();
+    desk.find<QSlider>("severitySlider").setValue(80);
+    desk.settle();
+    QCOMPARE(desk.decided().condition.severity, 0.8);
+    QCOMPARE(desk.box("severity").value(), 0.8);
+    desk.box("severity").setValue(0.25);
+    desk.settle();
+    QCOMPARE(desk.decided().condition.severity, 0.25);
+    QCOMPARE(desk.find<QSlider>("severitySlider").value(), 25);
+}
+
+void TestConditionPanel::offersWhatTheVentilatorHasInItsMode()
+{
+    Desk desk;
+    const auto enabled = [&](const char* name) { return desk.box(name).isEnabled(); };
+    QVERIFY(!enabled("peep") && !enabled("driving") && !enabled("limit"));
+    desk.choose("mode", 1);
+    QVERIFY(enabled("peep") && !enabled("driving") && enabled("limit"));
+    desk.box("peep").setValue(9.0);
+    desk.settle();
+    desk.choose("mode", 2);
+    QVERIFY(enabled("peep") && enabled("driving") && !enabled("limit"));
+    desk.box("driving").setValue(17.0);
+    desk.settle();
+    const VentilatorSettings ventilator = desk.decided().ventilator;
+    QCOMPARE(ventilator.mode, VentilationMode::PressureControl);
+    QCOMPARE(ventilator.peep, cmH2O(9.0));
+    QCOMPARE(ventilator.drivingPressure, cmH2O(17.0));
+    QCOMPARE(ventilator.pressureLimit, VentilatorSettings{}.pressureLimit);
+}
+
+void TestConditionPanel::setsPauseOwnBreathsAndTrigger()
+{
+    Desk desk;
+    for (const char* name : {"pause", "ownRate", "ownEffort", "trigger"})
+        QVERIFY(!desk.box(name).isEnabled());
+    desk.choose("mode", 1);
+    QVERIFY(desk.box("pause").isEnabled() && desk.box("trigger").isEnabled());
+    QVERIFY(!desk.box("ownEffort").isEnabled());
+    QCOMPARE(desk.box("ownRate").text(), QStringLiteral("none"));
+    const auto set = [&](const char* name, double value) {
+        desk.box(name).setValue(value);
+        desk.settle();
+    };
+    set("ownRate", 22.0);
+    QCOMPARE(desk.decided().ventilator.ownEffort, 0.5);
+    set("ownEffort", 80.0);
+    set("pause", 10.0);
+    set("trigger", 3.0);
+    const VentilatorSettings ventilator = desk.decided().ventilator;
+    QCOMPARE(ventilator.ownRate, perMinute(22.0));
+    QCOMPARE(ventilator.ownEffort, 0.8);
+    QCOMPARE(ventilator.pauseShare, 0.1);
+    QCOMPARE(ventilator.trigger, litresPerMinute(3.0));
+    set("ownRate", desk.box("ownRate").minimum());
+    QCOMPARE(desk.decided().ventilator.ownRate, Frequency{});
+    QCOMPARE(desk.decided().ventilator.ownEffort, 0.0);
+}
+
+void TestConditionPanel::placesAndTakesOutATube()
+{
+    Desk desk;
+    QDoubleSpinBox& tube = desk.box("tube");
+    QCOMPARE(tube.text(), QStringLiteral("none"));
+    tube.setValue(6.5);
+    desk.settle();
+    QCOMPARE(desk.decided().tube, millimetres(6.5));
+    tube.setValue(tube.minimum());
+    desk.settle();
+    QCOMPARE(desk.decided().tube, Length{});
+    QCOMPARE(tube.text(), QStringLiteral("none"));
+}
+
+void TestConditionPanel::undoesFromItsButton()
+{
+    Desk desk;
+    auto& undo = desk.find<QPushButton>("undoCondition");
+    QVERIFY(!undo.isEnabled());
+    desk.choose("mode", 1);
+    QVERIFY(undo.isEnabled());
+    undo.click();
+    QCOMPARE(desk.find<QLabel>("travelling").text(), QStringLiteral("Ventilation → Spontaneous"));
+    desk.settle();
+    QCOMPARE(desk.decided().ventilator.mode, VentilationMode::Spontaneous);
+    QVERIFY(!undo.isEnabled());
+}
+
+void TestConditionPanel::keepsWhatIsBeingTyped()
+{
+    Desk desk;
+    desk.choose("condition", 2);
+    desk.settle();
+    QDoubleSpinBox& severity = desk.box("severity");
+    severity.setFocus();
+    severity.selectAll();
+    QTest::keyClicks(&severity, QStringLiteral("0.7"));
+    desk.node.decide(fact::TubePlaced{millimetres(7.0)}); // and something else changes
+    desk.settle();
+    QCOMPARE(severity.cleanText(), QStringLiteral("0.7"));
+    QTest::keyClick(&severity, Qt::Key_Return);
+    desk.settle();
+    QCOMPARE(desk.decided().condition.severity, 0.7);
+}
+
+void TestConditionPanel::changesNothingForAnObserver()
+{
+    Desk desk{FakeSessionNode::kObserver};
+    QCOMPARE(desk.find<QLabel>("obstacle").text(),
+             QStringLiteral("Only an instructor changes the patient."));
+    for (const char* name : {"condition", "severity", "side", "mode", "peep", "tube"})
+        QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
+    QVERIFY(!desk.find<QPushButton>("undoCondition").isEnabled());
+    desk.node.decide(fact::LungConditionSet{{ConditionKind::Copd, 0.9, {}}});
+    desk.settle();
+    QCOMPARE(desk.find<QComboBox>("condition").currentText(), QStringLiteral("COPD"));
+    QVERIFY(!desk.box("severity").isEnabled());
+}
+
+void TestConditionPanel::namesEveryControlForAScreenReader()
+{
+    const Desk desk;
+    for (const char* name : {"position", "condition", "severity", "severitySlider", "side", "mode",
+                             "peep", "driving", "limit", "tube"})
+        QVERIFY2(!desk.find<QWidget>(name).accessibleName().isEmpty(), name);
+    const WaveformPanel waveforms;
+    int plots = 0;
+    for (const QWidget* child : waveforms.findChildren<QWidget*>()) {
+        QVERIFY(!child->accessibleName().isEmpty());
+        ++plots;
+    }
+    QCOMPARE(plots, 4);
+}
+
+void TestConditionPanel::tellsTheFiguresOfTheLastBreath()
+{
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathTrace trace{session, FakeSessionNode::kStation};
+    WaveformPanel panel;
+    panel.setTrace(trace);
+    const auto figures = [&] {
+        return panel.findChild<QLabel*>(QStringLiteral("figures"))->text();
+    };
+    QCOMPARE(figures(), QStringLiteral("No whole breath yet"));
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    for (int i = 0; i < 600; ++i) {
+        node.advance(std::chrono::milliseconds{20});
+        trace.sample();
+    }
+    WaveformPanel later;
+    later.setTrace(trace);
+    const QString told = later.findChild<QLabel*>(QStringLiteral("figures"))->text();
+    QVERIFY2(told.contains(QStringLiteral("19.0\u00a0/min")), qPrintable(told));
+    QVERIFY2(!told.contains(QStringLiteral("peak")), qPrintable(told)); // nobody pushes
+    QVERIFY2(!told.contains(QStringLiteral("-0.0")), qPrintable(told));
+}
+
+CARINA_SCREEN_TEST(TestConditionPanel)
+
+} // namespace carina::condition_panel_test
+
+#include "tst_condition_panel.moc"

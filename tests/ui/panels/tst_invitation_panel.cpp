@@ -1,0 +1,121 @@
+#include "engine/net/discovery/addresses.h"
+#include "engine/net/entry/join_link.h"
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
+#include "ui/panels/invitation_panel.h"
+#include "widgets/qr_code.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+
+namespace carina::invitation_panel_test
+{
+
+class TestInvitationPanel : public QObject
+{
+    Q_OBJECT
+
+private:
+    template <class Widget> static Widget& find(const QWidget& window, const char* name)
+    {
+        return *window.findChild<Widget*>(QLatin1String{name});
+    }
+    /// What the picture holds, as a screen reader hears it.
+    static Result<JoinLink> pictured(const InvitationPanel& panel)
+    {
+        return joinLink(
+            find<QrCode>(panel, "picture").accessibleDescription().trimmed().toStdString());
+    }
+
+private Q_SLOTS:
+    void pictureLeadsTraineesIntoThisSession()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node);
+        const auto link = pictured(panel);
+        QVERIFY(link
+                == (JoinLink{"127.0.0.1", node->port(), Role::Trainee,
+                             node->joinCodes().at(Role::Trainee)}));
+        JoinSettings settings{.participantName = "Anna", .station = kStation, .derive = cheapKey};
+        settings.address = link->address;
+        settings.port = link->port;
+        settings.role = link->role;
+        settings.code = link->code;
+        const auto anna = join(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+    }
+
+    void bothCodesAreShownAndOneIsPictured()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node);
+        QStringList shown;
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            shown << label->text();
+        for (const Role role : {Role::Trainee, Role::Observer})
+            QVERIFY(shown.contains(QString::fromStdString(node->joinCodes().at(role).text())));
+        auto& observers = find<QRadioButton>(panel, "observers");
+        observers.setFocus();
+        QTest::keyClick(&observers, Qt::Key_Space);
+        QVERIFY(pictured(panel)->role == Role::Observer);
+        QVERIFY(pictured(panel)->code == node->joinCodes().at(Role::Observer));
+        QVERIFY(find<QrCode>(panel, "picture").accessibleName().contains(tr("observers")));
+        QTest::keyClick(&find<QRadioButton>(panel, "trainees"), Qt::Key_Space);
+        QVERIFY(pictured(panel)->role == Role::Trainee);
+    }
+
+    void pictureTakesNoRoomUntilItIsWanted()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node);
+        panel.QWidget::show();
+        auto& shows = find<QPushButton>(panel, "showPicture");
+        QVERIFY(!find<QrCode>(panel, "picture").isVisible());
+        const int without = panel.sizeHint().height();
+        QTest::keyClick(&shows, Qt::Key_Space);
+        QVERIFY(find<QrCode>(panel, "picture").isVisible());
+        QVERIFY(panel.sizeHint().height() > without);
+        QTest::keyClick(&shows, Qt::Key_Space);
+        QVERIFY(!find<QrCode>(panel, "picture").isVisible());
+    }
+
+    void linkIsCopiedByKeyboard()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node);
+        find<QRadioButton>(panel, "observers").click();
+        QTest::keyClick(&find<QPushButton>(panel, "copy"), Qt::Key_Space);
+        QVERIFY(joinLink(QGuiApplication::clipboard()->text().toStdString()) == pictured(panel));
+        QVERIFY(pictured(panel)->role == Role::Observer);
+    }
+
+    void sessionThatIsOpenIsPicturedAtAnAddressOfThisComputer()
+    {
+        if (ownAddresses().empty())
+            QSKIP("this computer is in no network");
+        MemoryDisk disk;
+        HostSettings settings = hostSettings(disk);
+        settings.open = true;
+        const auto node = *SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
+        InvitationPanel panel;
+        panel.show(*node);
+        QCOMPARE(pictured(panel)->address, ownAddresses().front());
+    }
+};
+
+CARINA_SCREEN_TEST(TestInvitationPanel)
+
+} // namespace carina::invitation_panel_test
+
+#include "tst_invitation_panel.moc"

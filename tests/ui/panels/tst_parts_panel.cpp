@@ -1,0 +1,244 @@
+#include "tests/support/test_class.h"
+#include "tests/widgets/scene/scene_fixture.h"
+#include "ui/panels/parts_panel.h"
+#include "ui/panels/section_panel.h"
+#include "widgets/scene/view/graphics.h"
+
+#include <QAccessible>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTreeWidget>
+
+namespace carina::parts_panel_test
+{
+namespace
+{
+
+using test::draws;
+
+constexpr std::uint16_t kLobe = 1;
+constexpr std::uint16_t kRib = 2;
+constexpr std::uint16_t kOtherRib = 3;
+
+ScenePart named(std::uint16_t id, MaterialGroup group, const char* name, double x)
+{
+    ScenePart part = test::spherePart(id, group, {x, 0.0, 0.0}, 0.1);
+    part.name = name;
+    return part;
+}
+
+struct Shown {
+    std::unique_ptr<SceneView> view =
+        test::shownView({named(kLobe, MaterialGroup::Lung, "Upper lobe", 0.0),
+                         named(kRib, MaterialGroup::Veil, "First rib", -0.3),
+                         named(kOtherRib, MaterialGroup::Veil, "Second rib", 0.3)},
+                        [](int, LocalTime) { return test::frontFrame(); });
+    PartsPanel panel;
+    QTreeWidget* list = panel.findChild<QTreeWidget*>();
+    QLineEdit* words = panel.findChild<QLineEdit*>();
+
+    Shown()
+    {
+        panel.setScene(*view);
+        panel.show();
+    }
+    [[nodiscard]] QPushButton* button(const char* text) const
+    {
+        for (QPushButton* found : panel.findChildren<QPushButton*>())
+            if (found->text().remove(QLatin1Char{'&'}) == QLatin1String{text})
+                return found;
+        return nullptr;
+    }
+    [[nodiscard]] QTreeWidgetItem* item(const char* name) const
+    {
+        return list->findItems(QLatin1String{name}, Qt::MatchExactly).value(0);
+    }
+    void choose(const char* name) const
+    {
+        list->clearSelection();
+        item(name)->setSelected(true);
+    }
+    [[nodiscard]] PartLook look(std::uint16_t id) const
+    {
+        const auto found = view->looks().find(id);
+        return found == view->looks().end() ? PartLook{} : found->second;
+    }
+};
+
+} // namespace
+
+class TestPartsPanel : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { prepareGraphics(); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!graphicsDriver())
+            QSKIP("no OpenGL 3.3");
+    }
+
+    void listsThePartsByName()
+    {
+        const Shown shown;
+        QCOMPARE(shown.list->topLevelItemCount(), 3);
+        QCOMPARE(shown.list->topLevelItem(0)->text(0), QStringLiteral("First rib"));
+        QCOMPARE(shown.list->topLevelItem(2)->text(0), QStringLiteral("Upper lobe"));
+        QCOMPARE(shown.item("Upper lobe")->text(1), QStringLiteral("as usual"));
+        for (const char* text : {"As usual", "Solid", "Ghost", "Hide", "Highlight", "Name"})
+            QVERIFY(!shown.button(text)->isEnabled()); // nothing is chosen
+    }
+
+    void changesWhatIsChosen_data()
+    {
+        QTest::addColumn<QByteArray>("button");
+        QTest::addColumn<PartLook>("look");
+        QTest::addColumn<QString>("word");
+        using Look = PartLook;
+        QTest::newRow("solid") << QByteArray{"Solid"} << Look{PartStyle::Solid}
+                               << QStringLiteral("solid");
+        QTest::newRow("ghost") << QByteArray{"Ghost"} << Look{PartStyle::Ghost}
+                               << QStringLiteral("ghost");
+        QTest::newRow("hidden") << QByteArray{"Hide"} << Look{PartStyle::Hidden}
+                                << QStringLiteral("hidden");
+        QTest::newRow("highlighted") << QByteArray{"Highlight"} << Look{.highlighted = true}
+                                     << QStringLiteral("highlighted");
+        QTest::newRow("named") << QByteArray{"Name"} << Look{.labelled = true}
+                               << QStringLiteral("as usual, named");
+        QTest::newRow("plain") << QByteArray{"Plain colour"} << Look{.plain = true}
+                               << QStringLiteral("as usual, plain colour");
+    }
+
+    void changesWhatIsChosen()
+    {
+        QFETCH(QByteArray, button);
+        QFETCH(PartLook, look);
+        const Shown shown;
+        shown.choose("Second rib");
+        shown.button(button.constData())->click();
+        QVERIFY(shown.look(kOtherRib) == look);
+        QVERIFY(shown.look(kRib) == PartLook{});
+        QTEST(shown.item("Second rib")->text(1), "word");
+        shown.button("Show all as usual")->click();
+        QVERIFY(shown.look(kOtherRib) == PartLook{});
+    }
+
+    void drawsWhatItSays()
+    {
+        const Shown shown;
+        shown.choose("First rib");
+        shown.button("Hide")->click();
+        QVERIFY(draws(*shown.view, 3));
+        auto pixels = shown.view->visiblePixels();
+        QCOMPARE(pixels[kRib], std::size_t{0});
+        QVERIFY(pixels[kLobe] > 0 && pixels[kOtherRib] > 0);
+    }
+
+    void switchesOffWhatIsOn()
+    {
+        const Shown shown;
+        shown.choose("First rib");
+        shown.button("Name")->click();
+        QVERIFY(shown.button("Name")->isChecked());
+        shown.choose("Second rib");
+        QVERIFY(!shown.button("Name")->isChecked());
+        shown.choose("First rib");
+        shown.button("Name")->click();
+        QVERIFY(!shown.look(kRib).labelled);
+    }
+
+    void offersPlainColoursOnlyWherePartsCameWithColours()
+    {
+        Shown shown;
+        QVERIFY(!shown.button("Plain colour")->isVisibleTo(&shown.panel));
+        ScenePart skin = named(kLobe, MaterialGroup::Skin, "Skin", 0.0);
+        for (const auto& level : skin.levels)
+            skin.colors.emplace_back(level->positions.size(), Rgb{200, 120, 90});
+        shown.view->setParts(std::vector{skin});
+        shown.panel.setScene(*shown.view);
+        QVERIFY(shown.button("Plain colour")->isVisibleTo(&shown.panel));
+    }
+
+    void findsPartsByWords()
+    {
+        const Shown shown;
+        QTest::keyClicks(shown.words, QStringLiteral("RIB s"));
+        QVERIFY(shown.item("First rib")->isHidden() == false); // "firSt rib" has an s
+        QVERIFY(shown.item("Upper lobe")->isHidden());
+        shown.list->selectAll();
+        shown.button("Ghost")->click();
+        QVERIFY(shown.look(kRib).style == PartStyle::Ghost);
+        QVERIFY(shown.look(kLobe) == PartLook{});
+    }
+
+    void worksByKeyboard()
+    {
+        const Shown shown;
+        QTest::keyClick(shown.list, Qt::Key_Home);
+        QTest::keyClick(shown.list, Qt::Key_Down, Qt::ShiftModifier);
+        QTest::keyClick(shown.button("Hide"), Qt::Key_Space);
+        QVERIFY(shown.look(kRib).style == PartStyle::Hidden);
+        QVERIFY(shown.look(kOtherRib).style == PartStyle::Hidden);
+        QVERIFY(shown.look(kLobe) == PartLook{});
+    }
+
+    void givesEveryControlAName()
+    {
+        const Shown shown;
+        SectionPanel section;
+        section.setScene(*shown.view);
+        for (const QWidget* panel : std::initializer_list<const QWidget*>{&shown.panel, &section})
+            for (QWidget* control : panel->findChildren<QWidget*>())
+                if (control->focusPolicy() != Qt::NoFocus && control->isVisibleTo(panel)
+                    && !control->objectName().startsWith(QLatin1String{"qt_"}))
+                    QVERIFY2(!QAccessible::queryAccessibleInterface(control)
+                                  ->text(QAccessible::Name)
+                                  .isEmpty(),
+                             qPrintable(control->objectName()));
+    }
+
+    void cutsTheSceneOpen()
+    {
+        const Shown shown;
+        SectionPanel panel;
+        panel.setScene(*shown.view);
+        auto* what = panel.findChild<QComboBox*>(QStringLiteral("what"));
+        auto* side = panel.findChild<QComboBox*>(QStringLiteral("side"));
+        auto* depth = panel.findChild<QSpinBox*>();
+        QVERIFY(!panel.section());
+        QVERIFY(!depth->isEnabled());
+        what->setCurrentIndex(2);
+        QVERIFY(depth->isEnabled());
+        QCOMPARE(depth->maximum(), 200); // the balls are 200 mm deep
+        QCOMPARE(depth->value(), 100);
+        QVERIFY(panel.section()->normal_A == -Vec3::UnitY());
+        QVERIFY(std::abs(panel.section()->distance) < 1e-6);
+        QVERIFY(panel.section()->cut == Cut::All);
+        what->setCurrentIndex(1);
+        QVERIFY(panel.section()->cut == Cut::AllButAirway);
+        what->setCurrentIndex(2);
+        side->setCurrentIndex(2); // from the left: 800 mm, of which the outer ball has 200
+        QCOMPARE(depth->value(), 400);
+        panel.findChild<QSlider*>()->setValue(205);
+        QCOMPARE(depth->value(), 205);
+        QVERIFY(draws(*shown.view, 3));
+        auto pixels = shown.view->visiblePixels();
+        QCOMPARE(pixels[kOtherRib], std::size_t{0});
+        QVERIFY(pixels[kLobe] > 0 && pixels[kRib] > 0);
+        what->setCurrentIndex(0);
+        QVERIFY(draws(*shown.view, 3));
+        QVERIFY(shown.view->visiblePixels()[kOtherRib] > 0);
+    }
+};
+
+CARINA_SCREEN_TEST(TestPartsPanel)
+
+} // namespace carina::parts_panel_test
+
+#include "tst_parts_panel.moc"

@@ -1,0 +1,70 @@
+#include "tests/support/test_class.h"
+#include "ui/scene/scene_parts.h"
+
+#include <numbers>
+
+namespace carina::scene_parts_test
+{
+
+class TestSceneParts : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsThePatientInItsPlaceUntilItIsActedOn()
+    {
+        const SceneFrame frame = sceneFrame({}, ChestField{});
+        QCOMPARE(drawnAt(frame, "patient", kPoint), kPoint);
+        QCOMPARE(drawnAt(frame, "mandible", kPoint), kPoint);
+        QVERIFY(!frame.bodies.contains("tube"));
+    }
+
+    void drawsTheThroatWithTheJawThatIsDrawn()
+    {
+        const FollowingThroat throat{{Vec3::Zero(), {0.0, -0.03, 0.12}, {0.0, -0.1, 0.17}},
+                                     RigidTransform::translation({0.0, -0.01, 0.0})};
+        const Vec3 tongue{0.0, -0.06, 0.16};
+        const auto movedBy = [&tongue](const FollowingThroat& following) {
+            return following.field.at(tongue, following.X_AJ, ThroatTissue::Airway).d_A.y();
+        };
+        QVERIFY(movedBy(sceneFrame({}, {}, throat).throat) < -0.005);
+        QCOMPARE(movedBy(sceneFrame({}, {}).throat), 0.0);
+    }
+
+    void movesThePatientAndItsJawAndNoTool()
+    {
+        constexpr double kSmall_m = 1e-12;
+        StationMoment moment;
+        // A quarter turn about z at twice the size, then a metre up: (x, y, z) to 2 (-y, x, z) +
+        // e_z.
+        const Quat quarter{Eigen::AngleAxisd{std::numbers::pi / 2.0, Vec3::UnitZ()}};
+        moment.patient.emplace().acted = {RigidTransform{quarter, Vec3::UnitZ()}, 2.0};
+        moment.tube.emplace().X_FO = RigidTransform::translation({0.5, 0.0, 0.0});
+        moment.tube->validity = Validity::Tracked;
+        const SceneFrame frame =
+            sceneFrame(moment, ChestField{}, {{}, RigidTransform::translation({0.0, 0.1, 0.0})});
+        const auto moved = [](const Vec3& p) {
+            return Vec3{2.0 * -p.y(), 2.0 * p.x(), 2.0 * p.z() + 1.0};
+        };
+        QVERIFY((drawnAt(frame, "patient", kPoint) - moved(kPoint)).norm() < kSmall_m);
+        const Vec3 inJaw = kPoint + Vec3{0.0, 0.1, 0.0};
+        QVERIFY((drawnAt(frame, "mandible", kPoint) - moved(inJaw)).norm() < kSmall_m);
+        QVERIFY((drawnAt(frame, "tube", kPoint) - (kPoint + Vec3{0.5, 0.0, 0.0})).norm()
+                < kSmall_m);
+    }
+
+private:
+    static inline const Vec3 kPoint{0.01, -0.02, 0.3};
+
+    static Vec3 drawnAt(const SceneFrame& frame, const char* body, const Vec3& p_F)
+    {
+        const PlacedBody& placed = frame.bodies.at(body);
+        return placed.X_AF * Vec3{placed.scale * p_F};
+    }
+};
+
+CARINA_TEST(TestSceneParts)
+
+} // namespace carina::scene_parts_test
+
+#include "tst_scene_parts.moc"

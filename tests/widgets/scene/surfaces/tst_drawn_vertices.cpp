@@ -1,0 +1,267 @@
+#include "engine/geometry/rotation.h"
+#include "engine/lungs/mechanics/lung_pair.h"
+#include "tests/engine/lungs/drawing/lung_like_mesh.h"
+#include "tests/support/test_class.h"
+#include "widgets/scene/surfaces/drawn_vertices.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+
+#include <cmath>
+#include <numbers>
+
+namespace carina::drawn_vertices_test
+{
+
+namespace
+{
+
+/// Two roundings of a coordinate of up to a quarter metre, in single precision.
+constexpr double kPositionTolerance_m = 6e-8;
+constexpr double kNormalTolerance = 1e-6;
+constexpr double kTurnedTwiceTolerance = 2e-5; ///< likewise, by the chest and by the jaw
+constexpr double kVolumeTolerance_ml = 0.1;
+
+TriangleMesh lung(double x, std::uint32_t rings)
+{
+    return test::lungLikeMesh({x, 0.0, -0.02}, {0.045, 0.065, 0.09}, rings, 2 * rings);
+}
+
+Anatomy patient()
+{
+    Anatomy anatomy;
+    anatomy.parts = {{"Right lung", PartRole::RightLung, {}, {lung(-0.06, 40), lung(-0.06, 12)}},
+                     {"Left lung", PartRole::LeftLung, {}, {lung(0.06, 40), lung(0.06, 12)}}};
+    return anatomy;
+}
+
+/// A throat in the lungs' place, so that all of its ramps run through them.
+ThroatField throat() { return {{0.0, 0.03, -0.2}, {0.0, 0.0, -0.06}, {0.0, -0.07, 0.0}}; }
+
+/// Opened by 20 degrees, brought forward and aside.
+RigidTransform openJaw()
+{
+    return {rotationFromVector(degrees(20.0).si * Vec3::UnitX()), {0.003, -0.012, 0.03}};
+}
+
+} // namespace
+
+class TestDrawnVertices : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsAsTheReferenceDeforms_data();
+    void drawsAsTheReferenceDeforms();
+    void drawsTheThroatAsTheReferenceFollows_data();
+    void drawsTheThroatAsTheReferenceFollows();
+    void movesAlikeInEveryForm_data();
+    void movesAlikeInEveryForm();
+    void leavesRestExactlyAsItIs();
+    void keepsEveryOtherRegionFromTheJaw();
+    void followsTheCommandedVolume();
+    void leavesTheContextThatWasCurrent();
+    void movesWithItsUploadedMesh();
+};
+
+void TestDrawnVertices::drawsAsTheReferenceDeforms_data()
+{
+    QTest::addColumn<ChestRegion>("region");
+    QTest::addColumn<ChestPose>("pose");
+    const auto both = [](const LungPose& lung) { return ChestPose{{lung, lung}, 0.0}; };
+    QTest::newRow("below rest") << ChestRegion::RightUpperLung << both(-1.0 * kQuietBreath);
+    QTest::newRow("an odd share") << ChestRegion::LeftLowerLung << both(1.2345678 * kQuietBreath);
+    QTest::newRow("a deep breath") << ChestRegion::RightLowerLung << both(7.0 * kQuietBreath);
+    const ChestPose unlike{{LungPose{1.0, 0.5, 0.3, 0.2}, LungPose{3.0, 1.0, -0.2, 0.1}}, 0.1};
+    QTest::newRow("two lungs") << ChestRegion::Bronchi << unlike;
+    QTest::newRow("ribs") << ChestRegion::Wall << unlike;
+    QTest::newRow("heart") << ChestRegion::Mediastinum << unlike;
+}
+
+void TestDrawnVertices::drawsAsTheReferenceDeforms()
+{
+    QFETCH(ChestRegion, region);
+    QFETCH(ChestPose, pose);
+    const LungPair lungs = LungPair::of(patient()).value();
+    const ChestMotion motion = motionOf(region, pose, lungs.field());
+    for (const BreathingPart& part : lungs.parts()) {
+        const TriangleMesh& mesh = part.levels.front();
+        Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
+        QVERIFY2(drawn.has_value(), drawn ? "" : drawn.error().detail.c_str());
+        const TriangleMesh reference = deformed(mesh, lungs.field(), motion);
+        const std::vector<Vec3f> positions = drawn->positions(lungs.field(), motion).value();
+        const std::vector<Vec3f> normals = drawn->normals(lungs.field(), motion).value();
+        QCOMPARE(positions.size(), reference.positions.size());
+        QCOMPARE(normals.size(), reference.normals.size());
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            QVERIFY((positions[i] - reference.positions[i]).cwiseAbs().maxCoeff()
+                    < kPositionTolerance_m);
+            QVERIFY((normals[i] - reference.normals[i]).norm() < kNormalTolerance);
+        }
+    }
+}
+
+void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows_data()
+{
+    QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("trachea and heart") << ChestRegion::Mediastinum;
+    QTest::newRow("tongue and larynx") << ChestRegion::Throat;
+    QTest::newRow("pharynx") << ChestRegion::Pharynx;
+}
+
+void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows()
+{
+    constexpr float kMoved_m = 0.005F;
+    QFETCH(ChestRegion, region);
+    const ChestPose breath{{LungPose{1.0, 0.5, 0.3, 0.2}, LungPose{3.0, 1.0, -0.2, 0.1}}, 0.1};
+    const LungPair lungs = LungPair::of(patient()).value();
+    const ChestMotion motion = motionOf(region, breath, lungs.field());
+    const FollowingThroat following{throat(), openJaw()};
+    for (const BreathingPart& part : lungs.parts()) {
+        const TriangleMesh& mesh = part.levels.front();
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const TriangleMesh reference =
+            deformed(deformed(mesh, lungs.field(), motion), following, *tissueOf(region));
+        const auto positions = drawn.positions(lungs.field(), motion, following).value();
+        const auto normals = drawn.normals(lungs.field(), motion, following).value();
+        float furthest = 0.0F;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            QVERIFY((positions[i] - reference.positions[i]).cwiseAbs().maxCoeff()
+                    < kPositionTolerance_m);
+            QVERIFY((normals[i] - reference.normals[i]).norm() < kTurnedTwiceTolerance);
+            furthest = std::max(furthest, (positions[i] - mesh.positions[i]).norm());
+        }
+        QVERIFY(furthest > kMoved_m);
+    }
+}
+
+void TestDrawnVertices::movesAlikeInEveryForm_data()
+{
+    QTest::addColumn<bool>("many");
+    QTest::addColumn<bool>("movesJaw");
+    QTest::newRow("many regions, no jaw") << true << false;
+    QTest::newRow("one region") << false << true;
+    QTest::newRow("one region, no jaw") << false << false;
+}
+
+void TestDrawnVertices::movesAlikeInEveryForm()
+{
+    QFETCH(bool, many);
+    QFETCH(bool, movesJaw);
+    const ChestPose breath{{LungPose{1.0, 0.5, 0.3, 0.2}, LungPose{3.0, 1.0, -0.2, 0.1}}, 0.1};
+    const LungPair lungs = LungPair::of(patient()).value();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
+    const FollowingThroat throats{throat(), movesJaw ? openJaw() : RigidTransform{}};
+    for (const ChestRegion region : {ChestRegion::RightUpperLung, ChestRegion::Pharynx}) {
+        const ChestMotion motion = motionOf(region, breath, lungs.field());
+        DrawnVertices full = DrawnVertices::of(mesh, region).value();
+        DrawnVertices form =
+            DrawnVertices::of(mesh, region, {.hasManyRegions = many, .movesJaw = movesJaw}).value();
+        const auto wanted = full.positions(lungs.field(), motion, throats).value();
+        const auto drawn = form.positions(lungs.field(), motion, throats).value();
+        QCOMPARE(wanted != mesh.positions, movesJaw || region == ChestRegion::RightUpperLung);
+        QVERIFY(drawn == wanted);
+        QVERIFY(form.normals(lungs.field(), motion, throats).value()
+                == full.normals(lungs.field(), motion, throats).value());
+    }
+}
+
+void TestDrawnVertices::leavesRestExactlyAsItIs()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
+    Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
+    QVERIFY(drawn.has_value());
+    QVERIFY(drawn->positions(lungs.field(), {}).value() == mesh.positions);
+    for (const ChestRegion region :
+         {ChestRegion::Mediastinum, ChestRegion::Throat, ChestRegion::Pharynx}) {
+        DrawnVertices closed = DrawnVertices::of(mesh, region).value();
+        QVERIFY(closed.positions(lungs.field(), {}, {throat(), {}}).value() == mesh.positions);
+        QVERIFY(closed.normals(lungs.field(), {}, {throat(), {}}).value()
+                == drawn->normals(lungs.field(), {}).value());
+    }
+}
+
+// So their volumes are what they are while the mouth is closed.
+void TestDrawnVertices::keepsEveryOtherRegionFromTheJaw()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    const ChestPose breath = lungs.pose(millilitres(300.0), 0).value();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
+    for (std::size_t n = 0; n < kChestRegions; ++n) {
+        const auto region = static_cast<ChestRegion>(n);
+        if (tissueOf(region))
+            continue;
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const ChestMotion motion = motionOf(region, breath, lungs.field());
+        QVERIFY(drawn.positions(lungs.field(), motion, {throat(), openJaw()}).value()
+                == drawn.positions(lungs.field(), motion).value());
+    }
+}
+
+// Two breaths of 280 ml, in 380 frames.
+void TestDrawnVertices::followsTheCommandedVolume()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    for (std::size_t level = 0; level < lungs.levelCount(); ++level) {
+        for (const BreathingPart& part : lungs.parts()) {
+            TriangleMesh surface = levelOf(part, level);
+            Result<DrawnVertices> drawn = DrawnVertices::of(surface);
+            QVERIFY(drawn.has_value());
+            for (int frame = 0; frame <= 379; ++frame) {
+                const double phase = 2.0 * std::numbers::pi * frame / 190.0;
+                const Volume inspired = millilitres(140.0 * (1.0 - std::cos(phase)));
+                const ChestPose pose = lungs.pose(inspired, level).value();
+                surface.positions =
+                    drawn->positions(lungs.field(), motionOf(part.region, pose, lungs.field()))
+                        .value();
+                const double error_ml = 1e6 * test::volumeByColumns(surface)
+                                        - inMillilitres(lungs.volumeWith(inspired, part.side));
+                QVERIFY(std::abs(error_ml) < kVolumeTolerance_ml);
+            }
+        }
+    }
+}
+
+void TestDrawnVertices::leavesTheContextThatWasCurrent()
+{
+    QOffscreenSurface surface;
+    surface.create();
+    QOpenGLContext viewer;
+    QVERIFY(viewer.create() && viewer.makeCurrent(&surface));
+    {
+        const LungPair lungs = LungPair::of(patient()).value();
+        Result<DrawnVertices> drawn = DrawnVertices::of(lungs.parts().front().levels.back());
+        QVERIFY(drawn.has_value());
+        QCOMPARE(QOpenGLContext::currentContext(), &viewer);
+        QVERIFY(drawn->positions(lungs.field(), {}).has_value());
+        QCOMPARE(QOpenGLContext::currentContext(), &viewer);
+    }
+    QCOMPARE(QOpenGLContext::currentContext(), &viewer);
+    viewer.doneCurrent();
+    const LungPair lungs = LungPair::of(patient()).value();
+    QVERIFY(DrawnVertices::of(lungs.parts().front().levels.back())
+                ->positions(lungs.field(), {})
+                .has_value());
+    QVERIFY(QOpenGLContext::currentContext() == nullptr);
+}
+
+void TestDrawnVertices::movesWithItsUploadedMesh()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    const TriangleMesh& right = lungs.parts()[0].levels.back();
+    const TriangleMesh& left = lungs.parts()[1].levels.back();
+    std::vector<DrawnVertices> both;
+    both.push_back(DrawnVertices::of(right).value());
+    both.push_back(DrawnVertices::of(left).value());
+    QVERIFY(both[0].positions(lungs.field(), {}).value() == right.positions);
+    QVERIFY(both[1].positions(lungs.field(), {}).value() == left.positions);
+    both[0] = std::move(both[1]);
+    QVERIFY(both[0].positions(lungs.field(), {}).value() == left.positions);
+}
+
+CARINA_SCREEN_TEST(TestDrawnVertices)
+
+} // namespace carina::drawn_vertices_test
+
+#include "tst_drawn_vertices.moc"

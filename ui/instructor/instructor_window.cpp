@@ -1,0 +1,206 @@
+#include "ui/instructor/instructor_window.h"
+
+#include "models/error_text.h"
+#include "ui_instructor_window.h"
+
+#include <QTimer>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kRefreshInterval_ms = 250;
+constexpr int kEndAsked_ms = 4000;
+constexpr int kBelowShare = 2; ///< of the height, against that of the participants
+
+/// Told by shape besides the word.
+QString phaseShape(SessionPhase phase)
+{
+    switch (phase) {
+    case SessionPhase::Prepared:
+        return QStringLiteral("○");
+    case SessionPhase::Running:
+        return QStringLiteral("●");
+    case SessionPhase::Paused:
+        return QStringLiteral("❙❙");
+    case SessionPhase::Ended:
+        return QStringLiteral("■");
+    }
+    return {};
+}
+
+/// Makes an action's button as wide as it ever gets, so that nothing beside it moves under the
+/// pointer when its words change.
+void reserve(const QToolBar& bar, QAction& action, const QString& longest)
+{
+    const QString now = action.text();
+    action.setText(longest);
+    QWidget* button = bar.widgetForAction(&action);
+    button->ensurePolished();
+    button->setMinimumWidth(button->sizeHint().width());
+    action.setText(now);
+}
+
+} // namespace
+
+InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
+                                   RespirationModel& respiration, BreathTrace& trace,
+                                   ParticipantsModel& participants, NetworkModel& network,
+                                   ObjectActionModel& actions, const PatientModel& patient,
+                                   StationView& view)
+    : m_ui{std::make_unique<Ui::InstructorWindow>()},
+      m_session{session},
+      m_respiration{respiration},
+      m_participants{participants},
+      m_phase{new QLabel{this}},
+      m_status{new QLabel{this}}
+{
+    m_status->setTextFormat(Qt::PlainText); // a patient's name comes from elsewhere
+    m_ui->setupUi(this);
+    m_ui->breathing->setModel(breathing);
+    m_ui->condition->setModel(respiration);
+    m_ui->waveforms->setTrace(trace);
+    m_ui->participants->setModel(participants);
+    m_ui->network->setModel(network);
+    m_ui->invitation->show(session.node());
+    m_ui->actions->setModel(actions);
+    layDocks();
+    m_ui->scene->setBackground(palette().color(QPalette::Base));
+    m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
+    m_ui->parts->setScene(*m_ui->scene);
+    m_ui->section->setScene(*m_ui->scene);
+    m_ui->partsPage->setFocusProxy(m_ui->parts);
+    m_ui->statusBar->addWidget(m_status, 1);
+    fillSessionBar();
+    connectViews(view);
+
+    connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &InstructorWindow::refresh);
+    timer->start(kRefreshInterval_ms);
+    connect(&participants, &QAbstractItemModel::dataChanged, this,
+            &InstructorWindow::refreshStatus); // one number in both places
+    refresh();
+}
+
+InstructorWindow::~InstructorWindow() = default;
+
+void InstructorWindow::layDocks()
+{
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    tabifyDockWidget(m_ui->breathingDock, m_ui->conditionDock);
+    tabifyDockWidget(m_ui->conditionDock, m_ui->actionsDock);
+    tabifyDockWidget(m_ui->actionsDock, m_ui->partsDock);
+    m_ui->breathingDock->raise();
+    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
+    m_ui->invitationDock->raise(); // nobody else is here yet
+    // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into it.
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
+    resizeDocks({m_ui->participantsDock, m_ui->invitationDock}, {1, kBelowShare}, Qt::Vertical);
+}
+
+void InstructorWindow::fillSessionBar()
+{
+    m_phase->setMargin(8);
+    m_ui->sessionBar->addWidget(m_phase);
+    QFont bold = m_phase->font(); // that of the bar
+    bold.setBold(true);
+    m_phase->setFont(bold);
+    const QList<QAction*> actions{m_ui->start,          m_ui->pause,       m_ui->end,
+                                  m_ui->showCondition,  m_ui->showActions, m_ui->showParts,
+                                  m_ui->showInvitation, m_ui->showNetwork};
+    m_ui->sessionBar->addActions(actions);
+    for (QAction* action : actions)
+        m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
+    reserve(*m_ui->sessionBar, *m_ui->start, tr("&Go on"));
+    reserve(*m_ui->sessionBar, *m_ui->end, tr("Really &end?"));
+    connect(m_ui->start, &QAction::triggered, &m_session, &SessionModel::start);
+    connect(m_ui->pause, &QAction::triggered, &m_session, &SessionModel::pause);
+    connect(m_ui->end, &QAction::triggered, this, &InstructorWindow::endOnSecondPress);
+    const auto raises = [this](QAction* action, QDockWidget* dock) {
+        connect(action, &QAction::triggered, this, [dock] {
+            dock->raise();
+            dock->widget()->setFocus();
+        });
+    };
+    raises(m_ui->showCondition, m_ui->conditionDock);
+    raises(m_ui->showActions, m_ui->actionsDock);
+    raises(m_ui->showParts, m_ui->partsDock);
+    raises(m_ui->showInvitation, m_ui->invitationDock);
+    raises(m_ui->showNetwork, m_ui->networkDock);
+}
+
+void InstructorWindow::connectViews(StationView& view)
+{
+    const auto shows = [this](ViewPreset preset) {
+        return [this, preset] { m_ui->scene->showFrom(preset); };
+    };
+    connect(m_ui->front, &QToolButton::clicked, this, shows(ViewPreset::Front));
+    connect(m_ui->side, &QToolButton::clicked, this, shows(ViewPreset::Right));
+    connect(m_ui->head, &QToolButton::clicked, this, shows(ViewPreset::Trainee));
+    connect(m_ui->exaggeration, &QDoubleSpinBox::valueChanged, this,
+            [&view](double factor) { view.exaggerate(factor); });
+}
+
+void InstructorWindow::endOnSecondPress()
+{
+    if (m_endAsked) {
+        m_session.end();
+        return;
+    }
+    m_endAsked = true;
+    refresh();
+    QTimer::singleShot(kEndAsked_ms, this, [this] {
+        m_endAsked = false;
+        refresh();
+    });
+}
+
+void InstructorWindow::refresh()
+{
+    const SessionPhase phase = m_session.phase();
+    m_phase->setText(tr("%1   %2 %3 %4")
+                         .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
+                              m_session.runningTimeText()));
+    m_phase->setMinimumWidth(std::max(m_phase->minimumWidth(), m_phase->sizeHint().width()));
+    m_ui->patientState->setText(tr("● Condition: %1").arg(m_respiration.inForceText()));
+    m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
+    m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
+    m_ui->start->setEnabled(m_session.canStart());
+    m_ui->pause->setEnabled(m_session.canPause());
+    m_ui->end->setEnabled(m_session.canEnd());
+    m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
+    refreshStatus();
+}
+
+void InstructorWindow::refreshStatus()
+{
+    if (const auto refusal = m_session.node().refusal()) {
+        m_status->setText(errorText(*refusal));
+        return;
+    }
+    // What is out of the ordinary stands in front.
+    const StationMoment& moment = m_stationScene->moment();
+    QStringList told;
+    if (isAway(moment))
+        told += tr("▲ not in its place");
+    if (moment.exaggeration != 1.0)
+        told += tr("▲ larger than true");
+    if (inMillilitres(moment.notDrawn) >= 1.0)
+        told +=
+            tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));
+    told += tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
+    const auto oldest = m_participants.oldestSample_ms();
+    told +=
+        oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
+    told += tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
+    told += tr("Trainees join at port %1").arg(m_session.node().port());
+    m_status->setText(told.join(QStringLiteral("      ")));
+}
+
+} // namespace carina

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "models/network/network_model.h"
+#include "models/objects/object_action_model.h"
+#include "models/respiration/breath_trace.h"
+#include "models/respiration/breathing_model.h"
+#include "models/respiration/respiration_model.h"
+#include "models/session/participants_model.h"
+#include "models/session/session_model.h"
+#include "ui/scene/station_scene.h"
+
+#include <QLabel>
+#include <QMainWindow>
+
+#include <memory>
+
+namespace Ui
+{
+class InstructorWindow;
+}
+
+namespace carina
+{
+
+/// The instructor's console: the session and how it runs, how the patient breathes and what ails
+/// it, the curves of its breath, who takes part,
+/// what is done to shared objects, and the patient in three dimensions.
+class InstructorWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    /// @pre all outlive the window.
+    InstructorWindow(SessionModel& session, BreathingModel& breathing,
+                     RespirationModel& respiration, BreathTrace& trace,
+                     ParticipantsModel& participants, NetworkModel& network,
+                     ObjectActionModel& actions, const PatientModel& patient, StationView& view);
+    ~InstructorWindow() override;
+
+    [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
+
+private:
+    void fillSessionBar();
+    void layDocks();
+    void connectViews(StationView& view);
+    void endOnSecondPress();
+    void refresh();
+    void refreshStatus();
+
+    std::unique_ptr<Ui::InstructorWindow> m_ui;
+    SessionModel& m_session;
+    const RespirationModel& m_respiration;
+    ParticipantsModel& m_participants;
+    std::unique_ptr<StationScene> m_stationScene;
+    QLabel* m_phase;
+    QLabel* m_status;
+    bool m_endAsked = false;
+};
+
+} // namespace carina

@@ -1,0 +1,197 @@
+#include "ui/join/join_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kListHeight = 110;
+constexpr int kDialogWidth = 520;
+
+QLabel* wrapping(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1String{name});
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const JoinForm& begin,
+                       QWidget* parent)
+    : QDialog{parent},
+      m_sessions{sessions},
+      m_entrance{entrance},
+      m_list{new QListView},
+      m_searching{wrapping("searching")},
+      m_address{field("address", tr("Address or link"), begin.address)},
+      m_port{field("port", tr("Port"), begin.port)},
+      m_code{field("code", tr("Code"), begin.code)},
+      m_name{field("name", tr("Your name"), begin.name)},
+      m_role{new QComboBox},
+      m_certificate{field("certificate", tr("Name in its certificate"), begin.certificate)},
+      m_typed{new QWidget{this}},
+      m_missing{wrapping("missing")},
+      m_join{new QPushButton{tr("&Join")}}
+{
+    setWindowTitle(tr("Join a session"));
+    setMinimumWidth(kDialogWidth);
+    m_list->setObjectName(QStringLiteral("sessions"));
+    m_list->setAccessibleName(tr("Sessions found"));
+    m_list->setModel(&sessions);
+    m_list->setFixedHeight(kListHeight);
+    m_role->setObjectName(QStringLiteral("role"));
+    m_role->setAccessibleName(tr("Role"));
+    m_role->addItem(tr("Trainee"), QVariant::fromValue(static_cast<int>(Role::Trainee)));
+    m_role->addItem(tr("Observer, who watches and changes nothing"),
+                    QVariant::fromValue(static_cast<int>(Role::Observer)));
+    m_role->setCurrentIndex(m_role->findData(static_cast<int>(begin.role)));
+    m_certificate->setPlaceholderText(tr("empty if the instructor's window names none"));
+    m_code->setPlaceholderText(tr("empty if you were in this session before"));
+    layOut();
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &JoinDialog::choose);
+    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::refresh);
+    connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::refresh);
+    connect(m_address, &QLineEdit::textChanged, this, &JoinDialog::readLink);
+    connect(m_role, &QComboBox::currentIndexChanged, this, &JoinDialog::refresh);
+    connect(&m_entrance, &Entrance::changed, this, &JoinDialog::follow);
+    readLink();
+    refresh();
+}
+
+JoinForm JoinDialog::form() const
+{
+    return {m_address->text(),
+            m_port->text(),
+            m_code->text(),
+            m_name->text(),
+            static_cast<Role>(m_role->currentData().toInt()),
+            m_certificate->text()};
+}
+
+QLineEdit* JoinDialog::field(const char* name, const QString& label, const QString& text)
+{
+    auto* edit = new QLineEdit{text};
+    edit->setObjectName(QLatin1String{name});
+    edit->setAccessibleName(label);
+    connect(edit, &QLineEdit::textChanged, this, &JoinDialog::refresh);
+    return edit;
+}
+
+void JoinDialog::layOut()
+{
+    auto* found = new QLabel{tr("&Sessions found"), this};
+    found->setBuddy(m_list);
+    auto* form = new QFormLayout{m_typed};
+    form->setContentsMargins({});
+    form->addRow(tr("&Address or link"), m_address);
+    form->addRow(tr("&Port"), m_port);
+    form->addRow(tr("&Code of your role"), m_code);
+    form->addRow(tr("Your &name"), m_name);
+    form->addRow(tr("&Role"), m_role);
+    form->addRow(tr("Cer&tificate"), m_certificate);
+    auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
+    buttons->addButton(m_join, QDialogButtonBox::AcceptRole);
+    m_join->setObjectName(QStringLiteral("join"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout{this};
+    column->addWidget(found);
+    column->addWidget(m_list);
+    column->addWidget(m_searching);
+    column->addWidget(m_typed);
+    column->addWidget(m_missing);
+    column->addWidget(buttons);
+    m_join->setDefault(true); // of this dialog, now that it is in it
+}
+
+void JoinDialog::choose(const QModelIndex& session)
+{
+    if (!session.isValid())
+        return;
+    const FoundSession& found = m_sessions.at(session.row());
+    m_address->setText(QString::fromStdString(found.address));
+    m_port->setText(QString::number(found.notice.port));
+}
+
+void JoinDialog::readLink()
+{
+    const JoinForm read = withLinkRead(form());
+    if (read.address == m_address->text())
+        return;
+    m_port->setText(read.port);
+    m_code->setText(read.code);
+    m_role->setCurrentIndex(m_role->findData(static_cast<int>(read.role)));
+    m_certificate->setText(read.certificate);
+    m_address->setText(read.address);
+}
+
+void JoinDialog::accept()
+{
+    if (!m_entrance.isTrying() && !whatIsMissing(form(), m_entrance.settings().tokens))
+        m_entrance.enter(form());
+}
+
+void JoinDialog::reject()
+{
+    if (m_entrance.isTrying())
+        m_entrance.stop();
+    else
+        QDialog::reject();
+}
+
+void JoinDialog::follow()
+{
+    if (m_entrance.isIn())
+        return QDialog::accept();
+    refresh();
+    if (const auto& refusal = m_entrance.refusal()) {
+        m_missing->setText(refusal->sentence);
+        fieldOf(refusal->field)->setFocus();
+        fieldOf(refusal->field)->selectAll();
+    }
+}
+
+void JoinDialog::refresh()
+{
+    m_searching->setText(m_sessions.rowCount() == 0
+                             ? tr("Looking for sessions … If none appears, type the address and "
+                                  "port that the instructor's window shows, or paste its link.")
+                             : tr("Choose one, type an address and port, or paste a link."));
+    const bool isTrying = m_entrance.isTrying();
+    const auto missing = whatIsMissing(form(), m_entrance.settings().tokens);
+    m_missing->setText(isTrying ? m_entrance.progress() : missing ? missing->sentence : QString{});
+    m_typed->setEnabled(!isTrying);
+    m_list->setEnabled(!isTrying);
+    m_join->setEnabled(!isTrying && !missing);
+}
+
+QLineEdit* JoinDialog::fieldOf(JoinField field) const
+{
+    switch (field) {
+    case JoinField::Address:
+        return m_address;
+    case JoinField::Port:
+        return m_port;
+    case JoinField::Code:
+        return m_code;
+    case JoinField::Name:
+        return m_name;
+    case JoinField::Certificate:
+        return m_certificate;
+    }
+    return nullptr;
+}
+
+} // namespace carina

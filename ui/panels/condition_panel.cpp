@@ -1,0 +1,285 @@
+#include "ui/panels/condition_panel.h"
+
+#include "engine/core/units.h"
+#include "models/respiration/respiration_words.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kSeveritySteps = 100; ///< of the slider
+constexpr double kSeverityStep = 0.05;
+constexpr int kTravellingLines = 3;
+constexpr int kShownLetters = 12; ///< of a choice; its list is as wide as it has to be
+constexpr double kTubeStep_mm = 0.5;
+constexpr double kUsualOwnEffort = 0.5; ///< of a quiet breath's
+
+/// Shows a value without telling it back to the model; not while a person is typing into it.
+void display(QDoubleSpinBox& box, double value)
+{
+    const QSignalBlocker blocker{box};
+    if (!box.hasFocus() || box.cleanText() == box.textFromValue(box.value()))
+        box.setValue(value);
+}
+
+void display(QComboBox& box, int place)
+{
+    const QSignalBlocker blocker{box};
+    box.setCurrentIndex(place);
+}
+
+} // namespace
+
+ConditionPanel::ConditionPanel(QWidget* parent)
+    : QWidget{parent},
+      m_obstacle{new QLabel},
+      m_controls{new QWidget},
+      m_position{new QComboBox},
+      m_condition{new QComboBox},
+      m_severity{new QDoubleSpinBox},
+      m_severitySlider{new QSlider{Qt::Horizontal}},
+      m_side{new QComboBox},
+      m_mode{new QComboBox},
+      m_tube{new QDoubleSpinBox},
+      m_travelling{new QLabel},
+      m_undo{new QPushButton{tr("&Undo last change")}}
+{
+    layOut();
+    offerChoices();
+    setFocusProxy(m_condition);
+}
+
+void ConditionPanel::layOut()
+{
+    auto* rows = new QFormLayout{m_controls};
+    rows->setContentsMargins({});
+    rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    const auto add = [rows](QWidget* field, const char* objectName, const QString& label,
+                            const QString& accessibleName) {
+        field->setObjectName(QLatin1String{objectName});
+        field->setAccessibleName(accessibleName);
+        if (label.isEmpty())
+            rows->addRow(field);
+        else
+            rows->addRow(label, field);
+    };
+    add(m_position, "position", tr("Pos&ition"), tr("How the patient lies or sits"));
+    add(m_condition, "condition", tr("&Condition"), tr("Condition of the lungs"));
+    add(m_severity, "severity", tr("Se&verity"), tr("Severity of the condition, 0 to 1"));
+    add(m_severitySlider, "severitySlider", {}, tr("Severity slider"));
+    add(m_side, "side", tr("&Lung"), tr("Which lung the condition is of"));
+    add(m_mode, "mode", tr("&Breathes"), tr("Who breathes the patient"));
+    const QString pressure = tr(" cmH2O");
+    m_peep = addNumber(*rows, "peep", tr("PEEP"), tr("End-expiratory pressure, cmH2O"), pressure);
+    m_driving = addNumber(*rows, "driving", tr("&Above PEEP"),
+                          tr("Pressure of inspiration above PEEP, cmH2O"), pressure);
+    m_limit = addNumber(*rows, "limit", tr("Limi&t"), tr("Highest pressure at the airway, cmH2O"),
+                        pressure);
+    m_pause = addNumber(*rows, "pause", tr("&Pause"),
+                        tr("Pause at the end of inspiration, per cent of inspiration"), tr(" %"));
+    m_ownRate =
+        addNumber(*rows, "ownRate", tr("&Own breaths"),
+                  tr("Own efforts of a patient who is ventilated, per minute"), tr(" /min"));
+    m_ownEffort = addNumber(*rows, "ownEffort", tr("E&ffort"),
+                            tr("Strength of own efforts, per cent of a quiet breath's"), tr(" %"));
+    m_trigger = addNumber(*rows, "trigger", tr("Tri&gger"),
+                          tr("Flow that begins a breath of the ventilator, litres per minute"),
+                          tr(" L/min"));
+    add(m_tube, "tube", tr("Tu&be"), tr("Inner diameter of the tracheal tube, millimetres"));
+    m_travelling->setObjectName(QStringLiteral("travelling"));
+    m_travelling->setWordWrap(true);
+    m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_travelling->setMinimumHeight(kTravellingLines * m_travelling->fontMetrics().lineSpacing());
+    m_undo->setObjectName(QStringLiteral("undoCondition"));
+    m_undo->setToolTip(tr("Sets what was changed last back (Alt+U)"));
+    m_obstacle->setObjectName(QStringLiteral("obstacle"));
+    m_obstacle->setWordWrap(true);
+    auto* column = new QVBoxLayout{this};
+    for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), m_controls,
+                            static_cast<QWidget*>(m_travelling), static_cast<QWidget*>(m_undo)})
+        column->addWidget(widget);
+    column->addStretch(1);
+}
+
+QDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* objectName,
+                                          const QString& label, const QString& accessibleName,
+                                          const QString& unit)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QLatin1String{objectName});
+    box->setAccessibleName(accessibleName);
+    box->setSuffix(unit);
+    box->setDecimals(0);
+    box->setKeyboardTracking(false);
+    box->setAlignment(Qt::AlignRight);
+    rows.addRow(label, box);
+    return box;
+}
+
+void ConditionPanel::offerChoices()
+{
+    for (const BodyPosition position : kBodyPositions)
+        m_position->addItem(positionText(position));
+    for (const ConditionKind kind : kConditionKinds)
+        m_condition->addItem(conditionText(kind));
+    for (const ConditionSide side :
+         {ConditionSide::Both, ConditionSide::Right, ConditionSide::Left})
+        m_side->addItem(sideText(side));
+    for (const VentilationMode mode : {VentilationMode::Spontaneous, VentilationMode::VolumeControl,
+                                       VentilationMode::PressureControl})
+        m_mode->addItem(modeText(mode));
+    m_severity->setRange(0.0, 1.0);
+    m_severity->setSingleStep(kSeverityStep);
+    m_severitySlider->setRange(0, kSeveritySteps);
+    m_severitySlider->setPageStep(kSeveritySteps / 10);
+    m_peep->setRange(0.0, inCmH2O(kHighestPeep));
+    m_driving->setRange(0.0, inCmH2O(kHighestDrivingPressure));
+    m_limit->setRange(inCmH2O(kLowestPressureLimit), inCmH2O(kHighestPressureLimit));
+    m_pause->setRange(0.0, 100.0 * kLongestPause);
+    m_pause->setSingleStep(5.0);
+    m_ownRate->setRange(inPerMinute(kSlowestBreathing) - 1.0, inPerMinute(kFastestBreathing));
+    m_ownRate->setSpecialValueText(tr("none"));
+    m_ownEffort->setRange(0.0, 100.0 * kStrongestEffort);
+    m_ownEffort->setSingleStep(10.0);
+    m_trigger->setRange(0.0, inLitresPerMinute(kLargestTrigger));
+    m_trigger->setSpecialValueText(tr("none"));
+    m_tube->setRange(inMillimetres(kNarrowestTube) - kTubeStep_mm, inMillimetres(kWidestTube));
+    m_tube->setDecimals(1);
+    m_tube->setSingleStep(kTubeStep_mm);
+    m_tube->setSuffix(tr(" mm"));
+    m_tube->setSpecialValueText(tr("none"));
+    m_tube->setToolTip(tr("Inner diameter, 2 to 12 mm; below that, none"));
+    for (QComboBox* box : {m_position, m_condition, m_side, m_mode}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kShownLetters);
+    }
+    for (QDoubleSpinBox* box : {m_severity, m_tube}) {
+        box->setKeyboardTracking(false);
+        box->setAlignment(Qt::AlignRight);
+    }
+}
+
+void ConditionPanel::setModel(RespirationModel& model)
+{
+    m_model = &model;
+    connectCondition();
+    connectVentilator();
+    connect(m_undo, &QPushButton::clicked, &model, &RespirationModel::undo);
+    connect(&model, &RespirationModel::changed, this, &ConditionPanel::refresh);
+    refresh();
+}
+
+void ConditionPanel::connectCondition()
+{
+    connect(m_position, &QComboBox::activated, m_model,
+            [this](int place) { m_model->setPosition(static_cast<BodyPosition>(place)); });
+    connect(m_condition, &QComboBox::activated, m_model,
+            [this](int place) { m_model->choose(static_cast<ConditionKind>(place)); });
+    connect(m_side, &QComboBox::activated, this, &ConditionPanel::setCondition);
+    connect(m_severity, &QDoubleSpinBox::valueChanged, this, &ConditionPanel::setCondition);
+    connect(m_severitySlider, &QSlider::valueChanged, m_severity,
+            [this](int value) { m_severity->setValue(double(value) / kSeveritySteps); });
+}
+
+void ConditionPanel::connectVentilator()
+{
+    connect(m_mode, &QComboBox::activated, this, [this](int place) {
+        VentilatorSettings settings = m_model->ventilator();
+        settings.mode = static_cast<VentilationMode>(place);
+        m_model->setVentilator(settings);
+    });
+    const auto vary = [this](QDoubleSpinBox* box, void (*set)(VentilatorSettings&, double)) {
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, set](double value) {
+            VentilatorSettings settings = m_model->ventilator();
+            set(settings, value);
+            m_model->setVentilator(settings);
+        });
+    };
+    vary(m_peep, [](VentilatorSettings& s, double value) { s.peep = cmH2O(value); });
+    vary(m_driving, [](VentilatorSettings& s, double value) { s.drivingPressure = cmH2O(value); });
+    vary(m_limit, [](VentilatorSettings& s, double value) { s.pressureLimit = cmH2O(value); });
+    vary(m_pause, [](VentilatorSettings& s, double value) { s.pauseShare = 0.01 * value; });
+    vary(m_ownEffort, [](VentilatorSettings& s, double value) { s.ownEffort = 0.01 * value; });
+    vary(m_trigger,
+         [](VentilatorSettings& s, double value) { s.trigger = litresPerMinute(value); });
+    vary(m_ownRate, [](VentilatorSettings& s, double value) {
+        const bool isNone = value < inPerMinute(kSlowestBreathing);
+        s.ownRate = isNone ? Frequency{} : perMinute(value);
+        s.ownEffort = isNone ? 0.0 : s.ownEffort > 0.0 ? s.ownEffort : kUsualOwnEffort;
+    });
+    connect(m_tube, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        m_model->setTube(value < inMillimetres(kNarrowestTube) ? Length{} : millimetres(value));
+    });
+}
+
+// Entries stand in the order of the enumerators.
+
+void ConditionPanel::setCondition()
+{
+    m_model->setCondition({static_cast<ConditionKind>(m_condition->currentIndex()),
+                           m_severity->value(),
+                           static_cast<ConditionSide>(m_side->currentIndex())});
+}
+
+void ConditionPanel::refresh()
+{
+    const QString obstacle = m_model->obstacle();
+    m_obstacle->setText(obstacle);
+    m_obstacle->setVisible(!obstacle.isEmpty());
+    m_controls->setEnabled(obstacle.isEmpty());
+    const LungCondition condition = m_model->condition();
+    const bool isIll = condition.kind != ConditionKind::Normal;
+    display(*m_position, static_cast<int>(m_model->position()));
+    display(*m_condition, static_cast<int>(condition.kind));
+    display(*m_severity, condition.severity);
+    display(*m_side, static_cast<int>(condition.side));
+    const QSignalBlocker blocker{m_severitySlider};
+    if (!m_severitySlider->isSliderDown())
+        m_severitySlider->setValue(qRound(condition.severity * kSeveritySteps));
+    for (QWidget* widget : {static_cast<QWidget*>(m_severity),
+                            static_cast<QWidget*>(m_severitySlider), static_cast<QWidget*>(m_side)})
+        widget->setEnabled(isIll);
+    refreshVentilator(m_model->ventilator());
+    display(*m_tube, inMillimetres(m_model->tube()));
+    m_travelling->setText(m_model->travellingText());
+    m_undo->setEnabled(obstacle.isEmpty() && m_model->canUndo());
+}
+
+void ConditionPanel::refreshVentilator(const VentilatorSettings& ventilator)
+{
+    const bool isVentilated = ventilator.mode != VentilationMode::Spontaneous;
+    const bool isByVolume = ventilator.mode == VentilationMode::VolumeControl;
+    display(*m_mode, static_cast<int>(ventilator.mode));
+    // A limit below PEEP would drive no breath, and is refused.
+    const QSignalBlocker peep{m_peep};
+    const QSignalBlocker limit{m_limit};
+    m_peep->setMaximum(std::min(inCmH2O(kHighestPeep), inCmH2O(ventilator.pressureLimit) - 1.0));
+    m_limit->setMinimum(std::max(inCmH2O(kLowestPressureLimit), inCmH2O(ventilator.peep) + 1.0));
+    display(*m_peep, inCmH2O(ventilator.peep));
+    display(*m_driving, inCmH2O(ventilator.drivingPressure));
+    display(*m_limit, inCmH2O(ventilator.pressureLimit));
+    display(*m_pause, 100.0 * ventilator.pauseShare);
+    display(*m_ownRate, inPerMinute(ventilator.ownRate));
+    display(*m_ownEffort, 100.0 * ventilator.ownEffort);
+    display(*m_trigger, inLitresPerMinute(ventilator.trigger));
+    for (QDoubleSpinBox* box : {m_peep, m_ownRate, m_trigger})
+        box->setEnabled(isVentilated);
+    m_driving->setEnabled(ventilator.mode == VentilationMode::PressureControl);
+    m_limit->setEnabled(isByVolume);
+    m_pause->setEnabled(isByVolume);
+    m_ownEffort->setEnabled(isVentilated && ventilator.ownRate.si > 0.0);
+}
+
+} // namespace carina

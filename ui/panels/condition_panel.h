@@ -1,0 +1,62 @@
+#pragma once
+
+#include "models/respiration/respiration_model.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace carina
+{
+
+/// How the patient lies, what ails it and who breathes it, to see and to change. A control shows
+/// the value in force or, while a change travels, the value asked for; what travels is told
+/// beneath. To those who may change nothing it says so.
+class ConditionPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ConditionPanel(QWidget* parent = nullptr);
+
+    /// @pre the model outlives the panel.
+    void setModel(RespirationModel& model);
+
+private:
+    void layOut();
+    QDoubleSpinBox* addNumber(QFormLayout& rows, const char* objectName, const QString& label,
+                              const QString& accessibleName, const QString& unit);
+    void offerChoices();
+    void connectCondition();
+    void connectVentilator();
+    void setCondition();
+    void refresh();
+    void refreshVentilator(const VentilatorSettings& ventilator);
+
+    RespirationModel* m_model = nullptr;
+    QLabel* m_obstacle;
+    QWidget* m_controls;
+    QComboBox* m_position;
+    QComboBox* m_condition;
+    QDoubleSpinBox* m_severity;
+    QSlider* m_severitySlider;
+    QComboBox* m_side;
+    QComboBox* m_mode;
+    QDoubleSpinBox* m_peep = nullptr;
+    QDoubleSpinBox* m_driving = nullptr;
+    QDoubleSpinBox* m_limit = nullptr;
+    QDoubleSpinBox* m_pause = nullptr;
+    QDoubleSpinBox* m_ownRate = nullptr;
+    QDoubleSpinBox* m_ownEffort = nullptr;
+    QDoubleSpinBox* m_trigger = nullptr;
+    QDoubleSpinBox* m_tube;
+    QLabel* m_travelling;
+    QPushButton* m_undo;
+};
+
+} // namespace carina

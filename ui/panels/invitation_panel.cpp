@@ -1,0 +1,110 @@
+#include "ui/panels/invitation_panel.h"
+
+#include "models/session/join_form.h"
+#include "widgets/qr_code.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFontDatabase>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kCodeSize = 1.7; ///< as a multiple of the words' size
+
+QLabel* codeLabel(const QString& name)
+{
+    auto* label = new QLabel;
+    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    font.setPointSizeF(kCodeSize * label->font().pointSizeF());
+    font.setBold(true);
+    label->setFont(font);
+    label->setAccessibleName(name);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    return label;
+}
+
+} // namespace
+
+InvitationPanel::InvitationPanel(QWidget* parent)
+    : QWidget{parent},
+      m_picture{new QrCode},
+      m_reach{new QLabel},
+      m_certificate{new QLabel},
+      m_showPicture{new QPushButton{tr("Show &QR code")}},
+      m_copy{new QPushButton{tr("Copy &link")}}
+{
+    auto* rows = new QGridLayout;
+    rows->setColumnStretch(1, 1);
+    addRow(*rows, Role::Trainee, tr("Trainees"), tr("Code for trainees"));
+    addRow(*rows, Role::Observer, tr("Observers"), tr("Code for observers"));
+    setFocusProxy(m_invited.at(m_chosen).choice);
+    m_picture->setObjectName(QStringLiteral("picture"));
+    m_picture->hide();
+    m_showPicture->setObjectName(QStringLiteral("showPicture"));
+    m_showPicture->setCheckable(true);
+    m_showPicture->setToolTip(tr("The link as a picture, for the camera of another computer"));
+    connect(m_showPicture, &QPushButton::toggled, m_picture, &QWidget::setVisible);
+    for (QLabel* words : {m_reach, m_certificate})
+        words->setWordWrap(true);
+    m_copy->setObjectName(QStringLiteral("copy"));
+    m_copy->setToolTip(tr("The link that the picture holds: carina-trainee takes it in place of "
+                          "address, port and code"));
+    connect(m_copy, &QPushButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(m_invited.at(m_chosen).link); });
+    auto* column = new QVBoxLayout{this};
+    column->addLayout(rows);
+    column->addWidget(m_reach);
+    column->addWidget(m_certificate);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_showPicture);
+    buttons->addWidget(m_copy);
+    buttons->addStretch(1);
+    column->addLayout(buttons);
+    column->addWidget(m_picture, 1);
+    column->addStretch();
+}
+
+void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
+                             const QString& codeName)
+{
+    const Invited invited{new QRadioButton{name}, codeLabel(codeName)};
+    invited.choice->setObjectName(role == Role::Trainee ? QStringLiteral("trainees")
+                                                        : QStringLiteral("observers"));
+    invited.choice->setToolTip(tr("Their link is copied, or shown as a picture"));
+    invited.choice->setChecked(role == m_chosen);
+    connect(invited.choice, &QRadioButton::clicked, this, [this, role] { choose(role); });
+    const int row = rows.rowCount();
+    rows.addWidget(invited.choice, row, 0);
+    rows.addWidget(invited.code, row, 1);
+    m_invited.emplace(role, invited);
+}
+
+void InvitationPanel::show(const SessionNode& host)
+{
+    const JoinCodes codes = host.joinCodes();
+    for (auto& [role, invited] : m_invited) {
+        invited.code->setText(QString::fromStdString(codes.at(role).text()));
+        invited.link = joinLinkText(host, role);
+    }
+    m_reach->setText(reachText(host));
+    m_certificate->setText(certificateText(host));
+    m_certificate->setVisible(!m_certificate->text().isEmpty());
+    choose(m_chosen);
+}
+
+void InvitationPanel::choose(Role role)
+{
+    m_chosen = role;
+    m_picture->setText(m_invited.at(role).link);
+    m_picture->setAccessibleName(role == Role::Trainee ? tr("Link for trainees, as a QR code")
+                                                       : tr("Link for observers, as a QR code"));
+}
+
+} // namespace carina

@@ -1,0 +1,106 @@
+#include "ui/panels/network_panel.h"
+
+#include "widgets/history_plot.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace carina
+{
+namespace
+{
+
+constexpr std::size_t kDelays = 100; ///< p of the delay history
+constexpr int kRowGap = 4;           ///< pixels between rows, so that most figures are in sight
+
+} // namespace
+
+NetworkPanel::NetworkPanel(QWidget* parent)
+    : QWidget{parent},
+      m_participant{new QComboBox},
+      m_plot{new HistoryPlot},
+      m_table{new QTableView}
+{
+    layOut();
+    setFocusProxy(m_participant);
+    m_participant->setPlaceholderText(tr("Nobody else is here yet"));
+    m_participant->setAccessibleName(tr("Participant whose network is shown"));
+    m_plot->setUp(kDelays, tr("ms"), tr("Delays are not known yet"));
+    m_plot->setAccessibleName(tr("One-way delays"));
+    m_table->setAccessibleName(tr("Figures of the network"));
+    m_table->setModel(&m_figures);
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + kRowGap);
+    m_table->horizontalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+}
+
+void NetworkPanel::layOut()
+{
+    auto* label = new QLabel{tr("&Network to")};
+    label->setBuddy(m_participant);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(m_participant, 1);
+    auto* legend = new QLabel{tr("One-way delay, newest right; band: mean ± σ")};
+    legend->setWordWrap(true);
+    auto* column = new QVBoxLayout{this};
+    column->addLayout(row);
+    column->addWidget(legend);
+    column->addWidget(m_plot);
+    column->addWidget(m_table, 1);
+}
+
+void NetworkPanel::setModel(NetworkModel& model)
+{
+    m_model = &model;
+    m_participant->setModel(&model);
+    connect(&model, &NetworkModel::modelReset, this, &NetworkPanel::findShown);
+    connect(&model, &NetworkModel::measured, this, &NetworkPanel::refresh);
+    connect(m_participant, &QComboBox::activated, this, [this] {
+        m_shown = m_participant->currentData(NetworkModel::kIdRole);
+        refresh();
+    });
+    findShown();
+    refresh();
+}
+
+void NetworkPanel::findShown()
+{
+    const int row = m_participant->findData(m_shown, NetworkModel::kIdRole);
+    m_participant->setCurrentIndex(row >= 0 ? row : m_model->rowCount() - 1);
+    m_shown = m_participant->currentData(NetworkModel::kIdRole);
+}
+
+void NetworkPanel::refresh()
+{
+    const auto figures = m_model->figures(m_participant->currentIndex());
+    m_participant->setEnabled(figures.has_value());
+    m_figures.show(figures);
+    plot(figures.value_or(NetworkFigures{}));
+}
+
+void NetworkPanel::plot(const NetworkFigures& figures)
+{
+    std::optional<HistoryPlot::Band> band;
+    if (figures.meanDelay_ms && figures.sigma_ms) {
+        band = {*figures.meanDelay_ms, *figures.sigma_ms};
+        m_plot->setAccessibleDescription(tr("%n delays, mean %1 ms, sigma %2 ms", nullptr,
+                                            static_cast<int>(figures.delays_ms.size()))
+                                             .arg(band->mean, 0, 'f', 2)
+                                             .arg(band->sigma, 0, 'f', 2));
+    } else {
+        m_plot->setAccessibleDescription(tr("Delays are not known yet"));
+    }
+    m_plot->setHistory(figures.delays_ms, band);
+}
+
+} // namespace carina

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "models/network/network_figures_model.h"
+#include "models/network/network_model.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QTableView;
+
+namespace carina
+{
+
+class HistoryPlot;
+
+/// The network to one participant at a time: the delays as a curve, and every figure with its unit.
+class NetworkPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit NetworkPanel(QWidget* parent = nullptr);
+
+    /// @pre the model outlives the panel.
+    void setModel(NetworkModel& model);
+
+private:
+    void layOut();
+    /// Goes back to the participant who was shown before others came or went.
+    void findShown();
+    void refresh();
+    void plot(const NetworkFigures& figures);
+
+    QComboBox* m_participant;
+    HistoryPlot* m_plot;
+    QTableView* m_table;
+    NetworkFiguresModel m_figures;
+    NetworkModel* m_model = nullptr;
+    QVariant m_shown; ///< id of the participant
+};
+
+} // namespace carina

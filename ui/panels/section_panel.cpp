@@ -1,0 +1,146 @@
+#include "ui/panels/section_panel.h"
+
+#include "widgets/scene/view/scene_view.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QSpinBox>
+
+#include <array>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kNothing = 0; ///< the first choice of what is cut
+constexpr int kAutomatic = 0;
+constexpr int kPage_mm = 10;
+constexpr double kRounding_mm = 1e-3; ///< of single precision
+
+/// Out of the patient, on the side from which it is cut open.
+struct CutSide {
+    const char* name;
+    Vec3 normal_A;
+};
+const std::array<CutSide, 6> kSides{{
+    {QT_TRANSLATE_NOOP("carina::SectionPanel", "from the front"), -Vec3::UnitY()},
+    {QT_TRANSLATE_NOOP("carina::SectionPanel", "from the right side"), -Vec3::UnitX()},
+    {QT_TRANSLATE_NOOP("carina::SectionPanel", "from the left side"), Vec3::UnitX()},
+    {QT_TRANSLATE_NOOP("carina::SectionPanel", "from the back"), Vec3::UnitY()},
+    {QT_TRANSLATE_NOOP("carina::SectionPanel", "from above"), Vec3::UnitZ()},
+    {QT_TRANSLATE_NOOP("carina::SectionPanel", "from below"), -Vec3::UnitZ()},
+}};
+
+/// The farthest that a box reaches along a direction.
+double reach(const Box& box, const Vec3& direction)
+{
+    return box.empty() ? 0.0
+                       : direction.dot(box.centre()) + 0.5 * direction.cwiseAbs().dot(box.size());
+}
+
+} // namespace
+
+SectionPanel::SectionPanel(QWidget* parent)
+    : QWidget{parent},
+      m_what{new QComboBox},
+      m_side{new QComboBox},
+      m_slider{new QSlider{Qt::Horizontal}},
+      m_depth{new QSpinBox},
+      m_detail{new QComboBox}
+{
+    fillChoices();
+    layOut();
+    connect(m_what, &QComboBox::currentIndexChanged, this, &SectionPanel::choose);
+    connect(m_side, &QComboBox::currentIndexChanged, this, &SectionPanel::choose);
+    connect(m_slider, &QSlider::valueChanged, m_depth, &QSpinBox::setValue);
+    connect(m_depth, &QSpinBox::valueChanged, m_slider, &QSlider::setValue);
+    connect(m_depth, &QSpinBox::valueChanged, this, &SectionPanel::cut);
+    connect(m_detail, &QComboBox::currentIndexChanged, this, [this](int choice) {
+        m_scene->setFixedLevel(choice == kAutomatic ? std::nullopt : std::optional{0});
+    });
+    setEnabled(false); // until there is a scene
+}
+
+void SectionPanel::fillChoices()
+{
+    m_what->setObjectName(QStringLiteral("what"));
+    m_what->setAccessibleName(tr("What is cut"));
+    m_what->addItems({tr("Nothing"), tr("What lies around the airway"), tr("Everything")});
+    m_side->setObjectName(QStringLiteral("side"));
+    m_side->setAccessibleName(tr("Cut from"));
+    for (const CutSide& side : kSides)
+        m_side->addItem(tr(side.name));
+    m_slider->setObjectName(QStringLiteral("slider"));
+    m_slider->setAccessibleName(tr("Depth of the cut"));
+    m_slider->setPageStep(kPage_mm);
+    m_depth->setObjectName(QStringLiteral("depth"));
+    m_depth->setAccessibleName(tr("Depth of the cut in millimetres"));
+    m_depth->setSuffix(tr(" mm"));
+    m_detail->setObjectName(QStringLiteral("detail"));
+    m_detail->setAccessibleName(tr("Detail"));
+    m_detail->addItems({tr("As much as is drawn in time"), tr("All of it, however slow")});
+}
+
+void SectionPanel::layOut()
+{
+    auto* depth = new QHBoxLayout;
+    depth->addWidget(m_slider, 1);
+    depth->addWidget(m_depth);
+    auto* form = new QFormLayout{this};
+    form->addRow(tr("&Cut"), m_what);
+    form->addRow(tr("F&rom"), m_side);
+    auto* label = new QLabel{tr("Depth")};
+    label->setBuddy(m_slider);
+    form->addRow(label, depth);
+    form->addRow(tr("Detail"), m_detail);
+}
+
+void SectionPanel::setScene(SceneView& scene)
+{
+    m_scene = &scene;
+    m_bounds_A = {};
+    for (const ScenePart& part : scene.parts())
+        m_bounds_A.include(boundsOf(*part.levels.back()));
+    setEnabled(true);
+    choose();
+}
+
+std::optional<Section> SectionPanel::section() const
+{
+    if (m_what->currentIndex() == kNothing)
+        return std::nullopt;
+    const Vec3& normal_A = kSides[static_cast<std::size_t>(m_side->currentIndex())].normal_A;
+    const double depth = 1e-3 * m_depth->value();
+    return Section{normal_A, reach(m_bounds_A, normal_A) - depth,
+                   m_what->currentIndex() == 1 ? Cut::AllButAirway : Cut::All};
+}
+
+/// Another side has another depth; it begins in the middle.
+void SectionPanel::choose()
+{
+    const Vec3& normal_A = kSides[static_cast<std::size_t>(m_side->currentIndex())].normal_A;
+    const int deepest = static_cast<int>(std::ceil(
+        1e3 * (reach(m_bounds_A, normal_A) + reach(m_bounds_A, -normal_A)) - kRounding_mm));
+    const bool isCut = m_what->currentIndex() != kNothing;
+    for (QWidget* control : std::initializer_list<QWidget*>{m_side, m_slider, m_depth})
+        control->setEnabled(isCut);
+    if (m_depth->maximum() != deepest || sender() == m_side) {
+        m_slider->setMaximum(deepest);
+        m_depth->setMaximum(deepest);
+        m_depth->setValue(deepest / 2);
+    }
+    cut();
+}
+
+void SectionPanel::cut()
+{
+    if (m_scene != nullptr)
+        m_scene->setSection(section());
+}
+
+} // namespace carina

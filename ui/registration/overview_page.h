@@ -1,0 +1,41 @@
+#pragma once
+
+#include "ui/registration/registration_page.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace carina
+{
+
+/// The state of the site on one page, who works on it, and its file.
+class OverviewPage : public RegistrationPage
+{
+    Q_OBJECT
+
+public:
+    explicit OverviewPage(RegistrationModel& registration);
+
+    void refresh() override;
+    [[nodiscard]] QString actionText() const override;
+    void act() override;
+
+Q_SIGNALS:
+    /// Everything is done, and the person goes.
+    void finished();
+    void reportWanted();
+
+private:
+    void layOut();
+    void chooseExport();
+    void chooseImport();
+
+    QLabel* m_health; ///< children of this
+    QLineEdit* m_operator;
+    QPushButton* m_moved;
+    QLabel* m_whyNotMoved;
+    QPushButton* m_report;
+};
+
+} // namespace carina

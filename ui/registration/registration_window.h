@@ -1,0 +1,63 @@
+#pragma once
+
+#include "models/registration/registration_model.h"
+#include "ui/registration/registration_scene.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+class QPushButton;
+
+namespace Ui
+{
+class RegistrationWindow;
+}
+
+namespace carina
+{
+
+class RegistrationPage;
+
+/// The wizard that registers a patient's anatomy to a manikin: the steps and how far each is, the
+/// patient in three dimensions, the page of the present step, what the tracker sees, and one
+/// sentence that says what to do now. Return presses the button that goes on; Page Down, or a foot
+/// switch that sends it, takes a point.
+class RegistrationWindow : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// @pre registration outlives the window.
+    explicit RegistrationWindow(RegistrationModel& registration);
+    ~RegistrationWindow() override;
+
+    /// The registration as PDF. @returns what writeRegistrationReport does.
+    [[nodiscard]] Result<void> writeReport(const QString& file);
+
+private:
+    void addPages();
+    void connectButtons();
+    void connectModel();
+    void refresh();
+    void refreshSteps();
+    void refreshButtons();
+    void refreshProgress();
+    void refreshTools();
+    void refreshError();
+    [[nodiscard]] QImage pictureWithScale() const;
+    void askForReport();
+    void hear(const QString& words);
+    void enterNext();
+    [[nodiscard]] RegistrationPage& page() const;
+    /// The button that goes on.
+    [[nodiscard]] QPushButton& mainButton() const;
+
+    std::unique_ptr<Ui::RegistrationWindow> m_ui;
+    RegistrationModel& m_registration;
+    std::vector<RegistrationPage*> m_pages; ///< of kSteps, children of this
+    std::unique_ptr<RegistrationScene> m_scene;
+};
+
+} // namespace carina

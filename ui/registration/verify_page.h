@@ -1,0 +1,37 @@
+#pragma once
+
+#include "ui/registration/registration_page.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace carina
+{
+
+/// Checks the registration at places that its fit did not use, and keeps the verdict.
+class VerifyPage : public RegistrationPage
+{
+    Q_OBJECT
+
+public:
+    explicit VerifyPage(RegistrationModel& registration);
+
+    void refresh() override;
+    void refreshLive() override;
+    [[nodiscard]] QString actionText() const override;
+    [[nodiscard]] bool canAct() const override;
+    [[nodiscard]] bool isReady() const override;
+    void act() override;
+
+private:
+    void fillPoints();
+    [[nodiscard]] QString verdict() const;
+
+    QTableWidget* m_points; ///< children of this
+    QLabel* m_verdict;
+    QLabel* m_stylus;
+    QPushButton* m_take;
+};
+
+} // namespace carina

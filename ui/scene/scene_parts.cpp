@@ -1,0 +1,114 @@
+#include "ui/scene/scene_parts.h"
+
+#include "widgets/scene/look/appearance.h"
+
+namespace carina
+{
+namespace
+{
+
+constexpr const char* kPatient = "patient";
+constexpr const char* kMandible = "mandible";
+constexpr const char* kTube = "tube";
+
+std::string bodyName(SurfaceBody body)
+{
+    switch (body) {
+    case SurfaceBody::Anatomy:
+        return kPatient;
+    case SurfaceBody::Mandible:
+        return kMandible;
+    case SurfaceBody::Tube:
+        return kTube;
+    }
+    return {};
+}
+
+/// Views show what intubation is about: head, airway and lungs.
+bool isFramed(const PatientSurface& surface)
+{
+    if (surface.body == SurfaceBody::Tube)
+        return false;
+    switch (surface.description.role) {
+    case PartRole::Spine:
+    case PartRole::Rib:
+    case PartRole::Diaphragm:
+    case PartRole::Oesophagus:
+    case PartRole::Heart:
+    case PartRole::Vessel:
+    case PartRole::Muscle:
+    case PartRole::Skin:
+    case PartRole::Other:
+        return false;
+    default:
+        return true;
+    }
+}
+
+/// A clear tube with dark marks, a bluish cuff and a white connector, as they are sold.
+Appearance tubeAppearance(const std::string& piece)
+{
+    if (piece == "Depth marks")
+        return {MaterialGroup::Tool, {28, 32, 44}};
+    if (piece == "Cuff")
+        return {MaterialGroup::Tool, {112, 176, 216}};
+    if (piece == "Connector")
+        return {MaterialGroup::Tool, {238, 240, 242}};
+    return {MaterialGroup::Tool, {217, 225, 150}};
+}
+
+/// Where something with the pose X_VF in the patient is drawn while the patient is at X_AV.
+PlacedBody inPatient(const ActedPose& patient, const RigidTransform& X_VF)
+{
+    const RigidTransform X_VF_scaled{X_VF.rotation(), patient.scale * X_VF.translation()};
+    return {patient.X_AO * X_VF_scaled, patient.scale};
+}
+
+} // namespace
+
+std::vector<ScenePart> sceneParts(const PatientModel& patient)
+{
+    std::vector<ScenePart> parts;
+    for (const PatientSurface& surface : patient.surfaces()) {
+        const Appearance look = surface.body == SurfaceBody::Tube
+                                    ? tubeAppearance(surface.name)
+                                    : appearanceOf(surface.description);
+        parts.push_back({.name = surface.name,
+                         .id = static_cast<std::uint16_t>(parts.size() + 1),
+                         .group = look.group,
+                         .color = look.color,
+                         .region = regionOf(surface.description.role),
+                         .body = bodyName(surface.body),
+                         .framed = isFramed(surface),
+                         .levels = surface.levels,
+                         .deviations = surface.description.deviations,
+                         .colors = surface.description.colors,
+                         .sharesLevel = lungSide(surface.description.role).has_value()});
+    }
+    return parts;
+}
+
+FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
+{
+    const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
+    return patient.throat(hasJaw ? std::optional{moment.jaw->X_FO} : std::nullopt);
+}
+
+SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
+                      const FollowingThroat& throat)
+{
+    SceneFrame frame;
+    frame.time = moment.time;
+    frame.chest.field = chest;
+    for (std::size_t region = 0; region < kChestRegions; ++region)
+        frame.chest.motion[region] = motionOf(static_cast<ChestRegion>(region), moment.pose, chest);
+    const ActedPose patient = moment.patient ? moment.patient->acted : ActedPose{};
+    frame.bodies[kPatient] = inPatient(patient, {});
+    frame.throat = throat;
+    frame.bodies[kMandible] = inPatient(patient, throat.X_AJ);
+    if (moment.tube && moment.tube->validity != Validity::Lost)
+        frame.bodies[kTube] = moment.tube->X_FO;
+    return frame;
+}
+
+} // namespace carina

@@ -1,0 +1,277 @@
+#include "ui/trainee/trainee_window.h"
+
+#include "models/station/station_notice.h"
+#include "ui/panels/actions_panel.h"
+#include "ui/panels/parts_panel.h"
+#include "ui/panels/section_panel.h"
+#include "widgets/scene/view/scene_view.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <QWindow>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kNoticeInterval_ms = 200;
+constexpr int kNoticeMargin = 4; // pixels
+
+} // namespace
+
+TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
+                             const StationView& view, const HeadsetView& headset, ViewOutput output,
+                             ChinProbeModel chinProbe, ObjectActionModel& actions)
+    : m_node{node},
+      m_patient{patient},
+      m_scene{new SceneView{this}},
+      m_actions{new QDockWidget{tr("Actions"), this}},
+      m_parts{new QDockWidget{tr("Parts"), this}},
+      m_partsPanel{new PartsPanel},
+      m_section{new SectionPanel},
+      m_notices{new QLabel{this}, new QLabel{this}},
+      m_headset{headset},
+      m_chinProbe{chinProbe},
+      m_stationScene{*m_scene, *patient.patient(), view}
+{
+    setWindowTitle(tr("Carina trainee"));
+    setPalette(QPalette{Qt::white, Qt::black});
+    setAutoFillBackground(true);
+    setCentralWidget(m_scene);
+    makeActions(actions);
+    makeParts();
+    for (QLabel* notice : m_notices) {
+        notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
+        notice->setTextFormat(Qt::PlainText);      // names and licences come from elsewhere
+        notice->setAlignment(Qt::AlignCenter);
+        notice->setAutoFillBackground(true);
+        notice->setMargin(kNoticeMargin);
+        notice->setWordWrap(true);
+    }
+
+    m_scene->setAccessibleName(tr("Patient, three-dimensional view"));
+    m_scene->setBackground(Qt::black);
+    showTo(output);
+    makeMenu();
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &TraineeWindow::refreshNotice);
+    timer->start(kNoticeInterval_ms);
+}
+
+void TraineeWindow::show(const PatientModel& patient, const StationView& view,
+                         ChinProbeModel chinProbe)
+{
+    chinProbe.setMovesManikin(m_chinProbe.movesManikin());
+    m_chinProbe = chinProbe;
+    m_stationScene.show(patient, view);
+    m_partsPanel->setScene(*m_scene);
+    m_section->setScene(*m_scene);
+}
+
+void TraineeWindow::makeActions(ObjectActionModel& actions)
+{
+    auto* panel = new ActionsPanel;
+    panel->setModel(actions);
+    addPanel(m_actions, panel, tr("&Actions on the patient"));
+}
+
+void TraineeWindow::makeParts()
+{
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout{page};
+    column->addWidget(m_partsPanel, 1);
+    column->addWidget(m_section);
+    page->setFocusProxy(m_partsPanel);
+    m_partsPanel->setScene(*m_scene);
+    m_section->setScene(*m_scene);
+    addPanel(m_parts, page, tr("Parts and se&ctions of the patient"));
+    tabifyDockWidget(m_actions, m_parts); // one above the other they are higher than a screen
+}
+
+void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
+{
+    dock->setWidget(panel);
+    dock->setPalette(QApplication::palette());
+    dock->setAutoFillBackground(true);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->hide();
+    QAction* toggle = dock->toggleViewAction();
+    toggle->setText(menuText);
+    connect(toggle, &QAction::triggered, dock, [dock](bool isShown) {
+        if (isShown) // and the menu, which gives the keyboard back, is gone
+            QTimer::singleShot(0, dock, [dock] {
+                dock->raise();
+                dock->widget()->setFocus();
+            });
+    });
+    // Behind the other it is out of sight and yet visible to Qt: nobody shall tab into it.
+    connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
+}
+
+void TraineeWindow::makeMenu()
+{
+    addOutputs();
+    m_menu.addSeparator();
+    addPresets();
+    m_menu.addSeparator();
+    m_menu.addAction(m_actions->toggleViewAction());
+    m_menu.addAction(m_parts->toggleViewAction());
+    m_menu.addSeparator();
+    addFetching();
+    addMotion();
+    m_menu.addAction(tr("F&ull screen on or off"), this,
+                     [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    m_menu.addAction(tr("&Leave"), this, &QWidget::close);
+
+    auto* open = new QAction{tr("Menu"), this};
+    open->setShortcut(Qt::Key_Escape);
+    open->setShortcutContext(Qt::ApplicationShortcut); // also while the scene has the keyboard
+    connect(open, &QAction::triggered, this, [this] { m_menu.popup(mapToGlobal(menuPlace())); });
+    addAction(open);
+}
+
+void TraineeWindow::addOutputs()
+{
+    auto* outputs = new QActionGroup{this};
+    const auto add = [this, outputs](ViewOutput output, const QString& text) {
+        QAction* action = m_menu.addAction(text, this, [this, output] { showTo(output); });
+        action->setCheckable(true);
+        action->setChecked(output == m_stationScene.output());
+        outputs->addAction(action);
+    };
+    add(ViewOutput::Screen, tr("On a &screen"));
+    add(ViewOutput::Mono, tr("In a headset, &one picture"));
+    add(ViewOutput::SideBySide, tr("In a headset, &two pictures side by side"));
+}
+
+void TraineeWindow::addPresets()
+{
+    const auto add = [this](ViewPreset preset, const QString& text) {
+        m_presets.push_back(
+            m_menu.addAction(text, this, [this, preset] { m_scene->showFrom(preset); }));
+        m_presets.back()->setEnabled(m_stationScene.output() == ViewOutput::Screen);
+    };
+    add(ViewPreset::Front, tr("From the &front"));
+    add(ViewPreset::Right, tr("From the &right side"));
+    add(ViewPreset::Trainee, tr("From the &head end"));
+}
+
+void TraineeWindow::addMotion()
+{
+    if (m_chinProbe.isThere())
+        addChinProbe();
+    QAction* assumed = m_menu.addAction(QString{});
+    assumed->setEnabled(false);
+    QAction* end = m_menu.addSeparator();
+    const auto say = [=, this] {
+        assumed->setText(m_chinProbe.assumption());
+        assumed->setVisible(!assumed->text().isEmpty());
+        end->setVisible(assumed->isVisible());
+    };
+    connect(&m_menu, &QMenu::aboutToShow, this, say);
+    say();
+}
+
+void TraineeWindow::addChinProbe()
+{
+    auto* choices = new QActionGroup{this};
+    const auto add = [this, choices](bool movesManikin, const QString& text) {
+        QAction* action = m_menu.addAction(
+            text, this, [this, movesManikin] { m_chinProbe.setMovesManikin(movesManikin); });
+        action->setCheckable(true);
+        action->setChecked(movesManikin == m_chinProbe.movesManikin());
+        choices->addAction(action);
+    };
+    add(false, tr("Manikin lies still, chin probe moves the &jaw"));
+    add(true, tr("&Manikin is moved with its mouth closed"));
+}
+
+void TraineeWindow::addFetching()
+{
+    QAction* stop = m_menu.addAction(tr("Stop fetching the session's &patient"), this,
+                                     [this] { m_patient.stop(); });
+    QAction* again = m_menu.addAction(tr("&Get the session's patient"), this,
+                                      [this] { m_patient.fetchAgain(); });
+    QAction* end = m_menu.addSeparator();
+    const auto offer = [=, this] {
+        stop->setVisible(m_patient.canStop());
+        again->setVisible(m_patient.canFetchAgain());
+        end->setVisible(m_patient.canStop() || m_patient.canFetchAgain());
+    };
+    connect(&m_menu, &QMenu::aboutToShow, this, offer);
+    offer();
+}
+
+void TraineeWindow::showTo(ViewOutput output)
+{
+    m_stationScene.showTo(m_headset, output);
+    for (QAction* preset : m_presets)
+        preset->setEnabled(output == ViewOutput::Screen);
+    // A headset's picture keeps all of the window.
+    for (QDockWidget* dock : {m_actions, m_parts}) {
+        dock->setFloating(output != ViewOutput::Screen);
+        dock->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
+                                                           : Qt::NoDockWidgetArea);
+    }
+    refreshNotice();
+}
+
+void TraineeWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    refreshNotice();
+}
+
+/// Where one eye sees it whole.
+QPoint TraineeWindow::menuPlace() const
+{
+    const bool twice = m_stationScene.output() == ViewOutput::SideBySide;
+    const QSize size = m_menu.sizeHint();
+    QRect eye = m_scene->geometry();
+    eye.setWidth(twice ? eye.width() / 2 : eye.width());
+    return eye.center() - QPoint{size.width() / 2, size.height() / 2};
+}
+
+QString TraineeWindow::notice() const
+{
+    QString notice = stationNotice(m_node, m_stationScene.moment(), m_stationScene.output());
+    if (notice.isEmpty())
+        notice = m_chinProbe.notice();
+    const QString patient = m_patient.notice();
+    return notice.isEmpty() || patient.isEmpty() ? notice + patient
+                                                 : notice + QLatin1Char('\n') + patient;
+}
+
+void TraineeWindow::refreshNotice()
+{
+    const ViewOutput output = m_stationScene.output();
+    const QString notice = this->notice();
+    const bool twice = output == ViewOutput::SideBySide;
+    QRect eye = m_scene->geometry();
+    eye.setWidth(twice ? eye.width() / 2 : eye.width());
+    placeNotice(0, notice, eye);
+    placeNotice(1, twice ? notice : QString{}, eye.translated(eye.width(), 0));
+}
+
+void TraineeWindow::placeNotice(std::size_t place, const QString& notice, const QRect& within)
+{
+    QLabel& label = *m_notices[place];
+    label.setVisible(!notice.isEmpty());
+    if (notice.isEmpty())
+        return;
+    const QMargins margins{kNoticeMargin, kNoticeMargin, kNoticeMargin, kNoticeMargin};
+    QRect needed = label.fontMetrics().boundingRect(within - margins,
+                                                    Qt::AlignCenter | Qt::TextWordWrap, notice)
+                   + margins;
+    needed.moveBottom(within.bottom());
+    label.setText(notice);
+    label.setGeometry(needed);
+    // raise() leaves a native window where it is if the widget is the topmost already.
+    if (QWindow* window = label.windowHandle())
+        window->raise();
+}
+
+} // namespace carina

@@ -1,0 +1,64 @@
+#include "widgets/scene/look/chest_uniforms.h"
+
+#include <QVector4D>
+
+namespace carina
+{
+namespace
+{
+
+QVector4D column(const Shares<float>& s, float last = 0.0F) { return {s.u, s.v, s.h, last}; }
+QVector4D column(const Vec3f& v, float last = 0.0F) { return {v.x(), v.y(), v.z(), last}; }
+
+} // namespace
+
+QMatrix4x4 chestUniform(const ChestField& field)
+{
+    const ChestFrame<float> frame = inSingle(field.frame());
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.origin, frame.frontShare));
+    uniform.setColumn(1, column(frame.perMetre));
+    uniform.setColumn(2, column(frame.rightHilum));
+    uniform.setColumn(3, column(frame.leftHilum));
+    return uniform;
+}
+
+QMatrix4x4 motionUniform(const ChestMotion& motion)
+{
+    const ChestCoefficients<float> c = inSingle(motion);
+    QMatrix4x4 uniform;
+    int next = 0;
+    for (const ChestTerms<float>& side : {c.right, c.left}) {
+        uniform.setColumn(next++, {side.descent, side.forward, side.flare, side.lift});
+        uniform.setColumn(next++, {side.bulkBack, side.bulkDown, side.shrink, side.shift});
+    }
+    return uniform;
+}
+
+QMatrix4x4 throatUniform(const ThroatField& field)
+{
+    const ThroatFrame<float> frame = inSingle(field.frame());
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.up, frame.upFrom));
+    uniform.setColumn(1, column(frame.incisors, frame.perLength));
+    uniform.setColumn(2, column(frame.anchor));
+    return uniform;
+}
+
+QMatrix4x4 jawUniform(const RigidTransform& X_AJ)
+{
+    const JawShift<float> jaw = inSingle(jawShift(X_AJ));
+    QMatrix4x4 uniform;
+    for (int axis = 0; axis < 3; ++axis)
+        uniform.setColumn(axis, column(Vec3f{jaw.turn.col(axis)}));
+    uniform.setColumn(3, column(jaw.shift));
+    return uniform;
+}
+
+bool isJawMoved(const RigidTransform& X_AJ)
+{
+    const JawShift<float> jaw = inSingle(jawShift(X_AJ));
+    return !jaw.turn.isZero(0.0F) || !jaw.shift.isZero(0.0F);
+}
+
+} // namespace carina

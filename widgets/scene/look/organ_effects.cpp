@@ -1,0 +1,187 @@
+#include "widgets/scene/look/organ_effects.h"
+
+#include "resources/resources.h"
+#include "widgets/scene/look/organ_shader.h"
+
+#include <QMatrix4x4>
+#include <QVector4D>
+#include <Qt3DRender/QEffect>
+#include <Qt3DRender/QFilterKey>
+#include <Qt3DRender/QGraphicsApiFilter>
+#include <Qt3DRender/QParameter>
+#include <Qt3DRender/QRenderPass>
+#include <Qt3DRender/QShaderProgram>
+#include <Qt3DRender/QTechnique>
+
+#include <algorithm>
+
+namespace carina
+{
+
+namespace
+{
+
+/// Within these a program that no pass draws with is compiled. Qt 3D tells its status too late.
+constexpr int kFramesToCompile = 2;
+
+Qt3DRender::QShaderProgram* program(const OrganShader& needs, const char* fragmentShader,
+                                    Qt3DCore::QNode* parent)
+{
+    auto* made = new Qt3DRender::QShaderProgram(parent);
+    made->setVertexShaderCode(organVertexShader(needs));
+    made->setFragmentShaderCode(resource(fragmentShader));
+    return made;
+}
+
+Qt3DRender::QRenderPass* pass(const char* key, std::size_t layer)
+{
+    auto* filter = new Qt3DRender::QFilterKey;
+    filter->setName(QString::fromLatin1(key));
+    filter->setValue(static_cast<int>(layer));
+    auto* made = new Qt3DRender::QRenderPass;
+    made->addFilterKey(filter);
+    return made;
+}
+
+Qt3DRender::QTechnique* openGlTechnique()
+{
+    auto* technique = new Qt3DRender::QTechnique;
+    Qt3DRender::QGraphicsApiFilter* api = technique->graphicsApiFilter();
+    api->setApi(Qt3DRender::QGraphicsApiFilter::OpenGL);
+    api->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
+    api->setMajorVersion(3);
+    api->setMinorVersion(1);
+    return technique;
+}
+
+Qt3DRender::QParameter* uniform(const char* name, const QVariant& value, Qt3DCore::QNode* parent)
+{
+    auto* made = new Qt3DRender::QParameter(QString::fromLatin1(name), value);
+    made->setParent(parent);
+    return made;
+}
+
+/// The squared error in squared widths of a band.
+QMatrix4x4 quadricUniform(const ErrorMap& map)
+{
+    QMatrix4x4 quadric;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            quadric(row, column) = static_cast<float>(map.quadric_A(row, column)
+                                                      / (map.bands.width.si * map.bands.width.si));
+    return quadric;
+}
+
+QVector4D light(const QColor& color) { return {color.redF(), color.greenF(), color.blueF(), 1.0F}; }
+
+/// A matrix for each band that there may be, as error_map.frag reads it.
+QVariantList colorUniform(int count)
+{
+    QVariantList colors;
+    for (int band = 0; band < kMostErrorBands; ++band) {
+        const int drawn = std::min(band, count - 1);
+        QMatrix4x4 columns;
+        columns.setColumn(0, light(bandColor(drawn, count)));
+        columns.setColumn(1, light(isolineColor(drawn, count)));
+        colors.push_back(columns);
+    }
+    return colors;
+}
+
+ErrorUniforms errorUniforms(Qt3DCore::QNode* parent)
+{
+    return {uniform("errorQuadric", QMatrix4x4{}, parent), uniform("firstBand", 0.0F, parent),
+            uniform("bandCount", 1.0F, parent),
+            uniform("bandColors[0]", colorUniform(1), parent)}; // as OpenGL names an array
+}
+
+} // namespace
+
+OrganEffects::OrganEffects(Qt3DCore::QNode* parent)
+    : m_cut{uniform("section", QVector4D{}, parent), uniform("cutAway", 0.0F, parent)},
+      m_error{errorUniforms(parent)}
+{
+    for (std::size_t place = 0; place < kDrawLayers; ++place) {
+        const bool many = static_cast<DrawLayer>(place) == DrawLayer::Blended; // SurfaceKey
+        Layer& layer = m_layers[place];
+        layer = {new Qt3DRender::QEffect(parent),
+                 {pass(kSurfacePass, place), pass(kComingPass, place)},
+                 {pass(kIdPass, place), pass(kComingPass, place)},
+                 many};
+        Qt3DRender::QTechnique* technique = openGlTechnique();
+        for (Qt3DRender::QRenderPass* each :
+             {layer.surface.drawn, layer.surface.coming, layer.id.drawn, layer.id.coming})
+            technique->addRenderPass(each);
+        layer.effect->addTechnique(technique);
+        for (Qt3DRender::QParameter* parameter :
+             {m_cut.section, m_cut.cutAway, m_error.quadric, m_error.firstBand, m_error.bandCount,
+              m_error.bandColors})
+            layer.effect->addParameter(parameter);
+    }
+    askForPrograms();
+    usePrograms(); // nothing is drawn yet that could be left out
+}
+
+Qt3DRender::QEffect* OrganEffects::of(DrawLayer layer) const
+{
+    return m_layers[static_cast<std::size_t>(layer)].effect;
+}
+
+/// Programs are made when they are first asked for, since Qt 3D passes over those that no pass has
+/// and does not look again, and kept.
+void OrganEffects::askForPrograms()
+{
+    const char* surface = m_isMapped ? "shaders/error_map.frag" : "shaders/organ.frag";
+    for (Layer& layer : m_layers) {
+        const OrganShader needs{.hasManyRegions = layer.hasManyRegions, .movesJaw = m_movesJaw};
+        const auto use = [&needs, &layer](Qt3DRender::QRenderPass* pass,
+                                          Qt3DRender::QShaderProgram*& made,
+                                          const char* fragmentShader) {
+            if (made == nullptr)
+                made = program(needs, fragmentShader, layer.effect);
+            pass->setShaderProgram(made);
+        };
+        use(layer.surface.coming, layer.surfacePrograms[m_movesJaw][m_isMapped], surface);
+        use(layer.id.coming, layer.idPrograms[m_movesJaw], "shaders/id.frag");
+    }
+    m_framesToCome = kFramesToCompile;
+}
+
+void OrganEffects::usePrograms()
+{
+    for (const Layer& layer : m_layers)
+        for (const Pass& pass : {layer.surface, layer.id})
+            pass.drawn->setShaderProgram(pass.coming->shaderProgram());
+    m_framesToCome = 0;
+}
+
+void OrganEffects::countFrame()
+{
+    if (m_framesToCome > 0 && --m_framesToCome == 0)
+        usePrograms();
+}
+
+void OrganEffects::letJawMove()
+{
+    if (m_movesJaw)
+        return;
+    m_movesJaw = true;
+    askForPrograms();
+}
+
+void OrganEffects::setErrorMap(const std::optional<ErrorMap>& map)
+{
+    if (map.has_value() != m_isMapped) {
+        m_isMapped = map.has_value();
+        askForPrograms();
+    }
+    if (!map)
+        return;
+    const ErrorBands& bands = map->bands;
+    m_error.quadric->setValue(quadricUniform(*map));
+    m_error.firstBand->setValue(static_cast<float>(bands.first));
+    m_error.bandCount->setValue(static_cast<float>(bands.count));
+    m_error.bandColors->setValue(colorUniform(bands.count));
+}
+
+} // namespace carina

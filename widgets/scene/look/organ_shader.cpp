@@ -1,0 +1,19 @@
+#include "widgets/scene/look/organ_shader.h"
+
+#include "resources/resources.h"
+
+namespace carina
+{
+
+QByteArray organVertexShader(const OrganShader& needs)
+{
+    QByteArray defined;
+    if (needs.hasManyRegions)
+        defined += "#define MANY_REGIONS\n";
+    if (needs.movesJaw)
+        defined += "#define JAW_MOVES\n";
+    QByteArray source = resource("shaders/organ.vert");
+    return source.insert(source.indexOf('\n') + 1, defined); // #version stays first
+}
+
+} // namespace carina

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/anatomy/chest/chest_region.h"
+#include "engine/core/result.h"
+#include "engine/geometry/deformation/chest_field.h"
+#include "engine/geometry/deformation/throat_field.h"
+#include "widgets/scene/look/organ_shader.h"
+
+#include <memory>
+
+namespace carina
+{
+
+/// Where the graphics card puts the vertices of one mesh, to measure what is drawn.
+///
+/// Runs resources/shaders/organ.vert, the shader that draws every organ, in any of its forms over
+/// the mesh's own buffers in an OpenGL 3.3 context of its own and captures its outputs by transform
+/// feedback. The
+/// model matrix is the identity, so that positions and normals come back in the frame of the mesh.
+/// The mesh is uploaded once. Leaves the OpenGL context that was current current.
+class DrawnVertices
+{
+public:
+    /// @param region as which the mesh follows the jaw
+    /// @returns NoGraphics where there is no OpenGL 3.3 core context or the shader does not run.
+    /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
+    [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh,
+                                                  ChestRegion region = ChestRegion::Still,
+                                                  const OrganShader& shader = {});
+
+    DrawnVertices(DrawnVertices&&) noexcept;
+    DrawnVertices& operator=(DrawnVertices&&) noexcept;
+    ~DrawnVertices();
+
+    /// One position per vertex, in the order of the mesh, metres.
+    ///
+    /// @returns NoGraphics when the context is lost.
+    [[nodiscard]] Result<std::vector<Vec3f>> positions(const ChestField& field,
+                                                       const ChestMotion& motion,
+                                                       const FollowingThroat& throat = {});
+    /// One unit normal per vertex, likewise.
+    [[nodiscard]] Result<std::vector<Vec3f>>
+    normals(const ChestField& field, const ChestMotion& motion, const FollowingThroat& throat = {});
+
+private:
+    class Card;
+
+    explicit DrawnVertices(std::unique_ptr<Card> card);
+
+    std::unique_ptr<Card> m_card;
+};
+
+} // namespace carina

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "widgets/scene/look/draw_order.h"
+#include "widgets/scene/surfaces/merged_surface.h"
+#include "widgets/scene/view/scene_frame.h"
+
+#include <memory>
+
+namespace Qt3DCore
+{
+class QAttribute;
+class QBuffer;
+class QEntity;
+class QTransform;
+} // namespace Qt3DCore
+namespace Qt3DRender
+{
+class QEffect;
+class QGeometryRenderer;
+class QParameter;
+} // namespace Qt3DRender
+
+namespace carina
+{
+
+/// One merged surface in Qt 3D's scene: its buffers, the place of its body and how it moves within.
+/// The vertices of all levels of detail stay where they are; which triangles are drawn, and in
+/// which order, is a list of corners that is written anew when that changes.
+class SurfaceEntity
+{
+public:
+    /// @pre parent and effect outlive this.
+    SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect, Qt3DCore::QEntity* parent);
+    ~SurfaceEntity();
+    SurfaceEntity(const SurfaceEntity&) = delete;
+    SurfaceEntity& operator=(const SurfaceEntity&) = delete;
+
+    /// Places, breathes, shows or hides it as the frame says.
+    void apply(const SceneFrame& frame);
+    /// Draws its parts in these levels, and what is blended as seen along `forward_A`.
+    /// @pre after apply(), which knows how the body is turned.
+    void show(std::span<const int> levels, const Vec3& forward_A);
+    /// Whether a section cuts it open from now on: then its inner face is drawn, too.
+    void setCut(bool cut);
+
+private:
+    void drawTriangles(const std::vector<Triangle>& triangles);
+    void setMotion(const BreathingChest& chest);
+
+    SurfaceKey m_key;
+    std::vector<SurfacePiece> m_pieces;
+    std::vector<Triangle> m_triangles;
+    std::vector<Vec3f> m_positions; ///< of what is blended
+    std::vector<int> m_levels;      ///< drawn now
+    bool m_isCut = false;
+    DrawOrder m_order; ///< of what is blended, in those levels
+    Vec3f m_forward_F = Vec3f::Zero();
+    Quat m_R_AF = Quat::Identity();
+
+    std::unique_ptr<Qt3DCore::QEntity> m_entity;
+    Qt3DRender::QGeometryRenderer* m_renderer;
+    Qt3DCore::QBuffer* m_corners;
+    Qt3DCore::QAttribute* m_cornerList;
+    Qt3DCore::QTransform* m_X_AF;
+    Qt3DRender::QParameter* m_chest;
+    Qt3DRender::QParameter* m_motion;
+    Qt3DRender::QParameter* m_throat;
+    Qt3DRender::QParameter* m_jaw;
+    bool m_isPlaced = true;
+};
+
+} // namespace carina

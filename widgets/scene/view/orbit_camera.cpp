@@ -1,0 +1,158 @@
+#include "widgets/scene/view/orbit_camera.h"
+
+#include "engine/core/expects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace carina
+{
+
+namespace
+{
+
+constexpr double kMargin = 1.05;       ///< of the fitting distance
+constexpr double kTurnPerHeight = 3.0; ///< radians per picture height dragged
+constexpr double kSteepest = 1.55;     ///< radians; short of the pole, where yaw loses its meaning
+constexpr double kTraineePitch = 0.9;  ///< radians, from above the head towards the chest
+constexpr double kNearest = 0.02;      ///< metres from the target
+constexpr double kFarthest = 20.0;     ///< metres
+
+double yawOf(ViewPreset preset)
+{
+    switch (preset) {
+    case ViewPreset::Front:
+        return 0.0;
+    case ViewPreset::Left:
+        return std::numbers::pi / 2.0;
+    case ViewPreset::Right:
+        return -std::numbers::pi / 2.0;
+    case ViewPreset::Back:
+    case ViewPreset::Trainee:
+        return std::numbers::pi;
+    }
+    return 0.0;
+}
+
+constexpr double kReach = 2.0;        ///< metres about the bounds within which tools are seen
+constexpr double kDepthRange = 500.0; ///< far plane over near plane
+
+} // namespace
+
+void OrbitCamera::setAspect(double widthOverHeight)
+{
+    CARINA_EXPECTS(widthOverHeight > 0.0);
+    m_aspect = widthOverHeight;
+    if (m_fitted)
+        showFrom(m_preset);
+}
+
+void OrbitCamera::showFrom(ViewPreset preset)
+{
+    m_preset = preset;
+    m_yaw = yawOf(preset);
+    m_level = preset == ViewPreset::Trainee ? std::numbers::pi : 0.0;
+    m_pitch = preset == ViewPreset::Trainee ? m_level - kTraineePitch : 0.0;
+    m_target_A = m_bounds_A.empty() ? Vec3::Zero() : m_bounds_A.centre();
+    m_distance = fittingDistance();
+    m_fitted = true;
+}
+
+void OrbitCamera::orbit(double right, double down)
+{
+    m_yaw -= (m_level == 0.0 ? right : -right) * kTurnPerHeight;
+    m_pitch = std::clamp(m_pitch + down * kTurnPerHeight, m_level - kSteepest, m_level + kSteepest);
+    m_fitted = false;
+}
+
+void OrbitCamera::pan(double right, double down)
+{
+    const double height = 2.0 * m_distance * std::tan(kVerticalFieldOfView / 2.0);
+    const Vec3 rightward = up().cross(backward());
+    m_target_A += height * (down * up() - right * rightward);
+    m_fitted = false;
+}
+
+void OrbitCamera::zoom(double factor)
+{
+    CARINA_EXPECTS(factor > 0.0);
+    m_distance = std::clamp(m_distance / factor, kNearest, kFarthest);
+    m_fitted = false;
+}
+
+CameraPose OrbitCamera::pose() const
+{
+    CameraPose pose;
+    pose.p_A_eye = m_target_A + m_distance * backward();
+    pose.p_A_target = m_target_A;
+    pose.up_A = up();
+    return withPlanes(pose);
+}
+
+Frustum OrbitCamera::frustum() const
+{
+    const double up = std::tan(0.5 * kVerticalFieldOfView);
+    const double right = m_aspect * up;
+    return {.left = -right, .right = right, .bottom = -up, .top = up};
+}
+
+Vec3 OrbitCamera::directionThrough(double right, double upward) const
+{
+    const double height = 2.0 * std::tan(kVerticalFieldOfView / 2.0);
+    const Vec3 rightward = up().cross(backward());
+    return (height * (right * rightward + upward * up()) - backward()).normalized();
+}
+
+CameraPose OrbitCamera::poseOf(const RigidTransform& X_AD) const
+{
+    CameraPose pose;
+    pose.p_A_eye = X_AD.translation();
+    pose.p_A_target = X_AD * Vec3(0.0, 0.0, -1.0);
+    pose.up_A = X_AD.rotation() * Vec3::UnitY();
+    return withPlanes(pose);
+}
+
+CameraPose OrbitCamera::withPlanes(CameraPose pose) const
+{
+    const bool empty = m_bounds_A.empty();
+    const Vec3 p_A_centre = empty ? Vec3(Vec3::Zero()) : m_bounds_A.centre();
+    const double radius = empty ? 0.0 : 0.5 * m_bounds_A.size().norm();
+    pose.farPlane = (pose.p_A_eye - p_A_centre).norm() + radius + kReach;
+    pose.nearPlane = pose.farPlane / kDepthRange;
+    return pose;
+}
+
+Vec3 OrbitCamera::backward() const
+{
+    return {std::sin(m_yaw) * std::cos(m_pitch), -std::cos(m_yaw) * std::cos(m_pitch),
+            std::sin(m_pitch)};
+}
+
+Vec3 OrbitCamera::up() const
+{
+    return {-std::sin(m_yaw) * std::sin(m_pitch), std::cos(m_yaw) * std::sin(m_pitch),
+            std::cos(m_pitch)};
+}
+
+/// A corner at (r, u, b) to the right of, above and behind the target is in the picture when the
+/// distance is at least b + |u| / tan(fov / 2) and b + |r| / (aspect tan(fov / 2)).
+double OrbitCamera::fittingDistance() const
+{
+    if (m_bounds_A.empty())
+        return 1.0;
+    const Vec3 rightward = up().cross(backward());
+    const double tangent = std::tan(kVerticalFieldOfView / 2.0);
+    double distance = kNearest;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 side{(corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5,
+                        (corner & 4) != 0 ? 0.5 : -0.5};
+        const Vec3 offset = side.cwiseProduct(m_bounds_A.size());
+        const double behind = offset.dot(backward());
+        distance = std::max({distance, behind + std::abs(offset.dot(up())) / tangent,
+                             behind + std::abs(offset.dot(rightward)) / (m_aspect * tangent)});
+    }
+    return kMargin * distance;
+}
+
+} // namespace carina

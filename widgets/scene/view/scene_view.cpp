@@ -1,0 +1,211 @@
+#include "widgets/scene/view/scene_view.h"
+
+#include "widgets/scene/view/scene_renderer.h"
+#include "widgets/scene/view/scene_window.h"
+
+#include "engine/core/expects.h"
+#include "engine/core/monotonic_clock.h"
+
+#include <QScreen>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <set>
+
+namespace carina
+{
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kTick{16};
+constexpr Duration kDrawingBudget = std::chrono::milliseconds{25}; ///< of one frame
+constexpr QColor kNight{18, 25, 31};
+
+/// What presets show whole; everything, where no part asks for it.
+Box boundsToFrame(std::span<const ScenePart> parts)
+{
+    Box framed;
+    Box all;
+    for (const ScenePart& part : parts) {
+        const Box bounds = boundsOf(*part.levels.back());
+        all.include(bounds);
+        if (part.framed)
+            framed.include(bounds);
+    }
+    return framed.empty() ? all : framed;
+}
+
+std::vector<DetailEye> eyesOf(std::span<const SceneCamera> cameras)
+{
+    std::vector<DetailEye> eyes;
+    for (const SceneCamera& camera : cameras)
+        eyes.push_back({camera.pose.p_A_eye,
+                        camera.pixels.height / (camera.frustum.top - camera.frustum.bottom)});
+    return eyes;
+}
+
+} // namespace
+
+SceneView::SceneView(QWidget* parent)
+    : QWidget(parent),
+      m_window(new SceneWindow),
+      m_renderer(std::make_unique<SceneRenderer>(m_window)),
+      m_labels(*this),
+      m_detail({}, kDrawingBudget)
+{
+    QWidget* container = QWidget::createWindowContainer(m_window, this);
+    container->setFocusPolicy(Qt::StrongFocus);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(container);
+    setFocusProxy(container);
+    setBackground(kNight);
+    connect(m_window, &SceneWindow::tabbed, this, [this, container](bool forward) {
+        container->setFocus(); // which its window took away: the way goes on from here
+        focusNextPrevChild(forward);
+    });
+    connect(m_window, &SceneWindow::clicked, this, &SceneView::sendRay);
+    connect(&m_tick, &QTimer::timeout, this, &SceneView::drawFrame);
+    m_tick.setTimerType(Qt::PreciseTimer);
+    m_tick.setSingleShot(true);
+    m_tick.start(kTick);
+}
+
+SceneView::~SceneView() = default;
+
+void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed)
+{
+    std::set<std::uint16_t> ids;
+    for (const ScenePart& part : parts)
+        ids.insert(part.id);
+    CARINA_EXPECTS(ids.size() == parts.size());
+    m_parts.assign(parts.begin(), parts.end());
+    Box framed = boundsToFrame(parts);
+    framed.include(alsoFramed);
+    m_window->camera().setBounds(framed);
+    m_window->camera().setAspect(m_window->widthOverHeight());
+    m_detail = DetailChoice{{}, kDrawingBudget};
+    m_eyes.clear();
+    setLooks({});
+}
+
+void SceneView::setLooks(const PartLooks& looks)
+{
+    m_looks = looks;
+    const std::vector<ScenePart> shown = withLooks(m_parts, looks);
+    m_renderer->setParts(shown);
+    m_labels.setParts(shown, looks);
+    m_detail.setParts(shown);
+}
+
+const OrbitCamera& SceneView::camera() const { return m_window->camera(); }
+
+void SceneView::setSection(const std::optional<Section>& section)
+{
+    m_renderer->setSection(section);
+}
+
+void SceneView::setErrorMap(const std::optional<ErrorMap>& map) { m_renderer->setErrorMap(map); }
+
+void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
+
+void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
+
+void SceneView::setInteractive(bool interactive) { m_window->setInteractive(interactive); }
+
+void SceneView::setBackground(const QColor& color) { m_renderer->setBackground(color); }
+
+QImage SceneView::picture() { return m_window->isExposed() ? m_renderer->picture() : QImage(); }
+
+std::map<std::uint16_t, std::size_t> SceneView::visiblePixels()
+{
+    std::map<std::uint16_t, std::size_t> pixels;
+    for (const ScenePart& part : m_parts)
+        pixels[part.id] = 0;
+    if (m_window->isExposed())
+        m_renderer->countPixels(pixels);
+    return pixels;
+}
+
+/// The frame's eyes, or the desktop's camera over the whole window.
+std::vector<SceneCamera> SceneView::camerasOf(const SceneFrame& frame) const
+{
+    const OrbitCamera& camera = m_window->camera();
+    if (!frame.eyes)
+        return {{camera.pose(), camera.frustum(), m_window->pixels()}};
+    std::vector<SceneCamera> cameras;
+    for (const EyePicture& eye : *frame.eyes) {
+        const PixelRect area =
+            pixelsOf(eye.part, m_window->pixels().width, m_window->pixels().height);
+        const PlacedPicture placed = letterboxed(eye.frustum, area);
+        cameras.push_back({camera.poseOf(eye.X_AD), placed.frustum, placed.pixels});
+    }
+    return cameras;
+}
+
+void SceneView::sendRay(const QPointF& position)
+{
+    const double height = std::max(1, m_window->height());
+    const OrbitCamera& camera = m_window->camera();
+    Q_EMIT clicked(camera.pose().p_A_eye,
+                   camera.directionThrough((position.x() - 0.5 * m_window->width()) / height,
+                                           0.5 - position.y() / height));
+}
+
+/// By where the eyes were in the latest frame: the frame source is asked for the frame only once
+/// the levels are known.
+void SceneView::chooseDetail()
+{
+    if (m_eyes.empty())
+        m_eyes = eyesOf(camerasOf({}));
+    m_detail.choose(m_eyes);
+}
+
+void SceneView::drawFrame()
+{
+    const LocalTime began = monotonicNow();
+    if (m_window->isExposed())
+        drawExposed(began);
+    const auto left = kTick - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);
+    m_tick.start(std::max(left, std::chrono::milliseconds{0}));
+}
+
+void SceneView::placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras)
+{
+    if (frame.eyes) {
+        m_labels.hide();
+        if (m_sides)
+            m_sides->hide();
+        return;
+    }
+    m_labels.place(frame, cameras.front().pose, cameras.front().frustum);
+    if (m_sides)
+        m_sides->place(cameras.front().pose);
+}
+
+void SceneView::drawExposed(LocalTime asked)
+{
+    chooseDetail();
+    DrawnFrame drawn;
+    drawn.level = level();
+    drawn.triangles = m_detail.triangles();
+    drawn.asked = asked;
+    drawn.lit = m_timeOfLight.of(drawn.asked, m_window->screen()->refreshRate());
+    if (m_source)
+        drawn.frame = m_source(drawn.level, drawn.lit);
+    const std::vector<SceneCamera> cameras = camerasOf(drawn.frame);
+    m_eyes = eyesOf(cameras);
+    m_renderer->setCameras(cameras);
+    m_renderer->apply(drawn.frame, m_detail.levels());
+    m_renderer->draw();
+    drawn.swapped = monotonicNow();
+    placeLabels(drawn.frame, cameras);
+    m_times.add(drawn.asked, drawn.swapped);
+    m_timeOfLight.frameTook(drawn.swapped - drawn.asked);
+    m_detail.frameTook(drawn.swapped - drawn.asked);
+    if (m_listener)
+        m_listener(drawn);
+}
+
+} // namespace carina

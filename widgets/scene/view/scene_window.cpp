@@ -1,0 +1,143 @@
+#include "widgets/scene/view/scene_window.h"
+
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QStyleHints>
+#include <QSurfaceFormat>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+
+namespace
+{
+
+constexpr double kKeyStep = 0.05;      ///< of the picture's height
+constexpr double kZoomPerKey = 1.15;   ///< factor
+constexpr double kZoomPerNotch = 1.12; ///< factor
+constexpr double kNotch = 120.0;       ///< eighths of a degree, as wheels report
+
+} // namespace
+
+SceneWindow::SceneWindow()
+{
+    setSurfaceType(QSurface::OpenGLSurface);
+    setFormat(QSurfaceFormat::defaultFormat());
+    create();
+}
+
+void SceneWindow::showFrom(ViewPreset preset)
+{
+    m_preset = preset;
+    m_camera.showFrom(preset);
+}
+
+double SceneWindow::widthOverHeight() const
+{
+    return std::max(1, width()) / static_cast<double>(std::max(1, height()));
+}
+
+PixelRect SceneWindow::pixels() const
+{
+    const QSize size = this->size() * devicePixelRatio();
+    return {0, 0, std::max(1, size.width()), std::max(1, size.height())};
+}
+
+void SceneWindow::resizeEvent(QResizeEvent* event)
+{
+    QWindow::resizeEvent(event);
+    m_camera.setAspect(widthOverHeight());
+}
+
+void SceneWindow::mousePressEvent(QMouseEvent* event)
+{
+    requestActivate();
+    m_pressed = m_lastDrag = event->position();
+    m_dragged = false;
+}
+
+void SceneWindow::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !m_dragged)
+        Q_EMIT clicked(event->position());
+}
+
+void SceneWindow::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_interactive || event->buttons() == Qt::NoButton)
+        return;
+    const int farthest = QGuiApplication::styleHints()->startDragDistance();
+    m_dragged = m_dragged || (event->position() - m_pressed).manhattanLength() >= farthest;
+    const QPointF moved = (event->position() - m_lastDrag) / std::max(1, height());
+    m_lastDrag = event->position();
+    const bool moves = event->modifiers().testFlag(Qt::ShiftModifier)
+                       || !event->buttons().testFlag(Qt::LeftButton);
+    if (moves)
+        m_camera.pan(moved.x(), moved.y());
+    else
+        m_camera.orbit(moved.x(), moved.y());
+}
+
+void SceneWindow::mouseDoubleClickEvent(QMouseEvent*)
+{
+    if (m_interactive)
+        m_camera.showFrom(m_preset);
+}
+
+void SceneWindow::wheelEvent(QWheelEvent* event)
+{
+    if (m_interactive)
+        m_camera.zoom(std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch));
+}
+
+void SceneWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab) {
+        Q_EMIT tabbed(event->key() == Qt::Key_Tab);
+        return;
+    }
+    event->setAccepted(m_interactive && turnOrMove(*event));
+}
+
+bool SceneWindow::turnOrMove(const QKeyEvent& event)
+{
+    double right = 0.0;
+    double down = 0.0;
+    switch (event.key()) {
+    case Qt::Key_Left:
+        right = -kKeyStep;
+        break;
+    case Qt::Key_Right:
+        right = kKeyStep;
+        break;
+    case Qt::Key_Up:
+        down = -kKeyStep;
+        break;
+    case Qt::Key_Down:
+        down = kKeyStep;
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        m_camera.zoom(kZoomPerKey);
+        return true;
+    case Qt::Key_Minus:
+        m_camera.zoom(1.0 / kZoomPerKey);
+        return true;
+    case Qt::Key_Home:
+        m_camera.showFrom(m_preset);
+        return true;
+    default:
+        return false;
+    }
+    if (event.modifiers().testFlag(Qt::ShiftModifier))
+        m_camera.pan(right, down);
+    else
+        m_camera.orbit(right, down);
+    return true;
+}
+
+} // namespace carina

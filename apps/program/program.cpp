@@ -110,12 +110,14 @@ void addMeasureOptions(QCommandLineParser& parser)
 
 void addSizeOption(QCommandLineParser& parser)
 {
-    parser.addOption({kSize, QApplication::translate("Program", "Size of the window."),
-                      QStringLiteral("WxH"), QStringLiteral("1280x800")});
+    parser.addOption(
+        {kSize, QApplication::translate("Program", "Size of the window."), QStringLiteral("WxH")});
 }
 
 Result<QSize> sizeOption(const QCommandLineParser& parser)
 {
+    if (!parser.isSet(kSize))
+        return MeasureOptions{}.size;
     const QStringList sides = parser.value(kSize).split(QLatin1Char('x'));
     const QSize size{sides.value(0).toInt(), sides.value(1).toInt()};
     if (sides.size() != 2 || size.isEmpty() || size.width() > kWidest || size.height() > kWidest)

@@ -49,7 +49,7 @@ void addMeasureOptions(QCommandLineParser& parser);
 
 /// Adds `--size WxH`, of the window; what addMeasureOptions adds, too.
 void addSizeOption(QCommandLineParser& parser);
-/// @returns WrongOption for a size that is none.
+/// The size given; 1280x800 where none is. @returns WrongOption for a size that is none.
 [[nodiscard]] Result<QSize> sizeOption(const QCommandLineParser& parser);
 
 /// A UDP port from `--port`. @returns WrongOption for something else.

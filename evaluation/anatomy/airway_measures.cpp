@@ -8,7 +8,7 @@
 #include <cctype>
 #include <cmath>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -164,4 +164,4 @@ std::optional<AirwayMeasures> measureAirway(const Anatomy& anatomy)
     return measures;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace carina::lab
+namespace carina
 {
 
 /// A straight piece of a tube: a line through it.
@@ -36,4 +36,4 @@ struct AirwayMeasures {
 /// @returns nothing without landmarks, trachea or main bronchi whose lines can be found.
 [[nodiscard]] std::optional<AirwayMeasures> measureAirway(const Anatomy& anatomy);
 
-} // namespace carina::lab
+} // namespace carina

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -161,4 +161,4 @@ Result<AnatomyComparison> compareAnatomy(const Anatomy& generated, const Anatomy
     return result;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// One figure of a generated patient beside the same figure of a real set, in the unit that its
@@ -71,4 +71,4 @@ inline constexpr double kLargestMeanDistance_mm = 6.0;
 [[nodiscard]] Result<AnatomyComparison> compareAnatomy(const Anatomy& generated,
                                                        const Anatomy& real);
 
-} // namespace carina::lab
+} // namespace carina

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -95,4 +95,4 @@ std::vector<Outline> outlinesOf(const TriangleMesh& mesh, const Vec3& p, const V
     return outlines;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// One closed line in which a plane cuts a surface.
@@ -22,4 +22,4 @@ struct Outline {
 [[nodiscard]] std::vector<Outline> outlinesOf(const TriangleMesh& mesh, const Vec3& p,
                                               const Vec3& normal);
 
-} // namespace carina::lab
+} // namespace carina

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <string_view>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -85,4 +85,4 @@ std::map<std::string, Organ> organsOf(const Anatomy& anatomy)
     return organs;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace carina::lab
+namespace carina
 {
 
 /// By which of its measures a real organ is scaled to a patient.
@@ -22,4 +22,4 @@ struct Organ {
 /// below it. Muscles, vessels, discs and what a generated patient never has are left out.
 [[nodiscard]] std::map<std::string, Organ> organsOf(const Anatomy& anatomy);
 
-} // namespace carina::lab
+} // namespace carina

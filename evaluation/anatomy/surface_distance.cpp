@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -48,4 +48,4 @@ Length meanDistance(const TriangleMesh& from, const SurfaceTree& to, Length spac
     return metres(moment / area);
 }
 
-} // namespace carina::lab
+} // namespace carina

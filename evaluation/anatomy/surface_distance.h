@@ -3,7 +3,7 @@
 #include "engine/core/units.h"
 #include "engine/geometry/mesh/surface_tree.h"
 
-namespace carina::lab
+namespace carina
 {
 
 /// Mean over the area of one surface of the distance to another. Sampled evenly: every triangle in
@@ -11,4 +11,4 @@ namespace carina::lab
 /// @pre both have an area, and spacing is above zero.
 [[nodiscard]] Length meanDistance(const TriangleMesh& from, const SurfaceTree& to, Length spacing);
 
-} // namespace carina::lab
+} // namespace carina

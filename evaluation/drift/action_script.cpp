@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -113,4 +113,4 @@ EventCpo ActionScript::translation(int action) const
     return event;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// The experiment of the 2004 paper: one object turned and another moved by successive actions,
@@ -64,4 +64,4 @@ private:
     std::vector<Pose> m_poses; // one for each action
 };
 
-} // namespace carina::lab
+} // namespace carina

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -201,4 +201,4 @@ DriftFigures runDrift(DriftSettings settings, int seeds)
     return mean;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// One run of the drift experiment.
@@ -58,4 +58,4 @@ struct DriftFigures {
 /// The mean of runs with the seeds `seed` to seed + seeds - 1. @pre seeds >= 1
 [[nodiscard]] DriftFigures runDrift(DriftSettings settings, int seeds);
 
-} // namespace carina::lab
+} // namespace carina

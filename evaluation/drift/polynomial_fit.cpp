@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -63,4 +63,4 @@ Result<Polynomial> fitPolynomial(std::span<const double> x, std::span<const doub
     return Polynomial{unmapped(mapped, middle, half)};
 }
 
-} // namespace carina::lab
+} // namespace carina

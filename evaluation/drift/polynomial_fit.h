@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// sum_i coefficients[i] x^i
@@ -23,4 +23,4 @@ struct Polynomial {
 [[nodiscard]] Result<Polynomial> fitPolynomial(std::span<const double> x, std::span<const double> y,
                                                int degree);
 
-} // namespace carina::lab
+} // namespace carina

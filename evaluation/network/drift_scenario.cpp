@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -144,4 +144,4 @@ Result<DriftScenario> findScenario(const std::string& nameOrFile)
     return readTrace(nameOrFile);
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// A network and the clocks at its ends.
@@ -32,4 +32,4 @@ struct DriftScenario {
 /// @returns FileNotFound for a name that is neither; FileEmpty; FileMalformed, naming the line.
 [[nodiscard]] Result<DriftScenario> findScenario(const std::string& nameOrFile);
 
-} // namespace carina::lab
+} // namespace carina

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace carina::lab
+namespace carina
 {
 
 /// The network between the programs of a live session: a host, and participants 1 to n, each with
@@ -54,4 +54,4 @@ public:
 [[nodiscard]] std::unique_ptr<LiveNetwork>
 relayedNetwork(std::size_t participants, const DriftScenario& scenario, std::uint32_t seed);
 
-} // namespace carina::lab
+} // namespace carina

@@ -3,7 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/core/monotonic_clock.h"
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -98,4 +98,4 @@ LossyRelay::Client& LossyRelay::clientAt(std::uint16_t port)
     return *client;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -9,7 +9,7 @@
 #include <queue>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// Stands between clients and a host on loopback and is the network between them: what a
@@ -84,4 +84,4 @@ private:
     PreciseTimer m_timer;
 };
 
-} // namespace carina::lab
+} // namespace carina

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -236,4 +236,4 @@ Result<std::unique_ptr<LiveNetwork>> netlabNetwork(const QString& program, std::
     return network;
 }
 
-} // namespace carina::lab
+} // namespace carina

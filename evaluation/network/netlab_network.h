@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace carina::lab
+namespace carina
 {
 
 /// A scenario's legs in the words of netlab, an emulator that gives every program a network
@@ -25,4 +25,4 @@ namespace carina::lab
                                                                  const DriftScenario& scenario,
                                                                  std::uint32_t seed);
 
-} // namespace carina::lab
+} // namespace carina

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace carina::lab
+namespace carina
 {
 
 PreciseTimer::PreciseTimer(std::function<void()> onTime)
@@ -38,4 +38,4 @@ void PreciseTimer::setTo(LocalTime machine)
     CARINA_EXPECTS(set == 0);
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace carina::lab
+namespace carina
 {
 
 /// Calls from this thread's event loop when the machine's CLOCK_MONOTONIC shows a time, to some
@@ -30,4 +30,4 @@ private:
     std::optional<QSocketNotifier> m_notifier;
 };
 
-} // namespace carina::lab
+} // namespace carina

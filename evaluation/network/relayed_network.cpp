@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -80,4 +80,4 @@ std::unique_ptr<LiveNetwork> relayedNetwork(std::size_t participants, const Drif
     return std::make_unique<RelayedNetwork>(participants, scenario, seed);
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace carina::lab
+namespace carina
 {
 
 /// Serves a transport from this thread's event loop, without a node around it.
@@ -44,4 +44,4 @@ private:
     QTimer m_timer;
 };
 
-} // namespace carina::lab
+} // namespace carina

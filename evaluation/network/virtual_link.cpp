@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -154,4 +154,4 @@ VirtualLink::Arrivals VirtualLink::send(std::size_t bytes, Duration now)
     return arrivals;
 }
 
-} // namespace carina::lab
+} // namespace carina

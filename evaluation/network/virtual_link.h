@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// One delay of a trace; a datagram sent at `at` or later, up to the next point, meets it.
@@ -94,4 +94,4 @@ private:
     bool m_isBad = false;
 };
 
-} // namespace carina::lab
+} // namespace carina

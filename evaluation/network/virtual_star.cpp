@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -151,4 +151,4 @@ Duration VirtualStar::leastDelay(std::uint16_t id, Duration t)
     return atHost + throughLeg(*m_nodes[id].fromHost, t + atHost);
 }
 
-} // namespace carina::lab
+} // namespace carina

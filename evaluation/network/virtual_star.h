@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <queue>
 
-namespace carina::lab
+namespace carina
 {
 
 /// A session in virtual time: a host, participants 1 to n with clocks of their own, and a link each
@@ -89,4 +89,4 @@ private:
     std::uint64_t m_bytes = 0;
 };
 
-} // namespace carina::lab
+} // namespace carina

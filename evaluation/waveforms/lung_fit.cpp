@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-namespace carina::lab
+namespace carina
 {
 
 std::optional<LinearLung> fitLinear(const LungSamples& samples)
@@ -27,4 +27,4 @@ std::optional<LinearLung> fitLinear(const LungSamples& samples)
                       litresPerCmH2O(1.0 / found[2])};
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// What was measured at the opening of a lung: pressure, flow into it, and gas that the breath has
@@ -27,4 +27,4 @@ struct LinearLung {
 /// @returns nothing where the samples do not tell R from C, or tell that one is not above 0.
 [[nodiscard]] std::optional<LinearLung> fitLinear(const LungSamples& samples);
 
-} // namespace carina::lab
+} // namespace carina

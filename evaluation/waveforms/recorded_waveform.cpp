@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -211,4 +211,4 @@ std::vector<RecordedBreath> breathsOf(const std::vector<BreathPart>& parts)
     return breaths;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// Pressure at the airway opening, and flow where it was recorded, at a steady rate.
@@ -49,4 +49,4 @@ struct RecordedBreath {
 /// The breaths with a beginning, an inspiration and an expiration, all of them connected.
 [[nodiscard]] std::vector<RecordedBreath> breathsOf(const std::vector<BreathPart>& parts);
 
-} // namespace carina::lab
+} // namespace carina

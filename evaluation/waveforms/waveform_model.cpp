@@ -7,7 +7,7 @@
 #include <functional>
 #include <utility>
 
-namespace carina::lab
+namespace carina
 {
 namespace
 {
@@ -193,4 +193,4 @@ Result<WaveformModel> modelOf(const RecordedWaveform& waveform,
     return model;
 }
 
-} // namespace carina::lab
+} // namespace carina

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace carina::lab
+namespace carina
 {
 
 /// A breath of a recording and the lung that was found from it.
@@ -46,4 +46,4 @@ struct WaveformModel {
                                             const std::vector<BreathPart>& parts,
                                             VolumeFlow inspiratoryFlow);
 
-} // namespace carina::lab
+} // namespace carina

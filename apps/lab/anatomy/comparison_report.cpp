@@ -1,5 +1,7 @@
 #include "apps/lab/anatomy/comparison_report.h"
 
+#include "apps/lab/anatomy/anatomy_page.h"
+
 #include <QJsonArray>
 
 #include <cmath>
@@ -15,23 +17,23 @@ QString text(const std::string& words) { return QString::fromStdString(words); }
 
 QJsonObject objectOf(const Deviation& figure)
 {
-    return {{QStringLiteral("name"), text(figure.name)},
-            {QStringLiteral("generated"), rounded(figure.generated)},
-            {QStringLiteral("set"), rounded(figure.real)},
-            {QStringLiteral("deviation"), rounded(figure.deviation())},
-            {QStringLiteral("limit"), figure.limit},
-            {QStringLiteral("relative"), figure.relative},
-            {QStringLiteral("met"), figure.met()}};
+    return {{anatomy_compare_key::kFigure, text(figure.name)},
+            {anatomy_compare_key::kGenerated, rounded(figure.generated)},
+            {anatomy_compare_key::kReal, rounded(figure.real)},
+            {anatomy_compare_key::kDeviation, rounded(figure.deviation())},
+            {anatomy_compare_key::kLimit, figure.limit},
+            {anatomy_compare_key::kRelative, figure.relative},
+            {anatomy_compare_key::kFigureMet, figure.met()}};
 }
 
 QJsonObject objectOf(const OrganDistance& organ)
 {
-    return {{QStringLiteral("organ"), text(organ.organ)},
-            {QStringLiteral("to_set_mm"), rounded(organ.toReal_mm)},
-            {QStringLiteral("from_set_mm"), rounded(organ.fromReal_mm)},
-            {QStringLiteral("mean_mm"), rounded(organ.mean_mm())},
-            {QStringLiteral("one_way"), organ.oneWay},
-            {QStringLiteral("met"), organ.met()}};
+    return {{anatomy_compare_key::kOrgan, text(organ.organ)},
+            {anatomy_compare_key::kToSet, rounded(organ.toReal_mm)},
+            {anatomy_compare_key::kFromSet, rounded(organ.fromReal_mm)},
+            {anatomy_compare_key::kMean, rounded(organ.mean_mm())},
+            {anatomy_compare_key::kOneWay, organ.oneWay},
+            {anatomy_compare_key::kOrganMet, organ.met()}};
 }
 
 QJsonArray listOf(const std::vector<std::string>& names)
@@ -71,9 +73,9 @@ QJsonArray listOf(const std::vector<SelfIntersection>& found)
 {
     QJsonArray list;
     for (const SelfIntersection& part : found)
-        list.append(QJsonObject{{QStringLiteral("part"), text(part.part)},
-                                {QStringLiteral("level"), qint64(part.level)},
-                                {QStringLiteral("pairs"), qint64(part.pairs)}});
+        list.append(QJsonObject{{anatomy_compare_key::kPart, text(part.part)},
+                                {anatomy_compare_key::kLevel, qint64(part.level)},
+                                {anatomy_compare_key::kPairs, qint64(part.pairs)}});
     return list;
 }
 
@@ -85,15 +87,15 @@ QJsonObject reportOf(const AnatomyComparison& comparison)
     QJsonArray organs;
     for (const OrganDistance& organ : comparison.organs)
         organs.append(objectOf(organ));
-    return {{QStringLiteral("airway_scale"), rounded(comparison.airwayScale)},
-            {QStringLiteral("chest_scale"), rounded(comparison.chestScale)},
-            {QStringLiteral("figures"), figures},
-            {QStringLiteral("organs"), organs},
-            {QStringLiteral("not_in_set"), listOf(comparison.notInSet)},
-            {QStringLiteral("not_in_patient"), listOf(comparison.notInPatient)},
-            {QStringLiteral("self_intersections"), listOf(comparison.selfIntersections)},
-            {QStringLiteral("met"), comparison.met()},
-            {QStringLiteral("unmet"), unmet(comparison)}};
+    return {{anatomy_compare_key::kAirwayScale, rounded(comparison.airwayScale)},
+            {anatomy_compare_key::kChestScale, rounded(comparison.chestScale)},
+            {anatomy_compare_key::kFigures, figures},
+            {anatomy_compare_key::kOrgans, organs},
+            {anatomy_compare_key::kNotInSet, listOf(comparison.notInSet)},
+            {anatomy_compare_key::kNotInPatient, listOf(comparison.notInPatient)},
+            {anatomy_compare_key::kSelfIntersections, listOf(comparison.selfIntersections)},
+            {anatomy_compare_key::kMet, comparison.met()},
+            {anatomy_compare_key::kUnmet, unmet(comparison)}};
 }
 
 } // namespace carina::lab

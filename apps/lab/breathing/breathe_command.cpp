@@ -1,15 +1,14 @@
-#include "apps/lab/breathing/breathe_command.h"
-
+#include "apps/lab/breathing/breathe_page.h"
 #include "apps/lab/breathing/condition_sweep.h"
 #include "apps/lab/breathing/drawn_breathing.h"
 #include "apps/lab/command/patient_options.h"
 #include "apps/lab/command/patient_words.h"
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 
-#include <QCommandLineParser>
 #include <QJsonArray>
 
 #include <algorithm>
-#include <cmath>
 
 namespace carina::lab
 {
@@ -17,49 +16,35 @@ namespace
 {
 
 constexpr std::array<const char*, 2> kLungNames{"right", "left"};
-const QString kEveryCondition = QStringLiteral("every-condition");
 
-constexpr const char* kBreathe = "breathe";
-
-void addFlags(QCommandLineParser& parser)
+Result<std::optional<std::size_t>> levelOption(const Words& words)
 {
-    addPatientOptions(parser);
-    addPositionOption(parser);
-    addValueOptions(parser, {"rate-per-min", "tidal-volume-ml", "seconds", "level"});
-    parser.addOption(QCommandLineOption{kEveryCondition});
-}
-
-Result<std::optional<std::size_t>> levelOption(const QCommandLineParser& parser)
-{
-    if (!parser.isSet(QStringLiteral("level")))
+    if (!words.has(breathe_option::kLevel))
         return std::nullopt;
-    return numberOption(parser, kBreathe, "level", 0.0, 99.0)
-        .and_then([](double level) -> Result<std::optional<std::size_t>> {
-            if (level != std::floor(level))
-                return fail(Errc::OutOfRange, "breathe needs --level with a whole number.");
-            return static_cast<std::size_t>(level);
-        });
+    return words.whole(breathe_option::kLevel, 0, 99, 0).map([](std::int64_t level) {
+        return std::optional{static_cast<std::size_t>(level)};
+    });
 }
 
-Result<BreathingTrial> trialOf(const QCommandLineParser& parser, const PatientBuild& build)
+/// What the options say but who breathes, and in which position.
+Result<BreathingTrial> trialOf(const Words& words)
 {
-    const auto rate = numberOption(parser, kBreathe, "rate-per-min", 4.0, 60.0);
+    const auto rate = words.number(breathe_option::kRate, 4.0, 60.0);
     if (!rate)
         return tl::unexpected(rate.error());
-    const auto tidalVolume_ml = numberOption(parser, kBreathe, "tidal-volume-ml", 20.0, 2000.0);
+    const auto tidalVolume_ml = words.number(breathe_option::kTidalVolume, 20.0, 2000.0);
     if (!tidalVolume_ml)
         return tl::unexpected(tidalVolume_ml.error());
-    const auto seconds = numberOption(parser, kBreathe, "seconds", 0.1, 3600.0);
+    const auto seconds = words.number(breathe_option::kSeconds, 0.1, 3600.0);
     if (!seconds)
         return tl::unexpected(seconds.error());
-    const auto condition = conditionOption(parser, kBreathe);
+    const auto condition = conditionOption(words);
     if (!condition)
         return tl::unexpected(condition.error());
-    const auto mode = ventilatorOption(parser, kBreathe);
+    const auto mode = ventilatorOption(words);
     if (!mode)
         return tl::unexpected(mode.error());
     BreathingTrial trial;
-    trial.settings.build = build;
     trial.settings.condition = *condition;
     trial.settings.pattern.rate = perMinute(*rate);
     trial.settings.pattern.tidalVolume = millilitres(*tidalVolume_ml);
@@ -77,16 +62,15 @@ QJsonObject describeLung(const std::vector<DrawnLevel>& levels, std::size_t lung
         const double error_ml = inMillilitres(level.trials.front().errors.lungs[lung]);
         largest_ml = std::max(largest_ml, error_ml);
         described.append(
-            QJsonObject{{QStringLiteral("level"), qint64(level.level)},
-                        {QStringLiteral("vertices"), qint64(drawn.vertices)},
-                        {QStringLiteral("triangles"), qint64(drawn.triangles)},
-                        {QStringLiteral("rest_volume_ml"), inMillilitres(drawn.restVolume)},
-                        {QStringLiteral("max_volume_error_ml"), error_ml}});
+            QJsonObject{{breathe_key::kLevelOfLung, qint64(level.level)},
+                        {breathe_key::kVertices, qint64(drawn.vertices)},
+                        {breathe_key::kTriangles, qint64(drawn.triangles)},
+                        {breathe_key::kRestVolumeInLevel, inMillilitres(drawn.restVolume)},
+                        {breathe_key::kErrorOfLungInLevel, error_ml}});
     }
-    return {
-        {QStringLiteral("max_volume_error_ml"), largest_ml},
-        {QStringLiteral("rest_volume_ml"), inMillilitres(levels.front().lungs[lung].restVolume)},
-        {QStringLiteral("levels"), described}};
+    return {{breathe_key::kErrorOfLung, largest_ml},
+            {breathe_key::kRestVolume, inMillilitres(levels.front().lungs[lung].restVolume)},
+            {breathe_key::kLevelsOfLung, described}};
 }
 
 QJsonObject describeBreathing(const Anatomy& anatomy, const BreathingTrial& trial,
@@ -99,55 +83,59 @@ QJsonObject describeBreathing(const Anatomy& anatomy, const BreathingTrial& tria
         const DrawnTrial& of = level.trials.front();
         largest_ml = std::max(largest_ml, inMillilitres(of.errors.largest()));
         described.append(
-            QJsonObject{{QStringLiteral("level"), qint64(level.level)},
-                        {QStringLiteral("frames"), qint64(of.frames)},
-                        {QStringLiteral("tidal_volume_drawn_ml"), inMillilitres(of.tidalVolume)},
-                        {QStringLiteral("max_volume_error_ml"), inMillilitres(of.errors.both)}});
+            QJsonObject{{breathe_key::kLevel, qint64(level.level)},
+                        {breathe_key::kFrames, qint64(of.frames)},
+                        {breathe_key::kDrawnTidalVolume, inMillilitres(of.tidalVolume)},
+                        {breathe_key::kErrorOfLevel, inMillilitres(of.errors.both)}});
     }
     for (std::size_t lung = 0; lung < kLungNames.size(); ++lung)
         lungs[QLatin1StringView{kLungNames[lung]}] = describeLung(drawn.levels, lung);
     const BreathingPattern& pattern = trial.settings.pattern;
-    return {{QStringLiteral("schema"), QStringLiteral("carina.breathe/1")},
-            {QStringLiteral("anatomy"), QString::fromStdString(anatomy.name)},
-            {QStringLiteral("position"),
-             QString::fromStdString(std::string{positionName(trial.settings.position)})},
-            {QStringLiteral("rate_per_min"), inPerMinute(pattern.rate)},
-            {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
-            {QStringLiteral("seconds"), trial.seconds},
-            {QStringLiteral("frames_per_second"), trial.framesPerSecond},
-            {QStringLiteral("frc_ml"), inMillilitres(drawn.functionalResidualCapacity)},
-            {QStringLiteral("max_volume_error_ml"), largest_ml},
-            {QStringLiteral("levels"), described},
-            {QStringLiteral("lungs"), lungs}};
+    return {
+        {breathe_key::kSchema, QLatin1StringView{breathe_key::kSchema.help}},
+        {breathe_key::kAnatomy, QString::fromStdString(anatomy.name)},
+        {breathe_key::kPosition,
+         QString::fromStdString(std::string{positionName(trial.settings.position)})},
+        {breathe_key::kRate, inPerMinute(pattern.rate)},
+        {breathe_key::kTidalVolume, inMillilitres(pattern.tidalVolume)},
+        {breathe_key::kSeconds, trial.seconds},
+        {breathe_key::kFramesPerSecond, trial.framesPerSecond},
+        {breathe_key::kFunctionalResidualCapacity, inMillilitres(drawn.functionalResidualCapacity)},
+        {breathe_key::kLargestError, largest_ml},
+        {breathe_key::kLevels, described},
+        {breathe_key::kLungs, lungs}};
 }
 
 /// Whether anything is said of how to breathe.
-bool isAskedForOneWay(const QCommandLineParser& parser)
+bool isAskedForOneWay(const Words& words)
 {
-    constexpr std::array kWays{"rate-per-min", "tidal-volume-ml", "seconds",
-                               "condition",    "severity",        "side",
-                               "ventilator"};
-    return std::ranges::any_of(
-        kWays, [&parser](const char* way) { return parser.isSet(QString::fromLatin1(way)); });
+    constexpr std::array kWays{breathe_option::kRate,
+                               breathe_option::kTidalVolume,
+                               breathe_option::kSeconds,
+                               kCondition,
+                               kSeverity,
+                               kSide,
+                               kVentilator};
+    return std::ranges::any_of(kWays, [&words](const Option& way) { return words.has(way); });
 }
 
-Result<QJsonObject> breathe(const QCommandLineParser& parser)
+Result<QJsonObject> drawnBreaths(const Words& words)
 {
-    const auto level = levelOption(parser);
+    const auto level = levelOption(words);
     if (!level)
         return tl::unexpected(level.error());
-    const auto position = positionOption(parser, kBreathe);
+    const auto position = positionOption(words);
     if (!position)
         return tl::unexpected(position.error());
-    const bool sweeps = parser.isSet(kEveryCondition);
-    if (sweeps && isAskedForOneWay(parser))
-        return fail(Errc::OutOfRange, "breathe takes --every-condition with --anatomy, --patient "
-                                      "and --level, and nothing else.");
+    const bool sweeps = words.has(breathe_option::kEveryCondition);
+    if (sweeps && isAskedForOneWay(words))
+        return words.refuse(QStringLiteral("takes --every-condition with --anatomy, --patient, "
+                                           "--position and --level, and nothing else."));
     // What is wrong with the rest is to be told before a set is read.
-    const auto trial = sweeps ? Result<BreathingTrial>{} : trialOf(parser, {});
+    const auto trial = sweeps ? Result<BreathingTrial>{} : trialOf(words);
     if (!trial)
         return tl::unexpected(trial.error());
-    auto subject = subjectOption(parser, kBreathe);
+    auto subject = subjectOption(words);
     if (!subject)
         return tl::unexpected(subject.error());
     if (sweeps)
@@ -160,13 +148,9 @@ Result<QJsonObject> breathe(const QCommandLineParser& parser)
     });
 }
 
-Result<QJsonObject> run(const QStringList& arguments)
+Result<QJsonObject> breathe(const Words& words)
 {
-    QCommandLineParser parser;
-    addFlags(parser);
-    if (const auto parsed = parseOptions(parser, kBreathe, arguments); !parsed)
-        return tl::unexpected(parsed.error());
-    auto result = breathe(parser);
+    auto result = drawnBreaths(words);
     if (!result && result.error().code == Errc::NoGraphics)
         return fail(Errc::NoGraphics, "breathe draws, and there is no OpenGL 3.3 here ("
                                           + result.error().detail
@@ -174,43 +158,72 @@ Result<QJsonObject> run(const QStringList& arguments)
     return result;
 }
 
-constexpr std::string_view kHelp =
-    R"(breathe --rate-per-min R --tidal-volume-ml V --seconds S
-        [--condition NAME [--severity 0..1] [--side both|right|left]]
-        [--ventilator none|volume|pressure] [--position NAME]
-        [--anatomy DIR] [--patient WHO] [--level N]
-    Draws the lungs of an anatomy set, or of a made patient (child), breathing for S seconds at
-    60 frames per second as the respiratory mechanics have it, reads back where the shader put their
-    vertices, and compares the volume these enclose with the mechanics. Every level of detail, or
-    level N (0 is the finest). Conditions and positions are those of `mechanics`; a severity is 0.6
-    unless given. WHO is adult, child, or figures with commas between them, as in "45 years, 182 cm,
-    man, obese"; beside --anatomy it says whose breathing the set gets (an adult's). Needs a
-    display. schema carina.breathe/1
-      anatomy, position      name of the anatomy drawn, and how the patient lies
-      rate_per_min, tidal_volume_ml, seconds, frames_per_second
-                             what was asked for
-      max_volume_error_ml    largest error of either lung and of both together, in any level
-      frc_ml                 volume of both lungs at rest in the finest level
-      levels                 per level of detail, both lungs together: level, frames,
-                             max_volume_error_ml, and tidal_volume_drawn_ml, the greatest less the
-                             least volume drawn in all the seconds: more than a breath's while
-                             breathing settles
-      lungs                  right and left: max_volume_error_ml, rest_volume_ml (in the finest
-                             level drawn), levels (per level: level, vertices, triangles,
-                             rest_volume_ml, max_volume_error_ml)
-breathe --every-condition [--position NAME] [--anatomy DIR] [--patient WHO] [--level N]
-    The same for every condition, on each side where it has one, at the severities 0.3, 0.6, 0.9 and
-    1, breathed spontaneously and by volume and pressure control at 12, 20 and 40 breaths per
-    minute: frames of one breath after a minute. schema carina.breathe.conditions/1
-      anatomy, position      name of the anatomy drawn, and how the patient lies
-      trials, frames         how many ways to breathe were drawn, and frames in all levels
-      max_volume_error_ml    as above, of all
-      levels                 level, max_volume_error_ml
-      conditions             condition, side, max_volume_error_ml
-)";
+Use breathOfOneWay()
+{
+    return {.lines = {"--rate-per-min R --tidal-volume-ml V --seconds S [OPTION...]"},
+            .text =
+                "Draws the lungs of a built-in patient (the child unless another is asked for) or "
+                "of an anatomy set, breathing at 60 frames per second as the respiratory mechanics "
+                "say. Reads back where the shader put the vertices, and compares the volume that "
+                "they enclose with the volume of the mechanics. Needs a display.",
+            .options = {breathe_option::kRate, breathe_option::kTidalVolume,
+                        breathe_option::kSeconds, kCondition, kSeverity, kSide, kVentilator,
+                        kPosition, kAnatomy, kPatient, breathe_option::kLevel},
+            .schema = breathe_key::kSchema,
+            .keys = {breathe_key::kAnatomy,
+                     breathe_key::kPosition,
+                     breathe_key::kRate,
+                     breathe_key::kTidalVolume,
+                     breathe_key::kSeconds,
+                     breathe_key::kFramesPerSecond,
+                     breathe_key::kLargestError,
+                     breathe_key::kFunctionalResidualCapacity,
+                     breathe_key::kLevels,
+                     breathe_key::kLevel,
+                     breathe_key::kFrames,
+                     breathe_key::kDrawnTidalVolume,
+                     breathe_key::kErrorOfLevel,
+                     breathe_key::kLungs,
+                     breathe_key::kErrorOfLung,
+                     breathe_key::kRestVolume,
+                     breathe_key::kLevelsOfLung,
+                     breathe_key::kLevelOfLung,
+                     breathe_key::kVertices,
+                     breathe_key::kTriangles,
+                     breathe_key::kRestVolumeInLevel,
+                     breathe_key::kErrorOfLungInLevel}};
+}
+
+Use breathsOfEveryCondition()
+{
+    return {.lines =
+                {"--every-condition [--position NAME] [--anatomy DIR] [--patient WHO] [--level N]"},
+            .text =
+                "The same for every condition, on each side on which it can be, at the severities "
+                "0.3, 0.6, 0.9 and 1, breathed spontaneously and by volume and pressure control at "
+                "12, 20 and 40 breaths per minute. Draws the frames of one breath after a minute "
+                "of breathing. Needs a display.",
+            .options = {breathe_option::kEveryCondition, kPosition, kAnatomy, kPatient,
+                        breathe_option::kLevel},
+            .schema = breathe_sweep_key::kSchema,
+            .keys = {breathe_sweep_key::kAnatomy, breathe_sweep_key::kPosition,
+                     breathe_sweep_key::kTrials, breathe_sweep_key::kFrames,
+                     breathe_sweep_key::kLargestError, breathe_sweep_key::kLevels,
+                     breathe_sweep_key::kLevel, breathe_sweep_key::kErrorOfLevel,
+                     breathe_sweep_key::kConditions, breathe_sweep_key::kCondition,
+                     breathe_sweep_key::kSide, breathe_sweep_key::kErrorOfCondition}};
+}
 
 } // namespace
 
-Command breatheCommand() { return {"breathe", kHelp, run}; }
+Command breatheCommand()
+{
+    return {.name = "breathe",
+            .theme = "breathing",
+            .summary = "draws breathing lungs and measures the volume that was drawn",
+            .uses = {breathOfOneWay(), breathsOfEveryCondition()},
+            .draws = true,
+            .experiment = breathe};
+}
 
 } // namespace carina::lab

@@ -1,5 +1,6 @@
 #include "apps/lab/breathing/condition_sweep.h"
 
+#include "apps/lab/breathing/breathe_page.h"
 #include "apps/lab/breathing/drawn_breathing.h"
 #include "apps/lab/command/patient_words.h"
 
@@ -86,9 +87,9 @@ QJsonArray describeConditions(const Sweep& sweep, const DrawnBreathing& drawn)
         for (const DrawnLevel& level : drawn.levels)
             largest = std::max(largest, largest_ml(level, swept.first, swept.end));
         described.append(QJsonObject{
-            {QStringLiteral("condition"), QString::fromStdString(std::string{swept.named.name})},
-            {QStringLiteral("side"), QString::fromStdString(std::string{sideName(swept.side)})},
-            {QStringLiteral("max_volume_error_ml"), largest}});
+            {breathe_sweep_key::kCondition, QString::fromStdString(std::string{swept.named.name})},
+            {breathe_sweep_key::kSide, QString::fromStdString(std::string{sideName(swept.side)})},
+            {breathe_sweep_key::kErrorOfCondition, largest}});
     }
     return described;
 }
@@ -103,18 +104,18 @@ QJsonObject describeSweep(const Anatomy& anatomy, const Sweep& sweep, const Draw
         largest = std::max(largest, ofLevel);
         for (const DrawnTrial& trial : level.trials)
             frames += qint64(trial.frames);
-        levels.append(QJsonObject{{QStringLiteral("level"), qint64(level.level)},
-                                  {QStringLiteral("max_volume_error_ml"), ofLevel}});
+        levels.append(QJsonObject{{breathe_sweep_key::kLevel, qint64(level.level)},
+                                  {breathe_sweep_key::kErrorOfLevel, ofLevel}});
     }
-    return {{QStringLiteral("schema"), QStringLiteral("carina.breathe.conditions/1")},
-            {QStringLiteral("anatomy"), QString::fromStdString(anatomy.name)},
-            {QStringLiteral("position"),
+    return {{breathe_sweep_key::kSchema, QLatin1StringView{breathe_sweep_key::kSchema.help}},
+            {breathe_sweep_key::kAnatomy, QString::fromStdString(anatomy.name)},
+            {breathe_sweep_key::kPosition,
              QString::fromStdString(std::string{positionName(sweep.position)})},
-            {QStringLiteral("trials"), qint64(sweep.trials.size())},
-            {QStringLiteral("frames"), frames},
-            {QStringLiteral("max_volume_error_ml"), largest},
-            {QStringLiteral("levels"), levels},
-            {QStringLiteral("conditions"), describeConditions(sweep, drawn)}};
+            {breathe_sweep_key::kTrials, qint64(sweep.trials.size())},
+            {breathe_sweep_key::kFrames, frames},
+            {breathe_sweep_key::kLargestError, largest},
+            {breathe_sweep_key::kLevels, levels},
+            {breathe_sweep_key::kConditions, describeConditions(sweep, drawn)}};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "apps/lab/breathing/mechanics_table.h"
 
+#include "apps/lab/breathing/mechanics_page.h"
 #include "apps/lab/command/patient_words.h"
 #include "engine/lungs/drawing/chest_shape.h"
 #include "engine/lungs/mechanics/respiratory_fold.h"
@@ -54,19 +55,18 @@ QJsonObject describeBreaths(const RespiratorySettings& settings)
         chestShape(settings.build, fold.system(), fold.content(), fold.moment());
     const auto ml = [](Volume volume) { return inMillilitres(volume); };
     return {
-        {QStringLiteral("tidal_volume_ml"), ml(breath.tidalVolume)},
-        {QStringLiteral("tidal_volume_right_ml"), ml(breath.tidalVolumeOfLung[0])},
-        {QStringLiteral("tidal_volume_left_ml"), ml(breath.tidalVolumeOfLung[1])},
-        {QStringLiteral("peak_cmh2o"), inCmH2O(breath.peak)},
-        {QStringLiteral("plateau_cmh2o"), inCmH2O(breath.plateau)},
-        {QStringLiteral("auto_peep_cmh2o"), inCmH2O(breath.autoPeep)},
-        {QStringLiteral("alveolar_ventilation_l_per_min"),
-         60.0 * inLitresPerSecond(breath.alveolarVentilation)},
-        {QStringLiteral("right_lung_ml"), ml(fold.content()[0].gas)},
-        {QStringLiteral("left_lung_ml"), ml(fold.content()[1].gas)},
-        {QStringLiteral("right_pleura_cmh2o"), inCmH2O(fold.moment().pleural[0])},
-        {QStringLiteral("left_pleura_cmh2o"), inCmH2O(fold.moment().pleural[1])},
-        {QStringLiteral("mediastinal_shift_mm"), inMillimetres(shape.mediastinalShift)},
+        {mechanics_key::kTidalVolume, ml(breath.tidalVolume)},
+        {mechanics_key::kTidalVolumeRight, ml(breath.tidalVolumeOfLung[0])},
+        {mechanics_key::kTidalVolumeLeft, ml(breath.tidalVolumeOfLung[1])},
+        {mechanics_key::kPeak, inCmH2O(breath.peak)},
+        {mechanics_key::kPlateau, inCmH2O(breath.plateau)},
+        {mechanics_key::kAutoPeep, inCmH2O(breath.autoPeep)},
+        {mechanics_key::kAlveolarVentilation, 60.0 * inLitresPerSecond(breath.alveolarVentilation)},
+        {mechanics_key::kRightLung, ml(fold.content()[0].gas)},
+        {mechanics_key::kLeftLung, ml(fold.content()[1].gas)},
+        {mechanics_key::kRightPleura, inCmH2O(fold.moment().pleural[0])},
+        {mechanics_key::kLeftPleura, inCmH2O(fold.moment().pleural[1])},
+        {mechanics_key::kMediastinalShift, inMillimetres(shape.mediastinalShift)},
     };
 }
 
@@ -78,14 +78,13 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
     const RespiratorySystem system = systemOf(settings);
     const ChestContent rest = restingContent(system);
     return {
-        {QStringLiteral("condition"), textOf(named.name)},
-        {QStringLiteral("severity"), severity},
-        {QStringLiteral("side"), textOf(sideName(side))},
-        {QStringLiteral("rest_volume_ml"), inMillilitres(rest[0].gas + rest[1].gas)},
-        {QStringLiteral("compliance_ml_per_cmh2o"),
-         1e3 * inLitresPerCmH2O(complianceAtRest(system))},
-        {QStringLiteral("spontaneous"), describeBreaths(settings)},
-        {QStringLiteral("volume_control"), describeBreaths(ventilated(settings))},
+        {mechanics_key::kCondition, textOf(named.name)},
+        {mechanics_key::kSeverity, severity},
+        {mechanics_key::kSide, textOf(sideName(side))},
+        {mechanics_key::kRestVolume, inMillilitres(rest[0].gas + rest[1].gas)},
+        {mechanics_key::kCompliance, 1e3 * inLitresPerCmH2O(complianceAtRest(system))},
+        {mechanics_key::kSpontaneous, describeBreaths(settings)},
+        {mechanics_key::kVolumeControl, describeBreaths(ventilated(settings))},
     };
 }
 
@@ -96,19 +95,18 @@ QJsonObject describePatient(const PatientBuild& build)
     const double bronchi = system.lungs[0].bronchi.si + system.lungs[1].bronchi.si;
     const BreathingPattern quiet = restingPattern(build);
     return {
-        {QStringLiteral("height_mm"), inMillimetres(build.height)},
-        {QStringLiteral("weight_kg"), build.weightInKilograms},
-        {QStringLiteral("age_years"), build.ageInYears},
-        {QStringLiteral("rv_ml"), inMillilitres(volumes.residual)},
-        {QStringLiteral("frc_ml"), inMillilitres(volumes.functionalResidual)},
-        {QStringLiteral("tlc_ml"), inMillilitres(volumes.totalCapacity)},
-        {QStringLiteral("compliance_ml_per_cmh2o"),
-         1e3 * inLitresPerCmH2O(complianceAtRest(system))},
-        {QStringLiteral("resistance_cmh2o_s_per_l"),
+        {mechanics_key::kHeight, inMillimetres(build.height)},
+        {mechanics_key::kWeight, build.weightInKilograms},
+        {mechanics_key::kAge, build.ageInYears},
+        {mechanics_key::kResidualVolume, inMillilitres(volumes.residual)},
+        {mechanics_key::kFunctionalResidualCapacity, inMillilitres(volumes.functionalResidual)},
+        {mechanics_key::kTotalCapacity, inMillilitres(volumes.totalCapacity)},
+        {mechanics_key::kPatientCompliance, 1e3 * inLitresPerCmH2O(complianceAtRest(system))},
+        {mechanics_key::kResistance,
          inCmH2OSecondsPerLitre({system.upperLaminar.si + 1.0 / bronchi})},
-        {QStringLiteral("rate_per_min"), inPerMinute(quiet.rate)},
-        {QStringLiteral("tidal_volume_ml"), inMillilitres(quiet.tidalVolume)},
-        {QStringLiteral("inspiratory_fraction"), quiet.inspiratoryFraction},
+        {mechanics_key::kQuietRate, inPerMinute(quiet.rate)},
+        {mechanics_key::kQuietTidalVolume, inMillilitres(quiet.tidalVolume)},
+        {mechanics_key::kInspiratoryFraction, quiet.inspiratoryFraction},
     };
 }
 
@@ -125,11 +123,11 @@ QJsonObject mechanicsTable(const RespiratorySettings& healthy)
         for (const double severity : {0.3, 0.6, 0.9})
             conditions.append(describeCondition(healthy, named, severity));
     }
-    return {{QStringLiteral("patient"), describePatient(healthy.build)},
-            {QStringLiteral("position"), textOf(positionName(healthy.position))},
-            {QStringLiteral("seconds"), kSeconds},
-            {QStringLiteral("rate_per_min"), inPerMinute(healthy.pattern.rate)},
-            {QStringLiteral("conditions"), conditions}};
+    return {{mechanics_key::kPatient, describePatient(healthy.build)},
+            {mechanics_key::kPosition, textOf(positionName(healthy.position))},
+            {mechanics_key::kSeconds, kSeconds},
+            {mechanics_key::kRate, inPerMinute(healthy.pattern.rate)},
+            {mechanics_key::kConditions, conditions}};
 }
 
 } // namespace carina::lab

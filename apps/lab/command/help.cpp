@@ -41,8 +41,7 @@ void appendBroken(QString& text, const QString& words, qsizetype column)
 void appendEntry(QString& text, const QString& name, const char* help, qsizetype indent)
 {
     text += QString(indent, QLatin1Char(' ')) + name;
-    if (indent + name.size() < kHelpColumn)
-        text += QLatin1Char(' ');
+    text += QLatin1Char(indent + name.size() < kHelpColumn ? ' ' : '\n');
     appendBroken(text, QString::fromUtf8(help), kHelpColumn);
 }
 

@@ -1,6 +1,5 @@
-#include "apps/lab/deformation/deform_command.h"
-
-#include "apps/lab/command/command_options.h"
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/deformation/fissures.h"
 #include "apps/lab/deformation/landmark_motion.h"
 #include "engine/io/anatomy_set/anatomy_set.h"
@@ -15,38 +14,50 @@ namespace carina::lab
 namespace
 {
 
-constexpr const char* kDeform = "deform";
-constexpr double kInspired_ml = 500.0; ///< unless given
+namespace deform_option
+{
+constexpr Option kLandmarks{"landmarks", "FILE", "the landmarks of one person"};
+constexpr Option kFit{"fit", "DIR",
+                      "folder with landmark files, to which the three constants of a breath are "
+                      "fitted; with --landmarks, to those that hold other landmarks than FILE"};
+constexpr Option kFissures{"fissures", "DIR", "folder of an anatomy set"};
+constexpr Option kInspired{"inspired-ml", "V", "inspired volume, 0 to 10000; 500 unless given"};
+} // namespace deform_option
 
-constexpr std::string_view kDeformHelp =
-    R"(deform --landmarks FILE [--fit DIR] | --fit DIR | --fissures DIR [--inspired-ml V]
-    Moves landmarks of a person's lungs at the end of expiration by the field that moves every lung
-    here, and compares them with where they were at the end of inspiration. The field is told their
-    bounding box, and one amplitude, which is fitted.
-    --landmarks FILE    CSV with columns ee_x_mm, ee_y_mm, ee_z_mm (end of expiration) and ei_x_mm,
-                        ei_y_mm, ei_z_mm (end of inspiration), z towards the feet, as of DIR-Lab
-    --fit DIR           with FILE: fits the three constants of a breath to the landmark files of DIR
-                        that hold other landmarks than FILE, instead of using the built-in ones;
-                        alone: does so for each file in turn, and for all together
-    --fissures DIR      instead: how the lobes of the anatomy set in DIR keep together once V ml
-                        (500) were inspired
-    schema              "carina.deform/1"
-    landmarks           how many
-    amplitude           of the breath; 1 lowers the base by 7.5 % of the lungs' height
-    mean_motion_mm      mean length of the landmarks' motion
-    mean_residual_mm    mean distance of where they were from where the field takes them
-    max_residual_mm     the greatest
-    ratio               mean_residual_mm / mean_motion_mm
-    constants           "front_share", "ribs", "gravity", and "fitted_to", the files, empty for the
-                        built-in ones
-    cases               with --fit alone: the above for each file, fitted to the others, and "file"
-    left_out            with --fit: files of DIR that hold no landmarks
-    fissures            with --fissures: for each lower lobe and another one of its lung "lower" and
-                        "upper", their names, "points" of the lower lobe at the fissure, and by how
-                        much they move along the other lobe ("mean_slide_mm"), come away from it
-                        ("max_gap_mm") and enter it ("max_overlap_mm")
-    inspired_ml         with --fissures: V
-)";
+namespace deform_key
+{
+constexpr Key kSchema{"schema", "carina.deform/1"};
+constexpr Key kLandmarks{"landmarks", "how many there are"};
+constexpr Key kAmplitude{
+    "amplitude", "of the breath; at 1 the base is lowered by 7.5 % of the height of the lungs"};
+constexpr Key kMeanMotion{"mean_motion_mm", "mean length of the motion of the landmarks"};
+constexpr Key kMeanResidual{"mean_residual_mm",
+                            "mean distance of where they were from where the field takes them"};
+constexpr Key kMaxResidual{"max_residual_mm", "greatest such distance"};
+constexpr Key kRatio{"ratio", "mean_residual_mm / mean_motion_mm"};
+constexpr Key kConstants{"constants", "the constants of a breath:"};
+constexpr Key kFrontShare{"front_share", "descent of the front as a share of that of the back", 1};
+constexpr Key kRibs{"ribs", "how far the ribs move with the diaphragm", 1};
+constexpr Key kGravity{"gravity", "how far the inside sinks with the diaphragm", 1};
+constexpr Key kFittedTo{
+    "fitted_to", "names of the files to which they were fitted; empty for the built-in constants",
+    1};
+constexpr Key kLeftOut{"left_out", "with --fit: files of DIR that hold no landmarks"};
+constexpr Key kCases{"cases", "one object per file: \"file\", and what --landmarks FILE --fit DIR "
+                              "prints, except \"left_out\""};
+constexpr Key kFile{"file", "its name", 1};
+constexpr Key kFissures{"fissures",
+                        "one object for each lower lobe and each other lobe of its lung:"};
+constexpr Key kLower{"lower", "name of the lower lobe", 1};
+constexpr Key kUpper{"upper", "name of the other lobe", 1};
+constexpr Key kPoints{"points", "vertices of the lower lobe at the fissure", 1};
+constexpr Key kMeanSlide{"mean_slide_mm", "how far they move along the other lobe, mean", 1};
+constexpr Key kMaxGap{"max_gap_mm", "how far they come away from it, greatest", 1};
+constexpr Key kMaxOverlap{"max_overlap_mm", "how far they enter it, greatest", 1};
+constexpr Key kInspired{"inspired_ml", "V"};
+} // namespace deform_key
+
+constexpr double kUsualInspired_ml = 500.0;
 
 /// The landmark files of a folder.
 struct LandmarkFolder {
@@ -77,21 +88,21 @@ QJsonObject describe(const BreathingConstants& constants, const std::vector<Land
     QJsonArray files;
     for (const LandmarkCase& landmarks : fittedTo)
         files.append(landmarks.name);
-    return {{QStringLiteral("front_share"), constants.frontShare},
-            {QStringLiteral("ribs"), constants.breath.ribs},
-            {QStringLiteral("gravity"), constants.breath.gravity},
-            {QStringLiteral("fitted_to"), files}};
+    return {{deform_key::kFrontShare, constants.frontShare},
+            {deform_key::kRibs, constants.breath.ribs},
+            {deform_key::kGravity, constants.breath.gravity},
+            {deform_key::kFittedTo, files}};
 }
 
 QJsonObject describe(const LandmarkCase& landmarks, const BreathingConstants& constants)
 {
     const LandmarkResiduals residuals = residualsOf(landmarks, constants);
-    return {{QStringLiteral("landmarks"), qint64(landmarks.p_A_exhaled.size())},
-            {QStringLiteral("amplitude"), residuals.amplitude},
-            {QStringLiteral("mean_motion_mm"), residuals.meanMotion_mm},
-            {QStringLiteral("mean_residual_mm"), residuals.meanResidual_mm},
-            {QStringLiteral("max_residual_mm"), residuals.maxResidual_mm},
-            {QStringLiteral("ratio"), residuals.ratio()}};
+    return {{deform_key::kLandmarks, qint64(landmarks.p_A_exhaled.size())},
+            {deform_key::kAmplitude, residuals.amplitude},
+            {deform_key::kMeanMotion, residuals.meanMotion_mm},
+            {deform_key::kMeanResidual, residuals.meanResidual_mm},
+            {deform_key::kMaxResidual, residuals.maxResidual_mm},
+            {deform_key::kRatio, residuals.ratio()}};
 }
 
 /// How the field does on landmarks when its constants know only the others.
@@ -102,7 +113,7 @@ Result<QJsonObject> describeLeftOut(const LandmarkCase& landmarks, std::vector<L
         return fail(Errc::TooFewLandmarks, "deform needs landmarks of somebody else to fit to.");
     const BreathingConstants constants = fitConstants(others);
     QJsonObject object = describe(landmarks, constants);
-    object.insert(QStringLiteral("constants"), describe(constants, others));
+    object.insert(deform_key::kConstants, describe(constants, others));
     return object;
 }
 
@@ -113,14 +124,14 @@ Result<QJsonObject> deformOne(const QString& file, const QString& folder)
         return tl::unexpected(landmarks.error());
     if (folder.isEmpty()) {
         QJsonObject object = describe(*landmarks, BreathingConstants{});
-        object.insert(QStringLiteral("constants"), describe(BreathingConstants{}, {}));
+        object.insert(deform_key::kConstants, describe(BreathingConstants{}, {}));
         return object;
     }
     const auto others = readFolder(folder);
     if (!others)
         return tl::unexpected(others.error());
     return describeLeftOut(*landmarks, others->cases).map([&](QJsonObject object) {
-        object.insert(QStringLiteral("left_out"), others->leftOut);
+        object.insert(deform_key::kLeftOut, others->leftOut);
         return object;
     });
 }
@@ -135,13 +146,13 @@ Result<QJsonObject> deformEach(const QString& path)
         auto object = describeLeftOut(landmarks, folder->cases);
         if (!object)
             return object;
-        object->insert(QStringLiteral("file"), landmarks.name);
+        object->insert(deform_key::kFile, landmarks.name);
         cases.append(*object);
     }
     return QJsonObject{
-        {QStringLiteral("cases"), cases},
-        {QStringLiteral("constants"), describe(fitConstants(folder->cases), folder->cases)},
-        {QStringLiteral("left_out"), folder->leftOut}};
+        {deform_key::kCases, cases},
+        {deform_key::kConstants, describe(fitConstants(folder->cases), folder->cases)},
+        {deform_key::kLeftOut, folder->leftOut}};
 }
 
 Result<QJsonObject> deformLobes(const QString& folder, double inspired_ml)
@@ -158,14 +169,13 @@ Result<QJsonObject> deformLobes(const QString& folder, double inspired_ml)
         return tl::unexpected(pose.error());
     QJsonArray fissures;
     for (const FissureFit& fit : fissuresOf(anatomy, *lungs, *pose))
-        fissures.append(QJsonObject{{QStringLiteral("lower"), QString::fromStdString(fit.lower)},
-                                    {QStringLiteral("upper"), QString::fromStdString(fit.upper)},
-                                    {QStringLiteral("points"), qint64(fit.points)},
-                                    {QStringLiteral("mean_slide_mm"), fit.meanSlide_mm},
-                                    {QStringLiteral("max_gap_mm"), fit.gap_mm},
-                                    {QStringLiteral("max_overlap_mm"), fit.overlap_mm}});
-    return QJsonObject{{QStringLiteral("fissures"), fissures},
-                       {QStringLiteral("inspired_ml"), inspired_ml}};
+        fissures.append(QJsonObject{{deform_key::kLower, QString::fromStdString(fit.lower)},
+                                    {deform_key::kUpper, QString::fromStdString(fit.upper)},
+                                    {deform_key::kPoints, qint64(fit.points)},
+                                    {deform_key::kMeanSlide, fit.meanSlide_mm},
+                                    {deform_key::kMaxGap, fit.gap_mm},
+                                    {deform_key::kMaxOverlap, fit.overlap_mm}});
+    return QJsonObject{{deform_key::kFissures, fissures}, {deform_key::kInspired, inspired_ml}};
 }
 
 /// What is wrong with the options given, in a sentence; empty where nothing is.
@@ -178,36 +188,83 @@ std::string faultOf(bool hasLandmarks, bool hasAnatomy, bool hasVolume)
     return hasLandmarks || hasAnatomy ? "" : "No file and no folder is named.";
 }
 
-Result<QJsonObject> runDeform(const QStringList& arguments)
+Result<QJsonObject> runDeform(const Words& words)
 {
-    QCommandLineParser parser;
-    addValueOptions(parser, {"landmarks", "fit", "fissures", "inspired-ml"});
-    if (const auto parsed = parseOptions(parser, kDeform, arguments); !parsed)
-        return tl::unexpected(parsed.error());
-    const QString file = parser.value(QStringLiteral("landmarks"));
-    const QString folder = parser.value(QStringLiteral("fit"));
-    const QString anatomy = parser.value(QStringLiteral("fissures"));
+    const QString file = words.text(deform_option::kLandmarks);
+    const QString folder = words.text(deform_option::kFit);
+    const QString anatomy = words.text(deform_option::kFissures);
     const bool hasLandmarks = !file.isEmpty() || !folder.isEmpty();
-    const bool hasVolume = parser.isSet(QStringLiteral("inspired-ml"));
+    const bool hasVolume = words.has(deform_option::kInspired);
     if (const std::string wrong = faultOf(hasLandmarks, !anatomy.isEmpty(), hasVolume);
         !wrong.empty())
         return fail(Errc::OutOfRange, wrong
                                           + " deform needs --landmarks FILE, --fit DIR or both, or "
                                             "--fissures DIR and perhaps --inspired-ml.");
-    const auto inspired_ml = hasVolume ? numberOption(parser, kDeform, "inspired-ml", 0.0, 10'000.0)
-                                       : Result<double>{kInspired_ml};
+    const auto inspired_ml =
+        words.number(deform_option::kInspired, 0.0, 10'000.0, kUsualInspired_ml);
     if (!inspired_ml)
         return tl::unexpected(inspired_ml.error());
     auto object = !hasLandmarks    ? deformLobes(anatomy, *inspired_ml)
                   : file.isEmpty() ? deformEach(folder)
                                    : deformOne(file, folder);
     if (object)
-        object->insert(QStringLiteral("schema"), QStringLiteral("carina.deform/1"));
+        object->insert(deform_key::kSchema, QLatin1StringView{deform_key::kSchema.help});
     return object;
+}
+
+Use oneCaseUse()
+{
+    return {.lines = {"--landmarks FILE [--fit DIR]"},
+            .text = "Moves landmarks in the lungs of a person from the end of expiration by the "
+                    "displacement field with which all lungs are drawn, and compares them with "
+                    "where they were at the end of inspiration. The field gets the bounding box of "
+                    "the landmarks, and one amplitude, which is fitted. Its three constants are "
+                    "the built-in ones unless --fit is given.",
+            .notes = {{"FILE", "CSV with the columns ee_x_mm, ee_y_mm, ee_z_mm (end of expiration) "
+                               "and ei_x_mm, ei_y_mm, ei_z_mm (end of inspiration); z points "
+                               "towards the feet, as in DIR-Lab's data"}},
+            .options = {deform_option::kLandmarks, deform_option::kFit},
+            .schema = deform_key::kSchema,
+            .keys = {deform_key::kLandmarks, deform_key::kAmplitude, deform_key::kMeanMotion,
+                     deform_key::kMeanResidual, deform_key::kMaxResidual, deform_key::kRatio,
+                     deform_key::kConstants, deform_key::kFrontShare, deform_key::kRibs,
+                     deform_key::kGravity, deform_key::kFittedTo, deform_key::kLeftOut}};
+}
+
+Use eachCaseUse()
+{
+    return {.lines = {"--fit DIR"},
+            .text =
+                "Does the same for each landmark file of DIR in turn, with constants fitted to the "
+                "other files; and fits the constants to all of them together.",
+            .options = {deform_option::kFit},
+            .schema = deform_key::kSchema,
+            .keys = {deform_key::kCases, deform_key::kFile, deform_key::kConstants,
+                     deform_key::kFrontShare, deform_key::kRibs, deform_key::kGravity,
+                     deform_key::kFittedTo, deform_key::kLeftOut}};
+}
+
+Use fissuresUse()
+{
+    return {.lines = {"--fissures DIR [--inspired-ml V]"},
+            .text = "Measures how the lobes of an anatomy set keep together along their fissures "
+                    "once V ml were inspired.",
+            .options = {deform_option::kFissures, deform_option::kInspired},
+            .schema = deform_key::kSchema,
+            .keys = {deform_key::kInspired, deform_key::kFissures, deform_key::kLower,
+                     deform_key::kUpper, deform_key::kPoints, deform_key::kMeanSlide,
+                     deform_key::kMaxGap, deform_key::kMaxOverlap}};
 }
 
 } // namespace
 
-Command deformCommand() { return {"deform", kDeformHelp, runDeform}; }
+Command deformCommand()
+{
+    return {.name = "deform",
+            .theme = "deformation",
+            .summary = "compares the deformation of the lungs with landmarks of real ones",
+            .uses = {oneCaseUse(), eachCaseUse(), fissuresUse()},
+            .experiment = runDeform};
+}
 
 } // namespace carina::lab

@@ -1,5 +1,6 @@
-#include "apps/lab/drift/drift_command.h"
-
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
+#include "apps/lab/drift/drift_page.h"
 #include "apps/lab/drift/drift_report.h"
 #include "apps/lab/drift/live_drift.h"
 #include "engine/core/units.h"
@@ -8,156 +9,26 @@
 #include "evaluation/network/netlab_network.h"
 
 #include <QCoreApplication>
-#include <QMap>
 
 namespace carina::lab
 {
 namespace
 {
 
-constexpr std::string_view kDriftHelp =
-    R"(drift --scenario NAME|FILE [--strategy S] [--participants N] [--speed-deg-s W]
-      [--speed-mm-s V] [--actions A] [--axes cartesian|random] [--seed K] [--seeds M]
-      [--live [--netlab PROGRAM] [--warm-up-s T] [--logs DIR]]
-    How far the views of shared objects are apart, in virtual time: one of N participants turns one
-    object and moves another, an action of 1.2 s after the other, each about and along a new random
-    axis; all others watch. A host in the middle passes everything on. The same words print the same
-    bytes.
-    --scenario NAME   lan, wifi, metro, wan, asymmetric, cellular, 5g, starlink, step, partition,
-                      burst, bottleneck, duplication, reordering or clock (docs/synchronisation.md)
-    --scenario FILE   a trace of lines "t_ms delay_ms", x for lost; it repeats
-    --strategy S      session-clock (default), asa-adaptive, asa-fixed, dead-reckoning,
-                      interpolation, event or none
-    --participants N  2 to 64; 2
-    --speed-deg-s W   above 0, at most 1000; 100
-    --speed-mm-s V    0 to 10000; 100
-    --actions A       1 to 10000; 50
-    --axes            cartesian: one of +-x, +-y, +-z; random: any; cartesian
-    --seed K          0 to 4294967295; 1
-    --seeds M         so many runs, with the seeds K, K+1 and so on; 1 to 1000; 1
-    schema            "carina.drift/1"
-    strategy, participants, speed_deg_s, speed_mm_s, actions, axes, scenario, seed, seeds: as given
-    action_s          duration of an action
-    then, means over the runs, the angle being that of q_s q_c^-1, 2 atan2(|v|, |w|):
-    at_event_mean_deg          between truth and view just before the next action
-    time_average_mean_deg      over time
-    p95_deg                    95th percentile over time, of each run
-    position_mean_mm           of the moved object, over time
-    limit_time_average_deg     what no strategy can be below with the delays of the run
-    ratio_to_limit             time average to that; null where the limit is 0
-    clock_error_ms             mean |session clock - the host's|; null where there is none
-    bytes_per_s                payload that a participant sends and receives, mean
-    probes_per_s               datagrams sent for the delay alone, of all together
-    access_link                the same with the scenario's delay on each link to the host, so that
-                               the way from actor to viewer has it twice; null with --live
-    --live            in real time instead: a program for the host and for each participant, over
-                      encrypted sockets and relays that are the scenario's network. The
-                      participants' clocks are spread evenly over +-250 ms, at +-50 ppm. Only
-                      session-clock, at most 16 participants, one seed; 15 actions if not told, but
-                      step and partition come after 30 s, so that they take 28 or more
-    --netlab PROGRAM  the network emulator to use in place of the relays; root only
-    --warm-up-s T     for the clocks, before the first action; 0 to 300; 20
-    --logs DIR        for what each program wrote down; the folder is made if need be
-    with --live every figure is of what the programs' logs say they showed, on the machine's
-    CLOCK_MONOTONIC (but the limit, of the delays that the scenario has then), and there are also
-    live, network              true; relay or netlab
-    bound_time_average_deg     1.5 limit + W (0.2 ms + half the paths' asymmetry)
-    is_within_bound            time average to that
-    is_end_state_same          both objects ended to the bit alike in all programs
-    handshake_mean_ms, handshake_max_ms   until a participant was in and had the session's clock
-    sample_gap_p95_ms          between a program's samples, which are to be 5.003 ms apart
-    load_average               of the machine in the minute in which the run ended
-    probes_per_s is null, and bytes_per_s is of the encrypted datagrams, null with
-    --netlab
-)";
-
-using Options = QMap<QString, QString>;
-
-const QString kLive = QStringLiteral("--live");
-const QStringList kOfLive{QStringLiteral("--warm-up-s"), QStringLiteral("--logs"),
-                          QStringLiteral("--netlab")};
 constexpr int kMostLive = 16;
+constexpr int kUsualActions = 50;
+constexpr int kUsualLiveActions = 15;
+constexpr double kUsualTurning_degPerSecond = 100.0;
+constexpr double kUsualMoving_mmPerSecond = 100.0;
+constexpr double kUsualWarmUp_s = 20.0;
 
-tl::unexpected<Error> badOption(const QString& sentence)
-{
-    return fail(Errc::OutOfRange, "drift: " + sentence.toStdString());
-}
-
-Result<Options> optionsOf(QStringList arguments)
-{
-    Options options{{QStringLiteral("--strategy"), QStringLiteral("session-clock")},
-                    {QStringLiteral("--participants"), QStringLiteral("2")},
-                    {QStringLiteral("--speed-deg-s"), QStringLiteral("100")},
-                    {QStringLiteral("--speed-mm-s"), QStringLiteral("100")},
-                    {QStringLiteral("--actions"), QString{}},
-                    {QStringLiteral("--axes"), QStringLiteral("cartesian")},
-                    {QStringLiteral("--scenario"), QString{}},
-                    {QStringLiteral("--seed"), QStringLiteral("1")},
-                    {QStringLiteral("--seeds"), QStringLiteral("1")},
-                    {QStringLiteral("--warm-up-s"), QStringLiteral("20")},
-                    {QStringLiteral("--logs"), QString{}},
-                    {QStringLiteral("--netlab"), QString{}}};
-    const bool isLive = arguments.removeAll(kLive) > 0;
-    QStringList given;
-    for (qsizetype i = 0; i < arguments.size(); i += 2) {
-        if (!options.contains(arguments[i]))
-            return badOption(QStringLiteral("%1 is no option.").arg(arguments[i]));
-        if (i + 1 == arguments.size())
-            return badOption(QStringLiteral("%1 needs a value.").arg(arguments[i]));
-        if (given.contains(arguments[i]))
-            return badOption(QStringLiteral("%1 is given twice.").arg(arguments[i]));
-        if (!isLive && kOfLive.contains(arguments[i]))
-            return badOption(QStringLiteral("%1 goes with --live.").arg(arguments[i]));
-        given.append(arguments[i]);
-        options[arguments[i]] = arguments[i + 1];
-    }
-    if (options[QStringLiteral("--scenario")].isEmpty())
-        return badOption(QStringLiteral("--scenario NAME or FILE is missing."));
-    if (isLive)
-        options.insert(kLive, {});
-    if (options[QStringLiteral("--actions")].isEmpty())
-        options[QStringLiteral("--actions")] = QString::number(isLive ? 15 : 50);
-    return options;
-}
-
-/// Reads the values of options, and keeps the first that cannot be read.
-class OptionReader
-{
-public:
-    explicit OptionReader(const Options& options) : m_options{options} {}
-
-    double number(const char* name, double lowest, double highest)
-    {
-        bool isNumber = false;
-        const QString text = m_options[QLatin1StringView{name}];
-        const double value = text.toDouble(&isNumber);
-        if (!isNumber || !(value >= lowest && value <= highest))
-            refuse(name, QStringLiteral("a number from %1 to %2").arg(lowest).arg(highest));
-        return value;
-    }
-    std::int64_t whole(const char* name, std::int64_t lowest, std::int64_t highest)
-    {
-        bool isNumber = false;
-        const qlonglong value = m_options[QLatin1StringView{name}].toLongLong(&isNumber);
-        if (!isNumber || value < lowest || value > highest)
-            refuse(name, QStringLiteral("a whole number from %1 to %2").arg(lowest).arg(highest));
-        return value;
-    }
-    std::string text(const char* name) const
-    {
-        return m_options[QLatin1StringView{name}].toStdString();
-    }
-    void refuse(const char* name, const QString& wanted)
-    {
-        if (m_refusal.isEmpty())
-            m_refusal = QStringLiteral("%1 needs %2.").arg(QLatin1StringView{name}, wanted);
-    }
-    [[nodiscard]] const QString& refusal() const { return m_refusal; }
-
-private:
-    const Options& m_options;
-    QString m_refusal;
+/// Axes as they are named in options and results.
+struct NamedAxes {
+    std::string_view name;
+    ActionScript::Axes axes;
 };
+constexpr std::array kNamedAxes{NamedAxes{"cartesian", ActionScript::Axes::Cartesian},
+                                NamedAxes{"random", ActionScript::Axes::Random}};
 
 struct DriftRequest {
     DriftSettings settings;
@@ -168,49 +39,132 @@ struct DriftRequest {
     QString netlab;
 };
 
+QString inLatin1(std::string_view name)
+{
+    return QString::fromLatin1(name.data(), qsizetype(name.size()));
+}
+
+tl::unexpected<Error> driftRefusal(const QString& sentence)
+{
+    return fail(Errc::OutOfRange, "drift: " + sentence.toStdString());
+}
+
+/// Whether the options go together, whatever their values are.
+Result<void> checkOptions(const Words& words)
+{
+    const auto isTwice = [&words](const Option& option) {
+        return words.parser().values(QString::fromLatin1(option.name)).size() > 1;
+    };
+    for (const Option& option : drift_option::kOfAll)
+        if (isTwice(option))
+            return driftRefusal(QStringLiteral("--%1 is given twice.").arg(inLatin1(option.name)));
+    for (const Option& option : drift_option::kOfLive) {
+        if (isTwice(option))
+            return driftRefusal(QStringLiteral("--%1 is given twice.").arg(inLatin1(option.name)));
+        if (words.has(option) && !words.has(drift_option::kLive))
+            return driftRefusal(
+                QStringLiteral("--%1 goes with --live.").arg(inLatin1(option.name)));
+    }
+    if (words.text(drift_option::kScenario).isEmpty())
+        return driftRefusal(QStringLiteral("--scenario NAME or FILE is missing."));
+    return {};
+}
+
+Result<const SyncStrategy*> strategyOption(const Words& words)
+{
+    if (!words.has(drift_option::kStrategy))
+        return &syncStrategies().front();
+    const std::string name = words.text(drift_option::kStrategy).toStdString();
+    if (const SyncStrategy* strategy = findSyncStrategy(name))
+        return strategy;
+    QStringList names;
+    for (const SyncStrategy& strategy : syncStrategies())
+        names += inLatin1(strategy.name);
+    return words.unknownWord(drift_option::kStrategy, names);
+}
+
+/// What the participants do.
+Result<ActionScript::Settings> scriptOption(const Words& words)
+{
+    const auto turning =
+        words.number(drift_option::kTurningSpeed, 1e-3, 1000.0, kUsualTurning_degPerSecond);
+    if (!turning)
+        return tl::unexpected(turning.error());
+    const auto moving =
+        words.number(drift_option::kMovingSpeed, 0.0, 10000.0, kUsualMoving_mmPerSecond);
+    if (!moving)
+        return tl::unexpected(moving.error());
+    const int usual = words.has(drift_option::kLive) ? kUsualLiveActions : kUsualActions;
+    const auto actions = words.whole(drift_option::kActions, 1, 10000, usual);
+    if (!actions)
+        return tl::unexpected(actions.error());
+    const auto axes = words.word(drift_option::kAxes, kNamedAxes, &NamedAxes::axes);
+    if (!axes)
+        return tl::unexpected(axes.error());
+    ActionScript::Settings script;
+    script.angularSpeed = degrees(*turning).si;
+    script.speed = millimetres(*moving).si;
+    script.actions = static_cast<int>(*actions);
+    script.axes = *axes;
+    return script;
+}
+
 Result<void> checkLive(const DriftRequest& request)
 {
     if (request.settings.strategy->name != "session-clock")
-        return badOption(QStringLiteral("--live measures the programs, which run session-clock; "
-                                        "the other strategies run in virtual time only."));
+        return driftRefusal(QStringLiteral("--live measures the programs, which run session-clock; "
+                                           "the other strategies run in virtual time only."));
     if (request.settings.participants > kMostLive || request.seeds != 1)
-        return badOption(
+        return driftRefusal(
             QStringLiteral("--live takes 2 to %1 participants and one seed.").arg(kMostLive));
     return {};
 }
 
-Result<DriftRequest> requestOf(const Options& options)
+/// Everything but the network.
+Result<DriftRequest> requestWithoutScenario(const Words& words)
 {
-    OptionReader reader{options};
+    const auto strategy = strategyOption(words);
+    if (!strategy)
+        return tl::unexpected(strategy.error());
+    const auto script = scriptOption(words);
+    if (!script)
+        return tl::unexpected(script.error());
+    const auto participants = words.whole(drift_option::kParticipants, 2, 64, 2);
+    const auto seed = words.whole(drift_option::kSeed, 0, 4294967295, 1);
+    const auto seeds = words.whole(drift_option::kSeeds, 1, 1000, 1);
+    for (const auto* number : {&participants, &seed, &seeds})
+        if (!*number)
+            return tl::unexpected(number->error());
+    const auto warmUp_s = words.number(drift_option::kWarmUp, 0.0, 300.0, kUsualWarmUp_s);
+    if (!warmUp_s)
+        return tl::unexpected(warmUp_s.error());
     DriftRequest request;
-    DriftSettings& settings = request.settings;
-    settings.strategy = findSyncStrategy(reader.text("--strategy"));
-    if (settings.strategy == nullptr)
-        reader.refuse("--strategy", QStringLiteral("one of those that carina-lab help names"));
-    settings.participants = static_cast<std::uint16_t>(reader.whole("--participants", 2, 64));
-    settings.script.angularSpeed = degrees(reader.number("--speed-deg-s", 1e-3, 1000.0)).si;
-    settings.script.speed = millimetres(reader.number("--speed-mm-s", 0.0, 10000.0)).si;
-    settings.script.actions = static_cast<int>(reader.whole("--actions", 1, 10000));
-    settings.seed = static_cast<std::uint32_t>(reader.whole("--seed", 0, 4294967295));
-    request.seeds = static_cast<int>(reader.whole("--seeds", 1, 1000));
-    const std::string axes = reader.text("--axes");
-    if (axes == "random")
-        settings.script.axes = ActionScript::Axes::Random;
-    else if (axes != "cartesian")
-        reader.refuse("--axes", QStringLiteral("cartesian or random"));
-    request.isLive = options.contains(kLive);
-    request.warmUp_s = reader.number("--warm-up-s", 0.0, 300.0);
-    request.logs = options[QStringLiteral("--logs")];
-    request.netlab = options[QStringLiteral("--netlab")];
-    if (!reader.refusal().isEmpty())
-        return badOption(reader.refusal());
-    if (request.isLive)
-        if (const auto live = checkLive(request); !live)
+    request.seeds = static_cast<int>(*seeds);
+    request.isLive = words.has(drift_option::kLive);
+    request.warmUp_s = *warmUp_s;
+    request.logs = words.text(drift_option::kLogs);
+    request.netlab = words.text(drift_option::kNetlab);
+    request.settings.strategy = *strategy;
+    request.settings.script = *script;
+    request.settings.participants = static_cast<std::uint16_t>(*participants);
+    request.settings.seed = static_cast<std::uint32_t>(*seed);
+    return request;
+}
+
+Result<DriftRequest> requestOf(const Words& words)
+{
+    if (const auto checked = checkOptions(words); !checked)
+        return tl::unexpected(checked.error());
+    auto request = requestWithoutScenario(words);
+    if (!request)
+        return request;
+    if (request->isLive)
+        if (const auto live = checkLive(*request); !live)
             return tl::unexpected(live.error());
-    auto scenario = findScenario(reader.text("--scenario"));
+    auto scenario = findScenario(words.text(drift_option::kScenario).toStdString());
     if (!scenario)
         return tl::unexpected(scenario.error());
-    settings.scenario = *std::move(scenario);
+    request->settings.scenario = *std::move(scenario);
     return request;
 }
 
@@ -227,7 +181,7 @@ Result<QJsonObject> measureLive(const DriftRequest& request)
     const DriftSettings& settings = request.settings;
     if (!request.logs.isEmpty())
         if (const auto opened = openFolder(request.logs.toStdString()); !opened)
-            return badOption(
+            return driftRefusal(
                 QStringLiteral("--logs %1.").arg(QString::fromStdString(opened.error().detail)));
     const auto network = networkOf(request);
     if (!network)
@@ -241,7 +195,7 @@ Result<QJsonObject> measureLive(const DriftRequest& request)
                         **network)
         .map([&](const LiveFigures& figures) {
             QJsonObject object = reportOf(figures, settings.script, settings.scenario);
-            object[QStringLiteral("network")] = (*network)->name();
+            object[drift_key::kNetwork] = (*network)->name();
             return object;
         });
 }
@@ -250,42 +204,92 @@ QJsonObject measureVirtual(DriftRequest request)
 {
     QJsonObject object = reportOf(runDrift(request.settings, request.seeds));
     request.settings.legs = VirtualStar::Legs::FullPath;
-    object[QStringLiteral("access_link")] = reportOf(runDrift(request.settings, request.seeds));
+    object[drift_key::kAccessLink] = reportOf(runDrift(request.settings, request.seeds));
     return object;
 }
 
-Result<QJsonObject> runDriftCommand(const QStringList& arguments)
+/// Adds what was asked for.
+void describeRequest(const DriftRequest& request, QJsonObject& object)
 {
-    const Result<Options> options = optionsOf(arguments);
-    if (!options)
-        return tl::unexpected(options.error());
-    const Result<DriftRequest> request = requestOf(*options);
+    const DriftSettings& settings = request.settings;
+    const auto* axes = std::ranges::find(kNamedAxes, settings.script.axes, &NamedAxes::axes);
+    object[drift_key::kSchema] = QLatin1StringView{drift_key::kSchema.help};
+    object[drift_key::kStrategy] = inLatin1(settings.strategy->name);
+    object[drift_key::kParticipants] = settings.participants;
+    object[drift_key::kTurningSpeed] = inDegrees(radians(settings.script.angularSpeed));
+    object[drift_key::kMovingSpeed] = inMillimetres(metres(settings.script.speed));
+    object[drift_key::kActions] = settings.script.actions;
+    object[drift_key::kActionTime] = toSeconds(ActionScript::kActionTime);
+    object[drift_key::kAxes] = inLatin1(axes->name);
+    object[drift_key::kScenario] = QString::fromStdString(settings.scenario.name);
+    object[drift_key::kSeed] = qint64{settings.seed};
+    object[drift_key::kSeeds] = request.seeds;
+}
+
+Result<QJsonObject> drift(const Words& words)
+{
+    const Result<DriftRequest> request = requestOf(words);
     if (!request)
         return tl::unexpected(request.error());
-    const auto measured =
+    auto object =
         request->isLive ? measureLive(*request) : Result<QJsonObject>{measureVirtual(*request)};
-    if (!measured)
-        return tl::unexpected(measured.error());
-
-    const DriftSettings& settings = request->settings;
-    QJsonObject object = *measured;
-    object[QStringLiteral("schema")] = QStringLiteral("carina.drift/1");
-    object[QStringLiteral("strategy")] = QString::fromLatin1(
-        settings.strategy->name.data(), qsizetype(settings.strategy->name.size()));
-    object[QStringLiteral("participants")] = settings.participants;
-    object[QStringLiteral("speed_deg_s")] = inDegrees(radians(settings.script.angularSpeed));
-    object[QStringLiteral("speed_mm_s")] = inMillimetres(metres(settings.script.speed));
-    object[QStringLiteral("actions")] = settings.script.actions;
-    object[QStringLiteral("action_s")] = toSeconds(ActionScript::kActionTime);
-    object[QStringLiteral("axes")] = options->value(QStringLiteral("--axes"));
-    object[QStringLiteral("scenario")] = QString::fromStdString(settings.scenario.name);
-    object[QStringLiteral("seed")] = qint64{settings.seed};
-    object[QStringLiteral("seeds")] = request->seeds;
+    if (object)
+        describeRequest(*request, *object);
     return object;
+}
+
+Use driftInVirtualTime()
+{
+    return {.lines = {"--scenario NAME|FILE [OPTION...]"},
+            .text =
+                "Measures how far the views of shared objects are apart, in virtual time. One of N "
+                "participants turns one object and moves another, an action of 1.2 s after the "
+                "other, each about and along a new random axis; all others watch. A host in the "
+                "middle passes everything on. The figures are means over the runs; an angle "
+                "between two orientations is that of q_s q_c^-1, 2 atan2(|v|, |w|). The same "
+                "words print the same bytes.",
+            .options = {drift_option::kOfAll.begin(), drift_option::kOfAll.end()},
+            .schema = drift_key::kSchema,
+            .keys = {drift_key::kStrategy,    drift_key::kParticipants, drift_key::kTurningSpeed,
+                     drift_key::kMovingSpeed, drift_key::kActions,      drift_key::kActionTime,
+                     drift_key::kAxes,        drift_key::kScenario,     drift_key::kSeed,
+                     drift_key::kSeeds,       drift_key::kAtEvent,      drift_key::kTimeAverage,
+                     drift_key::kPercentile,  drift_key::kPosition,     drift_key::kLimit,
+                     drift_key::kRatio,       drift_key::kClockError,   drift_key::kBytes,
+                     drift_key::kProbes,      drift_key::kAccessLink}};
+}
+
+Use driftInRealTime()
+{
+    return {
+        .lines = {"--live --scenario NAME|FILE [OPTION...] [--netlab PROGRAM] [--warm-up-s T] "
+                  "[--logs DIR]"},
+        .text = "The same in real time: one program for the host and one for each participant, "
+                "over encrypted sockets and relays that imitate the network of the scenario. The "
+                "clocks of the participants are spread evenly over +-250 ms and run fast or slow "
+                "by 50 ppm. Takes the options above, with session-clock, at most 16 participants "
+                "and one seed only. The scenarios step and partition change after 30 s, so that "
+                "they need 28 actions or more. Every figure is from what the logs of the programs "
+                "say that they showed, on the machine's CLOCK_MONOTONIC; but the limit is that of "
+                "the delays which the scenario has then. Prints the keys above, and besides or "
+                "otherwise:",
+        .options = {drift_option::kOfLive.begin(), drift_option::kOfLive.end()},
+        .schema = drift_key::kSchema,
+        .keys = {drift_key::kLive, drift_key::kNetwork, drift_key::kBound,
+                 drift_key::kIsWithinBound, drift_key::kIsEndStateSame, drift_key::kHandshakeMean,
+                 drift_key::kHandshakeMax, drift_key::kSampleGap, drift_key::kLoad,
+                 drift_key::kLiveBytes, drift_key::kLiveProbes, drift_key::kLiveAccessLink}};
 }
 
 } // namespace
 
-Command driftCommand() { return {"drift", kDriftHelp, runDriftCommand}; }
+Command driftCommand()
+{
+    return {.name = "drift",
+            .theme = "drift and network",
+            .summary = "measures how far the views of shared objects are apart",
+            .uses = {driftInVirtualTime(), driftInRealTime()},
+            .experiment = drift};
+}
 
 } // namespace carina::lab

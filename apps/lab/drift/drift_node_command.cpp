@@ -1,5 +1,4 @@
-#include "apps/lab/drift/drift_node_command.h"
-
+#include "apps/lab/commands.h"
 #include "apps/lab/drift/launcher_pipe.h"
 #include "apps/lab/drift/live_participant.h"
 #include "engine/core/monotonic_clock.h"
@@ -10,6 +9,17 @@ namespace carina::lab
 {
 namespace
 {
+
+// One program of `carina-lab drift --live`, which starts it and speaks with it over its standard
+// input and output:
+//
+//     in:  the orders, one line (LiveOrders)
+//     out: "port <n>" of the host
+//     out: "ready" when it shows both objects at rest
+//     in:  "start <ns>", the machine's CLOCK_MONOTONIC of the first action
+//     out: its log (LiveLog), a JSON object
+//
+// It ends when its standard input does, so that none outlives the one that started it.
 
 constexpr Duration kPatience = std::chrono::seconds{60};
 /// Before the first action and after the last.
@@ -77,7 +87,7 @@ Result<void> takePart(LauncherPipe& launcher, LiveParticipant& participant, Loca
     return {};
 }
 
-Result<QJsonObject> runDriftNode(const QStringList&)
+Result<QJsonObject> driftNode(const Words&)
 {
     LauncherPipe launcher;
     const auto line = waitForLine(launcher, [] {});
@@ -104,6 +114,15 @@ Result<QJsonObject> runDriftNode(const QStringList&)
 
 } // namespace
 
-Command driftNodeCommand() { return {"drift-node", {}, runDriftNode}; }
+Command driftNodeCommand()
+{
+    return {.name = "drift-node",
+            .theme = "",
+            .summary = "a program of drift --live",
+            .uses = {{.lines = {""},
+                      .text = "One program of 'drift --live', which starts it and speaks with it "
+                              "over its standard input and output. It is not for people."}},
+            .experiment = driftNode};
+}
 
 } // namespace carina::lab

@@ -1,5 +1,6 @@
 #include "apps/lab/drift/drift_report.h"
 
+#include "apps/lab/drift/drift_page.h"
 #include "engine/core/units.h"
 
 #include <cmath>
@@ -19,20 +20,19 @@ double inDegrees(double rad) { return carina::inDegrees(radians(rad)); }
 
 QJsonObject reportOf(const DriftFigures& figures)
 {
-    QJsonObject object{
-        {QStringLiteral("at_event_mean_deg"), inDegrees(figures.atEvent)},
-        {QStringLiteral("time_average_mean_deg"), inDegrees(figures.timeAverage)},
-        {QStringLiteral("p95_deg"), inDegrees(figures.p95)},
-        {QStringLiteral("position_mean_mm"), inMillimetres(metres(figures.position))},
-        {QStringLiteral("limit_time_average_deg"), inDegrees(figures.limit)},
-        {QStringLiteral("ratio_to_limit"), QJsonValue::Null},
-        {QStringLiteral("clock_error_ms"), QJsonValue::Null},
-        {QStringLiteral("bytes_per_s"), figures.bytesPerSecond},
-        {QStringLiteral("probes_per_s"), figures.probesPerSecond}};
+    QJsonObject object{{drift_key::kAtEvent, inDegrees(figures.atEvent)},
+                       {drift_key::kTimeAverage, inDegrees(figures.timeAverage)},
+                       {drift_key::kPercentile, inDegrees(figures.p95)},
+                       {drift_key::kPosition, inMillimetres(metres(figures.position))},
+                       {drift_key::kLimit, inDegrees(figures.limit)},
+                       {drift_key::kRatio, QJsonValue::Null},
+                       {drift_key::kClockError, QJsonValue::Null},
+                       {drift_key::kBytes, figures.bytesPerSecond},
+                       {drift_key::kProbes, figures.probesPerSecond}};
     if (figures.limit > 0.0)
-        object[QStringLiteral("ratio_to_limit")] = figures.timeAverage / figures.limit;
+        object[drift_key::kRatio] = figures.timeAverage / figures.limit;
     if (figures.clockError)
-        object[QStringLiteral("clock_error_ms")] = *figures.clockError * 1e3;
+        object[drift_key::kClockError] = *figures.clockError * 1e3;
     return object;
 }
 
@@ -45,18 +45,18 @@ QJsonObject reportOf(const LiveFigures& figures, const ActionScript::Settings& s
     double load = 0.0;
     ::getloadavg(&load, 1);
     QJsonObject object = reportOf(figures.drift);
-    object[QStringLiteral("probes_per_s")] = QJsonValue::Null;
+    object[drift_key::kLiveProbes] = QJsonValue::Null;
     if (figures.drift.bytesPerSecond <= 0.0) // where nobody counts
-        object[QStringLiteral("bytes_per_s")] = QJsonValue::Null;
-    object[QStringLiteral("access_link")] = QJsonValue::Null;
-    object[QStringLiteral("live")] = true;
-    object[QStringLiteral("bound_time_average_deg")] = inDegrees(bound);
-    object[QStringLiteral("is_within_bound")] = figures.drift.timeAverage <= bound;
-    object[QStringLiteral("is_end_state_same")] = figures.isEndStateSame;
-    object[QStringLiteral("handshake_mean_ms")] = 1e3 * toSeconds(figures.handshakeMean);
-    object[QStringLiteral("handshake_max_ms")] = 1e3 * toSeconds(figures.handshakeMax);
-    object[QStringLiteral("sample_gap_p95_ms")] = 1e3 * toSeconds(figures.gapP95);
-    object[QStringLiteral("load_average")] = load;
+        object[drift_key::kLiveBytes] = QJsonValue::Null;
+    object[drift_key::kLiveAccessLink] = QJsonValue::Null;
+    object[drift_key::kLive] = true;
+    object[drift_key::kBound] = inDegrees(bound);
+    object[drift_key::kIsWithinBound] = figures.drift.timeAverage <= bound;
+    object[drift_key::kIsEndStateSame] = figures.isEndStateSame;
+    object[drift_key::kHandshakeMean] = 1e3 * toSeconds(figures.handshakeMean);
+    object[drift_key::kHandshakeMax] = 1e3 * toSeconds(figures.handshakeMax);
+    object[drift_key::kSampleGap] = 1e3 * toSeconds(figures.gapP95);
+    object[drift_key::kLoad] = load;
     return object;
 }
 

@@ -1,11 +1,10 @@
-#include "apps/lab/figures/figures_command.h"
-
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/figures/figure_plots.h"
 #include "engine/io/files/whole_file.h"
 #include "widgets/report/plot_picture.h"
 #include "widgets/report/plot_svg.h"
 
-#include <QCommandLineParser>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -18,41 +17,41 @@ namespace carina::lab
 namespace
 {
 
-constexpr std::string_view kFiguresHelp =
-    R"(figures --out DIR [--scenario NAME|FILE] [--actions A] [--seed K] [--seeds M] [--raw-angle]
-        [--live [--warm-up-s T]]
-    The drift experiment (see drift) in virtual time, drawn into DIR, which is made if need be: each
-    figure as .svg, .png and .csv, with the version and the seeds in it. The same words write the
-    same bytes, but for .png, whose letters are of the fonts there are. What is being measured goes
-    to stderr. Those of the 2004 paper (its figures 9 to 13), orientation and position, from runs of
-    our own:
-      drift-by-action-none              drift at each action, trend of third order
-      drift-by-action-event             the same, trend of sixth order
-      drift-by-action-asa-adaptive      the same
-      drift-by-participants-event, drift-by-participants-asa-adaptive
-                                        mean of it with 2 to 6 participants, a linear regression
-                                        for each of 1, 10, 50 and 100 deg/s and mm/s
-    and what it has not:
-      drift-by-action-session-clock, drift-by-participants-session-clock
-      drift-by-delay                    time average against the one-way delay, 0.1 to 100 ms, of
-                                        which 1/21 is a queue; all strategies, the physical limit
-    Delays here are the network's alone, so the paper's angles are not to be expected.
-    --scenario    as of drift, for all but drift-by-delay; metro, which loses nothing, so that no
-                  trend is made by a few lost actions
-    --actions A   of a run; 8 to 10000; 50
-    --seed K      0 to 4294967295; 1
-    --seeds M     each number is the mean of so many runs, from seed K on; 1 to 1000; 20
-    --live        from real programs in real time over relays (see drift --live): those figures that
-                  are of session-clock, at 100 deg/s and mm/s, of one run of 12 actions for each
-                  number; 16 runs, 8 minutes
-    --warm-up-s T of the clocks before each live run; 0 to 300; 10
-    --raw-angle   in orientation by action 2 acos(w), which exceeds 180 deg, as the paper has it
-    schema        "carina.figures/1"
-    version, scenario, actions, seed, seeds: of Carina, and as given
-    figures       names of the figures, to which the file's ending is added
-    trends        the table of all trends: coefficients from order 0 up, for lines 1 is the slope,
-                  and psi_1 to psi_5, what was measured with 2 to 6 participants
-)";
+namespace figures_option
+{
+constexpr Option kFolder{"out", "DIR", "folder to write into; it is made if need be"};
+constexpr Option kScenario{
+    "scenario", "NAME|FILE",
+    "the network, as of drift, for all figures but drift-by-delay; metro unless given, which loses "
+    "nothing, so that no trend is bent by a few lost actions"};
+constexpr Option kActions{"actions", "A", "of a run, 8 to 10000; 50 unless given, with --live 12"};
+constexpr Option kSeed{"seed", "K", "of the first run, 0 to 4294967295; 1 unless given"};
+constexpr Option kSeeds{"seeds", "M",
+                        "each number is the mean of so many runs, with the seeds from K on, 1 to "
+                        "1000; 20 unless given, with --live always 1"};
+constexpr Option kRawAngle{"raw-angle", "",
+                           "draws 2 acos(w) for the orientation by action, as the paper does; it "
+                           "can exceed 180 degrees"};
+constexpr Option kLive{"live", "", "measures real programs in real time"};
+constexpr Option kWarmUp{
+    "warm-up-s", "T",
+    "whole seconds for the clocks to settle before each live run, 0 to 300; 10 unless given"};
+} // namespace figures_option
+
+namespace figures_key
+{
+constexpr Key kSchema{"schema", "carina.figures/1"};
+constexpr Key kVersion{"version", "of Carina"};
+constexpr Key kScenario{"scenario", "its name"};
+constexpr Key kActions{"actions", "as given"};
+constexpr Key kSeed{"seed", "as given"};
+constexpr Key kSeeds{"seeds", "as given"};
+constexpr Key kFigures{"figures", "names of the figures, to which the ending of a file is added"};
+constexpr Key kTrends{
+    "trends",
+    "name of the table of all trends: coefficients from order 0 up, of which that of order 1 is "
+    "the slope of a line, and psi_1 to psi_5, what was measured with 2 to 6 participants"};
+} // namespace figures_key
 
 struct FiguresRequest {
     std::filesystem::path folder;
@@ -60,76 +59,39 @@ struct FiguresRequest {
     int seeds = 1;
 };
 
-/// A whole number given for an option.
-Result<std::int64_t> wholeOf(const QCommandLineParser& parser, const char* name,
-                             std::int64_t lowest, std::int64_t highest, std::int64_t otherwise)
+/// Whether the options go together, whatever their values are.
+Result<void> checkFigureOptions(const Words& words)
 {
-    const QString text = parser.value(QString::fromLatin1(name));
-    if (!parser.isSet(QString::fromLatin1(name)))
-        return otherwise;
-    bool isNumber = false;
-    const qlonglong value = text.toLongLong(&isNumber);
-    if (isNumber && value >= lowest && value <= highest)
-        return value;
-    return fail(Errc::OutOfRange,
-                QStringLiteral("figures: --%1 needs a whole number from %2 to %3.")
-                    .arg(QString::fromLatin1(name))
-                    .arg(lowest)
-                    .arg(highest)
-                    .toStdString());
-}
-
-void addOptions(QCommandLineParser& parser)
-{
-    for (const auto& [name, value] :
-         std::initializer_list<std::pair<const char*, const char*>>{{"out", ""},
-                                                                    {"scenario", "metro"},
-                                                                    {"actions", ""},
-                                                                    {"seed", "1"},
-                                                                    {"seeds", ""},
-                                                                    {"warm-up-s", "10"}})
-        parser.addOption(QCommandLineOption{
-            QString::fromLatin1(name), {}, QString::fromLatin1(name), QString::fromLatin1(value)});
-    for (const char* flag : {"raw-angle", "live"})
-        parser.addOption(QCommandLineOption{QString::fromLatin1(flag)});
-}
-
-tl::unexpected<Error> notUnderstood(const QString& reason)
-{
-    return fail(Errc::OutOfRange,
-                "figures: " + reason.toStdString() + " 'carina-lab help' lists its options.");
-}
-
-Result<FiguresRequest> requestOf(const QStringList& arguments)
-{
-    QCommandLineParser parser;
-    addOptions(parser);
-    if (!parser.parse(QStringList{QStringLiteral("figures")} + arguments))
-        return notUnderstood(parser.errorText());
-    if (const QStringList words = parser.positionalArguments(); !words.isEmpty())
-        return notUnderstood(QStringLiteral("'%1' is no option.").arg(words.front()));
-    const std::string folder = parser.value(QStringLiteral("out")).toStdString();
-    if (folder.empty())
+    if (words.text(figures_option::kFolder).isEmpty())
         return fail(Errc::OutOfRange, "figures: --out DIR is missing.");
-    FiguresRequest request{folder, {}};
-    const bool isLive = parser.isSet(QStringLiteral("live"));
-    if (!isLive && parser.isSet(QStringLiteral("warm-up-s")))
-        return notUnderstood(QStringLiteral("--warm-up-s goes with --live."));
+    if (words.has(figures_option::kWarmUp) && !words.has(figures_option::kLive))
+        return fail(Errc::OutOfRange, "figures: --warm-up-s goes with --live.");
+    return {};
+}
+
+Result<FiguresRequest> figuresRequest(const Words& words)
+{
+    if (const auto checked = checkFigureOptions(words); !checked)
+        return tl::unexpected(checked.error());
+    const bool isLive = words.has(figures_option::kLive);
     const auto actions =
-        wholeOf(parser, "actions", kTrendOfStrategies + 2, 10000, isLive ? 12 : 50);
-    const auto seed = wholeOf(parser, "seed", 0, 4294967295, 1);
-    const auto seeds = wholeOf(parser, "seeds", 1, isLive ? 1 : 1000, isLive ? 1 : 20);
-    const auto warmUp_s = wholeOf(parser, "warm-up-s", 0, 300, 10);
+        words.whole(figures_option::kActions, kTrendOfStrategies + 2, 10000, isLive ? 12 : 50);
+    const auto seed = words.whole(figures_option::kSeed, 0, 4294967295, 1);
+    const auto seeds = words.whole(figures_option::kSeeds, 1, isLive ? 1 : 1000, isLive ? 1 : 20);
+    const auto warmUp_s = words.whole(figures_option::kWarmUp, 0, 300, 10);
     for (const auto* number : {&actions, &seed, &seeds, &warmUp_s})
         if (!*number)
             return tl::unexpected(number->error());
+    FiguresRequest request{words.text(figures_option::kFolder).toStdString(), {}};
     request.settings.actions = static_cast<int>(*actions);
     request.settings.seed = static_cast<std::uint32_t>(*seed);
     request.seeds = static_cast<int>(*seeds);
     request.settings.source =
         isLive ? liveDrift(std::chrono::seconds{*warmUp_s}) : virtualDrift(request.seeds);
-    request.settings.isAngleRaw = parser.isSet(QStringLiteral("raw-angle"));
-    auto scenario = findScenario(parser.value(QStringLiteral("scenario")).toStdString());
+    request.settings.isAngleRaw = words.has(figures_option::kRawAngle);
+    auto scenario = findScenario(words.has(figures_option::kScenario)
+                                     ? words.text(figures_option::kScenario).toStdString()
+                                     : "metro");
     if (!scenario)
         return tl::unexpected(scenario.error());
     request.settings.scenario = *std::move(scenario);
@@ -187,9 +149,9 @@ void announceCurves(FigureSettings& settings)
     };
 }
 
-Result<QJsonObject> runFiguresCommand(const QStringList& arguments)
+Result<QJsonObject> drawnFigures(const Words& words)
 {
-    auto request = requestOf(arguments);
+    auto request = figuresRequest(words);
     if (!request)
         return tl::unexpected(request.error());
     if (const auto opened = openFolder(request->folder); !opened)
@@ -205,18 +167,70 @@ Result<QJsonObject> runFiguresCommand(const QStringList& arguments)
     QJsonArray names;
     for (const DriftFigure& figure : *figures)
         names.append(QString::fromStdString(figure.name));
-    return QJsonObject{{QStringLiteral("schema"), QStringLiteral("carina.figures/1")},
-                       {QStringLiteral("version"), QString::fromUtf8(stamp.version)},
-                       {QStringLiteral("scenario"), QString::fromStdString(settings.scenario.name)},
-                       {QStringLiteral("actions"), settings.actions},
-                       {QStringLiteral("seed"), qint64{settings.seed}},
-                       {QStringLiteral("seeds"), request->seeds},
-                       {QStringLiteral("figures"), names},
-                       {QStringLiteral("trends"), QStringLiteral("trends.csv")}};
+    return QJsonObject{{figures_key::kSchema, QLatin1StringView{figures_key::kSchema.help}},
+                       {figures_key::kVersion, QString::fromUtf8(stamp.version)},
+                       {figures_key::kScenario, QString::fromStdString(settings.scenario.name)},
+                       {figures_key::kActions, settings.actions},
+                       {figures_key::kSeed, qint64{settings.seed}},
+                       {figures_key::kSeeds, request->seeds},
+                       {figures_key::kFigures, names},
+                       {figures_key::kTrends, QStringLiteral("trends.csv")}};
+}
+
+Use figuresInVirtualTime()
+{
+    return {
+        .lines = {"--out DIR [OPTION...]"},
+        .text = "Draws the drift experiment (see drift) in virtual time: each figure as .svg, .png "
+                "and .csv, with the version and the seeds in it, once for the orientation and once "
+                "for the position. The same words write the same bytes, but for .png, whose "
+                "letters are of the fonts that the machine has. What is being measured goes to "
+                "stderr. The first five are figures 9 to 13 of the 2004 paper, from runs of our "
+                "own; the paper does not have the others. Delays here are those of the network "
+                "alone, so the angles of the paper are not to be expected.",
+        .notes =
+            {{"drift-by-action-none", "drift at each action, with a trend of third order"},
+             {"drift-by-action-event", "the same, with a trend of sixth order"},
+             {"drift-by-action-asa-adaptive", "the same"},
+             {"drift-by-participants-event",
+              "mean of that drift with 2 to 6 participants, with a linear regression for each of "
+              "1, 10, 50 and 100 deg/s and mm/s"},
+             {"drift-by-participants-asa-adaptive", "the same"},
+             {"drift-by-action-session-clock", "drift at each action, with a trend of sixth order"},
+             {"drift-by-participants-session-clock", "as of the other strategies"},
+             {"drift-by-delay",
+              "time average against the one-way delay, 0.1 to 100 ms, of which 1/21 is a queue, "
+              "for all strategies, with the physical limit"}},
+        .options = {figures_option::kFolder, figures_option::kScenario, figures_option::kActions,
+                    figures_option::kSeed, figures_option::kSeeds, figures_option::kRawAngle},
+        .schema = figures_key::kSchema,
+        .keys = {figures_key::kVersion, figures_key::kScenario, figures_key::kActions,
+                 figures_key::kSeed, figures_key::kSeeds, figures_key::kFigures,
+                 figures_key::kTrends}};
+}
+
+Use figuresInRealTime()
+{
+    return {.lines = {"--out DIR --live [--warm-up-s T] [OPTION...]"},
+            .text = "The same from real programs in real time over relays (see drift --live): only "
+                    "the figures of session-clock, at 100 deg/s and mm/s, of one run of 12 actions "
+                    "for each number. These are 16 runs, which take 8 minutes. Takes the options "
+                    "above and prints the same keys.",
+            .options = {figures_option::kLive, figures_option::kWarmUp},
+            .schema = figures_key::kSchema};
 }
 
 } // namespace
 
-Command figuresCommand() { return {"figures", kFiguresHelp, runFiguresCommand}; }
+Command figuresCommand()
+{
+    return {.name = "figures",
+            .theme = "drift and network",
+            .summary = "draws the drift experiment as figures and tables",
+            .uses = {figuresInVirtualTime(), figuresInRealTime()},
+            .reminder = "'carina-lab help figures' lists its options.",
+            .draws = true,
+            .experiment = drawnFigures};
+}
 
 } // namespace carina::lab

@@ -1,5 +1,5 @@
-#include "apps/lab/network/carry_command.h"
-
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/network/carry_experiment.h"
 
 namespace carina::lab
@@ -7,32 +7,27 @@ namespace carina::lab
 namespace
 {
 
-constexpr std::string_view kCarryHelp =
-    R"(carry [--mb N] [--seconds T]
-    A host shares a tube 60 times a second with a participant, over real sockets on loopback, in
-    three phases: with nothing beside it, while the participant fetches an anatomy set again and
-    again, and with nothing again.
-    --mb N            length of the set in megabytes, 1 to 256 (40)
-    --seconds T       length of each phase, 1 to 600 (5)
-    schema            "carina.carry/1"
-    before, during, after   how old poses were when they came: poses, p50_ms, p95_ms, p99_ms, max_ms
-    sets              that came whole
-    set_bytes         length of each
-    mb_per_s          of those that came whole
-)";
-
-Result<int> wholeNumber(const QStringList& arguments, const QString& flag, int standard, int most)
+namespace carry_option
 {
-    const qsizetype at = arguments.indexOf(flag);
-    if (at < 0)
-        return standard;
-    bool right = false;
-    const int value = arguments.value(at + 1).toInt(&right);
-    if (!right || value < 1 || value > most)
-        return fail(Errc::OutOfRange,
-                    flag.toStdString() + ' ' + arguments.value(at + 1).toStdString());
-    return value;
-}
+constexpr Option kMegabytes{"mb", "N", "length of the set in megabytes, 1 to 256; 40 unless given"};
+constexpr Option kSeconds{"seconds", "T", "length of each phase, 1 to 600; 5 unless given"};
+} // namespace carry_option
+
+namespace carry_key
+{
+constexpr Key kSchema{"schema", "carina.carry/1"};
+constexpr Key kBefore{"before", "how old poses were when they came, with nothing beside them:"};
+constexpr Key kPoses{"poses", "that came", 1};
+constexpr Key kMedian{"p50_ms", "median of their ages", 1};
+constexpr Key kPercentile95{"p95_ms", "95th percentile", 1};
+constexpr Key kPercentile99{"p99_ms", "99th percentile", 1};
+constexpr Key kMax{"max_ms", "the oldest", 1};
+constexpr Key kDuring{"during", "the same while the set is fetched"};
+constexpr Key kAfter{"after", "the same with nothing beside them again"};
+constexpr Key kSets{"sets", "that came whole"};
+constexpr Key kSetBytes{"set_bytes", "length of each"};
+constexpr Key kRate{"mb_per_s", "of those that came whole; missing where none did"};
+} // namespace carry_key
 
 /// @param sorted ages, of which there is one
 QJsonObject spread(const std::vector<Duration>& sorted)
@@ -40,41 +35,56 @@ QJsonObject spread(const std::vector<Duration>& sorted)
     const auto at = [&](double share) {
         return 1e3 * toSeconds(sorted[std::size_t(share * double(sorted.size() - 1))]);
     };
-    return {{QStringLiteral("poses"), qint64(sorted.size())},
-            {QStringLiteral("p50_ms"), at(0.5)},
-            {QStringLiteral("p95_ms"), at(0.95)},
-            {QStringLiteral("p99_ms"), at(0.99)},
-            {QStringLiteral("max_ms"), at(1.0)}};
+    return {{carry_key::kPoses, qint64(sorted.size())},
+            {carry_key::kMedian, at(0.5)},
+            {carry_key::kPercentile95, at(0.95)},
+            {carry_key::kPercentile99, at(0.99)},
+            {carry_key::kMax, at(1.0)}};
 }
 
-Result<QJsonObject> carry(const QStringList& arguments)
+Result<QJsonObject> carry(const Words& words)
 {
-    for (qsizetype i = 0; i < arguments.size(); i += 2)
-        if (arguments[i] != QStringLiteral("--mb") && arguments[i] != QStringLiteral("--seconds"))
-            return fail(Errc::OutOfRange, "carry does not know " + arguments[i].toStdString());
-    const auto megabytes = wholeNumber(arguments, QStringLiteral("--mb"), 40, 256);
-    const auto seconds = wholeNumber(arguments, QStringLiteral("--seconds"), 5, 600);
+    const auto megabytes = words.whole(carry_option::kMegabytes, 1, 256, 40);
+    const auto seconds = words.whole(carry_option::kSeconds, 1, 600, 5);
     if (!megabytes || !seconds)
         return tl::unexpected(megabytes ? seconds.error() : megabytes.error());
-    const auto figures = measureCarrying({*megabytes, std::chrono::seconds{*seconds}});
+    const auto figures =
+        measureCarrying({static_cast<int>(*megabytes), std::chrono::seconds{*seconds}});
     if (!figures)
         return tl::unexpected(figures.error());
     if (figures->before.empty() || figures->during.empty() || figures->after.empty())
         return fail(Errc::HostSilent, "no poses came");
-    QJsonObject report{{QStringLiteral("schema"), QStringLiteral("carina.carry/1")},
-                       {QStringLiteral("before"), spread(figures->before)},
-                       {QStringLiteral("during"), spread(figures->during)},
-                       {QStringLiteral("after"), spread(figures->after)},
-                       {QStringLiteral("sets"), figures->sets},
-                       {QStringLiteral("set_bytes"), qint64(figures->bytes)}};
+    QJsonObject report{{carry_key::kSchema, QLatin1StringView{carry_key::kSchema.help}},
+                       {carry_key::kBefore, spread(figures->before)},
+                       {carry_key::kDuring, spread(figures->during)},
+                       {carry_key::kAfter, spread(figures->after)},
+                       {carry_key::kSets, figures->sets},
+                       {carry_key::kSetBytes, qint64(figures->bytes)}};
     if (figures->sets > 0)
-        report[QStringLiteral("mb_per_s")] =
+        report[carry_key::kRate] =
             1e-6 * double(figures->bytes) * figures->sets / toSeconds(figures->fetching);
     return report;
 }
 
 } // namespace
 
-Command carryCommand() { return {"carry", kCarryHelp, carry}; }
+Command carryCommand()
+{
+    return {.name = "carry",
+            .theme = "drift and network",
+            .summary = "measures what sending an anatomy set costs a session",
+            .uses = {{.lines = {"[--mb N] [--seconds T]"},
+                      .text = "A host shares a tube 60 times a second with a participant, over "
+                              "real sockets on loopback, in three phases: with nothing beside it, "
+                              "while the participant fetches an anatomy set again and again, and "
+                              "with nothing beside it again.",
+                      .options = {carry_option::kMegabytes, carry_option::kSeconds},
+                      .schema = carry_key::kSchema,
+                      .keys = {carry_key::kBefore, carry_key::kPoses, carry_key::kMedian,
+                               carry_key::kPercentile95, carry_key::kPercentile99, carry_key::kMax,
+                               carry_key::kDuring, carry_key::kAfter, carry_key::kSets,
+                               carry_key::kSetBytes, carry_key::kRate}}},
+            .experiment = carry};
+}
 
 } // namespace carina::lab

@@ -16,7 +16,7 @@ namespace carina::lab
 namespace
 {
 
-constexpr StationId kStation{0};
+constexpr StationId kCarriedStation{0};
 constexpr Duration kLook = std::chrono::microseconds{100}; ///< between two looks at what came
 constexpr Duration kComingIn = std::chrono::seconds{20};
 
@@ -57,8 +57,8 @@ public:
         if (!host)
             return tl::unexpected(host.error());
         m_host = *std::move(host);
-        m_host->propose(kStation, fact::AnatomyChosen{set.anatomy.contentHash, "Made up"});
-        m_host->publish(kStation, ObjectKind::Tube, "Tube", [this] { return tubeNow(); });
+        m_host->propose(kCarriedStation, fact::AnatomyChosen{set.anatomy.contentHash, "Made up"});
+        m_host->publish(kCarriedStation, ObjectKind::Tube, "Tube", [this] { return tubeNow(); });
         return join();
     }
 
@@ -119,7 +119,7 @@ private:
     {
         auto client = SessionNode::join({.port = m_host->port(),
                                          .participantName = "Trainee",
-                                         .station = kStation,
+                                         .station = kCarriedStation,
                                          .code = m_host->joinCodes().at(Role::Trainee),
                                          .derive = sameKey});
         if (!client)

@@ -1,7 +1,7 @@
-#include "apps/lab/registration/fit_command.h"
-
-#include "apps/lab/command/command_options.h"
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/registration/fit_doubts.h"
+#include "apps/lab/registration/fit_page.h"
 #include "apps/lab/registration/fit_report.h"
 #include "apps/lab/registration/plus_config.h"
 #include "apps/lab/registration/recorded_stylus.h"
@@ -18,51 +18,11 @@ namespace carina::lab
 namespace
 {
 
-constexpr std::string_view kFitHelp =
-    R"(fit PAIRS.csv [--covariance] [--fle MM] [--repair-order]
-fit --recording SEQ.igs.mha --plus-config CONFIG.xml [--fle MM] [--repair-order]
-    Finds the pose of the manikin in the anatomy that brings touched landmarks nearest to their
-    places: least squares, always a proper rotation.
-    PAIRS.csv           a line of column names in any order, then one line for each landmark, of
-                        which there are three or more:
-      name              of the landmark
-      ax,ay,az          its place in the anatomy, mm
-      mx,my,mz          where it was touched on the manikin, mm
-    example             name,ax,ay,az,mx,my,mz
-                        Sternal notch,0,-60.4,36.1,112.2,40.5,-1210.9
-                        ... ; carina-lab fit pairs.csv > fit.json
-    --covariance        weighs each landmark by how far it strays: cxx,cyy,czz,cxy,cxz,cyz in mm^2
-                        along the axes of the anatomy
-    --fle MM            how far touches stray, root mean square (2): a landmark is taken for
-                        touched in another's place only where that does not explain it
-    --repair-order      fits landmarks that were exchanged by their own touches; without it they
-                        are named and refused, as is a mirror image
-    --recording FILE    a recording of a stylus that was held at the landmarks one after another, a
-                        second each within a millimetre; the tool Reference, where there is one, is
-                        fixed to what is touched
-    --plus-config FILE  of Plus: the stylus tip (transform StylusTip to Stylus), and the landmarks
-                        in the order in which they were touched
-    schema              "carina.fit/1"
-    rms_mm              root of the mean squared residual
-    residuals_mm        "name" and "mm", the distance left, of each landmark
-    X_AM_mm             the pose: four rows of four numbers, its translation in mm
-    order               of the touches: "found" is "as given", "exchanged" or "unexplained";
-                        "touch_of" names for each landmark the one whose touch it is; "rms_mm" of
-                        that; "explanations" counts the orders that would do
-    warnings            sentences, also on stderr, where there are any: landmarks nearly on one
-                        line, touches that no order explains
-    fle_mm              how far touches stray by these residuals: "rms", "limit95", which it is below
-                        with 95 %, and "degrees" of freedom; without --covariance
-    leave_one_out_mm    "name" and "mm", how far each landmark is from the fit of all others; null
-                        where these do not suffice; without --covariance
-    chi_squared         of the weighed residuals, with "degrees" of freedom, and "scale", by which
-                        the covariances would agree with them; with --covariance
-    dwells              with a recording: how often the stylus was held still. Of more dwells than
-                        landmarks those are taken that fit best in their order.
-)";
-
 /// More dwells than landmarks are tried up to this many, in every order-keeping choice.
 constexpr std::size_t kMostDwellsTooMany = 4;
+
+/// Root mean square of a touch's error, unless given.
+constexpr Length kUsualTouchError = millimetres(2.0);
 
 /// A fit's error as a sentence about the file.
 tl::unexpected<Error> cannotFit(const QString& file, const Error& error)
@@ -73,7 +33,7 @@ tl::unexpected<Error> cannotFit(const QString& file, const Error& error)
 struct FitOptions {
     bool withCovariances = false;
     bool repairsOrder = false;
-    Length fle = millimetres(2.0);
+    Length fle;
 };
 
 /// What is wrong with the touches' order, or the landmarks with their own.
@@ -123,7 +83,7 @@ Result<QJsonObject> fitNamed(const QString& file, NamedPairs named, const FitOpt
         return cannotFit(file, object.error());
     describeOrder(*object, named.names, *order);
     if (const QStringList warnings = fitWarnings(named, *order, options.fle); !warnings.isEmpty())
-        object->insert(kWarnings, QJsonArray::fromStringList(warnings));
+        object->insert(fit_key::kWarnings, QJsonArray::fromStringList(warnings));
     return object;
 }
 
@@ -182,52 +142,78 @@ Result<QJsonObject> fitRecording(const QString& recording, const QString& plusCo
         return cannotFit(recording, named.error());
     auto object = fitNamed(recording, std::move(*named), options);
     if (object)
-        object->insert(QStringLiteral("dwells"), static_cast<qint64>(points.size()));
+        object->insert(fit_key::kDwells, static_cast<qint64>(points.size()));
     return object;
 }
 
-Result<FitOptions> fitOptionsOf(const QCommandLineParser& parser)
+Result<QJsonObject> runFit(const Words& words)
 {
-    FitOptions options{.withCovariances = parser.isSet(QStringLiteral("covariance")),
-                       .repairsOrder = parser.isSet(QStringLiteral("repair-order"))};
-    if (!parser.isSet(QStringLiteral("fle")))
-        return options;
-    const auto fle =
-        positiveMillimetres(QStringLiteral("--fle"), parser.value(QStringLiteral("fle")));
+    const Result<Length> fle = positiveMillimetres(words, fit_option::kFle, kUsualTouchError);
     if (!fle)
         return tl::unexpected(fle.error());
-    options.fle = *fle;
-    return options;
+    const FitOptions options{.withCovariances = words.has(fit_option::kCovariance),
+                             .repairsOrder = words.has(fit_option::kRepairOrder),
+                             .fle = *fle};
+    const bool hasRecording = words.has(fit_option::kRecording);
+    const bool hasConfig = words.has(fit_option::kPlusConfig);
+    if (const QStringList files = words.files(); files.size() == 1 && !hasRecording && !hasConfig)
+        return readPairs(files[0], options.withCovariances).and_then([&](const NamedPairs& named) {
+            return fitNamed(files[0], named, options);
+        });
+    if (words.files().isEmpty() && hasRecording && hasConfig && !options.withCovariances)
+        return fitRecording(words.text(fit_option::kRecording), words.text(fit_option::kPlusConfig),
+                            options);
+    return words.refuse(
+        QStringLiteral("needs PAIRS.csv, or --recording SEQ.igs.mha --plus-config CONFIG.xml."));
 }
 
-Result<QJsonObject> runFit(const QStringList& arguments)
+std::vector<Note> fitNotes()
 {
-    const QString recording = QStringLiteral("recording");
-    const QString config = QStringLiteral("plus-config");
-    QCommandLineParser parser;
-    addValueOptions(parser, {"fle", "recording", "plus-config"});
-    parser.addOptions({QCommandLineOption{QStringLiteral("covariance")},
-                       QCommandLineOption{QStringLiteral("repair-order")}});
-    if (const auto parsed = parseOptions(parser, "fit", arguments, 1); !parsed)
-        return tl::unexpected(parsed.error());
-    const auto options = fitOptionsOf(parser);
-    if (!options)
-        return tl::unexpected(options.error());
-    const QStringList files = parser.positionalArguments();
-    const bool isRecorded = parser.isSet(recording) && parser.isSet(config);
-    if (files.size() == 1 && !parser.isSet(recording) && !parser.isSet(config)) {
-        auto named = readPairs(files[0], options->withCovariances);
-        return named ? fitNamed(files[0], std::move(*named), *options)
-                     : Result<QJsonObject>{tl::unexpected(named.error())};
-    }
-    if (files.isEmpty() && isRecorded && !options->withCovariances)
-        return fitRecording(parser.value(recording), parser.value(config), *options);
-    return fail(Errc::OutOfRange,
-                "fit needs PAIRS.csv, or --recording SEQ.igs.mha --plus-config CONFIG.xml.");
+    return {{"PAIRS.csv", "a line of column names in any order, then one line for each landmark, "
+                          "of which there are three or more:"},
+            {"  name", "of the landmark"},
+            {"  ax,ay,az", "its place in the anatomy, mm"},
+            {"  mx,my,mz", "where it was touched on the manikin, mm"},
+            {"  cxx,cyy,czz,cxy,cxz,cyz",
+             "with --covariance: the covariance of the touch in mm^2, along the axes of the "
+             "anatomy"},
+            {"example", "name,ax,ay,az,mx,my,mz"},
+            {"", "Sternal notch,0,-60.4,36.1,112.2,40.5,-1210.9"},
+            {"", "... ; carina-lab fit pairs.csv > fit.json"}};
+}
+
+std::vector<Key> fitKeys()
+{
+    return {fit_key::kPose,     fit_key::kRms,          fit_key::kResiduals,  fit_key::kName,
+            fit_key::kResidual, fit_key::kOrder,        fit_key::kFound,      fit_key::kTouchOf,
+            fit_key::kOrderRms, fit_key::kExplanations, fit_key::kWarnings,   fit_key::kFle,
+            fit_key::kFleRms,   fit_key::kFleLimit,     fit_key::kFleDegrees, fit_key::kLeaveOneOut,
+            fit_key::kName,     fit_key::kLeftOut,      fit_key::kChiSquared, fit_key::kDegrees,
+            fit_key::kScale,    fit_key::kDwells};
 }
 
 } // namespace
 
-Command fitCommand() { return {"fit", kFitHelp, runFit}; }
+Command fitCommand()
+{
+    return {
+        .name = "fit",
+        .theme = "registration",
+        .summary = "finds the pose of the manikin in the anatomy by touched landmarks",
+        .uses = {{.lines = {"PAIRS.csv [--covariance] [--fle MM] [--repair-order]",
+                            "--recording FILE --plus-config FILE [--fle MM] [--repair-order]"},
+                  .text = "Finds the pose of the manikin in the anatomy that brings the touched "
+                          "landmarks nearest to their places, by least squares; it is always a "
+                          "proper rotation. The touches are those of a table, or those of a "
+                          "recording in which a stylus was held still at one landmark after "
+                          "another, for a second each and within a millimetre.",
+                  .notes = fitNotes(),
+                  .options = {fit_option::kCovariance, fit_option::kFle, fit_option::kRepairOrder,
+                              fit_option::kRecording, fit_option::kPlusConfig},
+                  .schema = fit_key::kSchema,
+                  .keys = fitKeys()}},
+        .mostFiles = 1,
+        .experiment = runFit};
+}
 
 } // namespace carina::lab

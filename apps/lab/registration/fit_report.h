@@ -12,7 +12,7 @@
 namespace carina::lab
 {
 
-/// What `carina-lab fit` prints of a fit; its help has the keys.
+/// What `carina-lab fit` prints of a fit; the keys are in fit_page.h.
 [[nodiscard]] QJsonObject describeFit(const std::vector<std::string>& names, const RigidFit& fit);
 
 /// Adds the localisation error by the residuals, and what leaving each landmark out shows.

@@ -1,7 +1,7 @@
-#include "apps/lab/registration/icp_command.h"
-
-#include "apps/lab/command/command_options.h"
 #include "apps/lab/command/csv_table.h"
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
+#include "apps/lab/registration/fit_page.h"
 #include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/io/mesh/surface_reader.h"
@@ -12,35 +12,38 @@ namespace carina::lab
 namespace
 {
 
-constexpr std::string_view kIcpHelp =
-    R"(icp --surface FILE --swab SWAB.csv --start FIT.json
-    Refines the pose of the manikin in the anatomy by points that a stylus touched anywhere on a
-    surface: iterated closest points from the pose that landmarks gave.
-    --surface FILE      the surface that was swabbed, in the anatomy's axes and mm: OBJ, PLY, STL,
-                        glTF or GLB; all surfaces of the file together
-    --swab SWAB.csv     a line of column names in any order, then one line for each point:
-      mx,my,mz          where it was touched on the manikin, mm
-    --start FIT.json    what fit printed: its X_AM_mm
-    example             mx,my,mz
-                        112.2,40.5,-1210.9
-                        ... ; carina-lab fit pairs.csv > fit.json
-                        carina-lab icp --surface skin.stl --swab swab.csv --start fit.json
-    schema              "carina.icp/1"
-    X_AM_mm             the pose: four rows of four numbers, its translation in mm
-    start_rms_mm        root of the mean squared distance from the surface before, of all points
-    rms_mm              the same after, of those not left out; it tells nothing about motions along
-                        the surface
-    points              read
-    outliers            of these, left out
-    iterations          steps
-    moved_mm            the longest way that a point was moved
-    centre_mm           [x, y, z] of the swab's centre in the anatomy
-    uncertainty_mm      root of the mean squared error of the pose there, but for loose motions
-    loose               motions that the surface does not hold and that stayed as they were; each
-                        with shares whose squares add up to 1:
-      turn              [x, y, z] along the axis of a turn about the centre
-      shift             [x, y, z] of a shift
-)";
+namespace icp_option
+{
+constexpr Option kSurface{"surface", "FILE",
+                          "the surface that was touched, in the axes of the anatomy and mm: OBJ, "
+                          "PLY, STL, glTF or GLB; all surfaces of the file together"};
+constexpr Option kSwab{"swab", "SWAB.csv", "the touched points"};
+constexpr Option kStart{"start", "FIT.json",
+                        "what fit printed; its X_AM_mm is the pose to begin with"};
+} // namespace icp_option
+
+namespace icp_key
+{
+constexpr Key kSchema{"schema", "carina.icp/1"};
+constexpr Key kPose{fit_key::kPose.name,
+                    "the pose: four rows of four numbers, its translation in mm"};
+constexpr Key kStartRms{"start_rms_mm",
+                        "root mean square distance of all points from the surface before"};
+constexpr Key kRms{"rms_mm", "the same afterwards, of the points that were not left out; it does "
+                             "not show errors along the surface"};
+constexpr Key kPoints{"points", "that were read"};
+constexpr Key kOutliers{"outliers", "of these, left out"};
+constexpr Key kIterations{"iterations", "steps that were made"};
+constexpr Key kMoved{"moved_mm", "greatest distance by which a point was moved"};
+constexpr Key kCentre{"centre_mm", "[x, y, z] of the centre of the points in the anatomy"};
+constexpr Key kUncertainty{
+    "uncertainty_mm", "root mean square error of the pose at that centre, without loose motions"};
+constexpr Key kLoose{"loose",
+                     "motions that the surface does not determine, and that were left as they "
+                     "were; the squares of the six shares of each add up to 1:"};
+constexpr Key kTurn{"turn", "[x, y, z] along the axis of a turn about the centre", 1};
+constexpr Key kShift{"shift", "[x, y, z] of a shift", 1};
+} // namespace icp_key
 
 QJsonArray numbersOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -86,7 +89,8 @@ Result<RigidTransform> readStart(const QString& file)
     std::optional<Error> fault;
     if (!object)
         fault = object.error();
-    const RigidTransform X_AM = JsonFields{object.value_or(QJsonObject{}), fault}.pose("X_AM_mm");
+    const RigidTransform X_AM =
+        JsonFields{object.value_or(QJsonObject{}), fault}.pose(fit_key::kPose.name);
     if (fault)
         return fail(fault->code, file.toStdString() + ": " + fault->detail + '.');
     return X_AM;
@@ -96,51 +100,73 @@ QJsonObject describeRefinement(const SurfaceRefinement& fit, std::size_t points)
 {
     QJsonArray loose;
     for (const SmallMotion& motion : fit.loose)
-        loose.append(QJsonObject{{QStringLiteral("turn"), numbersOf(motion.turn_A)},
-                                 {QStringLiteral("shift"), numbersOf(motion.shift_A)}});
-    return {{QStringLiteral("schema"), QStringLiteral("carina.icp/1")},
-            {QStringLiteral("X_AM_mm"), jsonPose(fit.X_AM)},
-            {QStringLiteral("start_rms_mm"), inMillimetres(metres(fit.startRms))},
-            {QStringLiteral("rms_mm"), inMillimetres(metres(fit.rms))},
-            {QStringLiteral("points"), static_cast<qint64>(points)},
-            {QStringLiteral("outliers"), fit.outliers},
-            {QStringLiteral("iterations"), fit.iterations},
-            {QStringLiteral("moved_mm"), inMillimetres(metres(fit.moved))},
-            {QStringLiteral("centre_mm"), jsonPoint(fit.p_AC)},
-            {QStringLiteral("uncertainty_mm"), inMillimetres(metres(fit.uncertaintyAt(fit.p_AC)))},
-            {QStringLiteral("loose"), loose}};
+        loose.append(QJsonObject{{icp_key::kTurn, numbersOf(motion.turn_A)},
+                                 {icp_key::kShift, numbersOf(motion.shift_A)}});
+    return {{icp_key::kSchema, QLatin1StringView{icp_key::kSchema.help}},
+            {icp_key::kPose, jsonPose(fit.X_AM)},
+            {icp_key::kStartRms, inMillimetres(metres(fit.startRms))},
+            {icp_key::kRms, inMillimetres(metres(fit.rms))},
+            {icp_key::kPoints, static_cast<qint64>(points)},
+            {icp_key::kOutliers, fit.outliers},
+            {icp_key::kIterations, fit.iterations},
+            {icp_key::kMoved, inMillimetres(metres(fit.moved))},
+            {icp_key::kCentre, jsonPoint(fit.p_AC)},
+            {icp_key::kUncertainty, inMillimetres(metres(fit.uncertaintyAt(fit.p_AC)))},
+            {icp_key::kLoose, loose}};
 }
 
-Result<QJsonObject> runIcp(const QStringList& arguments)
+Result<QJsonObject> runIcp(const Words& words)
 {
-    const QString surface = QStringLiteral("surface");
-    const QString swab = QStringLiteral("swab");
-    const QString start = QStringLiteral("start");
-    QCommandLineParser parser;
-    addValueOptions(parser, {"surface", "swab", "start"});
-    if (const auto parsed = parseOptions(parser, "icp", arguments); !parsed)
-        return tl::unexpected(parsed.error());
-    if (!parser.isSet(surface) || !parser.isSet(swab) || !parser.isSet(start))
-        return fail(Errc::OutOfRange,
-                    "icp needs --surface FILE, --swab SWAB.csv and --start FIT.json.");
-    const auto X_AM = readStart(parser.value(start));
+    if (!words.has(icp_option::kSurface) || !words.has(icp_option::kSwab)
+        || !words.has(icp_option::kStart))
+        return words.refuse(
+            QStringLiteral("needs --surface FILE, --swab SWAB.csv and --start FIT.json."));
+    const auto X_AM = readStart(words.text(icp_option::kStart));
     if (!X_AM)
         return tl::unexpected(X_AM.error());
-    const auto p_MQ = readSwab(parser.value(swab));
+    const QString swab = words.text(icp_option::kSwab);
+    const auto p_MQ = readSwab(swab);
     if (!p_MQ)
         return tl::unexpected(p_MQ.error());
-    const auto tree = readSurface(parser.value(surface));
+    const auto tree = readSurface(words.text(icp_option::kSurface));
     if (!tree)
         return tl::unexpected(tree.error());
     const auto fit = refineOnSurface(*tree, *p_MQ, *X_AM);
     if (!fit)
-        return fail(fit.error().code, parser.value(swab).toStdString()
-                                          + " cannot be fitted: " + fit.error().detail + ".");
+        return fail(fit.error().code,
+                    swab.toStdString() + " cannot be fitted: " + fit.error().detail + ".");
     return describeRefinement(*fit, p_MQ->size());
+}
+
+std::vector<Note> icpNotes()
+{
+    return {{"SWAB.csv", "a line of column names in any order, then one line for each point:"},
+            {"  mx,my,mz", "where it was touched on the manikin, mm"},
+            {"example", "mx,my,mz"},
+            {"", "112.2,40.5,-1210.9"},
+            {"", "... ; carina-lab fit pairs.csv > fit.json"},
+            {"", "carina-lab icp --surface skin.stl --swab swab.csv --start fit.json"}};
 }
 
 } // namespace
 
-Command icpCommand() { return {"icp", kIcpHelp, runIcp}; }
+Command icpCommand()
+{
+    return {.name = "icp",
+            .theme = "registration",
+            .summary = "refines that pose by points touched anywhere on a surface",
+            .uses = {{.lines = {"--surface FILE --swab SWAB.csv --start FIT.json"},
+                      .text = "Refines the pose of the manikin in the anatomy by points that a "
+                              "stylus touched anywhere on a surface. Beginning with the pose that "
+                              "landmarks gave, it iterates closest points.",
+                      .notes = icpNotes(),
+                      .options = {icp_option::kSurface, icp_option::kSwab, icp_option::kStart},
+                      .schema = icp_key::kSchema,
+                      .keys = {icp_key::kPose, icp_key::kStartRms, icp_key::kRms, icp_key::kPoints,
+                               icp_key::kOutliers, icp_key::kIterations, icp_key::kMoved,
+                               icp_key::kCentre, icp_key::kUncertainty, icp_key::kLoose,
+                               icp_key::kTurn, icp_key::kShift}}},
+            .experiment = runIcp};
+}
 
 } // namespace carina::lab

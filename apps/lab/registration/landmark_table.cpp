@@ -105,13 +105,15 @@ Result<NamedPairs> readPairs(const QString& file, bool withCovariances)
     return named;
 }
 
-Result<Length> positiveMillimetres(const QString& option, const QString& value)
+Result<Length> positiveMillimetres(const Words& words, const Option& option, Length otherwise)
 {
+    if (!words.has(option))
+        return otherwise;
     bool isNumber = false;
-    const double mm = value.toDouble(&isNumber);
+    const double mm = words.text(option).toDouble(&isNumber);
     if (!isNumber || !std::isfinite(mm) || mm <= 0.0)
         return fail(Errc::OutOfRange,
-                    option.toStdString() + " needs a number of millimetres above 0.");
+                    "--" + std::string{option.name} + " needs a number of millimetres above 0.");
     return millimetres(mm);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/lab/command/words.h"
 #include "engine/registration/error/target_error.h"
 #include "engine/registration/fit/weighted_fit.h"
 
@@ -34,8 +35,9 @@ struct NamedPairs {
 /// @returns FileMalformed, as a sentence, for a name that stands there twice, too.
 [[nodiscard]] Result<NamedPairs> readPairs(const QString& file, bool withCovariances);
 
-/// The value of an option in millimetres.
-/// @returns OutOfRange, as a sentence, where it is no positive number.
-[[nodiscard]] Result<Length> positiveMillimetres(const QString& option, const QString& value);
+/// The millimetres given for an option; `otherwise` where it is not given.
+/// @returns OutOfRange, as a sentence, where they are no positive number.
+[[nodiscard]] Result<Length> positiveMillimetres(const Words& words, const Option& option,
+                                                 Length otherwise);
 
 } // namespace carina::lab

@@ -1,7 +1,6 @@
-#include "apps/lab/registration/pivot_command.h"
-
-#include "apps/lab/command/command_options.h"
 #include "apps/lab/command/csv_table.h"
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/registration/landmark_table.h"
 #include "apps/lab/registration/recorded_stylus.h"
 #include "engine/io/files/json_fields.h"
@@ -19,44 +18,46 @@ namespace carina::lab
 namespace
 {
 
-constexpr std::string_view kPivotHelp =
-    R"(pivot FILE|DIR [--limit-mm MM]
-pivot FILE|DIR --spin X,Y,Z
-    Finds the tip of a stylus from its poses while it was swung with its tip in a divot: linear
-    least squares over the poses that agree (random sample consensus, the same draws each time).
-    With --spin finds the axis of a tool from its poses while it was spun about that axis.
-    FILE.igs.mha      a recording with the tool Stylus, or one tool only; where it has the tool
-                      Reference too, poses are taken in its frame
-    FILE.csv          a line of column names in any order, then one line for each pose:
-      tx,ty,tz        the origin of the stylus, mm
-      qx,qy,qz,qw     its rotation as a quaternion of any length but 0
-    DIR               its files *.txt, each 16 numbers: a 4x4 pose row by row, translation in mm,
-                      parted by blanks, commas or line ends
-    example           tx,ty,tz,qx,qy,qz,qw
-                      12.1,-40.3,-1102.7,0.02,-0.11,0.70,0.70
-                      ... ; carina-lab pivot swung.csv --limit-mm 2
-                      carina-lab pivot spun.csv --spin 0,0,-120
-    --limit-mm MM     a pose whose tip is further from the divot is left out; 3 by default
-    --spin X,Y,Z      a point in the frame of the tool, mm, to which the axis points, as the tip
-    schema            "carina.pivot/1"
-    tip_mm            [x, y, z] of the tip in the frame of the stylus
-    pivot_mm          [x, y, z] of the divot in the frame of the poses
-    rms_mm            root of the mean squared distance of the tips from the divot
-    uncertainty_mm    root of the mean squared error of the tip that this noise makes
-    poses             read and tracked
-    outliers          of these, left out
-    coverage          how far each of three directions of the stylus was turned, least first:
-      direction       [x, y, z] in the frame of the stylus
-      turn_deg        root mean square
-    least_turned      the first direction as it stood on average, in the frame of the poses: lean the
-                      stylus this way
-    with --spin       schema is "carina.spin/1", and instead of tip and divot:
-    axis              [x, y, z] of the axis in the frame of the tool, of length 1
-    axis_point_mm     its point nearest to the origin of the tool
-    wobble_deg        root of the mean squared angle of the axis from its mean
-    rms_mm            root of the mean squared distance of that point from its mean, across the axis
-    uncertainty_deg   root of the mean squared error of the axis that this wobble makes
-)";
+namespace pivot_option
+{
+constexpr Option kLimit{"limit-mm", "MM",
+                        "a pose whose tip is further from the divot is left out; 3 unless given"};
+constexpr Option kSpin{"spin", "X,Y,Z",
+                       "a point in the frame of the tool, mm, to which the axis points, such as "
+                       "the tip"};
+} // namespace pivot_option
+
+namespace pivot_key
+{
+constexpr Key kTipSchema{"schema", "carina.pivot/1"};
+constexpr Key kTip{"tip_mm", "[x, y, z] of the tip in the frame of the stylus"};
+constexpr Key kPivot{"pivot_mm", "[x, y, z] of the divot in the frame of the poses"};
+constexpr Key kRms{"rms_mm", "root mean square distance of the tips from the divot"};
+constexpr Key kUncertainty{"uncertainty_mm",
+                           "root mean square error of the tip that this noise causes"};
+constexpr Key kAxisSchema{"schema", "carina.spin/1"};
+constexpr Key kAxis{"axis", "[x, y, z] of the axis in the frame of the tool, of length 1"};
+constexpr Key kAxisPoint{"axis_point_mm",
+                         "[x, y, z] of the point of the axis nearest to the origin of the tool"};
+constexpr Key kWobble{"wobble_deg", "root mean square angle of the axis from its mean"};
+constexpr Key kAxisRms{"rms_mm",
+                       "root mean square distance of that point from its mean, across the axis"};
+constexpr Key kAxisUncertainty{"uncertainty_deg",
+                               "root mean square error of the axis that this wobble causes"};
+constexpr Key kPoses{"poses", "that were read and tracked"};
+constexpr Key kOutliers{"outliers", "of these, left out"};
+constexpr Key kCoverage{"coverage", "how far each of three directions of the tool was turned, the "
+                                    "one that turned least first:"};
+constexpr Key kDirection{"direction", "[x, y, z] in the frame of the tool", 1};
+constexpr Key kTurn{"turn_deg", "root mean square", 1};
+constexpr Key kLeastTurned{"least_turned",
+                           "[x, y, z] of the first of these directions as it stood on average, in "
+                           "the frame of the poses"};
+} // namespace pivot_key
+
+/// What a command line needs.
+constexpr const char* kPivotReminder =
+    "pivot needs one file or folder of poses, with --limit-mm above 0 or --spin X,Y,Z or neither.";
 
 /// Devices round what they report.
 constexpr double kRoundedRotation = 5e-3;
@@ -145,19 +146,18 @@ Result<std::vector<RigidTransform>> posesOf(const QString& path)
 QJsonArray directionOf(const Vec3& d) { return {d.x(), d.y(), d.z()}; }
 
 /// What tips and axes have in common.
-QJsonObject describeTurns(const char* schema, std::size_t poses, int outliers,
+QJsonObject describeTurns(const Key& schema, std::size_t poses, int outliers,
                           const TurnCoverage& coverage)
 {
     QJsonArray directions;
     for (std::size_t i = 0; i < coverage.turns.size(); ++i)
-        directions.append(
-            QJsonObject{{QStringLiteral("direction"), directionOf(coverage.dirs_S[i])},
-                        {QStringLiteral("turn_deg"), inDegrees(coverage.turns[i])}});
-    return {{QStringLiteral("schema"), QString::fromLatin1(schema)},
-            {QStringLiteral("poses"), static_cast<qint64>(poses)},
-            {QStringLiteral("outliers"), outliers},
-            {QStringLiteral("coverage"), directions},
-            {QStringLiteral("least_turned"), directionOf(coverage.dir_T_least)}};
+        directions.append(QJsonObject{{pivot_key::kDirection, directionOf(coverage.dirs_S[i])},
+                                      {pivot_key::kTurn, inDegrees(coverage.turns[i])}});
+    return {{schema, QLatin1StringView{schema.help}},
+            {pivot_key::kPoses, static_cast<qint64>(poses)},
+            {pivot_key::kOutliers, outliers},
+            {pivot_key::kCoverage, directions},
+            {pivot_key::kLeastTurned, directionOf(coverage.dir_T_least)}};
 }
 
 Result<QJsonObject> describeTip(std::span<const RigidTransform> poses, Length limit)
@@ -166,11 +166,11 @@ Result<QJsonObject> describeTip(std::span<const RigidTransform> poses, Length li
     if (!pivot)
         return tl::unexpected(pivot.error());
     QJsonObject object =
-        describeTurns("carina.pivot/1", poses.size(), pivot->outliers, pivot->coverage);
-    object.insert(QStringLiteral("tip_mm"), jsonPoint(pivot->p_SQ));
-    object.insert(QStringLiteral("pivot_mm"), jsonPoint(pivot->p_TQ));
-    object.insert(QStringLiteral("rms_mm"), inMillimetres(metres(pivot->rms)));
-    object.insert(QStringLiteral("uncertainty_mm"), inMillimetres(metres(pivot->uncertainty())));
+        describeTurns(pivot_key::kTipSchema, poses.size(), pivot->outliers, pivot->coverage);
+    object.insert(pivot_key::kTip, jsonPoint(pivot->p_SQ));
+    object.insert(pivot_key::kPivot, jsonPoint(pivot->p_TQ));
+    object.insert(pivot_key::kRms, inMillimetres(metres(pivot->rms)));
+    object.insert(pivot_key::kUncertainty, inMillimetres(metres(pivot->uncertainty())));
     return object;
 }
 
@@ -180,27 +180,25 @@ Result<QJsonObject> describeAxis(std::span<const RigidTransform> poses, const Ve
     if (!spin)
         return tl::unexpected(spin.error());
     QJsonObject object =
-        describeTurns("carina.spin/1", poses.size(), spin->outliers, spin->coverage);
-    object.insert(QStringLiteral("axis"), directionOf(spin->axis_S));
-    object.insert(QStringLiteral("axis_point_mm"), jsonPoint(spin->p_SC));
-    object.insert(QStringLiteral("wobble_deg"), inDegrees(spin->wobble));
-    object.insert(QStringLiteral("rms_mm"), inMillimetres(metres(spin->rms)));
-    object.insert(QStringLiteral("uncertainty_deg"), inDegrees(spin->uncertainty));
+        describeTurns(pivot_key::kAxisSchema, poses.size(), spin->outliers, spin->coverage);
+    object.insert(pivot_key::kAxis, directionOf(spin->axis_S));
+    object.insert(pivot_key::kAxisPoint, jsonPoint(spin->p_SC));
+    object.insert(pivot_key::kWobble, inDegrees(spin->wobble));
+    object.insert(pivot_key::kAxisRms, inMillimetres(metres(spin->rms)));
+    object.insert(pivot_key::kAxisUncertainty, inDegrees(spin->uncertainty));
     return object;
 }
 
 /// What is asked of the poses; a point ahead where it is the axis.
 struct PivotQuestion {
     QString path;
-    Length limit = PivotSettings{}.outlierLimit;
+    Length limit;
     std::optional<Vec3> p_S_ahead{};
 };
 
 tl::unexpected<Error> wrongUse(const std::string& fault)
 {
-    return fail(Errc::OutOfRange, fault
-                                      + " pivot needs one file or folder of poses, with --limit-mm "
-                                        "above 0 or --spin X,Y,Z or neither.");
+    return fail(Errc::OutOfRange, fault + ' ' + kPivotReminder);
 }
 
 /// Three numbers with commas between them.
@@ -216,37 +214,31 @@ std::optional<Vec3> pointAhead(const QString& text)
     return millimetres(1.0).si * p_mm;
 }
 
-Result<PivotQuestion> questionOf(const QStringList& arguments)
+Result<PivotQuestion> questionOf(const Words& words)
 {
-    const QString limit = QStringLiteral("limit-mm");
-    const QString spin = QStringLiteral("spin");
-    QCommandLineParser parser;
-    addValueOptions(parser, {"limit-mm", "spin"});
-    if (const auto parsed = parseOptions(parser, "pivot", arguments, 1); !parsed)
-        return wrongUse(parsed.error().detail);
-    if (parser.positionalArguments().isEmpty())
+    if (words.files().isEmpty())
         return wrongUse("No file and no folder is named.");
-    if (parser.isSet(limit) && parser.isSet(spin))
+    const bool hasSpin = words.has(pivot_option::kSpin);
+    if (words.has(pivot_option::kLimit) && hasSpin)
         return wrongUse("--limit-mm and --spin exclude each other.");
-    PivotQuestion question{.path = parser.positionalArguments().front()};
-    if (parser.isSet(limit)) {
-        const auto given = positiveMillimetres(QStringLiteral("--limit-mm"), parser.value(limit));
-        if (!given)
-            return wrongUse(given.error().detail);
-        question.limit = *given;
-    }
-    if (parser.isSet(spin)) {
-        question.p_S_ahead = pointAhead(parser.value(spin));
-        if (!question.p_S_ahead)
-            return wrongUse("--spin needs three numbers with commas between them, not '"
-                            + parser.value(spin).toStdString() + "'.");
-    }
+    const Result<Length> limit =
+        positiveMillimetres(words, pivot_option::kLimit, PivotSettings{}.outlierLimit);
+    if (!limit)
+        return wrongUse(limit.error().detail);
+    PivotQuestion question{.path = words.files().front(), .limit = *limit};
+    if (!hasSpin)
+        return question;
+    const QString spin = words.text(pivot_option::kSpin);
+    question.p_S_ahead = pointAhead(spin);
+    if (!question.p_S_ahead)
+        return wrongUse("--spin needs three numbers with commas between them, not '"
+                        + spin.toStdString() + "'.");
     return question;
 }
 
-Result<QJsonObject> runPivot(const QStringList& arguments)
+Result<QJsonObject> runPivot(const Words& words)
 {
-    const Result<PivotQuestion> question = questionOf(arguments);
+    const Result<PivotQuestion> question = questionOf(words);
     if (!question)
         return tl::unexpected(question.error());
     const auto poses = posesOf(question->path);
@@ -261,8 +253,60 @@ Result<QJsonObject> runPivot(const QStringList& arguments)
     return object;
 }
 
+std::vector<Note> poseNotes()
+{
+    return {{"FILE.igs.mha", "a recording with the tool Stylus, or with one tool only; where it "
+                             "has the tool Reference too, poses are taken in its frame"},
+            {"FILE.csv", "a line of column names in any order, then one line for each pose:"},
+            {"  tx,ty,tz", "the origin of the tool, mm"},
+            {"  qx,qy,qz,qw", "its rotation as a quaternion of any length but 0"},
+            {"DIR", "all its files *.txt, each of 16 numbers: a 4x4 pose row by row, its "
+                    "translation in mm; blanks, commas or line ends stand between the numbers"},
+            {"example", "tx,ty,tz,qx,qy,qz,qw"},
+            {"", "12.1,-40.3,-1102.7,0.02,-0.11,0.70,0.70"},
+            {"", "... ; carina-lab pivot swung.csv --limit-mm 2"}};
+}
+
+Use tipUse()
+{
+    return {.lines = {"FILE|DIR [--limit-mm MM]"},
+            .text = "Finds the tip of a stylus from its poses while it was swung with its tip in a "
+                    "divot: linear least squares over the poses that agree (random sample "
+                    "consensus, with the same draws each time). Where the result is uncertain, "
+                    "lean the stylus towards least_turned.",
+            .notes = poseNotes(),
+            .options = {pivot_option::kLimit},
+            .schema = pivot_key::kTipSchema,
+            .keys = {pivot_key::kTip, pivot_key::kPivot, pivot_key::kRms, pivot_key::kUncertainty,
+                     pivot_key::kPoses, pivot_key::kOutliers, pivot_key::kCoverage,
+                     pivot_key::kDirection, pivot_key::kTurn, pivot_key::kLeastTurned}};
+}
+
+Use axisUse()
+{
+    return {.lines = {"FILE|DIR --spin X,Y,Z"},
+            .text = "Finds the axis of a tool from its poses while it was spun about that axis, "
+                    "over the poses that agree. The files are the same.",
+            .notes = {{"example", "carina-lab pivot spun.csv --spin 0,0,-120"}},
+            .options = {pivot_option::kSpin},
+            .schema = pivot_key::kAxisSchema,
+            .keys = {pivot_key::kAxis, pivot_key::kAxisPoint, pivot_key::kWobble,
+                     pivot_key::kAxisRms, pivot_key::kAxisUncertainty, pivot_key::kPoses,
+                     pivot_key::kOutliers, pivot_key::kCoverage, pivot_key::kDirection,
+                     pivot_key::kTurn, pivot_key::kLeastTurned}};
+}
+
 } // namespace
 
-Command pivotCommand() { return {"pivot", kPivotHelp, runPivot}; }
+Command pivotCommand()
+{
+    return {.name = "pivot",
+            .theme = "registration",
+            .summary = "finds the tip of a swung stylus, or the axis of a spun tool",
+            .uses = {tipUse(), axisUse()},
+            .mostFiles = 1,
+            .reminder = kPivotReminder,
+            .experiment = runPivot};
+}
 
 } // namespace carina::lab

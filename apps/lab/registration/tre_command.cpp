@@ -1,6 +1,5 @@
-#include "apps/lab/registration/tre_command.h"
-
-#include "apps/lab/command/command_options.h"
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/registration/landmark_table.h"
 #include "engine/io/files/json_fields.h"
 #include "engine/registration/landmarks/landmark_catalogue.h"
@@ -13,41 +12,54 @@ namespace carina::lab
 namespace
 {
 
-constexpr std::string_view kTreHelp =
-    R"(tre LANDMARKS.csv TARGETS.csv [--fle MM | --covariance] [OPTIONS]
-tre --height M [--landmarks N] [--fle MM] [OPTIONS]
-    Predicts how far a registration on these landmarks is off at targets (the target registration
-    error), to first order.
-    LANDMARKS.csv      name,ax,ay,az: places in the anatomy, mm, in any order of columns
-    TARGETS.csv        the same of the targets
-    example            name,ax,ay,az
-                       Sternal notch,0,-60.4,36.1
-                       ... ; carina-lab tre landmarks.csv targets.csv --fle 1.5 --limit 2
-                       carina-lab tre --height 1.75 --landmarks 4 --degrees 6
-    --height M         instead: the places on rib cage and jaw of a body of M metres, and glottis,
-                       carina, incisors and lung bases as targets
-    --landmarks N      of these the first N: 4 on the rib cage, 6 with the angles of the jaw, 8 with
-                       the tenth ribs (8)
-    --fle MM           how far each touch strays, root mean square (1)
-    --covariance       instead: LANDMARKS.csv says it for each by cxx,cyy,czz,cxy,cxz,cyz in mm^2,
-                       and the fit weighs each by it
-    --degrees N        of freedom from which the size of these errors was estimated, as 3 N - 6 for
-                       the residuals of N landmarks; without it they are taken for known
-    --limit MM         that rms_mm at the worst target may have; not compared with bound95_mm
-    --candidates FILE  further landmarks, of which the one is sought that helps most; with
-                       --covariance, with theirs
-    schema             "carina.tre/1"
-    landmarks          how many
-    targets            one object per target, in their order:
-      name             of the target
-      rms_mm           root of the mean squared error
-      bound95_mm       95 % of registrations are off by less
-      weakest          "left-right", "front-back" or "head-feet": nearest to weakest_A
-      weakest_A        [x, y, z], the direction in which the error is largest
-    worst              name of the target with the largest error
-    within_limit       with --limit: whether rms_mm of the worst target is no more than that
-    next               with --candidates: "name" and "worst_rms_mm" with it; null where none helps
-)";
+namespace tre_option
+{
+constexpr Option kHeight{"height", "M",
+                         "body height in metres, 1 to 2.1; takes the place of the files"};
+constexpr Option kLandmarks{
+    "landmarks", "N",
+    "how many landmarks of that body are touched, 3 to 8, and 8 unless given: the first 4 are on "
+    "the rib cage, 6 include the angles of the jaw, 8 include the tenth ribs"};
+constexpr Option kFle{"fle", "MM", "root mean square error of each touch; 1 unless given"};
+constexpr Option kCovariance{
+    "covariance", "",
+    "takes the error of each touch from LANDMARKS.csv instead, and weights it in the fit by it"};
+constexpr Option kDegrees{
+    "degrees", "N",
+    "degrees of freedom from which the size of these errors was estimated, 1 to 1e6, such as "
+    "3 N - 6 for the residuals of N landmarks; unless given, the size is taken as known"};
+constexpr Option kLimit{"limit", "MM",
+                        "greatest rms_mm that the worst target may have; it is not compared with "
+                        "bound95_mm"};
+constexpr Option kCandidates{"candidates", "FILE",
+                             "further landmarks, in the columns of LANDMARKS.csv, from which the "
+                             "one that helps most is chosen"};
+} // namespace tre_option
+
+namespace tre_key
+{
+constexpr Key kSchema{"schema", "carina.tre/1"};
+constexpr Key kLandmarks{"landmarks", "how many there are"};
+constexpr Key kTargets{"targets", "one object per target, in their order:"};
+constexpr Key kName{"name", "of the target", 1};
+constexpr Key kRms{"rms_mm", "root mean square error", 1};
+constexpr Key kBound{"bound95_mm", "95 % of registrations have a smaller error", 1};
+constexpr Key kWeakest{
+    "weakest", "\"left-right\", \"front-back\" or \"head-feet\": the axis nearest to weakest_A", 1};
+constexpr Key kWeakestDirection{"weakest_A", "[x, y, z], the direction of the largest error", 1};
+constexpr Key kWorst{"worst", "name of the target with the largest error"};
+constexpr Key kWithinLimit{"within_limit",
+                           "with --limit: whether rms_mm of the worst target is no more than that"};
+constexpr Key kNext{"next",
+                    "with --candidates: the landmark that helps most; null where none helps:"};
+constexpr Key kNextName{"name", "of the landmark", 1};
+constexpr Key kNextRms{"worst_rms_mm", "rms_mm of the worst target with it", 1};
+} // namespace tre_key
+
+/// What a command line needs.
+constexpr const char* kTreReminder = "tre needs LANDMARKS.csv TARGETS.csv, or --height M; and "
+                                     "--fle MM, or --covariance with files.";
+constexpr Length kUsualTreFle = millimetres(1.0);
 
 struct Task {
     NamedPlaces landmarks;
@@ -87,75 +99,29 @@ NamedPlaces landmarksOfHeight(Length height, std::size_t count)
     return landmarks;
 }
 
-/// The words of the command line, read on demand.
-class Words
-{
-public:
-    Words()
-    {
-        for (const char* option : {"height", "landmarks", "fle", "degrees", "limit", "candidates"})
-            m_parser.addOption({QString::fromLatin1(option), QString{}, QStringLiteral("value")});
-        m_parser.addOption(QCommandLineOption{QStringLiteral("covariance")});
-    }
-
-    Result<void> parse(const QStringList& arguments)
-    {
-        return parseOptions(m_parser, "tre", arguments, 2);
-    }
-    [[nodiscard]] bool has(const char* option) const
-    {
-        return m_parser.isSet(QString::fromLatin1(option));
-    }
-    [[nodiscard]] QString value(const char* option) const
-    {
-        return m_parser.value(QString::fromLatin1(option));
-    }
-    [[nodiscard]] QStringList files() const { return m_parser.positionalArguments(); }
-    /// A number within limits, or a sentence that names them.
-    [[nodiscard]] Result<double> number(const char* option, double least, double most) const
-    {
-        bool isNumber = false;
-        const double number = value(option).toDouble(&isNumber);
-        if (isNumber && number >= least && number <= most)
-            return number;
-        return fail(Errc::OutOfRange, "--" + std::string{option} + " needs a number from "
-                                          + QString::number(least).toStdString() + " to "
-                                          + QString::number(most).toStdString() + ".");
-    }
-    /// The same in millimetres; a fallback where it is not given.
-    [[nodiscard]] Result<Length> length(const char* option, Length fallback) const
-    {
-        if (!has(option))
-            return fallback;
-        return positiveMillimetres(QStringLiteral("--") + QString::fromLatin1(option),
-                                   value(option));
-    }
-
-private:
-    QCommandLineParser m_parser;
-};
-
 Result<void> readPlacesInto(Task& task, const Words& words)
 {
-    if (words.has("height")) {
-        const Result<double> height = words.number("height", 1.0, 2.1);
-        const Result<double> count =
-            words.has("landmarks") ? words.number("landmarks", 3.0, 8.0) : 8.0;
-        if (!height || !count)
-            return tl::unexpected((height ? count : height).error());
+    const bool withCovariances = words.has(tre_option::kCovariance);
+    if (words.has(tre_option::kHeight)) {
+        const Result<double> height = words.number(tre_option::kHeight, 1.0, 2.1);
+        const Result<double> count = words.number(tre_option::kLandmarks, 3.0, 8.0, 8.0);
+        if (!height)
+            return tl::unexpected(height.error());
+        if (!count)
+            return tl::unexpected(count.error());
         task.landmarks = landmarksOfHeight(metres(*height), static_cast<std::size_t>(*count));
         task.targets = targetsOfHeight(*height);
     } else {
-        auto landmarks = readPlaces(words.files()[0], words.has("covariance"));
+        auto landmarks = readPlaces(words.files()[0], withCovariances);
         auto targets = readPlaces(words.files()[1], false);
         if (!landmarks || !targets)
             return tl::unexpected((landmarks ? targets : landmarks).error());
         task.landmarks = std::move(*landmarks);
         task.targets = std::move(*targets);
     }
-    if (!words.has("candidates"))
+    if (!words.has(tre_option::kCandidates))
         return {};
-    auto candidates = readPlaces(words.value("candidates"), words.has("covariance"));
+    auto candidates = readPlaces(words.text(tre_option::kCandidates), withCovariances);
     if (!candidates)
         return tl::unexpected(candidates.error());
     task.candidates = std::move(*candidates);
@@ -167,17 +133,17 @@ Result<Task> taskOf(const Words& words)
     Task task;
     if (const auto read = readPlacesInto(task, words); !read)
         return tl::unexpected(read.error());
-    const Result<Length> fle = words.length("fle", millimetres(1.0));
-    const Result<Length> limit = words.length("limit", metres(kKnownExactly));
-    const Result<double> degrees =
-        words.has("degrees") ? words.number("degrees", 1.0, 1e6) : kKnownExactly;
+    const Result<Length> fle = positiveMillimetres(words, tre_option::kFle, kUsualTreFle);
+    const Result<Length> limit =
+        positiveMillimetres(words, tre_option::kLimit, metres(kKnownExactly));
+    const Result<double> degrees = words.number(tre_option::kDegrees, 1.0, 1e6, kKnownExactly);
     if (!fle || !limit)
         return tl::unexpected((fle ? limit : fle).error());
     if (!degrees)
         return tl::unexpected(degrees.error());
     task.limit = *limit;
     task.degrees = *degrees;
-    if (words.has("covariance")) {
+    if (words.has(tre_option::kCovariance)) {
         task.weighting = Weighting::ByCovariance;
         return task;
     }
@@ -191,11 +157,11 @@ QJsonObject describeTarget(const std::string& name, const TargetError& error)
 {
     static const std::array kAxes{QStringLiteral("left-right"), QStringLiteral("front-back"),
                                   QStringLiteral("head-feet")};
-    return {{QStringLiteral("name"), QString::fromStdString(name)},
-            {QStringLiteral("rms_mm"), inMillimetres(error.rms)},
-            {QStringLiteral("bound95_mm"), inMillimetres(error.bound)},
-            {QStringLiteral("weakest"), kAxes[static_cast<std::size_t>(error.weakestAxis)]},
-            {QStringLiteral("weakest_A"),
+    return {{tre_key::kName, QString::fromStdString(name)},
+            {tre_key::kRms, inMillimetres(error.rms)},
+            {tre_key::kBound, inMillimetres(error.bound)},
+            {tre_key::kWeakest, kAxes[static_cast<std::size_t>(error.weakestAxis)]},
+            {tre_key::kWeakestDirection,
              QJsonArray{error.weakest_A.x(), error.weakest_A.y(), error.weakest_A.z()}}};
 }
 
@@ -212,8 +178,8 @@ QJsonValue describeNext(const std::optional<NextLandmark>& next,
 {
     if (!next)
         return QJsonValue::Null;
-    return QJsonObject{{QStringLiteral("name"), QString::fromStdString(names[next->candidate])},
-                       {QStringLiteral("worst_rms_mm"), inMillimetres(next->worstRms)}};
+    return QJsonObject{{tre_key::kNextName, QString::fromStdString(names[next->candidate])},
+                       {tre_key::kNextRms, inMillimetres(next->worstRms)}};
 }
 
 Result<QJsonObject> predict(const Task& task, const Words& words)
@@ -229,26 +195,26 @@ Result<QJsonObject> predict(const Task& task, const Words& words)
         described.append(describeTarget(task.targets.names[t],
                                         targetError(*covariance, targets[t], task.degrees)));
     QJsonObject object{
-        {QStringLiteral("schema"), QStringLiteral("carina.tre/1")},
-        {QStringLiteral("landmarks"), static_cast<qint64>(task.landmarks.names.size())},
-        {QStringLiteral("targets"), described},
-        {QStringLiteral("worst"), QString::fromStdString(task.targets.names[report->worst])}};
-    if (words.has("limit"))
-        object.insert(QStringLiteral("within_limit"), report->withinLimit);
-    if (!words.has("candidates"))
+        {tre_key::kSchema, QLatin1StringView{tre_key::kSchema.help}},
+        {tre_key::kLandmarks, static_cast<qint64>(task.landmarks.names.size())},
+        {tre_key::kTargets, described},
+        {tre_key::kWorst, QString::fromStdString(task.targets.names[report->worst])}};
+    if (words.has(tre_option::kLimit))
+        object.insert(tre_key::kWithinLimit, report->withinLimit);
+    if (!words.has(tre_option::kCandidates))
         return object;
     const auto next =
         nextLandmark(task.landmarks.places, task.candidates.places, targets, task.weighting);
     if (!next)
         return fail(next.error().code, "A candidate cannot be used: " + next.error().detail + ".");
-    object.insert(QStringLiteral("next"), describeNext(*next, task.candidates.names));
+    object.insert(tre_key::kNext, describeNext(*next, task.candidates.names));
     return object;
 }
 
 /// What does not go together, in a sentence; empty where all does.
 std::string faultOf(const Words& words)
 {
-    const bool byHeight = words.has("height");
+    const bool byHeight = words.has(tre_option::kHeight);
     const QStringList files = words.files();
     if (byHeight && !files.isEmpty())
         return "--height takes the place of files, such as '" + files[0].toStdString() + "'.";
@@ -256,31 +222,71 @@ std::string faultOf(const Words& words)
         return "No file and no --height is given.";
     if (!byHeight && files.size() == 1)
         return "The file of targets is missing beside '" + files[0].toStdString() + "'.";
-    if (words.has("landmarks") && !byHeight)
+    if (words.has(tre_option::kLandmarks) && !byHeight)
         return "--landmarks goes with --height, not with files.";
-    if (words.has("covariance") && byHeight)
+    if (words.has(tre_option::kCovariance) && byHeight)
         return "--covariance goes with files, not with --height.";
-    if (words.has("covariance") && words.has("fle"))
+    if (words.has(tre_option::kCovariance) && words.has(tre_option::kFle))
         return "--covariance and --fle exclude each other.";
     return {};
 }
 
-Result<QJsonObject> runTre(const QStringList& arguments)
+Result<QJsonObject> runTre(const Words& words)
 {
-    Words words;
-    const Result<void> parsed = words.parse(arguments);
-    if (const std::string wrong = parsed ? faultOf(words) : parsed.error().detail; !wrong.empty())
-        return fail(Errc::OutOfRange, wrong
-                                          + " tre needs LANDMARKS.csv TARGETS.csv, or --height M; "
-                                            "and --fle MM, or --covariance with files.");
+    if (const std::string wrong = faultOf(words); !wrong.empty())
+        return fail(Errc::OutOfRange, wrong + ' ' + kTreReminder);
     const Result<Task> task = taskOf(words);
     if (!task)
         return tl::unexpected(task.error());
     return predict(*task, words);
 }
 
+std::vector<Note> treNotes()
+{
+    return {{"LANDMARKS.csv", "a line of column names in any order, then one line for each "
+                              "landmark:"},
+            {"  name", "of the landmark"},
+            {"  ax,ay,az", "its place in the anatomy, mm"},
+            {"  cxx,cyy,czz,cxy,cxz,cyz",
+             "with --covariance: the covariance of the touch in mm^2, along the axes of the "
+             "anatomy"},
+            {"TARGETS.csv", "name,ax,ay,az of the targets"},
+            {"example", "name,ax,ay,az"},
+            {"", "Sternal notch,0,-60.4,36.1"},
+            {"", "... ; carina-lab tre landmarks.csv targets.csv --fle 1.5 --limit 2"},
+            {"", "carina-lab tre --height 1.75 --landmarks 4 --degrees 6"}};
+}
+
+Use treUse()
+{
+    return {.lines = {"LANDMARKS.csv TARGETS.csv [--fle MM | --covariance] [OPTIONS]",
+                      "--height M [--landmarks N] [--fle MM] [OPTIONS]"},
+            .text = "Predicts the error at targets (the target registration error) of a "
+                    "registration that uses these landmarks, to first order. With --height the "
+                    "landmarks are places on rib cage and jaw of a body of that height, and the "
+                    "targets are glottis, carina, incisors and lung bases.",
+            .notes = treNotes(),
+            .options = {tre_option::kHeight, tre_option::kLandmarks, tre_option::kFle,
+                        tre_option::kCovariance, tre_option::kDegrees, tre_option::kLimit,
+                        tre_option::kCandidates},
+            .schema = tre_key::kSchema,
+            .keys = {tre_key::kLandmarks, tre_key::kTargets, tre_key::kName, tre_key::kRms,
+                     tre_key::kBound, tre_key::kWeakest, tre_key::kWeakestDirection,
+                     tre_key::kWorst, tre_key::kWithinLimit, tre_key::kNext, tre_key::kNextName,
+                     tre_key::kNextRms}};
+}
+
 } // namespace
 
-Command treCommand() { return {"tre", kTreHelp, runTre}; }
+Command treCommand()
+{
+    return {.name = "tre",
+            .theme = "registration",
+            .summary = "predicts the error of a registration at targets",
+            .uses = {treUse()},
+            .mostFiles = 2,
+            .reminder = kTreReminder,
+            .experiment = runTre};
+}
 
 } // namespace carina::lab

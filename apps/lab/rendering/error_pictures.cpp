@@ -1,6 +1,7 @@
 #include "apps/lab/rendering/error_pictures.h"
 
 #include "apps/lab/rendering/picture_series.h"
+#include "apps/lab/rendering/render_page.h"
 #include "engine/registration/error/error_quadric.h"
 #include "engine/registration/error/target_error.h"
 #include "engine/registration/landmarks/bone_landmarks.h"
@@ -91,8 +92,8 @@ Result<QJsonArray> drawAll(const std::vector<ScenePart>& parts, const SceneFrame
                                    if (!withScale(picture, scale).save(path))
                                        return fail(Errc::FileUnwritable,
                                                    path.toStdString() + " cannot be written.");
-                                   pictures.append(QJsonObject{{QStringLiteral("file"), file},
-                                                               {QStringLiteral("view"), name}});
+                                   pictures.append(QJsonObject{{render_error_key::kFile, file},
+                                                               {render_error_key::kView, name}});
                                    return {};
                                }};
     return drawSeries(series).map([&] { return pictures; });
@@ -117,14 +118,15 @@ Result<QJsonObject> drawErrorPictures(Subject subject, const ErrorPictureOrder& 
     const ErrorRange range = errorRange(*quadric, parts, frame).value_or(ErrorRange{});
     const ErrorMap map{*quadric, bandsOver(range)};
     return drawAll(parts, frame, map, range, order).map([&](const QJsonArray& pictures) {
-        return QJsonObject{{QStringLiteral("schema"), QStringLiteral("carina.render.error/1")},
-                           {QStringLiteral("anatomy"), QString::fromStdString((*patient)->name())},
-                           {QStringLiteral("landmarks"), static_cast<qint64>(landmarks.size())},
-                           {QStringLiteral("fle_mm"), inMillimetres(order.fle)},
-                           {QStringLiteral("least_rms_mm"), inMillimetres(range.least)},
-                           {QStringLiteral("most_rms_mm"), inMillimetres(range.most)},
-                           {QStringLiteral("band_mm"), inMillimetres(map.bands.width)},
-                           {QStringLiteral("pictures"), pictures}};
+        return QJsonObject{
+            {render_error_key::kSchema, QLatin1StringView{render_error_key::kSchema.help}},
+            {render_error_key::kAnatomy, QString::fromStdString((*patient)->name())},
+            {render_error_key::kLandmarks, static_cast<qint64>(landmarks.size())},
+            {render_error_key::kTouchError, inMillimetres(order.fle)},
+            {render_error_key::kLeastError, inMillimetres(range.least)},
+            {render_error_key::kMostError, inMillimetres(range.most)},
+            {render_error_key::kBand, inMillimetres(map.bands.width)},
+            {render_error_key::kPictures, pictures}};
     });
 }
 

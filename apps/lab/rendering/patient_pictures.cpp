@@ -4,6 +4,7 @@
 #include "apps/lab/breathing/drawn_lungs.h"
 #include "apps/lab/command/patient_words.h"
 #include "apps/lab/rendering/picture_series.h"
+#include "apps/lab/rendering/render_page.h"
 #include "engine/lungs/drawing/chest_drawing.h"
 #include "engine/tracking/scripted_hands.h"
 #include "models/patient/patient_source.h"
@@ -136,16 +137,16 @@ QString fileOf(const PatientModel& patient, const PosedPatient& posed, const Nam
 
 QJsonObject describe(const QString& file, const PosedPatient& posed, const NamedView& view)
 {
-    return {{QStringLiteral("file"), file},
-            {QStringLiteral("view"), inWords(view.name)},
-            {QStringLiteral("phase"), inWords(posed.phase)},
-            {QStringLiteral("condition"), inWords(conditionName(posed.condition.kind))},
-            {QStringLiteral("severity"), posed.condition.severity},
-            {QStringLiteral("side"), inWords(sideName(posed.condition.side))},
-            {QStringLiteral("ventilator"), inWords(ventilatorName(posed.ventilator))},
-            {QStringLiteral("volume_ml"), bothSides(posed.volume_ml)},
-            {QStringLiteral("dome_descent_mm"), bothSides(posed.dome_mm)},
-            {QStringLiteral("diaphragm_excursion_mm"), bothSides(posed.excursion_mm)}};
+    return {{render_pictures_key::kFile, file},
+            {render_pictures_key::kView, inWords(view.name)},
+            {render_pictures_key::kPhase, inWords(posed.phase)},
+            {render_pictures_key::kCondition, inWords(conditionName(posed.condition.kind))},
+            {render_pictures_key::kSeverity, posed.condition.severity},
+            {render_pictures_key::kSide, inWords(sideName(posed.condition.side))},
+            {render_pictures_key::kVentilator, inWords(ventilatorName(posed.ventilator))},
+            {render_pictures_key::kVolume, bothSides(posed.volume_ml)},
+            {render_pictures_key::kDomeDescent, bothSides(posed.dome_mm)},
+            {render_pictures_key::kDiaphragmExcursion, bothSides(posed.excursion_mm)}};
 }
 
 Result<std::vector<PosedPatient>> posed(const PatientModel& patient, const PatientBuild& build,
@@ -225,14 +226,15 @@ Result<QJsonObject> drawPictures(Subject subject, const PictureOrder& order)
     if (!all)
         return tl::unexpected(all.error());
     return drawAll(**patient, *all, order).map([&](const QJsonArray& pictures) {
-        QJsonObject drawn{{QStringLiteral("schema"), QStringLiteral("carina.render.pictures/1")},
-                          {QStringLiteral("anatomy"), inWords((*patient)->name())},
-                          {QStringLiteral("width"), order.size.width()},
-                          {QStringLiteral("height"), order.size.height()},
-                          {QStringLiteral("pictures"), pictures}};
+        QJsonObject drawn{
+            {render_pictures_key::kSchema, QLatin1StringView{render_pictures_key::kSchema.help}},
+            {render_pictures_key::kAnatomy, inWords((*patient)->name())},
+            {render_pictures_key::kWidth, order.size.width()},
+            {render_pictures_key::kHeight, order.size.height()},
+            {render_pictures_key::kPictures, pictures}};
         if (order.jaw) {
-            drawn[QStringLiteral("jaw_deg")] = inDegrees(order.jaw->opening);
-            drawn[QStringLiteral("jaw_forward_mm")] = inMillimetres(order.jaw->forward);
+            drawn[render_pictures_key::kJawOpening] = inDegrees(order.jaw->opening);
+            drawn[render_pictures_key::kJawForward] = inMillimetres(order.jaw->forward);
         }
         return drawn;
     });

@@ -1,5 +1,5 @@
-#include "apps/lab/summary/summary_command.h"
-
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/summary/breath_estimate.h"
 #include "apps/lab/summary/drift_between.h"
 #include "apps/lab/summary/volume_between.h"
@@ -16,6 +16,90 @@ namespace carina::lab
 {
 namespace
 {
+
+namespace summary_key
+{
+constexpr Key kSchema{"schema", "carina.demo/1"};
+constexpr Key kConsole{"console", "the values in force in the console during the measurement:"};
+constexpr Key kRate{"breathing_rate_per_min", "of breathing", 1};
+constexpr Key kTidalVolume{"tidal_volume_ml", "of breathing", 1};
+constexpr Key kSteadyFrom{"steady_from_ns", "session time from which on these held", 1};
+constexpr Key kAction{"action", "how the script turned the virtual patient:", 1};
+constexpr Key kTurningSpeed{"speed_deg_per_s", "of the turn", 2};
+constexpr Key kFrom{"from_ns", "session time at which the turn began", 2};
+constexpr Key kTo{"to_ns", "session time at which it ended", 2};
+constexpr Key kUntil{"until_ns", "session time until which the patient lay still after it", 2};
+constexpr Key kInstructor{"instructor", "what the console drew:"};
+constexpr Key kViewSchema{"schema", "\"carina.view/1\"", 1};
+constexpr Key kScreenshot{"screenshot", "its file", 1};
+constexpr Key kAnatomy{"anatomy", "name of the anatomy drawn", 1};
+constexpr Key kAnatomyHash{"anatomy_hash", "hash of its content", 1};
+constexpr Key kTriangles{"triangles", "that were drawn", 1};
+constexpr Key kLevel{"level", "of detail that was drawn", 1};
+constexpr Key kFrames{"frames", "that were drawn", 1};
+constexpr Key kFramesPerSecond{"frames_per_second", "mean of all frames", 1};
+constexpr Key kSampleAge{"tracker_sample_age",
+                         "how old the newest sample of the tube was when a frame was lit:", 1};
+constexpr Key kMedianAge{"median_ms", "median", 2};
+constexpr Key kPercentileAge{"p95_ms", "95th percentile", 2};
+constexpr Key kVisiblePixels{"visible_pixels",
+                             "for each part, as a drawing of part numbers shows "
+                             "them",
+                             1};
+constexpr Key kDrawn{"drawn", "breathing, estimated from the volumes of the vertices drawn:", 1};
+constexpr Key kDrawnRate{"breathing_rate_per_min", "of breathing", 2};
+constexpr Key kDrawnTidalVolume{"tidal_volume_ml", "of breathing", 2};
+constexpr Key kBreaths{"breaths", "that the estimate is from", 2};
+constexpr Key kTrainee{"trainee", "the same of the trainee's view, and:"};
+constexpr Key kActionDelay{"action_delay_ms", "how long an action took to arrive", 1};
+constexpr Key kOverlay{
+    "overlay",
+    "with a headset's output: over a number of frames, how far \"carina\", \"vocal_cords\" and "
+    "\"incisors\" were drawn from where the manikin of the simulator was before the head when the "
+    "frame was lit (mean_mm, p95_mm, largest_mm)",
+    1};
+constexpr Key kRegistration{
+    "registration",
+    "of a demo with --register: what carina-registration measured (docs/registration.md); "
+    "overlay_error_mm is how far the stored registration lies from the truth of the simulator"};
+constexpr Key kDrift{"drift", "the tube in the console against the tube at the trainee, for the "
+                              "same session time:"};
+constexpr Key kInstants{"instants", "that were compared", 1};
+constexpr Key kMeanAngle{"mean_deg", "mean of the angle between them", 1};
+constexpr Key kPercentileAngle{"p95_deg", "95th percentile", 1};
+constexpr Key kLargestAngle{"largest_deg", "the largest", 1};
+constexpr Key kMeanDistance{"mean_mm", "mean of the distance between them", 1};
+constexpr Key kPercentileDistance{"p95_mm", "95th percentile", 1};
+constexpr Key kLargestDistance{"largest_mm", "the largest", 1};
+constexpr Key kMeanClock{"clock_mean_ms",
+                         "difference of the two session clocks against CLOCK_MONOTONIC", 1};
+constexpr Key kLargestClock{"clock_largest_ms", "the largest of it", 1};
+constexpr Key kVolumeDifference{"lung_volume_difference",
+                                "the gas in both lungs as drawn by the console against that drawn "
+                                "by the trainee:"};
+constexpr Key kSameSessionTime{"same_session_time",
+                               "at the same time by the session clock of each, an object:", 1};
+constexpr Key kVolumeInstants{"instants", "that were compared", 2};
+constexpr Key kMeanVolume{"mean_ml", "mean of the difference", 2};
+constexpr Key kPercentileVolume{"p95_ml", "95th percentile", 2};
+constexpr Key kLargestVolume{
+    "largest_ml",
+    "an upper bound: between frames the volume is interpolated, also across the corner where an "
+    "inspiration ends",
+    2};
+constexpr Key kSameInstant{
+    "same_instant",
+    "the same at the same instant of CLOCK_MONOTONIC, where the difference of the clocks counts "
+    "too",
+    1};
+constexpr Key kActionDrift{
+    "action_drift",
+    "the virtual patient at the trainee against the one in the console, for the instants at which "
+    "both were lit, while the script turned it by the controls of \"Actions\": instants, mean_, "
+    "p95_ and largest_ as of drift, and:"};
+constexpr Key kDelay{"delay_ms", "how long an action took to arrive", 1};
+constexpr Key kLimit{"limit_mean_deg", "what mean_deg cannot be below with that delay", 1};
+} // namespace summary_key
 
 /// One process of the demo: what it wrote of itself, and its frames.
 struct Viewer {
@@ -56,8 +140,8 @@ QJsonObject sampleAges(const std::vector<LoggedFrame>& frames)
     if (ages_ms.empty())
         return {};
     std::sort(ages_ms.begin(), ages_ms.end());
-    return {{QStringLiteral("median_ms"), ages_ms[ages_ms.size() / 2]},
-            {QStringLiteral("p95_ms"), ages_ms[(ages_ms.size() * 95 + 99) / 100 - 1]}};
+    return {{summary_key::kMedianAge, ages_ms[ages_ms.size() / 2]},
+            {summary_key::kPercentileAge, ages_ms[(ages_ms.size() * 95 + 99) / 100 - 1]}};
 }
 
 /// Breathing estimated from the volumes drawn since the controls came to rest.
@@ -70,44 +154,44 @@ QJsonObject drawnBreathing(const Viewer& viewer, SessionTime from)
     const auto estimate = estimateBreathing(samples);
     if (!estimate)
         return {};
-    return {{QStringLiteral("breathing_rate_per_min"), inPerMinute(estimate->rate)},
-            {QStringLiteral("tidal_volume_ml"), inMillilitres(estimate->tidalVolume)},
-            {QStringLiteral("breaths"), estimate->breaths}};
+    return {{summary_key::kDrawnRate, inPerMinute(estimate->rate)},
+            {summary_key::kDrawnTidalVolume, inMillilitres(estimate->tidalVolume)},
+            {summary_key::kBreaths, estimate->breaths}};
 }
 
 QJsonObject describe(const Viewer& viewer, SessionTime steadyFrom)
 {
     QJsonObject object = viewer.report;
-    object.remove(QStringLiteral("console"));
-    object[QStringLiteral("frames")] = static_cast<int>(viewer.frames.size());
+    object.remove(summary_key::kConsole);
+    object[summary_key::kFrames] = static_cast<int>(viewer.frames.size());
     if (viewer.frames.size() > 1)
-        object[QStringLiteral("frames_per_second")] =
+        object[summary_key::kFramesPerSecond] =
             double(viewer.frames.size() - 1)
             / toSeconds(viewer.frames.back().local - viewer.frames.front().local);
-    object[QStringLiteral("tracker_sample_age")] = sampleAges(viewer.frames);
-    object[QStringLiteral("drawn")] = drawnBreathing(viewer, steadyFrom);
+    object[summary_key::kSampleAge] = sampleAges(viewer.frames);
+    object[summary_key::kDrawn] = drawnBreathing(viewer, steadyFrom);
     return object;
 }
 
 QJsonObject describe(const DriftSummary& drift)
 {
-    return {{QStringLiteral("instants"), drift.instants},
-            {QStringLiteral("mean_deg"), drift.mean_deg},
-            {QStringLiteral("p95_deg"), drift.p95_deg},
-            {QStringLiteral("largest_deg"), drift.largest_deg},
-            {QStringLiteral("mean_mm"), drift.mean_mm},
-            {QStringLiteral("p95_mm"), drift.p95_mm},
-            {QStringLiteral("largest_mm"), drift.largest_mm},
-            {QStringLiteral("clock_mean_ms"), drift.clockMean_ms},
-            {QStringLiteral("clock_largest_ms"), drift.clockLargest_ms}};
+    return {{summary_key::kInstants, drift.instants},
+            {summary_key::kMeanAngle, drift.mean_deg},
+            {summary_key::kPercentileAngle, drift.p95_deg},
+            {summary_key::kLargestAngle, drift.largest_deg},
+            {summary_key::kMeanDistance, drift.mean_mm},
+            {summary_key::kPercentileDistance, drift.p95_mm},
+            {summary_key::kLargestDistance, drift.largest_mm},
+            {summary_key::kMeanClock, drift.clockMean_ms},
+            {summary_key::kLargestClock, drift.clockLargest_ms}};
 }
 
 QJsonObject describe(const VolumeDifference& difference)
 {
-    return {{QStringLiteral("instants"), difference.instants},
-            {QStringLiteral("mean_ml"), difference.mean_ml},
-            {QStringLiteral("p95_ml"), difference.p95_ml},
-            {QStringLiteral("largest_ml"), difference.largest_ml}};
+    return {{summary_key::kVolumeInstants, difference.instants},
+            {summary_key::kMeanVolume, difference.mean_ml},
+            {summary_key::kPercentileVolume, difference.p95_ml},
+            {summary_key::kLargestVolume, difference.largest_ml}};
 }
 
 /// What the console and the viewer drew of the lungs, against each other.
@@ -116,8 +200,8 @@ QJsonObject lungVolumes(const Viewer& console, const Viewer& viewer)
     const auto apart = [&](Sameness same) {
         return describe(volumesBetween(console.frames, viewer.frames, same));
     };
-    return {{QStringLiteral("same_session_time"), apart(Sameness::SessionTime)},
-            {QStringLiteral("same_instant"), apart(Sameness::Instant)}};
+    return {{summary_key::kSameSessionTime, apart(Sameness::SessionTime)},
+            {summary_key::kSameInstant, apart(Sameness::Instant)}};
 }
 
 /// Frames drawn within a span of session time, told on CLOCK_MONOTONIC alone: what the session
@@ -139,36 +223,35 @@ std::vector<LoggedFrame> onSharedClock(const Viewer& viewer, SessionTime from, S
 /// that over the time T the average is at least w d^2 / T.
 QJsonObject actionDrift(const Viewer& instructor, const Viewer& trainee)
 {
-    const QJsonObject action = instructor.report[QStringLiteral("console")]
-                                   .toObject()[QStringLiteral("action")]
-                                   .toObject();
-    const auto timeOf = [&action](const char* key) {
-        return SessionTime{Duration{action[QLatin1String{key}].toString().toLongLong()}};
+    const QJsonObject action =
+        instructor.report[summary_key::kConsole].toObject()[summary_key::kAction].toObject();
+    const auto timeOf = [&action](const Key& key) {
+        return SessionTime{Duration{action[key].toString().toLongLong()}};
     };
-    const SessionTime from = timeOf("from_ns");
-    const SessionTime until = timeOf("until_ns");
+    const SessionTime from = timeOf(summary_key::kFrom);
+    const SessionTime until = timeOf(summary_key::kUntil);
     if (from == SessionTime{} || until <= from)
         return {};
     QJsonObject drift =
         describe(driftBetween(onSharedClock(instructor, from, until),
                               onSharedClock(trainee, from, until), &LoggedFrame::X_AV));
-    drift.remove(QStringLiteral("clock_mean_ms"));
-    drift.remove(QStringLiteral("clock_largest_ms"));
-    const QJsonValue delay_ms = trainee.report[QStringLiteral("action_delay_ms")];
+    drift.remove(summary_key::kMeanClock);
+    drift.remove(summary_key::kLargestClock);
+    const QJsonValue delay_ms = trainee.report[summary_key::kActionDelay];
     if (delay_ms.isUndefined())
         return drift;
     const double delay_s = 1e-3 * delay_ms.toDouble();
-    drift[QStringLiteral("delay_ms")] = delay_ms;
-    drift[QStringLiteral("limit_mean_deg")] = action[QStringLiteral("speed_deg_per_s")].toDouble()
-                                              * delay_s * delay_s / toSeconds(until - from);
+    drift[summary_key::kDelay] = delay_ms;
+    drift[summary_key::kLimit] =
+        action[summary_key::kTurningSpeed].toDouble() * delay_s * delay_s / toSeconds(until - from);
     return drift;
 }
 
-Result<QJsonObject> summarise(const QStringList& arguments)
+Result<QJsonObject> summarise(const Words& words)
 {
-    if (arguments.size() != 1)
-        return fail(Errc::OutOfRange, "summary takes one folder: carina-lab summary DIR");
-    const QDir folder{arguments.first()};
+    if (words.files().size() != 1)
+        return words.refuse(QStringLiteral("takes one folder: carina-lab summary DIR"));
+    const QDir folder{words.files().first()};
     const auto instructor = readViewer(folder, QStringLiteral("instructor"));
     if (!instructor)
         return tl::unexpected(instructor.error());
@@ -176,64 +259,98 @@ Result<QJsonObject> summarise(const QStringList& arguments)
     if (!trainee)
         return tl::unexpected(trainee.error());
 
-    const QJsonObject console = instructor->report[QStringLiteral("console")].toObject();
+    const QJsonObject console = instructor->report[summary_key::kConsole].toObject();
     const SessionTime steadyFrom{
-        Duration{console[QStringLiteral("steady_from_ns")].toString().toLongLong()}};
+        Duration{console[summary_key::kSteadyFrom].toString().toLongLong()}};
     QJsonObject summary{
-        {QStringLiteral("schema"), QStringLiteral("carina.demo/1")},
-        {QStringLiteral("console"), console},
-        {QStringLiteral("instructor"), describe(*instructor, steadyFrom)},
-        {QStringLiteral("trainee"), describe(*trainee, steadyFrom)},
-        {QStringLiteral("drift"), describe(driftBetween(trainee->frames, instructor->frames))},
-        {QStringLiteral("lung_volume_difference"), lungVolumes(*instructor, *trainee)},
-        {QStringLiteral("action_drift"), actionDrift(*instructor, *trainee)}};
+        {summary_key::kSchema, QLatin1StringView{summary_key::kSchema.help}},
+        {summary_key::kConsole, console},
+        {summary_key::kInstructor, describe(*instructor, steadyFrom)},
+        {summary_key::kTrainee, describe(*trainee, steadyFrom)},
+        {summary_key::kDrift, describe(driftBetween(trainee->frames, instructor->frames))},
+        {summary_key::kVolumeDifference, lungVolumes(*instructor, *trainee)},
+        {summary_key::kActionDrift, actionDrift(*instructor, *trainee)}};
     const QString registration = folder.filePath(QStringLiteral("registration.json"));
     if (QFile::exists(registration)) {
         const auto report = readObject(registration);
         if (!report)
             return tl::unexpected(report.error());
-        summary[QStringLiteral("registration")] = *report;
+        summary[summary_key::kRegistration] = *report;
     }
     return summary;
 }
 
-constexpr std::string_view kSummaryHelp = R"(summary DIR
-    What a headless demo measured, from the logs of its two processes in DIR. schema carina.demo/1
-      console                the values in force in the console while it was measured:
-                             breathing_rate_per_min, tidal_volume_ml, and steady_from_ns, the session
-                             time from which on they held; action: the virtual patient was turned at
-                             speed_deg_per_s from from_ns to to_ns, and lay still until until_ns
-      instructor, trainee    per program: screenshot, anatomy, triangles and level (of detail) drawn,
-                             frames, frames_per_second, tracker_sample_age (median_ms and p95_ms of
-                             the newest tube sample's age when a frame is lit), visible_pixels
-                             (per part, from an id pass), drawn (breathing_rate_per_min,
-                             tidal_volume_ml and breaths, estimated from the volumes of the vertices
-                             drawn). The trainee of a headset's output has "overlay" besides: how
-                             far carina, vocal_cords and incisors were drawn from where the
-                             simulator's manikin was before the head when the frame was lit (mean_mm,
-                             p95_mm, largest_mm), over a number of frames
-      registration           of a demo with --register: what carina-registration measured, described
-                             in docs/registration.md; overlay_error_mm is how far the stored
-                             registration lies from the simulator's truth
-      drift                  the tube in the console against the tube at the trainee for the same
-                             session time, over a number of instants: mean_, p95_, largest_ in _deg
-                             and _mm; clock_mean_ms and clock_largest_ms are the difference of the two
-                             session clocks against CLOCK_MONOTONIC
-      lung_volume_difference the gas in both lungs as drawn by the console against that drawn by the
-                             trainee, over a number of instants: mean_, p95_, largest_ml, once for
-                             the same_session_time by each one's own clock, and once for the
-                             same_instant of CLOCK_MONOTONIC, where the clocks' difference counts too.
-                             largest_ml is an upper bound: between frames the volume is interpolated,
-                             also across the corner where an inspiration ends
-      action_drift           the virtual patient at the trainee against the one in the console, for
-                             the instants at which both were lit, while the script turned it by the
-                             controls of "Actions": instants, mean_, p95_, largest_ as for drift;
-                             delay_ms is how long an action took to arrive, and limit_mean_deg what
-                             mean_deg cannot be below with that delay
-)";
+Use summaryOfDemo()
+{
+    return {.lines = {"DIR"},
+            .text =
+                "Reads the logs that the two processes of a headless demo left in DIR, and tells "
+                "what was measured.",
+            .notes = {{"DIR", "folder of ./carina demo --headless DIR"}},
+            .schema = summary_key::kSchema,
+            .keys = {summary_key::kConsole,
+                     summary_key::kRate,
+                     summary_key::kTidalVolume,
+                     summary_key::kSteadyFrom,
+                     summary_key::kAction,
+                     summary_key::kTurningSpeed,
+                     summary_key::kFrom,
+                     summary_key::kTo,
+                     summary_key::kUntil,
+                     summary_key::kInstructor,
+                     summary_key::kViewSchema,
+                     summary_key::kScreenshot,
+                     summary_key::kAnatomy,
+                     summary_key::kAnatomyHash,
+                     summary_key::kTriangles,
+                     summary_key::kLevel,
+                     summary_key::kFrames,
+                     summary_key::kFramesPerSecond,
+                     summary_key::kSampleAge,
+                     summary_key::kMedianAge,
+                     summary_key::kPercentileAge,
+                     summary_key::kVisiblePixels,
+                     summary_key::kDrawn,
+                     summary_key::kDrawnRate,
+                     summary_key::kDrawnTidalVolume,
+                     summary_key::kBreaths,
+                     summary_key::kTrainee,
+                     summary_key::kActionDelay,
+                     summary_key::kOverlay,
+                     summary_key::kRegistration,
+                     summary_key::kDrift,
+                     summary_key::kInstants,
+                     summary_key::kMeanAngle,
+                     summary_key::kPercentileAngle,
+                     summary_key::kLargestAngle,
+                     summary_key::kMeanDistance,
+                     summary_key::kPercentileDistance,
+                     summary_key::kLargestDistance,
+                     summary_key::kMeanClock,
+                     summary_key::kLargestClock,
+                     summary_key::kVolumeDifference,
+                     summary_key::kSameSessionTime,
+                     summary_key::kVolumeInstants,
+                     summary_key::kMeanVolume,
+                     summary_key::kPercentileVolume,
+                     summary_key::kLargestVolume,
+                     summary_key::kSameInstant,
+                     summary_key::kActionDrift,
+                     summary_key::kDelay,
+                     summary_key::kLimit}};
+}
 
 } // namespace
 
-Command summaryCommand() { return {"summary", kSummaryHelp, summarise}; }
+Command summaryCommand()
+{
+    return {.name = "summary",
+            .theme = "demo",
+            .summary = "describes what a headless demo measured",
+            .uses = {summaryOfDemo()},
+            .mostFiles = 1,
+            .reminder = "It takes one folder: carina-lab summary DIR",
+            .experiment = summarise};
+}
 
 } // namespace carina::lab

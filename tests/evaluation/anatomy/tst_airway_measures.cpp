@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace carina::lab::airway_measures_test
+namespace carina::airway_measures_test
 {
 
 class TestAirwayMeasures final : public QObject
@@ -149,6 +149,6 @@ private Q_SLOTS:
 
 CARINA_TEST(TestAirwayMeasures)
 
-} // namespace carina::lab::airway_measures_test
+} // namespace carina::airway_measures_test
 
 #include "tst_airway_measures.moc"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace carina::lab::action_script_test
+namespace carina::action_script_test
 {
 namespace
 {
@@ -132,6 +132,6 @@ private Q_SLOTS:
 
 CARINA_TEST(ActionScriptTest)
 
-} // namespace carina::lab::action_script_test
+} // namespace carina::action_script_test
 
 #include "tst_action_script.moc"

@@ -3,7 +3,7 @@
 #include "engine/core/units.h"
 #include "tests/support/test_class.h"
 
-namespace carina::lab::drift_experiment_test
+namespace carina::drift_experiment_test
 {
 namespace
 {
@@ -192,6 +192,6 @@ private Q_SLOTS:
 
 CARINA_TEST(DriftExperimentTest)
 
-} // namespace carina::lab::drift_experiment_test
+} // namespace carina::drift_experiment_test
 
 #include "tst_drift_experiment.moc"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace carina::lab::polynomial_fit_test
+namespace carina::polynomial_fit_test
 {
 namespace
 {
@@ -123,6 +123,6 @@ private Q_SLOTS:
 
 CARINA_TEST(PolynomialFitTest)
 
-} // namespace carina::lab::polynomial_fit_test
+} // namespace carina::polynomial_fit_test
 
 #include "tst_polynomial_fit.moc"

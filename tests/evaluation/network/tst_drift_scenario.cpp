@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-namespace carina::lab::drift_scenario_test
+namespace carina::drift_scenario_test
 {
 namespace
 {
@@ -160,6 +160,6 @@ private Q_SLOTS:
 
 CARINA_TEST(DriftScenarioTest)
 
-} // namespace carina::lab::drift_scenario_test
+} // namespace carina::drift_scenario_test
 
 #include "tst_drift_scenario.moc"

@@ -3,7 +3,7 @@
 #include "engine/core/monotonic_clock.h"
 #include "tests/support/test_class.h"
 
-namespace carina::lab::lossy_relay_test
+namespace carina::lossy_relay_test
 {
 namespace
 {
@@ -85,6 +85,6 @@ private Q_SLOTS:
 
 CARINA_TEST(LossyRelayTest)
 
-} // namespace carina::lab::lossy_relay_test
+} // namespace carina::lossy_relay_test
 
 #include "tst_lossy_relay.moc"

@@ -1,7 +1,7 @@
 #include "evaluation/network/netlab_network.h"
 #include "tests/support/test_class.h"
 
-namespace carina::lab::netlab_network_test
+namespace carina::netlab_network_test
 {
 namespace
 {
@@ -76,6 +76,6 @@ private Q_SLOTS:
 
 CARINA_TEST(NetlabNetworkTest)
 
-} // namespace carina::lab::netlab_network_test
+} // namespace carina::netlab_network_test
 
 #include "tst_netlab_network.moc"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace carina::lab::virtual_link_test
+namespace carina::virtual_link_test
 {
 namespace
 {
@@ -233,6 +233,6 @@ private Q_SLOTS:
 
 CARINA_TEST(VirtualLinkTest)
 
-} // namespace carina::lab::virtual_link_test
+} // namespace carina::virtual_link_test
 
 #include "tst_virtual_link.moc"

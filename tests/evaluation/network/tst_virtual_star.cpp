@@ -1,7 +1,7 @@
 #include "evaluation/network/virtual_star.h"
 #include "tests/support/test_class.h"
 
-namespace carina::lab::virtual_star_test
+namespace carina::virtual_star_test
 {
 namespace
 {
@@ -134,6 +134,6 @@ private Q_SLOTS:
 
 CARINA_TEST(VirtualStarTest)
 
-} // namespace carina::lab::virtual_star_test
+} // namespace carina::virtual_star_test
 
 #include "tst_virtual_star.moc"

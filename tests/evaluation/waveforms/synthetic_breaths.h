@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace carina::lab::test
+namespace carina::test
 {
 
 inline constexpr double kRate_hz = 100.0;
@@ -69,4 +69,4 @@ inline SyntheticBreaths someBreaths(int count, double noise = 0.0)
     return breaths;
 }
 
-} // namespace carina::lab::test
+} // namespace carina::test

@@ -5,7 +5,7 @@
 
 #include <QTemporaryDir>
 
-namespace carina::lab::recorded_waveform_test
+namespace carina::recorded_waveform_test
 {
 
 using namespace test;
@@ -125,6 +125,6 @@ void TestRecordedWaveform::leavesOutAnOpenTube()
 
 CARINA_TEST(TestRecordedWaveform)
 
-} // namespace carina::lab::recorded_waveform_test
+} // namespace carina::recorded_waveform_test
 
 #include "tst_recorded_waveform.moc"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace carina::lab::waveform_model_test
+namespace carina::waveform_model_test
 {
 
 using namespace test;
@@ -162,6 +162,6 @@ void TestWaveformModel::followsTheRecordedTestLung()
 
 CARINA_TEST(TestWaveformModel)
 
-} // namespace carina::lab::waveform_model_test
+} // namespace carina::waveform_model_test
 
 #include "tst_waveform_model.moc"

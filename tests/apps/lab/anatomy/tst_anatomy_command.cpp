@@ -1,5 +1,5 @@
-#include "apps/lab/anatomy/anatomy_command.h"
-
+#include "apps/lab/command/help.h"
+#include "apps/lab/commands.h"
 #include "tests/engine/io/mesh/surface_files.h"
 #include "tests/support/test_class.h"
 
@@ -89,14 +89,12 @@ private Q_SLOTS:
 
     void namesEveryKeyInItsHelp()
     {
-        const auto help = anatomyCommand().help;
+        const QString help = pageOf(anatomyCommand());
         const QJsonObject set = *run("list");
         for (const QString& key : set.keys())
-            QVERIFY2(help.find("\n    " + key.toStdString() + ' ') != std::string::npos,
-                     qPrintable(key));
+            QVERIFY2(help.contains(QStringLiteral("\n    %1 ").arg(key)), qPrintable(key));
         for (const QString& key : set[QStringLiteral("parts")][1].toObject().keys())
-            QVERIFY2(help.find("\n      " + key.toStdString() + ' ') != std::string::npos,
-                     qPrintable(key));
+            QVERIFY2(help.contains(QStringLiteral("\n      %1 ").arg(key)), qPrintable(key));
     }
 };
 

@@ -1,4 +1,4 @@
-#include "apps/lab/breathing/breathe_command.h"
+#include "apps/lab/commands.h"
 #include "engine/lungs/mechanics/lung_condition.h"
 #include "tests/support/test_class.h"
 #include "tests/support/test_data.h"

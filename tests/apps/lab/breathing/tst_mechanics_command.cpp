@@ -1,4 +1,5 @@
-#include "apps/lab/breathing/mechanics_command.h"
+#include "apps/lab/command/help.h"
+#include "apps/lab/commands.h"
 #include "tests/support/test_class.h"
 
 #include <QJsonArray>
@@ -59,8 +60,7 @@ void TestMechanicsCommand::describesThePatientAndEveryCondition()
     names.removeDuplicates();
     QCOMPARE(names.size(), 10);
     for (const QString& name : names)
-        QVERIFY2(std::string{mechanicsCommand().help}.find(name.toStdString()) != std::string::npos,
-                 qPrintable(name));
+        QVERIFY2(pageOf(mechanicsCommand()).contains(name), qPrintable(name));
 }
 
 void TestMechanicsCommand::trapsMoreGasTheFasterItBreathes()

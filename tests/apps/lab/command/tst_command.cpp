@@ -1,4 +1,6 @@
 #include "apps/lab/command/command.h"
+#include "apps/lab/command/help.h"
+#include "apps/lab/command/words.h"
 #include "tests/support/test_class.h"
 
 #include <QJsonArray>
@@ -12,29 +14,67 @@ namespace
 
 int runs = 0;
 
-Result<QJsonObject> warn(const QStringList&)
+constexpr Option kLimit{"limit", "MM", "how far at most, in mm (3)"};
+constexpr Option kRaw{"raw", "", "leaves everything as it is"};
+constexpr Key kSchema{"schema", "carina.warn/1"};
+constexpr Key kCount{"count", "how many"};
+
+Result<QJsonObject> warn(const Words&)
 {
     ++runs;
     return QJsonObject{{kWarnings, QJsonArray{QStringLiteral("It is doubtful: do it again.")}}};
 }
 
-Result<QJsonObject> refuse(const QStringList&)
+Result<QJsonObject> refuse(const Words&)
 {
     ++runs;
     return fail(Errc::OutOfRange, "It cannot be done: do something else.");
 }
 
-const std::array kCommands{Command{"warn", "warn\n    Warns.\n", warn},
-                           Command{"refuse", "refuse\n    Refuses.\n", refuse}};
+/// Prints the limit as a number and as a whole number.
+Result<QJsonObject> count(const Words& words)
+{
+    const auto limit = words.number(kLimit, 0.5, 10.0, 3.0);
+    const auto whole = words.whole(kLimit, 1, 10, 3);
+    if (!limit || !whole)
+        return tl::unexpected(limit ? whole.error() : limit.error());
+    return QJsonObject{{kCount, *limit}, {kSchema, qint64(*whole)}};
+}
+
+const std::array kCommands{
+    Command{.name = "warn",
+            .theme = "words",
+            .summary = "warns",
+            .uses = {{.lines = {"[--limit MM]", "--raw"},
+                      .text = "Warns.",
+                      .options = {kLimit, kRaw},
+                      .schema = kSchema,
+                      .keys = {kCount}}},
+            .experiment = warn},
+    Command{
+        .name = "refuse", .theme = "words", .summary = "refuses", .uses = {}, .experiment = refuse},
+    Command{.name = "count",
+            .theme = "",
+            .summary = "",
+            .uses = {{.lines = {"[FILE]"}, .text = "", .options = {kLimit, kRaw}}},
+            .mostFiles = 1,
+            .reminder = "Look at the help.",
+            .experiment = count}};
 
 int status(const QStringList& words)
 {
     return runCommandLine(kCommands, QStringList{QStringLiteral("carina-lab")} + words);
 }
 
+QString refusalOf(const QStringList& words)
+{
+    const auto result = kCommands[2].run(words);
+    return result ? QString{} : QString::fromStdString(result.error().detail);
+}
+
 } // namespace
 
-/// How a command line ends.
+/// How a command line is read and ends.
 class TestCommand : public QObject
 {
     Q_OBJECT
@@ -55,7 +95,59 @@ private Q_SLOTS:
             QCOMPARE(status({QStringLiteral("refuse"), QLatin1String{help}}), 0);
             QCOMPARE(status({QLatin1String{help}}), 0);
         }
+        QCOMPARE(status({QStringLiteral("help"), QStringLiteral("warn")}), 0);
+        QCOMPARE(status({QStringLiteral("help"), QStringLiteral("other")}), 2);
         QCOMPARE(runs, 0);
+    }
+
+    void tellsOfEachCommandInOneLineUnderItsTheme()
+    {
+        const QString overview = overviewOf(kCommands);
+        QVERIFY(overview.contains(QStringLiteral("\nwords\n  warn          warns\n")));
+        QVERIFY(overview.contains(QStringLiteral("\n  refuse        refuses\n")));
+        QVERIFY(!overview.contains(QStringLiteral("count"))); // not for people
+    }
+
+    void aPageHasUsageOptionsAndKeys()
+    {
+        QCOMPARE(pageOf(kCommands[0]),
+                 QStringLiteral("warn [--limit MM]\n"
+                                "warn --raw\n"
+                                "    Warns.\n"
+                                "    --limit MM          how far at most, in "
+                                "mm (3)\n"
+                                "    --raw               leaves everything as "
+                                "it is\n"
+                                "  prints\n"
+                                "    schema              "
+                                "\"carina.warn/1\"\n"
+                                "    count               how many\n"));
+    }
+
+    void readsNumbersWithinTheirBounds()
+    {
+        const auto given = kCommands[2].run({QStringLiteral("--limit"), QStringLiteral("7")});
+        QCOMPARE(given->value(kCount).toDouble(), 7.0);
+        QCOMPARE(given->value(kSchema).toInt(), 7);
+        QCOMPARE(kCommands[2].run({})->value(kCount).toDouble(), 3.0); // where nothing is given
+        QCOMPARE(refusalOf({QStringLiteral("--limit"), QStringLiteral("11")}),
+                 QStringLiteral("count needs --limit with a number from 0.5 to 10."));
+        QCOMPARE(refusalOf({QStringLiteral("--limit"), QStringLiteral("nan")}),
+                 QStringLiteral("count needs --limit with a number from 0.5 to 10."));
+        QCOMPARE(refusalOf({QStringLiteral("--limit"), QStringLiteral("2.5")}),
+                 QStringLiteral("count needs --limit with a whole number from 1 to 10."));
+    }
+
+    void refusesWordsThatArePartOfNoPage()
+    {
+        QCOMPARE(refusalOf({QStringLiteral("--speed")}),
+                 QStringLiteral("count knows no option --speed. Look at the help."));
+        QCOMPARE(refusalOf({QStringLiteral("a"), QStringLiteral("b")}),
+                 QStringLiteral("count has no use for 'b'. Look at the help."));
+        QVERIFY(
+            refusalOf({QStringLiteral("--limit")}).endsWith(QStringLiteral("Look at the help.")));
+        QVERIFY(
+            refusalOf({QStringLiteral("--raw=1")}).endsWith(QStringLiteral("Look at the help.")));
     }
 };
 

@@ -1,5 +1,4 @@
-#include "apps/lab/deformation/deform_command.h"
-
+#include "apps/lab/commands.h"
 #include "engine/geometry/vec.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_class.h"

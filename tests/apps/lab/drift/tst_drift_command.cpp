@@ -1,5 +1,5 @@
-#include "apps/lab/drift/drift_command.h"
-
+#include "apps/lab/command/help.h"
+#include "apps/lab/commands.h"
 #include "engine/sync/strategies/strategy.h"
 #include "evaluation/network/drift_scenario.h"
 #include "tests/support/test_class.h"
@@ -98,7 +98,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("words");
         QTest::addColumn<QByteArray>("named");
-        QTest::newRow("nothing") << QByteArray{""} << QByteArray{" is no option"};
+        QTest::newRow("nothing") << QByteArray{""} << QByteArray{"has no use for"};
         QTest::newRow("no scenario") << QByteArray{"--seed 1"} << QByteArray{"--scenario"};
         QTest::newRow("unknown option") << QByteArray{"--walk yes"} << QByteArray{"--walk"};
         QTest::newRow("live by another strategy")
@@ -150,7 +150,7 @@ private Q_SLOTS:
 
     void helpNamesEveryStrategyAndScenario()
     {
-        const std::string_view help = driftCommand().help;
+        const std::string help = pageOf(driftCommand()).toStdString();
         for (const SyncStrategy& strategy : syncStrategies())
             QVERIFY2(help.find(strategy.name) != help.npos, strategy.name.data());
         for (const std::string_view name : scenarioNames())

@@ -1,6 +1,5 @@
-#include "apps/lab/figures/figures_command.h"
-
 #include "apps/lab/command/csv_table.h"
+#include "apps/lab/commands.h"
 #include "apps/lab/figures/drift_figure.h"
 #include "engine/core/units.h"
 #include "evaluation/drift/drift_experiment.h"

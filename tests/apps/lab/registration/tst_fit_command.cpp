@@ -1,5 +1,5 @@
-#include "apps/lab/registration/fit_command.h"
-
+#include "apps/lab/command/help.h"
+#include "apps/lab/commands.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/rotation.h"
 #include "tests/engine/tracking/sequence_text.h"
@@ -284,7 +284,7 @@ private Q_SLOTS:
         for (const char* name :
              {"PAIRS.csv", "--recording", "--plus-config", "ax,ay,az", "mx,my,mz", "schema",
               "rms_mm", "residuals_mm", "X_AM_mm", "dwells"})
-            QVERIFY2(fitCommand().help.find(name) != std::string_view::npos, name);
+            QVERIFY2(pageOf(fitCommand()).contains(QLatin1StringView{name}), name);
     }
 };
 

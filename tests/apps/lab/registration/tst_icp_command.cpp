@@ -1,5 +1,5 @@
-#include "apps/lab/registration/icp_command.h"
-
+#include "apps/lab/command/help.h"
+#include "apps/lab/commands.h"
 #include "engine/geometry/rigid_transform.h"
 #include "tests/engine/registration/fit/swabbed_shapes.h"
 #include "tests/support/scratch_folder.h"
@@ -175,7 +175,7 @@ private Q_SLOTS:
              {"--surface", "--swab", "--start", "mx,my,mz", "schema", "X_AM_mm", "start_rms_mm",
               "rms_mm", "points", "outliers", "iterations", "moved_mm", "centre_mm",
               "uncertainty_mm", "loose", "turn", "shift"})
-            QVERIFY2(icpCommand().help.find(name) != std::string_view::npos, name);
+            QVERIFY2(pageOf(icpCommand()).contains(QLatin1StringView{name}), name);
     }
 };
 

@@ -1,5 +1,5 @@
-#include "apps/lab/registration/pivot_command.h"
-
+#include "apps/lab/command/help.h"
+#include "apps/lab/commands.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/rotation.h"
 #include "tests/apps/lab/registration/stylus_poses.h"
@@ -203,7 +203,7 @@ private Q_SLOTS:
                                  "direction",     "turn_deg",       "least_turned",
                                  "carina.spin/1", "axis",           "axis_point_mm",
                                  "wobble_deg",    "uncertainty_deg"})
-            QVERIFY2(pivotCommand().help.find(name) != std::string_view::npos, name);
+            QVERIFY2(pageOf(pivotCommand()).contains(QLatin1StringView{name}), name);
     }
 };
 

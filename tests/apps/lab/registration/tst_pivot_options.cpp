@@ -1,5 +1,4 @@
-#include "apps/lab/registration/pivot_command.h"
-
+#include "apps/lab/commands.h"
 #include "tests/apps/lab/registration/stylus_poses.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_class.h"

@@ -1,4 +1,4 @@
-#include "apps/lab/rendering/render_command.h"
+#include "apps/lab/commands.h"
 #include "tests/support/test_class.h"
 #include "widgets/scene/view/graphics.h"
 

@@ -1,5 +1,5 @@
+#include "apps/lab/commands.h"
 #include "apps/lab/rendering/geometry_check.h"
-#include "apps/lab/rendering/render_command.h"
 #include "apps/lab/rendering/seen_balls.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "tests/support/eye_projection.h"

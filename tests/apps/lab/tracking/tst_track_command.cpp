@@ -1,5 +1,5 @@
-#include "apps/lab/tracking/track_command.h"
-
+#include "apps/lab/command/help.h"
+#include "apps/lab/commands.h"
 #include "tests/engine/tracking/sequence_text.h"
 #include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
@@ -187,7 +187,7 @@ private Q_SLOTS:
         for (const char* key :
              {"--recording", "schema", "recording", "tools", "name", "samples", "tracked", "lost",
               "duration_s", "rate_hz", "mean_step_mm", "max_gap_ms", "bounds_mm"})
-            QVERIFY2(trackCommand().help.find(key) != std::string_view::npos, key);
+            QVERIFY2(pageOf(trackCommand()).contains(QLatin1StringView{key}), key);
     }
 };
 

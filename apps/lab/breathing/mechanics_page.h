@@ -1,0 +1,101 @@
+#pragma once
+
+#include "apps/lab/command/command.h"
+
+namespace carina::lab
+{
+
+// Options of `mechanics`, and the keys of what its two ways print.
+
+namespace mechanics_option
+{
+inline constexpr Option kRate{
+    "rate-per-min", "R",
+    "breaths per minute, 4 to 60; as many as the patient breathes at rest unless given"};
+inline constexpr Option kWaveform{
+    "waveform", "FILE",
+    "the recording: a line \"#samplerate,HZ\", a line of names with pressure (cmH2O) and flow "
+    "(L/min), then a line for each sample"};
+inline constexpr Option kInspiratoryFlow{
+    "inspiratory-flow-l-per-min", "F",
+    "what the ventilator drives in where no flow was recorded, 1 to 200; 30 unless given"};
+} // namespace mechanics_option
+
+namespace mechanics_key
+{
+inline constexpr Key kSchema{"schema", "carina.mechanics/1"};
+inline constexpr Key kPosition{"position", "how the patient lies"};
+inline constexpr Key kPatient{"patient", "who breathes, as if lying on the back:"};
+inline constexpr Key kHeight{"height_mm", "body height", 1};
+inline constexpr Key kWeight{"weight_kg", "body weight", 1};
+inline constexpr Key kAge{"age_years", "age", 1};
+inline constexpr Key kResidualVolume{"rv_ml", "residual volume", 1};
+inline constexpr Key kFunctionalResidualCapacity{"frc_ml", "functional residual capacity", 1};
+inline constexpr Key kTotalCapacity{"tlc_ml", "total lung capacity", 1};
+inline constexpr Key kPatientCompliance{"compliance_ml_per_cmh2o",
+                                        "of lungs and chest wall together, at rest", 1};
+inline constexpr Key kResistance{"resistance_cmh2o_s_per_l", "of all airways together", 1};
+inline constexpr Key kQuietRate{"rate_per_min", "of quiet breathing", 1};
+inline constexpr Key kQuietTidalVolume{"tidal_volume_ml", "of a quiet breath", 1};
+inline constexpr Key kInspiratoryFraction{"inspiratory_fraction",
+                                          "share of a quiet breath that is inspiration", 1};
+inline constexpr Key kSeconds{"seconds", "breathed in each case"};
+inline constexpr Key kRate{"rate_per_min", "breathed in each case"};
+inline constexpr Key kConditions{"conditions", "one object per condition and severity:"};
+inline constexpr Key kCondition{"condition",
+                                "normal, ards, copd, asthma, simple_pneumothorax, "
+                                "tension_pneumothorax, atelectasis, mainstem_intubation, "
+                                "obstruction or stiff_chest",
+                                1};
+inline constexpr Key kSeverity{"severity", "0 of normal, else 0.3, 0.6 or 0.9", 1};
+inline constexpr Key kSide{"side", "both, right or left", 1};
+inline constexpr Key kRestVolume{"rest_volume_ml", "gas in both lungs at rest", 1};
+inline constexpr Key kCompliance{"compliance_ml_per_cmh2o", "as of the patient, at rest", 1};
+inline constexpr Key kSpontaneous{"spontaneous", "quiet breathing, an object:", 1};
+inline constexpr Key kVolumeControl{
+    "volume_control", "the same keys, for volume control through a tube with a PEEP of 5 cmH2O", 1};
+inline constexpr Key kTidalVolume{"tidal_volume_ml", "of the last breath", 2};
+inline constexpr Key kTidalVolumeRight{"tidal_volume_right_ml", "of it, the right lung's", 2};
+inline constexpr Key kTidalVolumeLeft{"tidal_volume_left_ml", "of it, the left lung's", 2};
+inline constexpr Key kPeak{"peak_cmh2o", "peak pressure of the last breath", 2};
+inline constexpr Key kPlateau{"plateau_cmh2o", "plateau pressure of the last breath", 2};
+inline constexpr Key kAutoPeep{"auto_peep_cmh2o", "auto-PEEP of the last breath", 2};
+inline constexpr Key kAlveolarVentilation{"alveolar_ventilation_l_per_min", "of the last breath",
+                                          2};
+inline constexpr Key kRightLung{"right_lung_ml", "gas in the right lung at the end", 2};
+inline constexpr Key kLeftLung{"left_lung_ml", "gas in the left lung at the end", 2};
+inline constexpr Key kRightPleura{"right_pleura_cmh2o", "right pleural pressure at the end", 2};
+inline constexpr Key kLeftPleura{"left_pleura_cmh2o", "left pleural pressure at the end", 2};
+inline constexpr Key kMediastinalShift{"mediastinal_shift_mm",
+                                       "at the end, towards the patient's left", 2};
+} // namespace mechanics_key
+
+namespace mechanics_waveform_key
+{
+inline constexpr Key kSchema{"schema", "carina.mechanics.waveform/1"};
+inline constexpr Key kSamples{"samples", "that were recorded"};
+inline constexpr Key kSampleRate{"rate_hz", "samples per second"};
+inline constexpr Key kFlow{"flow", "\"recorded\" or \"assumed\""};
+inline constexpr Key kInspiratoryFlow{"inspiratory_flow_l_per_min",
+                                      "F, where the flow was assumed"};
+inline constexpr Key kBreaths{"breaths", "that are whole and were fitted"};
+inline constexpr Key kUnfitBreaths{
+    "unfit_breaths", "that are whole, but whose resistance or compliance would not be above 0"};
+inline constexpr Key kResistance{"resistance_cmh2o_s_per_l",
+                                 "[least, median, greatest] of the breaths"};
+inline constexpr Key kCompliance{"compliance_ml_per_cmh2o",
+                                 "[least, median, greatest] of the breaths"};
+inline constexpr Key kTimeConstant{"time_constant_s", "of the two medians"};
+inline constexpr Key kValve{"valve", "where the flow was assumed, the valve that lets out:"};
+inline constexpr Key kValvePressure{"pressure_cmh2o", "at which it lets out", 1};
+inline constexpr Key kValveResistance{"resistance_cmh2o_s_per_l", "of the valve", 1};
+inline constexpr Key kError{
+    "rms_cmh2o",
+    "root mean square of modelled less recorded pressure, each breath with a lung of its own"};
+inline constexpr Key kErrorOfOneLung{"rms_one_lung_cmh2o",
+                                     "the same, all breaths with the median lung"};
+inline constexpr Key kDisconnected{"disconnected_s",
+                                   "time with an open tube, which all of this leaves out"};
+} // namespace mechanics_waveform_key
+
+} // namespace carina::lab

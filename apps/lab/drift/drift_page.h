@@ -1,0 +1,107 @@
+#pragma once
+
+#include "apps/lab/command/command.h"
+
+#include <array>
+
+namespace carina::lab
+{
+
+// Options of `drift`, and the keys of what it prints.
+
+namespace drift_option
+{
+inline constexpr Option kScenario{
+    "scenario", "NAME|FILE",
+    "the network: lan, wifi, metro, wan, asymmetric, cellular, 5g, starlink, step, partition, "
+    "burst, bottleneck, duplication, reordering or clock (docs/synchronisation.md); or a file of "
+    "lines \"t_ms delay_ms\", with x as the delay of what is lost, which is repeated"};
+inline constexpr Option kStrategy{
+    "strategy", "S",
+    "session-clock (unless given), asa-adaptive, asa-fixed, dead-reckoning, interpolation, event "
+    "or none"};
+inline constexpr Option kParticipants{"participants", "N", "2 to 64; 2 unless given"};
+inline constexpr Option kTurningSpeed{"speed-deg-s", "W",
+                                      "of the turned object, above 0, at most 1000; 100 unless "
+                                      "given"};
+inline constexpr Option kMovingSpeed{"speed-mm-s", "V",
+                                     "of the moved object, 0 to 10000; 100 unless given"};
+inline constexpr Option kActions{"actions", "A", "1 to 10000; 50 unless given, with --live 15"};
+inline constexpr Option kAxes{
+    "axes", "AXES",
+    "cartesian (unless given), where each axis is one of +-x, +-y and +-z, or random, where it is "
+    "any"};
+inline constexpr Option kSeed{"seed", "K", "of the run, 0 to 4294967295; 1 unless given"};
+inline constexpr Option kSeeds{
+    "seeds", "M", "how many runs, with the seeds K, K+1 and so on, 1 to 1000; 1 unless given"};
+inline constexpr Option kLive{"live", "", "runs real programs in real time"};
+inline constexpr Option kNetlab{"netlab", "PROGRAM",
+                                "the network emulator to use in place of the relays; only as root"};
+inline constexpr Option kWarmUp{
+    "warm-up-s", "T",
+    "seconds for the clocks to settle before the first action, 0 to 300; 20 unless given"};
+inline constexpr Option kLogs{"logs", "DIR",
+                              "folder for what each program wrote down; it is made if need be"};
+
+inline constexpr std::array kOfAll{kScenario, kStrategy, kParticipants, kTurningSpeed, kMovingSpeed,
+                                   kActions,  kAxes,     kSeed,         kSeeds};
+inline constexpr std::array kOfLive{kLive, kNetlab, kWarmUp, kLogs};
+} // namespace drift_option
+
+namespace drift_key
+{
+inline constexpr Key kSchema{"schema", "carina.drift/1"};
+inline constexpr Key kStrategy{"strategy", "as given"};
+inline constexpr Key kParticipants{"participants", "as given"};
+inline constexpr Key kTurningSpeed{"speed_deg_s", "as given"};
+inline constexpr Key kMovingSpeed{"speed_mm_s", "as given"};
+inline constexpr Key kActions{"actions", "as given"};
+inline constexpr Key kActionTime{"action_s", "duration of an action"};
+inline constexpr Key kAxes{"axes", "as given"};
+inline constexpr Key kScenario{"scenario", "its name"};
+inline constexpr Key kSeed{"seed", "as given"};
+inline constexpr Key kSeeds{"seeds", "as given"};
+inline constexpr Key kAtEvent{"at_event_mean_deg",
+                              "mean angle between truth and view just before the next action"};
+inline constexpr Key kTimeAverage{"time_average_mean_deg", "mean of that angle over time"};
+inline constexpr Key kPercentile{"p95_deg", "95th percentile over time of that angle, of each run"};
+inline constexpr Key kPosition{"position_mean_mm",
+                               "mean distance of the moved object from the truth, over time"};
+inline constexpr Key kLimit{
+    "limit_time_average_deg",
+    "time average that no strategy can be below with the delays of the run"};
+inline constexpr Key kRatio{"ratio_to_limit", "time average to that; null where the limit is 0"};
+inline constexpr Key kClockError{
+    "clock_error_ms",
+    "mean |session clock - clock of the host|; null where there is no session clock"};
+inline constexpr Key kBytes{"bytes_per_s",
+                            "mean of the payload that a participant sends and receives"};
+inline constexpr Key kProbes{
+    "probes_per_s", "datagrams sent to measure the delay and nothing else, of all together"};
+inline constexpr Key kAccessLink{
+    "access_link",
+    "these figures again, with the delay of the scenario on each link to the host, so that the "
+    "way from actor to viewer has it twice"};
+
+// Of a live run besides, or instead.
+inline constexpr Key kLive{"live", "true"};
+inline constexpr Key kNetwork{"network", "relay or netlab"};
+inline constexpr Key kBound{"bound_time_average_deg",
+                            "1.5 limit + W (0.2 ms + half the asymmetry of the paths)"};
+inline constexpr Key kIsWithinBound{"is_within_bound", "whether the time average is at most that"};
+inline constexpr Key kIsEndStateSame{
+    "is_end_state_same", "whether both objects ended alike in all programs, to the bit"};
+inline constexpr Key kHandshakeMean{"handshake_mean_ms",
+                                    "until a participant was in and had the session's clock"};
+inline constexpr Key kHandshakeMax{"handshake_max_ms", "the longest of these"};
+inline constexpr Key kSampleGap{
+    "sample_gap_p95_ms",
+    "95th percentile of the time between samples of a program, which is to be 5.003 ms"};
+inline constexpr Key kLoad{"load_average", "of the machine, in the minute in which the run ended"};
+inline constexpr Key kLiveBytes{"bytes_per_s",
+                                "the same of the encrypted datagrams; null with --netlab"};
+inline constexpr Key kLiveProbes{"probes_per_s", "null"};
+inline constexpr Key kLiveAccessLink{"access_link", "null"};
+} // namespace drift_key
+
+} // namespace carina::lab

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "apps/lab/command/command.h"
+#include "apps/lab/command/patient_options.h"
+
+#include <array>
+
+namespace carina::lab
+{
+
+// Options of `render` for each of its three ways, and the keys of what these print.
+
+namespace render_option
+{
+inline constexpr Option kCheckGeometry{"check-geometry", "", "asks for this check"};
+inline constexpr Option kSeed{"seed", "K",
+                              "of poses and geometries, 0 to 4294967295; 1 unless given"};
+inline constexpr Option kPictures{"pictures", "DIR", "folder to write into; it is made if need be"};
+inline constexpr Option kErrorMap{"error-map", "DIR",
+                                  "folder to write into; it is made if need be"};
+inline constexpr Option kSize{"size", "WxH", "of each picture, pixels; 1280x800 unless given"};
+inline constexpr Option kJawOpening{
+    "jaw-deg", "0..30",
+    "opens the mouth from being shut, so many degrees about the condyles; where neither this nor "
+    "--jaw-forward-mm is given, the mouth is as the surfaces have it, held open in the built-in "
+    "patients"};
+inline constexpr Option kJawForward{"jaw-forward-mm", "0..15",
+                                    "brings the jaw forward from a mouth that is shut"};
+inline constexpr Option kLandmarks{
+    "landmarks", "N", "registers on the first N landmarks of tre, 3 to 8; 4 unless given"};
+inline constexpr Option kTouchError{
+    "fle", "MM", "root mean square error of a touch, 0.01 to 100; 1 unless given"};
+
+inline constexpr std::array kOfGeometry{kCheckGeometry, kSeed};
+inline constexpr std::array kOfPictures{kPictures, kAnatomy, kPatient,    kSize,       kCondition,
+                                        kSeverity, kSide,    kVentilator, kJawOpening, kJawForward};
+inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
+                                        kSize,     kLandmarks, kTouchError};
+} // namespace render_option
+
+namespace render_geometry_key
+{
+inline constexpr Key kSchema{"schema", "carina.render/1"};
+inline constexpr Key kPoses{"poses", "of the head that were drawn"};
+inline constexpr Key kGeometries{"geometries", "that were drawn for each of them"};
+inline constexpr Key kSeed{"seed", "as given"};
+inline constexpr Key kMeasured{"spheres_measured", "once for each sphere, pose, geometry and eye"};
+inline constexpr Key kLeftOutAtEdge{"left_out_at_edge",
+                                    "not measured: outside the picture or cut by its edge"};
+inline constexpr Key kLeftOutTouching{"left_out_touching",
+                                      "not measured: touching another sphere in the picture"};
+inline constexpr Key kNotVisible{"not_visible", "should have been seen, and no pixel shows them"};
+inline constexpr Key kSmallestSphere{"smallest_sphere_px",
+                                     "pixels of the smallest sphere measured"};
+inline constexpr Key kLargestError{"max_projection_error_px",
+                                   "largest distance from where a sphere should be seen"};
+inline constexpr Key kMeanError{"mean_projection_error_px", "mean of these distances"};
+} // namespace render_geometry_key
+
+namespace render_pictures_key
+{
+inline constexpr Key kSchema{"schema", "carina.render.pictures/1"};
+inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
+inline constexpr Key kWidth{"width", "of each picture, pixels"};
+inline constexpr Key kHeight{"height", "of each picture, pixels"};
+inline constexpr Key kJawOpening{"jaw_deg", "where the jaw was asked for"};
+inline constexpr Key kJawForward{"jaw_forward_mm", "where the jaw was asked for"};
+inline constexpr Key kPictures{"pictures", "one object per picture:"};
+inline constexpr Key kFile{"file", "its name in DIR", 1};
+inline constexpr Key kView{"view", "front, side or trainee", 1};
+inline constexpr Key kPhase{"phase", "expired or inspired", 1};
+inline constexpr Key kCondition{"condition", "its name", 1};
+inline constexpr Key kSeverity{"severity", "of the condition", 1};
+inline constexpr Key kSide{"side", "both, right or left", 1};
+inline constexpr Key kVentilator{"ventilator", "none, volume or pressure", 1};
+inline constexpr Key kVolume{"volume_ml", "\"right\" and \"left\": what the vertices drawn enclose",
+                             1};
+inline constexpr Key kDomeDescent{"dome_descent_mm",
+                                  "\"right\" and \"left\": how far the top of the diaphragm is "
+                                  "below where it rests in health; 0 for a set without one",
+                                  1};
+inline constexpr Key kDiaphragmExcursion{
+    "diaphragm_excursion_mm",
+    "\"right\" and \"left\": how far the diaphragm goes down in "
+    "that breath where it does so most; 0 for a set without one",
+    1};
+} // namespace render_pictures_key
+
+namespace render_error_key
+{
+inline constexpr Key kSchema{"schema", "carina.render.error/1"};
+inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
+inline constexpr Key kLandmarks{"landmarks", "how many"};
+inline constexpr Key kTouchError{"fle_mm", "error of a touch"};
+inline constexpr Key kLeastError{
+    "least_rms_mm", "least root mean square of the expected error on head, airway and lungs"};
+inline constexpr Key kMostError{"most_rms_mm", "the greatest of it"};
+inline constexpr Key kBand{"band_mm", "from one line to the next"};
+inline constexpr Key kPictures{"pictures", "one object per picture:"};
+inline constexpr Key kFile{"file", "its name in DIR", 1};
+inline constexpr Key kView{"view", "front, side, trainee or cut", 1};
+} // namespace render_error_key
+
+} // namespace carina::lab

@@ -8,6 +8,13 @@
 #include "engine/io/files/whole_file.h"
 
 #include <QCryptographicHash>
+#include <QFile>
+
+#include <algorithm>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace carina
 {
@@ -39,6 +46,33 @@ bool isThere(const std::filesystem::path& file, std::uint64_t bytes)
 {
     std::error_code error;
     return std::filesystem::file_size(file, error) == bytes && !error;
+}
+
+tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, const std::string& why)
+{
+    return fail(Errc::FileUnwritable, file.string() + ": " + why);
+}
+
+std::string digestOfFile(int file)
+{
+    QFile source;
+    QCryptographicHash hash{QCryptographicHash::Blake2b_256};
+    if (!source.open(file, QIODevice::ReadOnly) || !source.seek(0) || !hash.addData(&source))
+        return {};
+    return hash.result().toHex().toStdString();
+}
+
+/// An open file that nobody else writes; -1 where there is none, -2 where somebody does.
+int openLocked(const std::filesystem::path& file)
+{
+    const int opened = open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+    if (opened < 0)
+        return -1;
+    if (flock(opened, LOCK_EX | LOCK_NB) != 0) {
+        close(opened);
+        return -2;
+    }
+    return opened;
 }
 
 } // namespace
@@ -103,6 +137,73 @@ Result<ImportedSet> CarriedSets::load(const std::string& digest,
     if (const auto sound = checkSet(*set); !sound)
         return fail(sound.error().code, file.string() + ": " + sound.error().detail);
     return set;
+}
+
+Result<std::unique_ptr<PartialSet>> CarriedSets::resume(const CarriedSet& set) const
+{
+    CARINA_EXPECTS(set.bytes > 0 && set.bytes <= kMostBytes);
+    const std::filesystem::path whole = file(set.digest);
+    const std::filesystem::path part = std::filesystem::path{whole}.replace_extension(".part");
+    std::error_code error;
+    std::filesystem::create_directories(part.parent_path(), error);
+    const int opened = openLocked(part);
+    if (opened == -2)
+        return nullptr;
+    if (opened >= 0 && has(set)) { // the other program finished it just now
+        close(opened);
+        return nullptr;
+    }
+    struct stat found {
+    };
+    if (opened < 0 || fstat(opened, &found) != 0)
+        return cannotWrite(part, "cannot be written");
+    auto bytes = static_cast<std::uint64_t>(found.st_size);
+    if (bytes > set.bytes && ftruncate(opened, 0) == 0)
+        bytes = 0;
+    std::unique_ptr<PartialSet> partial{new PartialSet{opened, bytes, part, whole, set.digest}};
+    if (m_roomIn(part.parent_path()) < set.bytes - bytes)
+        return cannotWrite(part, "the disk has no room for it");
+    return partial;
+}
+
+PartialSet::PartialSet(int file, std::uint64_t bytes, std::filesystem::path part,
+                       std::filesystem::path whole, std::string digest)
+    : m_file{file},
+      m_bytes{bytes},
+      m_part{std::move(part)},
+      m_whole{std::move(whole)},
+      m_digest{std::move(digest)}
+{
+}
+
+PartialSet::~PartialSet() { close(m_file); }
+
+Result<void> PartialSet::append(std::span<const std::byte> bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = write(m_file, bytes.data(), bytes.size());
+        if (written <= 0)
+            return cannotWrite(m_part, "cannot be written");
+        m_bytes += static_cast<std::uint64_t>(written);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return {};
+}
+
+Result<void> PartialSet::finish()
+{
+    std::error_code error;
+    if (digestOfFile(m_file) != m_digest) {
+        std::filesystem::remove(m_part, error);
+        return fail(Errc::FileMalformed, m_part.string() + ": what came is not what was promised");
+    }
+    if (fsync(m_file) == 0)
+        std::filesystem::rename(m_part, m_whole, error);
+    else
+        error = std::make_error_code(std::errc::io_error);
+    if (error)
+        return cannotWrite(m_whole, "cannot be written");
+    return {};
 }
 
 } // namespace carina

@@ -1,7 +1,6 @@
 #include "engine/sync/connection/sync_client.h"
 
 #include "engine/sync/wire/datagram_codec.h"
-#include "engine/sync/wire/datagram_packer.h"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 
 #include "engine/core/expects.h"
 #include "engine/sync/wire/datagram_codec.h"
-#include "engine/sync/wire/datagram_packer.h"
 #include "engine/sync/wire/sequence.h"
 
 #include <algorithm>

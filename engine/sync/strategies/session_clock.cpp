@@ -4,7 +4,6 @@
 #include "engine/sync/strategies/session_clock_host.h"
 #include "engine/sync/strategies/strategies.h"
 #include "engine/sync/wire/datagram_codec.h"
-#include "engine/sync/wire/datagram_packer.h"
 
 #include <algorithm>
 

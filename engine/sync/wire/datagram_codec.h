@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/sync/wire/datagram.h"
 
+#include <functional>
 #include <span>
 
 namespace carina
@@ -28,5 +29,11 @@ void leaveLater(std::span<std::byte> datagram, Duration by);
 ///          that are not finite or out of range, rotations that are none; VersionMismatch for a
 ///          Carina datagram of another version.
 [[nodiscard]] Result<Datagram> decodeDatagram(std::span<const std::byte> bytes);
+
+/// Packs records, in their order, into as few datagrams as hold them; none makes one of a header
+/// alone.
+/// @param nextHeader called once for each datagram
+[[nodiscard]] std::vector<std::vector<std::byte>>
+packDatagrams(std::span<const WireRecord> records, const std::function<BundleHeader()>& nextHeader);
 
 } // namespace carina

@@ -4,9 +4,6 @@
 namespace carina::eye_picture_test
 {
 
-Q_DECLARE_METATYPE(carina::Frustum)
-Q_DECLARE_METATYPE(carina::WindowPart)
-Q_DECLARE_METATYPE(carina::PixelRect)
 
 namespace
 {

@@ -33,8 +33,6 @@ bool isNear(const Frustum& f, const Frustum& truth)
 
 } // namespace
 
-Q_DECLARE_METATYPE(carina::DisplayGeometry)
-Q_DECLARE_METATYPE(carina::Frustum)
 
 class TestEyeView : public QObject
 {

@@ -140,11 +140,20 @@ class Format(Tree):
 
 
 class Size(Tree):
-    def test_299_lines_are_right_and_300_are_not(self):
-        self.write("engine/core/x.cpp", "\n" * 299)
+    def test_399_lines_are_not_warned_of_and_400_are(self):
+        self.write("engine/core/x.cpp", "\n" * 399)
+        self.assertEqual(size.warnings_of(self.root), [])
+        self.write("engine/core/x.cpp", "\n" * 400)
+        self.assertEqual(len(size.warnings_of(self.root)), 1)
+        self.assertEqual(size.lengths_of(self.root)[0], (400, "engine/core/x.cpp"))
         self.assertEqual(size.faults_of(self.root), [])
-        self.write("engine/core/x.cpp", "\n" * 300)
-        self.assertEqual(len(size.faults_of(self.root)), 1)
+
+    def test_32_files_in_a_folder_are_not_warned_of_and_33_are(self):
+        for number in range(32):
+            self.write(f"engine/full/x{number}.cpp", "")
+        self.assertEqual(size.warnings_of(self.root), [])
+        self.write("engine/full/one_more.cpp", "")
+        self.assertEqual(len(size.warnings_of(self.root)), 1)
 
     def test_20_root_entries_are_right_and_21_are_not(self):
         for number in range(16):

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/geometry/rotation.h"
+#include "engine/io/anatomy_set/builtin_cache.h"
 #include "engine/tracking/tracker.h"
 #include "models/registration/registration_model.h"
 
@@ -47,8 +48,7 @@ public:
     }
     [[nodiscard]] static const PatientModel& patient()
     {
-        static const PatientModel child = *PatientModel::of(
-            std::move(*builtinPatient(BuiltinPatient::TwelveYears)), millimetres(6));
+        static const PatientModel child = *PatientModel::of(*madeChild(), millimetres(6));
         return child;
     }
     /// Eight, six and four landmarks.
@@ -169,6 +169,16 @@ public:
     QDateTime m_today{{2004, 3, 27}, {10, 15}, Qt::UTC};
 
 private:
+    /// Making the patient takes seconds: where a run of tests has a cache of its own, the first test
+    /// leaves the patient there.
+    static Result<Anatomy> madeChild()
+    {
+        return qEnvironmentVariableIsSet("XDG_CACHE_HOME")
+                   ? cachedPatient(parametersOf(BuiltinPatient::TwelveYears),
+                                   AnatomyCache::defaultFolder())
+                   : builtinPatient(BuiltinPatient::TwelveYears);
+    }
+
     QTemporaryDir m_folder;
     int m_swung = 0;
 };

@@ -11,6 +11,24 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RECORD = '#!/bin/sh\necho "$(basename "$0") $*" >> "$CALLS"\n'
 LAB = RECORD + 'echo "{}"\n'
+# Three tests: one passes, one of its checks left out; one is skipped whole; one may fail.
+CTEST = RECORD + r"""
+results=''; before=''
+for word; do [ "$before" = --output-junit ] && results=$word; before=$word; done
+case "$*" in
+    *" -N"*) for name in a b c; do echo "  Test #1: $name"; done; exit ;;
+    *--show-only*) echo "\"$PWD/build/release/tests/engine/sync/test_engine_sync\""; exit ;;
+esac
+for name in a b c; do echo "1/3 Test #1: $name ....   Passed    0.01 sec"; done
+cat > "$results" << END
+<testsuite><testcase name="a" status="run"><system-out>SKIP   : TestA::rows(one) no recordings
+Loc: [x]</system-out></testcase>
+<testcase name="b" status="notrun"><skipped message=""/>
+<system-out>SKIP   : TestB::all() no anatomy set</system-out></testcase>
+<testcase name="c" status="${THIRD:-run}"><system-out>FAIL!  : TestC::third() it broke</system-out></testcase></testsuite>
+END
+[ "${THIRD:-run}" = run ]
+"""
 INSTALLED = RECORD + 'shift 3\nfor name; do [ "$name" = "$ABSENT" ] || echo "installed $name"; done\n'
 
 
@@ -23,7 +41,8 @@ class Launcher(unittest.TestCase):
         (self.root / "apps").mkdir()
         shutil.copy(ROOT / "carina", self.root)
         shutil.copy(ROOT / "apps/demo.bash", self.root / "apps")
-        shutil.copy(ROOT / "tests/support/with_display", self.root / "tests/support")
+        for script in ("with_display", "run_tests"):
+            shutil.copy(ROOT / "tests/support" / script, self.root / "tests/support")
         self.calls = self.root / "calls"
         self.program("build/release/build.ninja", "")
         self.program("build/release/apps/lab/carina-lab", LAB)
@@ -31,8 +50,9 @@ class Launcher(unittest.TestCase):
         self.program("build/release/apps/trainee/carina-trainee", RECORD)
         self.program("build/release/apps/registration/carina-registration", RECORD)
         self.program("bin/dpkg-query", INSTALLED)
-        for name in ("ninja", "apt-get", "sudo", "ctest"):
+        for name in ("ninja", "apt-get", "sudo"):
             self.program(f"bin/{name}", RECORD)
+        self.program("bin/ctest", CTEST)
         self.environment = {"PATH": f"{self.root}/bin:{os.environ['PATH']}", "CALLS": str(self.calls),
                             "HOME": str(self.root), "ABSENT": ""}
 
@@ -57,7 +77,7 @@ class Launcher(unittest.TestCase):
             self.assertIn(f"\n  {command} ", run.stdout)
 
     def test_refuses_what_it_does_not_know(self):
-        for arguments in (["fly"], ["test", "--some"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
+        for arguments in (["fly"], ["test", "--some"], ["test", "--mutate"], ["test", "a", "b"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
                           ["demo", "--seconds", "0"], ["demo", "--patient", "horse"],
                           ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"],
                           ["demo", "--site", "no/such/file"], ["demo", "--output", "sphere"],
@@ -86,7 +106,27 @@ class Launcher(unittest.TestCase):
 
     def test_the_fast_tests_are_the_default(self):
         self.assertEqual(self.carina("test").returncode, 0)
-        self.assertTrue(self.called("ctest")[0].endswith("-L ^fast$"))
+        self.assertIn(" -L ^fast$", self.called("ctest")[-1])
+
+    def test_ends_with_a_line_that_counts(self):
+        run = self.carina("test")
+        lines = run.stdout.splitlines()
+        self.assertRegex(lines[-1], r"^2 passed, 0 failed, 1 skipped, \d+\.\d minutes$")
+        self.assertIn("skipped: b: no anatomy set", lines)
+        self.assertIn("skipped in part: a: no recordings", lines)
+        self.assertIn("3 of 3 tests", run.stderr)
+
+    def test_a_failed_test_is_shown_and_fails(self):
+        run = self.carina("test", THIRD="fail")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("failed: c\nFAIL!  : TestC::third() it broke", run.stdout)
+        self.assertRegex(run.stdout.splitlines()[-1], "^1 passed, 1 failed, 1 skipped, ")
+
+    def test_a_pattern_builds_and_runs_a_part(self):
+        self.assertEqual(self.carina("test", "engine.sync").returncode, 0)
+        self.assertIn("tests/engine/sync/test_engine_sync", self.called("ninja")[-1])
+        self.assertNotIn("tests/all", self.called("ninja")[-1])
+        self.assertIn(" -R engine.sync", self.called("ctest")[-1])
 
     def test_a_failed_build_is_shown_and_stops(self):
         self.program("bin/ninja", "#!/bin/sh\necho 'FAILED: x.o'\nexit 1\n")

@@ -7,7 +7,7 @@
 namespace carina::test
 {
 
-inline constexpr double kStep = 2e-3; // s
+inline constexpr double kClockStep = 2e-3; // s
 inline constexpr Frequency kSet = perMinute(16.0);
 
 /// A clock that hears a manikin.
@@ -18,8 +18,8 @@ struct Listener {
     void until(double t)
     {
         while (now < t) {
-            clock.advance(kSet, kStep);
-            now += kStep;
+            clock.advance(kSet, kClockStep);
+            now += kClockStep;
         }
     }
     void hearAt(double t)

@@ -84,13 +84,13 @@ void TestBreathClock::neverJumpsOrRunsBack()
     double breaths = 0.0;
     double rate = kSet.si;
     for (int i = 0; i < 200000; ++i) {
-        listener.clock.advance(kSet, kStep);
-        listener.now += kStep;
+        listener.clock.advance(kSet, kClockStep);
+        listener.now += kClockStep;
         const BreathClock::State& state = listener.clock.state();
         QVERIFY(state.breaths > breaths);
         const double fastest = kFastestManikin.si * (1.0 + kMostPull);
-        QVERIFY(state.breaths - breaths <= fastest * kStep * 1.000001);
-        const double most = kSlew * std::max(rate, fastest) * kStep;
+        QVERIFY(state.breaths - breaths <= fastest * kClockStep * 1.000001);
+        const double most = kSlew * std::max(rate, fastest) * kClockStep;
         QVERIFY(std::abs(state.rate.si - rate) <= most * 1.000001);
         breaths = state.breaths;
         rate = state.rate.si;

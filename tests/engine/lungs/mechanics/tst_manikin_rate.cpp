@@ -11,7 +11,6 @@ namespace carina::manikin_rate_test
 
 using namespace carina::test;
 
-Q_DECLARE_METATYPE(std::vector<int>)
 
 /// What the clock makes of a manikin whose breaths are missed, or that changes its rate.
 class TestManikinRate : public QObject
@@ -99,9 +98,9 @@ void TestManikinRate::pullsByHalfABreathAtTheMost()
 {
     for (const double rate_perMin : {4.1, 5.0, 6.0}) {
         BreathClock clock{perMinute(60.0)};
-        const auto period = static_cast<int>(60.0 / rate_perMin / kStep);
+        const auto period = static_cast<int>(60.0 / rate_perMin / kClockStep);
         for (int i = 0; i < 4 * period; ++i) {
-            clock.advance(perMinute(60.0), kStep);
+            clock.advance(perMinute(60.0), kClockStep);
             if (i % period == 77)
                 clock.trigger(0.0);
             QVERIFY2(std::abs(clock.state().pull) <= 0.5,

@@ -24,7 +24,7 @@ namespace carina::test
 using namespace carriage;
 
 inline constexpr int kSoon_ms = 5000;
-inline const std::string kSession = "00112233445566778899aabbccddeeff";
+inline const std::string kCarriedSession = "00112233445566778899aabbccddeeff";
 inline const QHostAddress kHere{QHostAddress::LocalHost};
 
 inline AccessKey keyFilledWith(int value)
@@ -37,7 +37,7 @@ inline AccessKey keyFilledWith(int value)
 /// The holder of the trainees' code in the session, with its key.
 inline KeyOffer traineesOffer()
 {
-    return {{{Role::Trainee, std::nullopt}, kSession}, keyFilledWith(7)};
+    return {{{Role::Trainee, std::nullopt}, kCarriedSession}, keyFilledWith(7)};
 }
 
 inline HostDoor doorAt(std::uint16_t port, KeyOffer offer = traineesOffer())
@@ -80,7 +80,7 @@ struct ServingHost {
     void open(std::uint16_t port = 0)
     {
         server = *SetServer::listen(port, false, cache());
-        server->admit(kSession, answerTo,
+        server->admit(kCarriedSession, answerTo,
                       [this](const std::string& hash) { return isNamed && hash == kSetHash; });
     }
     [[nodiscard]] std::filesystem::path cache() const
@@ -163,7 +163,7 @@ public:
 
     explicit ScriptedHost(Script script) : m_script{std::move(script)}
     {
-        m_server.setSslConfiguration(tlsConfiguration(QByteArray::fromStdString(kSession)));
+        m_server.setSslConfiguration(tlsConfiguration(QByteArray::fromStdString(kCarriedSession)));
         QObject::connect(&m_server, &QSslServer::preSharedKeyAuthenticationRequired, &m_server,
                          [](QSslSocket*, QSslPreSharedKeyAuthenticator* question) {
                              answerPsk(*question, {}, traineesOffer().key);

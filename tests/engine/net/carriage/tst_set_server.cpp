@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(server);
         RawPeer client{(*server)->port(), traineesOffer(), tlsConfiguration({}), 100};
         QVERIFY(!client.isIn());
-        (*server)->admit(kSession, answerTo, [](const std::string&) { return false; });
+        (*server)->admit(kCarriedSession, answerTo, [](const std::string&) { return false; });
         QTRY_VERIFY_WITH_TIMEOUT(client.isIn(), kSoon_ms);
     }
 };

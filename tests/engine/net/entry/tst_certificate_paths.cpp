@@ -68,7 +68,7 @@ private Q_SLOTS:
     void datagramsAreNoLongerThanWithACode()
     {
         CertifiedHost host{read("host")};
-        lab::LossyRelay relay{host.port(), {}, 1};
+        LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee), Role::Trainee, expected()};
         QVERIFY(isIn(client));
         client.transport.send(1, std::vector<std::byte>(kLargestDatagram));
@@ -81,7 +81,7 @@ private Q_SLOTS:
     void replayedDatagramsChangeNothing()
     {
         CertifiedHost host{read("host")};
-        lab::LossyRelay relay{host.port(), {}, 1};
+        LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee), Role::Trainee, expected()};
         QVERIFY(isIn(client));
         client.send("once");

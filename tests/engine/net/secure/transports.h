@@ -15,7 +15,7 @@ namespace carina
 using namespace std::chrono_literals;
 
 inline const std::string kSession = "00112233445566778899aabbccddeeff";
-inline constexpr int kSoonMs = 3000;
+inline constexpr int kHandshakeMs = 3000;
 inline const QHostAddress kLoopback{QHostAddress::LocalHost};
 
 inline std::vector<std::byte> textBytes(const char* text)
@@ -64,7 +64,7 @@ struct TestHost {
     std::map<Role, AccessKey> keys{{Role::Trainee, randomKey()}, {Role::Observer, randomKey()}};
     Recorder heard;
     std::unique_ptr<HostTransport> transport;
-    lab::TransportPump pump{*transport, heard};
+    TransportPump pump{*transport, heard};
 };
 
 /// A client whose code has the key given.
@@ -81,7 +81,7 @@ struct TestClient {
     Recorder heard;
     ClientCredentials credentials;
     ClientTransport transport;
-    lab::TransportPump pump{transport, heard};
+    TransportPump pump{transport, heard};
 };
 
 /// A client without anybody who watches over it, on a port of its choice.

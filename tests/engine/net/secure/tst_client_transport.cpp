@@ -14,23 +14,24 @@ private Q_SLOTS:
     {
         TestHost host;
         TestClient client{host.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(),
+                                 kHandshakeMs);
         client.send("question");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
         host.transport->send(1, textBytes("answer"));
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kHandshakeMs);
         QVERIFY(client.heard.received[0] == textBytes("answer"));
     }
 
     void largestDatagramStaysWithinTwelveHundredBytes()
     {
         TestHost host;
-        lab::LossyRelay relay{host.port(), {}, 1};
+        LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
         const std::vector<std::byte> largest(kLargestDatagram);
         client.transport.send(1, largest);
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
         QVERIFY(host.heard.received[0] == largest);
         QCOMPARE(relay.toHost().back().bytes.size(), qsizetype(kLargestDatagram) + 29);
         for (const auto& passed : relay.toHost())
@@ -41,7 +42,7 @@ private Q_SLOTS:
     {
         TestHost host;
         TestClient client{host.port(), randomKey()};
-        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kHandshakeMs);
         QCOMPARE(client.heard.refusal->code, Errc::WrongCode);
         QVERIFY(host.heard.paths.empty());
         QCOMPARE(client.transport.tries(), 4); // the first learnt of the session
@@ -52,7 +53,7 @@ private Q_SLOTS:
     {
         TestHost host;
         TestClient client{host.port(), host.keys.at(Role::Trainee), Role::Observer};
-        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kHandshakeMs);
         QVERIFY(host.heard.paths.empty());
     }
 
@@ -62,27 +63,27 @@ private Q_SLOTS:
         const AccessKey key = host.keys.at(Role::Trainee);
         host.keys.erase(Role::Trainee);
         TestClient client{host.port(), key};
-        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > 3, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > 3, kHandshakeMs);
         QVERIFY(!client.heard.refusal);
         host.keys.emplace(Role::Trainee, key);
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
     }
 
     void silenceIsAnsweredByAPathOfItsOwn()
     {
         TestHost host;
-        lab::LossyRelay relay{host.port(), {}, 1};
+        LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
         const int before = client.transport.tries();
         relay.setCut(true);
-        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > before, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > before, kHandshakeMs);
         QVERIFY(client.heard.ended.empty()); // the old one is used meanwhile
         relay.setCut(false);
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kHandshakeMs);
         QVERIFY(client.heard.ended == std::vector<PeerAddress>{1});
         client.send("here again");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
     }
 
     void hostThatComesBackIsFound()
@@ -91,12 +92,12 @@ private Q_SLOTS:
         const std::uint16_t port = host->port();
         const auto keys = host->keys;
         TestClient client{port, keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
         host.reset(); // without a word
         host = std::make_unique<TestHost>(port);
         host->keys = keys;
         const LocalTime begin = monotonicNow();
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kHandshakeMs);
         QVERIFY(monotonicNow() - begin < 2s);
     }
 
@@ -104,18 +105,18 @@ private Q_SLOTS:
     {
         TestHost host;
         TestClient client{host.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.paths.empty(), kHandshakeMs);
         client.transport.close();
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{0}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{0}, kHandshakeMs);
         QVERIFY(host.heard.ended == std::vector<PeerAddress>{1});
     }
 
     void bytesFromElsewhereAreNotHeard()
     {
         TestHost host;
-        lab::LossyRelay relay{host.port(), {}, 1};
+        LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
         QUdpSocket stranger;
         QVERIFY(stranger.bind(kLoopback, 0));
         const std::uint16_t port = relay.toHost().back().clientPort;
@@ -123,7 +124,7 @@ private Q_SLOTS:
              {QByteArray{}, QByteArray{"CA"}, relay.toHost().back().bytes})
             stranger.writeDatagram(bytes, kLoopback, port);
         host.transport->send(1, textBytes("mine"));
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kHandshakeMs);
         QVERIFY(client.heard.ended.empty());
     }
 };

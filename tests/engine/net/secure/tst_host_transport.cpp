@@ -13,7 +13,7 @@ const std::string kNewTrainee = "trainee:" + kSession + ":new";
 QByteArray firstHelloOf(QUdpSocket& catcher)
 {
     RawClient client{catcher.localPort(), kNewTrainee, {}};
-    if (!catcher.waitForReadyRead(kSoonMs))
+    if (!catcher.waitForReadyRead(kHandshakeMs))
         return {};
     return readRaw(catcher)->bytes;
 }
@@ -29,10 +29,10 @@ private Q_SLOTS:
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kHandshakeMs);
         QVERIFY((host.heard.paths.begin()->second == Credential{Role::Trainee, std::nullopt}));
         client.send("hello");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
         QVERIFY(host.heard.received[0] == textBytes("hello"));
     }
 
@@ -51,8 +51,9 @@ private Q_SLOTS:
         QFETCH(const QByteArray, identity);
         TestHost host;
         RawClient client{host.port(), identity.toStdString(), host.keys.at(Role::Observer)};
-        QTRY_VERIFY_WITH_TIMEOUT(
-            !client.answers.empty() && isWrongKeyAlert(octets(client.answers.back())), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.answers.empty()
+                                     && isWrongKeyAlert(octets(client.answers.back())),
+                                 kHandshakeMs);
         QVERIFY(host.heard.paths.empty());
         QCOMPARE(host.transport->handshakes(), std::size_t{0});
     }
@@ -63,8 +64,8 @@ private Q_SLOTS:
         host.keys.erase(Role::Trainee);
         RawClient client{host.port(), kNewTrainee, randomKey()};
         // Cookie request, then the host's part; no word about the key.
-        QTRY_COMPARE_WITH_TIMEOUT(client.answers.size(), std::size_t{2}, kSoonMs);
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.answers.size(), std::size_t{2}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kHandshakeMs);
         QCOMPARE(client.answers.size(), std::size_t{2});
     }
 
@@ -75,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(stranger.bind(kLoopback, 0));
         const QByteArray hello = firstHelloOf(stranger);
         stranger.writeDatagram(hello, kLoopback, host.port());
-        QTRY_VERIFY_WITH_TIMEOUT(stranger.hasPendingDatagrams(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stranger.hasPendingDatagrams(), kHandshakeMs);
         const QByteArray answer = readRaw(stranger)->bytes;
         QVERIFY(answer.size() < hello.size()); // of no use for flooding others
         QCOMPARE(int{octets(answer)[13]}, 3);  // HelloVerifyRequest
@@ -105,7 +106,7 @@ private Q_SLOTS:
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kHandshakeMs);
         QUdpSocket stranger;
         QVERIFY(stranger.bind(kLoopback, 0));
         QByteArray plain{23, '\0'}; // an application record in the clear
@@ -116,7 +117,7 @@ private Q_SLOTS:
                                         QByteArray(9000, 'C'), plain, encrypted})
             stranger.writeDatagram(bytes, kLoopback, host.port());
         client.send("hello");
-        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.received.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.received.empty(), kHandshakeMs);
         QCOMPARE(host.heard.received.size(), std::size_t{1});
         QCOMPARE(host.heard.paths.size(), std::size_t{1});
         QVERIFY(!stranger.hasPendingDatagrams());
@@ -125,17 +126,17 @@ private Q_SLOTS:
     void replayedDatagramsChangeNothing()
     {
         TestHost host;
-        lab::LossyRelay relay{host.port(), {}, 1};
+        LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
         client.send("once");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
         const auto captured = relay.toHost(); // from the first hello on
         for (int i = 0; i < 2; ++i)
             for (const auto& passed : captured)
                 relay.replay(passed);
         client.send("again");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{2}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{2}, kHandshakeMs);
         QVERIFY(host.heard.received[1] == textBytes("again"));
         QVERIFY(host.heard.ended.empty());
         QCOMPARE(host.heard.paths.size(), std::size_t{1});
@@ -147,34 +148,34 @@ private Q_SLOTS:
         TestHost host;
         std::optional<RawClient> client;
         client.emplace(host.port(), kNewTrainee, host.keys.at(Role::Trainee));
-        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kHandshakeMs);
         const std::uint16_t port = client->port();
         client.reset(); // without a word
         const LocalTime begin = monotonicNow();
         client.emplace(host.port(), kNewTrainee, host.keys.at(Role::Trainee), port);
-        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kHandshakeMs);
         QVERIFY(monotonicNow() - begin < 1s);
         QCOMPARE(client->port(), port);
         QCOMPARE(host.transport->paths(), std::size_t{1});
         QVERIFY(host.heard.ended == std::vector<PeerAddress>{1});
         QVERIFY(host.heard.paths.contains(2));
         client->send("back");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
     }
 
     void pathIsReplacedOnlyByOneThatIsProved()
     {
         TestHost host;
-        lab::LossyRelay relay{host.port(), {}, 1};
+        LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
         // A stranger at the same address and port, as the host sees it, with another key.
         const std::uint16_t clientPort = relay.toHost().back().clientPort;
         QUdpSocket catcher;
         QVERIFY(catcher.bind(kLoopback, 0));
         relay.replay({clientPort, firstHelloOf(catcher)});
         client.send("still here");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
         QVERIFY(host.heard.ended.empty());
     }
 
@@ -182,7 +183,7 @@ private Q_SLOTS:
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{1}, kHandshakeMs);
         const LocalTime now = monotonicNow();
         host.transport->serve(host.heard, now + HostTransport::kPathTimeout - 1s);
         QCOMPARE(host.transport->paths(), std::size_t{1});

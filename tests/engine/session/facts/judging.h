@@ -6,7 +6,6 @@
 #include <QMetaType>
 #include <map>
 
-Q_DECLARE_METATYPE(carina::FactBody)
 
 namespace carina::test
 {

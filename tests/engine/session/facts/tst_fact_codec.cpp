@@ -31,7 +31,6 @@ private Q_SLOTS:
 
 } // namespace carina::fact_codec_test
 
-Q_DECLARE_METATYPE(carina::FactBody)
 
 namespace carina::fact_codec_test
 {

@@ -21,7 +21,6 @@ private Q_SLOTS:
 
 } // namespace carina::fact_rules_test
 
-Q_DECLARE_METATYPE(carina::FactBody)
 
 namespace carina::fact_rules_test
 {

@@ -27,7 +27,6 @@ private Q_SLOTS:
 
 } // namespace carina::checkpoint_rules_test
 
-Q_DECLARE_METATYPE(carina::Spoil)
 
 namespace carina::checkpoint_rules_test
 {

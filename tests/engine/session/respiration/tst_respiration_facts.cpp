@@ -29,7 +29,6 @@ private Q_SLOTS:
 
 } // namespace carina::respiration_facts_test
 
-Q_DECLARE_METATYPE(carina::FactBody)
 
 namespace carina::respiration_facts_test
 {

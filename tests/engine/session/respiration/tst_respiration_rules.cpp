@@ -25,7 +25,6 @@ private Q_SLOTS:
 
 } // namespace carina::respiration_rules_test
 
-Q_DECLARE_METATYPE(carina::FactBody)
 
 namespace carina::respiration_rules_test
 {

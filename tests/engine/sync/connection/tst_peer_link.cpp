@@ -1,6 +1,5 @@
 #include "engine/sync/connection/peer_link.h"
 #include "engine/sync/wire/datagram_codec.h"
-#include "engine/sync/wire/datagram_packer.h"
 #include "tests/support/test_class.h"
 
 namespace carina::peer_link_test

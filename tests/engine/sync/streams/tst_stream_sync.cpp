@@ -1,5 +1,4 @@
 #include "engine/sync/wire/datagram_codec.h"
-#include "engine/sync/wire/datagram_packer.h"
 #include "tests/engine/sync/connection/session_world.h"
 #include "tests/support/test_class.h"
 

@@ -1,6 +1,5 @@
 #include "engine/geometry/rotation.h"
 #include "engine/sync/wire/datagram_codec.h"
-#include "engine/sync/wire/datagram_packer.h"
 #include "tests/support/test_class.h"
 
 namespace carina::codec_edges_test

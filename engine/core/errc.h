@@ -17,60 +17,60 @@ enum class Errc : std::uint8_t {
     NoAirway,          ///< an anatomy without an airway that a tube fits into
 
     // Registration
-    TooFewLandmarks,     ///< fewer than a fit needs
-    DegenerateLandmarks, ///< at one place, on one line, or otherwise without one best fit
-    TooFewPoses,         ///< fewer poses of a stylus, or fewer that agree, than a calibration needs
-    NotEnoughMotion,     ///< the stylus was turned too little to know its tip
-    NotEnoughSpin,       ///< a tool was spun too little to know its axis
-    ToolMoved,           ///< a tip or an axis that had to stand still did not
-    TooFewPoints,        ///< fewer of a swabbed surface than a refinement needs
-    NoSurfaceFit,        ///< a swab that a surface does not fit
+    TooFewLandmarks,     ///< fewer landmarks than a fit needs
+    DegenerateLandmarks, ///< coincident, collinear, or without a unique best fit
+    TooFewPoses,         ///< fewer poses of a stylus than a calibration needs
+    NotEnoughMotion,     ///< the stylus was turned too little to determine its tip
+    NotEnoughSpin,       ///< a tool was spun too little to determine its axis
+    ToolMoved,           ///< the tip or axis moved during its calibration
+    TooFewPoints,        ///< fewer swabbed points than a surface refinement needs
+    NoSurfaceFit,        ///< the swabbed points do not fit the surface
     NotRegistered,       ///< a site whose anatomy was not yet fitted to its manikin
     OtherPatient,        ///< a site that was registered for another patient
     SiteInUse,           ///< another program works on the same site
 
     // Files
     FileNotFound,      ///< no such file or folder
-    FileUnreadable,    ///< it is there and cannot be read
-    FileEmpty,         ///< it holds nothing
+    FileUnreadable,    ///< it exists but cannot be read
+    FileEmpty,         ///< it has no content
     FileMalformed,     ///< it is truncated or does not follow its format
     FileUnwritable,    ///< it cannot be written
     UnknownFormat,     ///< no reader for this kind of file
-    NothingRecognised, ///< a folder without one usable part
-    Cancelled,         ///< stopped by whoever asked for it
+    NothingRecognised, ///< a folder without any usable part
+    Cancelled,         ///< stopped on request
 
     // Command line and forms
     WrongOption,  ///< an option that cannot be used as it was given
-    WrongAddress, ///< a text that is no address of a computer
+    WrongAddress, ///< a text that is not the address of a computer
 
     // Network and session
     PacketMalformed, ///< bytes that are not a Carina datagram
     VersionMismatch, ///< the peer speaks another version of the protocol
     AddressInUse,    ///< the port is taken
     StoreFailed,     ///< the fact log could not be written
-    StoreCorrupt,    ///< the fact log could not be read back whole
+    StoreCorrupt,    ///< the fact log could not be read completely
     NotPermitted,    ///< the role may not do this
     SessionEnded,    ///< the session takes no more changes
-    NameTaken,       ///< somebody with the same name and role is in the session now
-    WrongCode,       ///< no join code of this session and role
-    WrongLink,       ///< a text that is no link into a session
-    NotEnoughMemory, ///< too little to derive a key from a join code
-    OwnerChanged,    ///< the object has passed to somebody else meanwhile
-    SetNotNamed,     ///< no station of the session has the patient that was asked for
-    SetWithdrawn,    ///< the host has not got the patient's surfaces any more
+    NameTaken,       ///< a participant with this name and role is in the session
+    WrongCode,       ///< not a join code of this session and role
+    WrongLink,       ///< a text that is not a link to a session
+    NotEnoughMemory, ///< too little memory to derive a key from a join code
+    OwnerChanged,    ///< the object has another owner in the meantime
+    SetNotNamed,     ///< no station of the session has the requested patient
+    SetWithdrawn,    ///< the host no longer has the patient's surfaces
     HostSilent,      ///< the host does not answer over TCP
 
     // Certificates
-    CertificateExpired,   ///< not valid today, or not yet
-    CertificateUntrusted, ///< from no authority that is trusted
-    CertificateOfAnother, ///< for another name than the one expected
-    CertificateMissing,   ///< expected of a host that has none
-    CertificateNeeded,    ///< the host has one, and none was expected
-    KeyDoesNotFit,        ///< a private key that is not the certificate's
+    CertificateExpired,   ///< expired, or not yet valid
+    CertificateUntrusted, ///< not issued by a trusted authority
+    CertificateOfAnother, ///< issued for another name than the expected one
+    CertificateMissing,   ///< expected, but the host has none
+    CertificateNeeded,    ///< not expected, but the host has one
+    KeyDoesNotFit,        ///< a private key that does not belong to the certificate
 
     // Devices and graphics
     TrackerFailed, ///< the tracker could not be started
-    NoGraphics,    ///< no OpenGL where a picture is needed
+    NoGraphics,    ///< no OpenGL to draw a picture with
 };
 
 } // namespace carina

@@ -7,7 +7,7 @@
 namespace carina
 {
 
-/// A number that names one kind of thing and cannot be mistaken for another kind.
+/// A number that identifies a thing of one kind. Ids of different kinds are different types.
 template <class Tag, class Number> struct Id {
     Number value{};
 
@@ -18,14 +18,15 @@ template <class Tag, class Number> struct Id {
 using StationId = Id<struct StationTag, std::uint16_t>;
 /// One running program that takes part in a session. 0 is the session host.
 using ParticipantId = Id<struct ParticipantTag, std::uint16_t>;
-/// Stands for a program that the session host has not admitted yet.
+/// The id of a program that the session host has not admitted yet.
 inline constexpr ParticipantId kNobody{0xFFFF};
 /// One shared object (a tube, a head, a jaw), unique within the session.
 using ObjectId = Id<struct ObjectTag, std::uint16_t>;
 /// Position of a fact in the session's log, from 1 without gaps.
 using FactNumber = Id<struct FactTag, std::uint64_t>;
-/// Names one proposal of a fact, drawn at random by whoever proposes it, so that a proposal that is
-/// repeated until acknowledged, across crashes of either side, enters the log once.
+/// Identifies one proposal of a fact; drawn at random by the proposer. A proposal is repeated until
+/// it is acknowledged, also after a crash of either side, and with this id enters the log only
+/// once.
 using ProposalId = Id<struct ProposalTag, std::uint64_t>;
 
 } // namespace carina

@@ -5,17 +5,18 @@
 namespace carina
 {
 
-/// The one reading of time in a Carina process: CLOCK_MONOTONIC, shifted for tests by what
-/// CARINA_CLOCK_OFFSET_MS and CARINA_CLOCK_PPM say (see ClockShift), so that several processes of
-/// one machine have clocks as different as those of several machines.
+/// The current time of this process's clock, the only clock that a Carina process reads:
+/// CLOCK_MONOTONIC, shifted for tests by the environment variables CARINA_CLOCK_OFFSET_MS and
+/// CARINA_CLOCK_PPM (see ClockShift). With these, processes on one machine can have clocks that
+/// differ like those of several machines.
 ///
-/// Everything deterministic is handed a time instead of calling this.
+/// Deterministic code takes the time as an argument instead of calling this.
 ///
-/// @pre the two variables, where they are set, are numbers as clockShiftFrom wants them.
+/// @pre the two variables, where they are set, are valid for clockShiftFrom.
 [[nodiscard]] LocalTime monotonicNow();
 
-/// The machine's CLOCK_MONOTONIC at a time of this process's clock: what a log says that is
-/// compared with those of other processes.
+/// Converts a time of this process's clock to the machine's CLOCK_MONOTONIC without the shift, for
+/// logs that are compared with those of other processes.
 [[nodiscard]] LocalTime machineTime(LocalTime t);
 
 } // namespace carina

@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// A recoverable failure: what kind, and the particulars (which file, which value) for the person
-/// who has to mend it. The sentence shown to a person is made in models/error_text.
+/// A recoverable failure: its kind, and a detail (which file, which value) for the person who
+/// corrects it. The sentence shown to the user is made in models/error_text.
 struct Error {
     Errc code;
     std::string detail;
@@ -18,8 +18,8 @@ struct Error {
     friend bool operator==(const Error&, const Error&) = default;
 };
 
-/// A value, or the reason why there is none. Input, files, network, devices and geometry fail this
-/// way; a programmer's error fails through CARINA_EXPECTS.
+/// A value, or the reason why there is none. For failures of input, files, network, devices and
+/// geometry; programming errors are caught by CARINA_EXPECTS.
 template <class T> using Result = tl::expected<T, Error>;
 
 /// `return fail(Errc::FileEmpty, path);`

@@ -9,7 +9,7 @@ namespace carina
 
 using Duration = std::chrono::nanoseconds;
 
-/// The clock all sites of a session share; its readings come from engine/net, never from here.
+/// The clock that all sites of a session share. Only engine/net reads it.
 struct SessionClock {
     using rep = Duration::rep;
     using period = Duration::period;
@@ -27,16 +27,16 @@ struct LocalClock {
     static constexpr bool is_steady = true;
 };
 
-/// Nanoseconds on the session clock. Never a bare number, never mixed with LocalTime.
+/// Nanoseconds on the session clock. A type of its own: it cannot be mixed with LocalTime.
 using SessionTime = SessionClock::time_point;
 /// Nanoseconds on this machine's CLOCK_MONOTONIC.
 using LocalTime = LocalClock::time_point;
 
-/// Seconds as a number, for arithmetic with velocities and rates.
+/// A duration in seconds, for arithmetic with velocities and rates.
 constexpr double toSeconds(Duration d) { return std::chrono::duration<double>(d).count(); }
 
-/// The nearest whole nanosecond.
-/// @pre seconds is finite and below 292 years.
+/// A duration of so many seconds, rounded to a nanosecond.
+/// @pre seconds is finite and its absolute value is below 292 years.
 inline Duration fromSeconds(double seconds) { return Duration{std::llround(seconds * 1e9)}; }
 
 } // namespace carina

@@ -6,8 +6,8 @@
 namespace carina
 {
 
-/// A scalar with a dimension, held in its SI unit. Made from and read as a named unit, so that a
-/// conversion is written once, here.
+/// A scalar with a dimension, stored in its SI unit. It is constructed from and read in a named
+/// unit, so that each unit conversion is written once, here.
 template <class Dimension> struct Quantity {
     double si = 0.0;
 
@@ -23,7 +23,7 @@ using Length = Quantity<struct LengthDimension>;         ///< metres
 using Angle = Quantity<struct AngleDimension>;           ///< radians
 using Volume = Quantity<struct VolumeDimension>;         ///< cubic metres
 using Frequency = Quantity<struct FrequencyDimension>;   ///< per second
-using Pressure = Quantity<struct PressureDimension>;     ///< pascals, above that of the room
+using Pressure = Quantity<struct PressureDimension>;     ///< gauge pressure: pascals above ambient
 using VolumeFlow = Quantity<struct VolumeFlowDimension>; ///< cubic metres per second
 using Compliance = Quantity<struct ComplianceDimension>; ///< cubic metres per pascal
 using Conductance =
@@ -48,7 +48,7 @@ constexpr Frequency hertz(double hz) { return {hz}; }
 constexpr Frequency perMinute(double perMin) { return {perMin / 60.0}; }
 constexpr double inPerMinute(Frequency f) { return f.si * 60.0; }
 
-inline constexpr double kPascalsPerCmH2O = 98.0665; ///< the conventional value
+inline constexpr double kPascalsPerCmH2O = 98.0665; ///< the conventional centimetre of water
 
 constexpr Pressure cmH2O(double p) { return {p * kPascalsPerCmH2O}; }
 constexpr double inCmH2O(Pressure p) { return p.si / kPascalsPerCmH2O; }
@@ -61,7 +61,7 @@ constexpr double inLitresPerSecond(VolumeFlow q) { return q.si * 1e3; }
 constexpr Compliance litresPerCmH2O(double c) { return {c * 1e-3 / kPascalsPerCmH2O}; }
 constexpr double inLitresPerCmH2O(Compliance c) { return c.si * 1e3 * kPascalsPerCmH2O; }
 
-/// The usual unit of airways, cmH2O s/L.
+/// The usual unit of airway resistance, cmH2O s/L.
 constexpr Resistance cmH2OSecondsPerLitre(double r) { return {r * 1e3 * kPascalsPerCmH2O}; }
 constexpr double inCmH2OSecondsPerLitre(Resistance r) { return r.si * 1e-3 / kPascalsPerCmH2O; }
 

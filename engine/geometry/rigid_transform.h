@@ -24,10 +24,9 @@ public:
 
     /// From a homogeneous matrix, as trackers and files give it.
     ///
-    /// @returns NotFinite for NaN or inf; NotARotation when the upper left 3x3 block is further
-    /// than
-    ///          `tolerance` (largest coefficient of R^T R - 1) from orthonormal, or mirrors, or
-    ///          when the last row is not 0 0 0 1.
+    /// @returns NotFinite for NaN or inf; NotARotation when the upper left 3x3 block R is not
+    ///          orthonormal (a coefficient of R^T R - 1 above `tolerance`) or mirrors, or when the
+    ///          last row is not 0 0 0 1.
     [[nodiscard]] static Result<RigidTransform> fromMatrix(const Mat4& m, double tolerance = 1e-3);
 
     [[nodiscard]] const Quat& rotation() const { return m_rotation; }
@@ -49,8 +48,8 @@ private:
     Vec3 m_translation = Vec3::Zero();
 };
 
-/// The pose a share s of the way from X_F0 to X_F1 (0 at X_F0, 1 at X_F1): straight line for the
-/// origin, shortest great circle for the rotation. s outside 0..1 goes on along both.
+/// The pose a share s of the way from X_F0 (s = 0) to X_F1 (s = 1): linear for the origin, shortest
+/// great circle (slerp) for the rotation. s outside 0..1 extrapolates both.
 [[nodiscard]] RigidTransform interpolate(const RigidTransform& X_F0, const RigidTransform& X_F1,
                                          double s);
 

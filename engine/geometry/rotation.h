@@ -10,14 +10,14 @@ namespace carina
 /// digits, and never above pi although q and -q are the same rotation.
 [[nodiscard]] Angle angleOf(const Quat& q);
 
-/// Angle of q_s q_c^-1: how far two sites' views of one object are turned against each other.
+/// Angle of q_s q_c^-1: the rotation between two sites' orientations of one object, 0 to pi.
 [[nodiscard]] Angle angleBetween(const Quat& q_s, const Quat& q_c);
 
-/// The one of q and -q that has w >= 0, at unit length.
+/// The same rotation as a unit quaternion with w >= 0: q or -q, normalised.
 /// @pre q is finite and not zero.
 [[nodiscard]] Quat canonical(const Quat& q);
 
-/// Axis times angle (radians, shortest way) of a unit quaternion.
+/// Axis times angle of a unit quaternion: radians, of length 0 to pi.
 [[nodiscard]] Vec3 rotationVector(const Quat& q);
 
 /// The rotation by |v| radians about v; the inverse of rotationVector for |v| <= pi.

@@ -6,49 +6,52 @@
 namespace carina
 {
 
-/// Where a point goes, and how that changes from place to place.
+/// The displacement of a point, and its spatial derivative.
 struct FieldDisplacement {
     Vec3 d_A;      ///< metres
     Mat3 gradient; ///< element (i, j) is the derivative of d_i along axis j of A
 };
 
-/// What moves one region of the chest: how far each term of the field goes, in shares of the chest.
+/// The motion of one region of the chest: the coefficient of each term of the field, in shares of
+/// the chest's size.
 using ChestMotion = ChestCoefficients<double>;
 
-/// How a chest moves as it breathes: one smooth field over the whole of it, in closed form
+/// The breathing motion of a chest: one smooth displacement field in closed form
 ///
 ///     x = x0 + sum_k c_k d_k(x0)
 ///
-/// so that whatever lies in it (lungs, bronchi, ribs, diaphragm) moves by the same function, told
-/// apart only by the coefficients c of its region. chest_formula.h has the terms d_k. Continuous
-/// with its gradient everywhere. Without shrinking and shifting, nothing moves on the line between
-/// the hila, where the airway enters the lungs.
+/// All parts of the chest (lungs, bronchi, ribs, diaphragm) move by the same function; only the
+/// coefficients c_k differ between regions. chest_formula.h has the terms d_k, docs/deformation.md
+/// describes them. The field and its gradient are continuous everywhere. Unless the terms
+/// `shrink` and `shift` are used, points on the curve between the hila, where the airway enters the
+/// lungs, do not move.
 ///
-/// Frame A of the anatomy; metres.
+/// Positions in the anatomy frame A, metres.
 class ChestField
 {
 public:
-    /// Of a chest that reaches one metre from the origin: for scenes in which nothing breathes.
+    /// A chest that reaches one metre from the origin: for scenes in which nothing breathes.
     ChestField() : ChestField{unitChest(), {-0.3, 0.0, 0.0}, {0.3, 0.0, 0.0}} {}
 
     /// @param lungs_A    the box around both lungs at rest
-    /// @param p_A_right  where the airway enters the right lung; p_A_left likewise. Where they are
-    ///                   not on their sides of the box's middle, or not apart, they are moved to
-    ///                   kLeastHilum from it.
-    /// @param frontShare how far the diaphragm descends in front, of how far at the back
+    /// @param p_A_right  the right hilum, where the airway enters the right lung; p_A_left the left
+    ///                   one. A hilum that is not at least kLeastHilum from the middle of the box
+    ///                   on its own side is moved there along x.
+    /// @param frontShare descent of the diaphragm in front, relative to that at the back
     /// @pre the box has a size along every axis.
     ChestField(const Box& lungs_A, const Vec3& p_A_right, const Vec3& p_A_left,
                double frontShare = kFrontShare);
 
+    /// The displacement at p_A.
     [[nodiscard]] FieldDisplacement at(const Vec3& p_A, const ChestMotion& motion) const;
 
     [[nodiscard]] const ChestFrame<double>& frame() const { return m_frame; }
-    /// u, v and h of a point.
+    /// The coordinates u, v and h of a point (see Shares).
     [[nodiscard]] Vec3 shares(const Vec3& p_A) const;
 
     /// Fitted to the landmarks of five people breathing (docs/deformation.md).
     static constexpr double kFrontShare = 0.11;
-    /// Of half the chest's width.
+    /// As a share of half the chest's width.
     static constexpr double kLeastHilum = 0.25;
 
 private:
@@ -57,15 +60,17 @@ private:
     ChestFrame<double> m_frame;
 };
 
-/// The same numbers in single precision, as graphics cards and deformed() use them.
+/// The same values in single precision, as graphics cards and deformed() use them.
 [[nodiscard]] ChestFrame<float> inSingle(const ChestFrame<double>& frame);
 [[nodiscard]] ChestCoefficients<float> inSingle(const ChestMotion& motion);
 
-/// The mesh where the motion takes it, with its exact normals, in single precision as the vertex
-/// shader resources/shaders/organ.vert does it. A normal goes with the cofactor of the deformation
-/// gradient J = I + grad d; in shares of the chest, with the scale L = diag(perMetre),
+/// The deformed mesh with its exact normals, in single precision: the reference for the vertex
+/// shader resources/shaders/organ.vert. Normals transform with the cofactor matrix of the
+/// deformation gradient J = I + grad d; in shares of the chest, with the scale L = diag(perMetre),
 ///
 ///     n ~ L cof(I + grad f) L^-1 n0
+///
+/// @pre the mesh has normals.
 [[nodiscard]] TriangleMesh deformed(const TriangleMesh& mesh_A, const ChestField& field,
                                     const ChestMotion& motion);
 

@@ -5,11 +5,11 @@
 namespace carina
 {
 
-/// The closed form behind ChestField, for any number type: double where it is worked out, float
-/// where vertices are moved, intervals where it is proved. resources/shaders/organ.vert has it a
-/// second time, for the graphics card.
+/// The closed form behind ChestField, for any number type: double for computing amplitudes, float
+/// for moving vertices, intervals for proofs. resources/shaders/organ.vert is a second
+/// implementation, for the graphics card.
 
-/// A place or a displacement in shares of the chest, or a derivative along them.
+/// A position or a displacement in shares of the chest's size, or a derivative along these axes.
 template <class T> struct Shares {
     T u; ///< -1 at the right wall, 0 in the middle, 1 at the left wall
     T v; ///< 0 in front, 1 at the back
@@ -26,37 +26,36 @@ template <class T> struct Shares {
     friend Shares operator*(const T& k, const Shares& a) { return {k * a.u, k * a.v, k * a.h}; }
 };
 
-/// What the formula is told of a chest.
+/// The parameters of one chest.
 template <class T> struct ChestFrame {
     Shares<T> origin{};     ///< u = v = h = 0, in A along x, y and z, metres
     Shares<T> perMetre{};   ///< shares per metre along x, y and z of A; the last is negative
     Shares<T> rightHilum{}; ///< u below 0
     Shares<T> leftHilum{};  ///< u above 0
-    T frontShare{};         ///< how far the diaphragm descends in front, of the back
+    T frontShare{};         ///< descent of the diaphragm in front, relative to the back
 };
 
-/// How far each term of the field goes. Each moves along one axis only, but for the last but one.
+/// The coefficient of each term of the field, and the axes along which the term moves.
 template <class T> struct ChestTerms {
-    T descent{};  ///< h: the base goes down, furthest at the back
-    T forward{};  ///< v: the front goes forward (negative)
-    T flare{};    ///< u: the front goes away from the middle
-    T lift{};     ///< h: the front goes up (negative)
-    T bulkBack{}; ///< v: the inside goes to the back
-    T bulkDown{}; ///< h: the inside goes down
-    T shrink{};   ///< everything goes towards the hilum
-    T shift{};    ///< u: what lies between the lungs goes to the left
+    T descent{};  ///< h: the base moves down, most at the back; and u: outward with it
+    T forward{};  ///< v: the ribs move forward (negative)
+    T flare{};    ///< u: the ribs move away from the middle
+    T lift{};     ///< h: the ribs move up (negative)
+    T bulkBack{}; ///< v: the interior moves backward
+    T bulkDown{}; ///< h: the interior moves down
+    T shrink{};   ///< u, v and h: everything moves towards the hilum
+    T shift{};    ///< u: the mediastinum moves to the left
 
     friend bool operator==(const ChestTerms&, const ChestTerms&) = default;
 };
 
-/// The terms of what belongs to the right and to the left lung. In between, the two go over into
-/// each other from one hilum to the other.
+/// The coefficients of the right and of the left side, with a smooth transition between the hila.
 template <class T> struct ChestCoefficients {
     ChestTerms<T> right;
     ChestTerms<T> left;
 };
 
-/// A displacement, and the derivatives of each of its components.
+/// A displacement, and the gradient of each of its components.
 template <class T> struct ChestValue {
     Shares<T> f;
     Shares<T> slope_u; ///< of f.u along u, v and h
@@ -67,15 +66,15 @@ template <class T> struct ChestValue {
 namespace formula
 {
 
-/// 1 / radius^2 of what hardly moves around a hilum, in shares.
+/// 1 / radius^2 of the region around a hilum that hardly moves, in shares.
 inline constexpr Shares<double> kStiffness{16.0, 6.25, 16.0};
-/// How far in front of the chest and behind it the diaphragm still descends unevenly, in shares.
+/// How far the front-to-back ramp of the descent extends beyond front and back, in shares.
 inline constexpr double kBeyond = 0.2;
-/// How much less of the descent the middle has, where the heart lies on the diaphragm.
+/// Reduction of the descent in the middle, where the heart lies on the diaphragm.
 inline constexpr double kTendon = 0.3;
-/// How far what descends goes outward with it, as the chest is wider below.
+/// Outward motion per descent, as the chest is wider below.
 inline constexpr double kSpread = 0.28;
-/// Where the ribs' motion begins to fade towards the back, and where it has.
+/// The v at which the ribs' motion begins to decrease towards the back, and that at which it is 0.
 inline constexpr double kRibsFade = 0.3;
 inline constexpr double kRibsEnd = 1.0;
 
@@ -91,14 +90,14 @@ template <class T> T clamped(const T& x)
     return min(max(x, T(0)), T(1));
 }
 
-/// t^2 (3 - 2 t), held outside 0 .. 1.
+/// t^2 (3 - 2 t) with t = x clamped to 0 .. 1.
 template <class T> Smooth<T> step(const T& x)
 {
     const T t = clamped(x);
     return {t * t * (T(3) - T(2) * t), T(6) * t * (T(1) - t)};
 }
 
-/// (4 t (1 - t))^2, nothing outside 0 .. 1.
+/// (4 t (1 - t))^2 within 0 .. 1, and 0 outside.
 template <class T> Smooth<T> bulge(const T& x)
 {
     const T t = clamped(x);
@@ -106,14 +105,14 @@ template <class T> Smooth<T> bulge(const T& x)
     return {b * b, T(8) * b * (T(1) - T(2) * t)};
 }
 
-/// What is left of the descent, along u.
+/// The factor of the descent along u: 1 - kTendon max(1 - u^2, 0)^2.
 template <class T> Smooth<T> besideTheTendon(const T& u)
 {
     const T inside = clamped<T>(T(1) - u * u);
     return {T(1) - T(kTendon) * inside * inside, T(4.0 * kTendon) * u * inside};
 }
 
-/// A function of v and h.
+/// The value of a function of v and h, and its derivatives along both.
 template <class T> struct Profile {
     T value;
     T v;
@@ -135,11 +134,11 @@ template <class T> Profile<T> product(const Smooth<T>& along_v, const Smooth<T>&
             along_v.value * along_h.slope};
 }
 
-/// Where a place lies to the curve that joins the hila.
+/// A point relative to the curve that joins the hila.
 template <class T> struct Anchor {
-    Smooth<T> left;       ///< 0 from the right hilum on, 1 from the left one on; slope along u
+    Smooth<T> left;       ///< 0 at the right hilum and beyond, 1 at the left one; slope along u
     Shares<T> offset;     ///< from the curve
-    Shares<T> curveSlope; ///< of the curve, along u
+    Shares<T> curveSlope; ///< slope of the curve along u
     T away;               ///< 1 - 1 / (1 + rho)^2: 0 on the curve, 1 far from it
     Shares<T> slope;      ///< of away
 };
@@ -170,7 +169,7 @@ template <class T, class S>
     return a;
 }
 
-/// The terms at a place between the lungs, and how they change along u.
+/// The coefficients at a point between the lungs, and their slopes along u.
 template <bool kBothSides, class T, class S>
 [[gnu::always_inline]] inline void mix(const ChestCoefficients<S>& terms, const Smooth<T>& left,
                                        ChestTerms<T>& c, ChestTerms<T>& slope)
@@ -193,7 +192,7 @@ template <bool kBothSides, class T, class S>
     one(&ChestTerms<S>::shift, &ChestTerms<T>::shift);
 }
 
-/// a * f for a function `a` of place and f = (value, its slopes).
+/// The gradient of the product away * f, where f_u is the slope of f along u.
 template <class T>
 [[gnu::always_inline]] inline Shares<T> slopeOfProduct(const Anchor<T>& a, const Profile<T>& f,
                                                        const T& f_u)
@@ -202,7 +201,7 @@ template <class T>
             a.slope.h * f.value + a.away * f.h};
 }
 
-/// The terms that are anchored at the hila.
+/// The terms that are 0 on the curve between the hila.
 template <bool kBothSides, class T>
 [[gnu::always_inline]] inline ChestValue<T> anchored(const Anchor<T>& a, const T& frontShare,
                                                      const ChestTerms<T>& c,
@@ -242,7 +241,7 @@ template <bool kBothSides, class T>
             slopeOfProduct(a, down, down_u)};
 }
 
-/// Adds the shift of what lies between the lungs, the less the nearer to the apex.
+/// Adds the shift of the mediastinum, which decreases to 0 towards the apex.
 template <class T>
 [[gnu::always_inline]] inline void addShift(const T& c, const T& slope, const Shares<T>& q,
                                             ChestValue<T>& sum)
@@ -255,7 +254,7 @@ template <class T>
     sum.slope_u.h = sum.slope_u.h + T(2) * c * inside2 * upper.slope;
 }
 
-/// Adds what shrinks everything towards the hila.
+/// Adds the contraction towards the curve between the hila.
 template <class T>
 [[gnu::always_inline]] inline void addShrink(const T& c, const T& slope, const Anchor<T>& a,
                                              ChestValue<T>& sum)
@@ -271,9 +270,9 @@ template <class T>
 
 } // namespace formula
 
-/// The displacement at a place.
-/// @tparam kBothSides false where `right` and `left` are the same: fewer operations, same result
-/// @tparam kAll false where nothing shrinks or shifts, likewise
+/// The displacement at a point q and its gradient, in shares.
+/// @tparam kBothSides false where `right` and `left` are equal: fewer operations, same result
+/// @tparam kAll       false where `shrink` and `shift` are 0: likewise
 template <bool kBothSides = true, bool kAll = true, class T, class S>
 [[gnu::always_inline]] inline ChestValue<T>
 chestValue(const ChestFrame<S>& frame, const ChestCoefficients<S>& terms, const Shares<T>& q)

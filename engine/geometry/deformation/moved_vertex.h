@@ -7,15 +7,17 @@
 namespace carina
 {
 
-/// Where a vertex of a surface goes, and its normal there; both along x, y and z of A.
+/// The deformed position of a vertex, metres, and its unit normal there; components along x, y, z
+/// of A.
 template <class T> struct MovedVertex {
     Shares<T> position;
     Shares<T> normal;
 };
 
-/// Moves one vertex: what deformed() and deformColumns() do to each. See deformed() for the
-/// formula.
-/// @param metrePer 1 / frame.perMetre
+/// Moves one vertex, as used by deformed() and deformColumns(). See deformed() for the formula.
+/// @param metrePer 1 / frame.perMetre, component by component
+/// @param p        the vertex at rest, in A, metres
+/// @param n        its normal at rest
 template <bool kBothSides = true, bool kAll = true, class T>
 [[gnu::always_inline]] inline MovedVertex<T>
 movedVertex(const ChestFrame<T>& frame, const ChestCoefficients<T>& terms,

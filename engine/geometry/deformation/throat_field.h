@@ -7,41 +7,42 @@
 namespace carina
 {
 
-/// How what lies between the lower jaw and the carina follows the jaw: tongue, floor of the mouth,
-/// hyoid, epiglottis, larynx, pharynx, and the trachea, which stretches. A closed form of the
-/// place:
+/// How the tissue between the lower jaw and the carina follows the jaw: tongue, floor of the mouth,
+/// hyoid, epiglottis, larynx, pharynx, and the trachea, which stretches. A point p moves to
 ///
 ///     x = p + S(p) (X_AJ a - a) + S(p)^2 (R_AJ - I) (p - a)
 ///
-/// with X_AJ the pose of the mandible from where the surfaces have it, and a share S that
-/// is 0 at the carina and below it and 1 where the part is fixed to the jaw: there x = X_AJ p. What
-/// hangs from the jaw goes by its share of what the place a goes, behind the lower incisors, and
-/// turns about it by less. S is a product of three smooth steps (throat_formula.h): along the
-/// trachea, from the back to the front, and below the roof of the mouth. It is continuous with its
-/// slope, and so are positions and normals.
+/// where X_AJ is the motion of the mandible from its pose in the surfaces, a an anchor point behind
+/// the incisors, and S the share by which p follows: 0 at the carina and below, 1 where the tissue
+/// is fixed to the jaw, so that x = X_AJ p there. In between a point takes the share S of the
+/// anchor's displacement and the share S^2 of the rotation about the anchor. S is a product of
+/// three smooth steps (throat_formula.h): along the trachea, from the back to the front, and below
+/// the roof of the mouth. S and its gradient are continuous, and so are positions and normals.
 ///
-/// What the steps were chosen for:
-/// - the trachea's lower 61 % keep their length, the rest stretches (Wong et al, Anesth Analg
-///   2008;107:989: from flexion to extension the cords go 17.4 mm away from the sternal notch, the
-///   notch -1.2 +- 7.0 mm from the carina, cords to carina 136 mm, of these 82 below the notch);
-/// - the hyoid follows half of a jaw that is brought forward (Kuna et al, Anesthesiology
-///   2008;109:605: 5.1 mm of 10.0), and goes down and back as the mouth opens (Muto and Kanazawa,
+/// The steps were chosen for these findings:
+/// - the lower 60 % of the way from the carina to the cords keep their length and the rest
+///   stretches (Wong et al, Anesth Analg 2008;107:989: from flexion to extension the distance from
+///   sternal notch to cords grows by 17.4 mm, that from carina to notch by -1.2 +- 7.0 mm; cords to
+///   carina are 136 mm, of which 82 lie below the notch);
+/// - the hyoid follows a jaw that is moved forward by half (Kuna et al, Anesthesiology
+///   2008;109:605: 5.1 mm of 10.0), and moves down and back as the mouth opens (Muto and Kanazawa,
 ///   Oral Surg 1994;77:451);
-/// - skull, palate, spine and the wall of the pharynx before it stay.
+/// - skull, palate, spine and the posterior wall of the pharynx do not move.
 ///
-/// Frame A of the anatomy; metres.
+/// Positions in the anatomy frame A, metres.
 class ThroatField
 {
 public:
-    /// Of nobody: nothing follows.
+    /// A field without motion: S is 0 everywhere.
     ThroatField() = default;
 
     /// The points are those of AirwayLandmarks. Where the glottis is within kLeast of one of the
-    /// others, nothing follows.
+    /// others, S is 0 everywhere.
     ThroatField(const Vec3& p_A_carina, const Vec3& p_A_glottis, const Vec3& p_A_incisors);
 
     /// S, from 0 to 1.
     [[nodiscard]] double share(const Vec3& p_A, ThroatTissue tissue) const;
+    /// The displacement at p_A.
     [[nodiscard]] FieldDisplacement at(const Vec3& p_A, const RigidTransform& X_AJ,
                                        ThroatTissue tissue) const;
 
@@ -53,21 +54,22 @@ private:
     ThroatFrame<double> m_frame;
 };
 
-/// A throat, and where the mandible is.
+/// A throat, and the pose of its mandible.
 struct FollowingThroat {
     ThroatField field;
-    RigidTransform X_AJ; ///< from where the surfaces have it
+    RigidTransform X_AJ; ///< motion of the mandible from its pose in the surfaces
 };
 
+/// R_AJ - I and the translation of X_AJ.
 [[nodiscard]] JawShift<double> jawShift(const RigidTransform& X_AJ);
 
-/// The same numbers in single precision, as graphics cards and deformed() use them.
+/// The same values in single precision, as graphics cards and deformed() use them.
 [[nodiscard]] ThroatFrame<float> inSingle(const ThroatFrame<double>& frame);
 [[nodiscard]] JawShift<float> inSingle(const JawShift<double>& jaw);
 
-/// The mesh where the jaw takes it, with its exact normals n ~ cof(I + grad d) n0, in single
-/// precision as the vertex shader resources/shaders/organ.vert does it after breathing. With the
-/// mandible where the surfaces have it, the mesh as it is.
+/// The deformed mesh with its exact normals n ~ cof(I + grad d) n0, in single precision: the
+/// reference for the vertex shader resources/shaders/organ.vert, which applies it after breathing.
+/// Unchanged where X_AJ is the identity.
 [[nodiscard]] TriangleMesh deformed(const TriangleMesh& mesh_A, const FollowingThroat& throat,
                                     ThroatTissue tissue);
 

@@ -8,40 +8,41 @@
 namespace carina
 {
 
-/// The closed form behind ThroatField, for double and float. resources/shaders/organ.vert has it a
-/// second time, for the graphics card.
+/// The closed form behind ThroatField, for double and float. resources/shaders/organ.vert is a
+/// second implementation, for the graphics card.
 
-/// How a soft part hangs between the lower jaw and what stands still.
+/// Kinds of soft tissue, by how they are attached to the lower jaw and to parts that do not move.
 enum class ThroatTissue : std::uint8_t {
     Airway,  ///< tongue, epiglottis, larynx, trachea and the muscles around them
-    Pharynx, ///< what lies on the spine behind and hangs from the skull above
+    Pharynx, ///< attached to the spine behind and to the skull above
 };
 
 template <class T> using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T> using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
-/// What the formula is told of a throat. With nothing but zeros, nothing follows.
+/// The parameters of one throat, in A, metres. With all zeros nothing follows the jaw.
 template <class T> struct ThroatFrame {
-    Vector3<T> up = Vector3<T>::Zero(); ///< the stretch along the trachea at p: dot(up, p) + upFrom
+    Vector3<T> up = Vector3<T>::Zero(); ///< the step along the trachea is of dot(up, p) + upFrom
     T upFrom{};
     Vector3<T> incisors = Vector3<T>::Zero();
     T perLength{};                          ///< 1 / (incisors to glottis)
-    Vector3<T> anchor = Vector3<T>::Zero(); ///< what hangs from the jaw goes where this goes
+    Vector3<T> anchor = Vector3<T>::Zero(); ///< the point a of ThroatField
 };
 
-/// Where the jaw takes a point that is fixed to it: p + turn p + shift. Zeros: the mouth is closed.
+/// The motion of a point that is fixed to the jaw: p + turn p + shift. All zeros: the jaw is in its
+/// pose in the surfaces.
 template <class T> struct JawShift {
     Matrix3<T> turn = Matrix3<T>::Zero();
     Vector3<T> shift = Vector3<T>::Zero();
 };
 
-/// How far a place follows the jaw, and how that changes from place to place.
+/// The share S by which a point follows the jaw, and its gradient.
 template <class T> struct JawShare {
     T value;
     Vector3<T> slope;
 };
 
-/// A displacement, and its derivatives along the axes.
+/// A displacement, metres, and its gradient.
 template <class T> struct JawPull {
     Vector3<T> d;
     Matrix3<T> gradient;
@@ -50,21 +51,20 @@ template <class T> struct JawPull {
 namespace formula
 {
 
-/// Where along the trachea's line, 0 at the carina and 1 at the glottis, the stretch begins, and
-/// where it ends.
+/// Where the step along the trachea begins and ends; 0 is at the carina and 1 at the glottis.
 inline constexpr double kStretchFrom = 0.6;
 inline constexpr double kStretchTo = 1.4;
-/// How far behind the incisors, in lengths from incisors to glottis, all that is high enough goes
-/// with the jaw, and the anchor lies.
+/// Distances behind the incisors, in units of incisors to glottis: up to kChin tissue moves fully
+/// with the jaw (if high enough); at kAnchor is the anchor point.
 inline constexpr double kChin = 0.07;
 inline constexpr double kAnchor = 0.21;
-/// The jaw is an arch: aside, x lengths from the middle, its soft parts go with it as they do
-/// kArch x^2 / (1 + kArchEnd x^2) lengths further in front.
+/// The jaw is an arch: tissue at x units beside the midplane follows like tissue in the midplane
+/// that lies kArch x^2 / (1 + kArchEnd x^2) units further in front.
 inline constexpr double kArch = 7.0;
 inline constexpr double kArchEnd = 12.0;
 
-/// Where a tissue begins to follow at the back, and where it ceases to on its way up; lengths
-/// behind the incisors and above them.
+/// Where S of a tissue begins at the back (units behind the incisors), and the heights above the
+/// incisors between which it decreases to 0; in units of incisors to glottis.
 struct TissueReach {
     double back;
     double roofFrom;
@@ -79,7 +79,7 @@ struct TissueReach {
 
 } // namespace formula
 
-/// How far a place follows: how high it lies, times how far in front, times how far below the roof.
+/// S at p: the product of the steps along the trachea, towards the front and below the roof.
 template <class T>
 [[nodiscard]] JawShare<T> jawShare(const ThroatFrame<T>& frame, ThroatTissue tissue,
                                    const Vector3<T>& p)
@@ -104,7 +104,7 @@ template <class T>
     return {high.value * fore.value * below, slope};
 }
 
-/// The displacement at a place.
+/// The displacement at p and its gradient (see ThroatField).
 template <class T>
 [[nodiscard]] JawPull<T> jawPull(const ThroatFrame<T>& frame, ThroatTissue tissue,
                                  const JawShift<T>& jaw, const Vector3<T>& p)

@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// One use of an edge by a triangle, which runs from the lower to the higher of its two vertices
-/// (`forward`) or back.
+/// One use of an edge by a triangle. It is `forward` where the triangle's winding runs from the
+/// edge's vertex of lower index to that of higher index.
 struct EdgeUse {
     std::uint32_t low;
     std::uint32_t high;
@@ -18,12 +18,13 @@ struct EdgeUse {
     friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
 };
 
-/// All uses, three for each triangle, those of one edge beside each other.
+/// All edge uses of a mesh, three per triangle, sorted so that those of one edge are adjacent.
 [[nodiscard]] std::vector<EdgeUse> sortedEdgeUses(const TriangleMesh& mesh);
 
 using EdgeUseIterator = std::vector<EdgeUse>::const_iterator;
 
-/// Calls visit(first, last) with the uses of each edge in turn.
+/// Calls visit(first, last) once per edge, with the range of its uses.
+/// @pre the uses are sorted (sortedEdgeUses).
 template <class Visit> void forEachEdge(const std::vector<EdgeUse>& uses, const Visit& visit)
 {
     for (auto first = uses.begin(); first != uses.end();) {
@@ -35,7 +36,7 @@ template <class Visit> void forEachEdge(const std::vector<EdgeUse>& uses, const 
     }
 }
 
-/// How many more of the uses of one edge run forward than back; 0 where a surface is closed.
+/// The uses of one edge that run forward minus those that run back; 0 where a surface is closed.
 [[nodiscard]] long excessForward(EdgeUseIterator first, EdgeUseIterator last);
 
 } // namespace carina

@@ -6,11 +6,12 @@
 namespace carina
 {
 
-/// The mesh with vertices no further apart than `tolerance` made one (the first of them stays
-/// where it is), without triangles that then have a corner twice, and without vertices that no
-/// triangle uses. Of triangles on the same three vertices one is left; two that face opposite ways
-/// are a fold of no thickness and both go, unless most of the surface is given from both sides.
-/// No normals.
+/// The mesh with vertices at most `tolerance` apart merged into one, at the position of the first
+/// of them. Removed are triangles that then have the same vertex twice, vertices that no triangle
+/// uses, and all but one of the triangles on the same three vertices. Two triangles on the same
+/// vertices that face opposite ways are a fold without thickness: both are removed, unless most of
+/// the surface is given two-sided. The result has no normals.
+/// @pre the tolerance is not negative.
 [[nodiscard]] TriangleMesh welded(const TriangleMesh& mesh, Length tolerance);
 
 } // namespace carina

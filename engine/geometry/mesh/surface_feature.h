@@ -8,18 +8,18 @@
 namespace carina
 {
 
-/// How a surface is curved at a place, per metre: 1 / r on a ball of radius r, negative in a
-/// hollow.
+/// The principal curvatures of a surface at a point, per metre: 1 / r on a ball of radius r,
+/// negative where the surface is concave.
 struct Curvature {
-    double least = 0.0; ///< of all directions along the surface
-    double most = 0.0;
-    Vec3 dir_most = Vec3::Zero(); ///< unit, in which it is curved most
+    double least = 0.0;           ///< the smaller principal curvature
+    double most = 0.0;            ///< the larger principal curvature
+    Vec3 dir_most = Vec3::Zero(); ///< unit direction of the larger
 };
 
-/// Places that a finger finds.
+/// Kinds of places that a finger can find on a bone.
 enum class SurfaceFeature : std::uint8_t {
-    Tip,   ///< curved outwards in all directions: its least curvature is greatest there
-    Ridge, ///< curved outwards across: its greatest curvature is, compared with both sides
+    Tip,   ///< a local maximum of the least curvature: convex in all directions
+    Ridge, ///< a local maximum of the largest curvature, compared across the ridge
 };
 
 struct FeaturePoint {
@@ -29,26 +29,26 @@ struct FeaturePoint {
 };
 
 struct FeatureSettings {
-    Length radius = millimetres(10.0); ///< how far from the place picked a feature may lie
-    Length scale = millimetres(3.0);   ///< of what is seen: finer bumps are smoothed over
+    Length radius = millimetres(10.0); ///< largest distance of a feature from the picked point
+    Length scale = millimetres(3.0);   ///< size of the fitted patch: finer bumps are smoothed out
 };
 
-/// Principal curvatures at a vertex: the least squares fit of
+/// The principal curvatures at a vertex, from the least squares fit of
 ///
 ///     w = f + d u + e v + (a u^2 + 2 b u v + c v^2) / 2
 ///
-/// to the vertices that edges reach within `scale`, w along the vertex's normal (Goldfeather and
-/// Interrante 2004): the eigenvalues of its quadratic part.
-/// @returns nothing where these vertices do not tell all six terms.
-/// @pre the mesh's vertices are welded; the vertex is one of it.
+/// to the vertices that edges reach within `scale`, with w along the vertex's normal (Goldfeather
+/// and Interrante 2004): the eigenvalues of the quadratic part, positive where convex.
+/// @returns nothing where these vertices do not determine all six coefficients.
+/// @pre the mesh's vertices are welded; `vertex` is an index of one of them.
 [[nodiscard]] std::optional<Curvature> curvatureAt(const TriangleMesh& mesh, std::uint32_t vertex,
                                                    Length scale);
 
-/// The vertex of extreme curvature nearest to a place that was picked. A vertex is extreme where no
-/// other within `scale` of it is curved more, for a ridge no other to its sides. Features fainter
-/// than half of the strongest within the radius are passed over, and so is what bends by less than
-/// a tenth of a radian over the scale. Of two as near the first of the mesh is taken.
-/// @returns nothing where there is none within the radius.
+/// The feature vertex nearest to a picked point p. A vertex is a feature where no other within
+/// `scale` of it has a larger curvature; for a ridge only vertices across it are compared. Ignored
+/// are features of less than half the curvature of the strongest within the radius, and of less
+/// than 0.1 rad per `scale`. Of two at the same distance the one of lower index is taken.
+/// @returns nothing where there is no feature within the radius.
 /// @pre the mesh's vertices are welded.
 [[nodiscard]] std::optional<FeaturePoint> nearestFeature(const TriangleMesh& mesh, const Vec3& p,
                                                          SurfaceFeature feature,

@@ -7,13 +7,13 @@
 namespace carina
 {
 
-/// How far along a ray a mesh is first met, in units of the direction's length; from either side of
-/// its triangles. Nothing where the ray misses it. (Moeller and Trumbore 1997.)
+/// The first intersection of a ray with a mesh, as a multiple of dir_F; triangles are hit from
+/// either side (Moeller and Trumbore 1997). Nothing where the ray misses the mesh.
 [[nodiscard]] std::optional<double> rayHit(const TriangleMesh& mesh, const Vec3& p_F_origin,
                                            const Vec3& dir_F);
 
-/// Distance of a point from the nearest point of a mesh's triangles, metres; infinity where it has
-/// none.
+/// Distance of a point from the nearest point of a mesh's triangles, metres; infinity where the
+/// mesh is empty.
 [[nodiscard]] double distanceTo(const TriangleMesh& mesh, const Vec3& p_FQ);
 
 /// Distance of a point from a box, metres; 0 inside.

@@ -10,42 +10,42 @@
 namespace carina
 {
 
-/// A point of a surface, and the unit normal of the triangle it lies on: of zero length where that
-/// has no area.
+/// A point of a surface, and the unit normal of its triangle; a zero vector where the triangle is
+/// degenerate.
 struct SurfacePoint {
     Vec3 p;
     Vec3 normal;
 };
 
-/// A surface sorted into nested boxes, for many questions about it. Holds a copy of the corners, so
-/// that the mesh may go.
+/// A bounding volume hierarchy of a surface's triangles, for many queries. It stores a copy of the
+/// triangles: the mesh need not outlive it.
 class SurfaceTree
 {
 public:
     explicit SurfaceTree(const TriangleMesh& mesh);
 
-    /// Distance of a point from the nearest point of the surface, metres; infinity where it is
-    /// empty. The same number as distanceTo(mesh, p), sooner.
+    /// Distance of a point from the nearest point of the surface, metres; infinity where the
+    /// surface is empty. The same result as distanceTo(mesh, p), but faster.
     [[nodiscard]] double distanceTo(const Vec3& p) const;
 
-    /// The nearest point of the surface; nothing where it is empty.
+    /// The nearest point of the surface; nothing where the surface is empty.
     [[nodiscard]] std::optional<SurfacePoint> nearestTo(const Vec3& p) const;
 
-    /// Pairs of triangles of which an edge of one runs through the inside of the other. Triangles
-    /// with an edge in common are no pair, and with a corner in common only the edge across from it
-    /// counts, so that a surface whose vertices are welded has none unless it meets itself.
+    /// The number of pairs of triangles of which an edge of one passes through the interior of the
+    /// other. Triangles that share an edge are not counted; of triangles that share a vertex only
+    /// the edges opposite to it are tested. So a welded surface has 0 unless it intersects itself.
     [[nodiscard]] std::size_t selfIntersections() const;
 
 private:
     struct Node {
         Box box;
-        std::size_t first = 0; ///< of its triangles
-        std::size_t last = 0;  ///< behind them
-        std::size_t left = 0;  ///< its two halves; both 0 in a leaf
+        std::size_t first = 0; ///< its first triangle
+        std::size_t last = 0;  ///< behind its last triangle
+        std::size_t left = 0;  ///< its child nodes; both 0 in a leaf
         std::size_t right = 0;
     };
 
-    /// A triangle while the tree is built.
+    /// A triangle during construction of the tree.
     struct Item {
         Box box;
         Vec3 middle;
@@ -64,8 +64,8 @@ private:
     [[nodiscard]] bool intersect(std::size_t i, std::size_t j) const;
 
     std::vector<Triangle> m_triangles; ///< in the order of the leaves
-    std::vector<Corners> m_corners;    ///< of the same
-    std::vector<Node> m_nodes;         ///< the whole surface is the last
+    std::vector<Corners> m_corners;    ///< of the same triangles
+    std::vector<Node> m_nodes;         ///< the root is the last
 };
 
 } // namespace carina

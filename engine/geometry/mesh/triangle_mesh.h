@@ -12,8 +12,9 @@ namespace carina
 /// Corner indices of one triangle, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A triangle surface as it is drawn: single-precision positions in metres in one frame, which the
-/// holder of the mesh names. Normals are unit length, outward, one per vertex, or absent.
+/// A triangle surface as it is drawn: single-precision positions in metres, in the frame that the
+/// name of the variable tells (mesh_A). Normals are of unit length and point outward, one per
+/// vertex; or there are none.
 struct TriangleMesh {
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;
@@ -22,7 +23,7 @@ struct TriangleMesh {
     [[nodiscard]] bool empty() const { return triangles.empty(); }
 };
 
-/// An axis-aligned box; `min` above `max` when it holds nothing.
+/// An axis-aligned box; empty where `min` is above `max` on any axis.
 struct Box {
     Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
     Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -42,17 +43,18 @@ struct Box {
     [[nodiscard]] Vec3 size() const { return max - min; }
 };
 
+/// The smallest box around all vertices.
 [[nodiscard]] Box boundsOf(const TriangleMesh& mesh);
 
 /// Volume enclosed by a closed mesh, m^3, positive when the triangles face outward: the sum of the
-/// signed tetrahedra p0 . (p1 x p2) / 6, accumulated in double about the first vertex.
+/// signed tetrahedra p0 . (p1 x p2) / 6, in double precision, relative to the first vertex.
 [[nodiscard]] double signedVolume(const TriangleMesh& mesh);
 
 /// Angle-weighted vertex normals (Thuermer and Wuethrich 1998), replacing those of the mesh.
-/// A vertex without any proper triangle gets +z.
+/// A vertex of no triangle, or of degenerate ones only, gets +z.
 void computeNormals(TriangleMesh& mesh);
 
-/// Appends `part` to `whole`, with normals kept where both have them.
+/// Appends `part` to `whole`. Normals are kept where both have them, and dropped otherwise.
 void append(TriangleMesh& whole, const TriangleMesh& part);
 
 } // namespace carina

@@ -5,7 +5,7 @@
 namespace carina
 {
 
-/// Where the corners of one triangle lie.
+/// The positions of one triangle's corners.
 struct Corners {
     Vec3 a;
     Vec3 b;
@@ -14,14 +14,14 @@ struct Corners {
 
 [[nodiscard]] Corners cornersOf(const TriangleMesh& mesh, const Triangle& triangle);
 
-/// The point of a triangle nearest to a point; of one without area too.
+/// The point of a triangle nearest to p; also for a degenerate triangle.
 [[nodiscard]] Vec3 nearestPoint(const Corners& triangle, const Vec3& p);
 
-/// Squared distance of a point from the nearest point of a triangle.
+/// Squared distance of p from the nearest point of a triangle.
 [[nodiscard]] double squaredDistance(const Corners& triangle, const Vec3& p);
 
-/// Whether the inside of a segment runs through the inside of a triangle, from one side of its
-/// plane to the other. What only touches or lies in the plane does not.
+/// Whether the interior of a segment passes through the interior of a triangle, from one side of
+/// its plane to the other. Touching it, or lying in its plane, does not count.
 [[nodiscard]] bool runsThrough(const Corners& triangle, const Vec3& from, const Vec3& to);
 
 } // namespace carina

@@ -14,16 +14,16 @@ namespace carina
 /// Red, green and blue in sRGB, 0 to 255.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// The colours of the vertices of a surface by where they lie: finds them again after the surface
-/// was welded, closed or simplified, all of which leave the vertices they keep in place.
+/// A map from vertex positions to colours. It restores the colours after a surface was welded,
+/// closed or simplified: these operations do not move the vertices that they keep.
 class ColorsByPlace
 {
 public:
-    /// Of several vertices at one place the first counts.
-    /// @pre one colour for each place.
+    /// Of several vertices at one position the first determines the colour.
+    /// @pre as many colours as positions.
     ColorsByPlace(std::span<const Vec3f> places, std::span<const Rgb> colors);
 
-    /// A colour for each place: that of the vertex there, else the mean of all.
+    /// A colour per position: that of the vertex at exactly this position, else the mean of all.
     [[nodiscard]] std::vector<Rgb> at(std::span<const Vec3f> places) const;
 
 private:

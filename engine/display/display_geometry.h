@@ -5,8 +5,8 @@
 namespace carina
 {
 
-/// The display before the eyes, in the head frame H (+x to the right, +y up, looking along -z),
-/// metres. The screen lies parallel to the x and y axes of H; both eyes see the same one.
+/// Eyes and screen of a headset, in the head frame H (+x to the right, +y up, looking along -z),
+/// metres. The screen is parallel to the x and y axes of H; both eyes see the same screen.
 struct DisplayGeometry {
     Vec3 p_HDl = Vec3::Zero(); ///< left eye
     Vec3 p_HDr = Vec3::Zero(); ///< right eye
@@ -16,9 +16,9 @@ struct DisplayGeometry {
 };
 
 /// The display of a site that has not measured its own: an optical see-through headset with eyes
-/// 63 mm apart about the origin of H and, 1 m ahead, the virtual image of a 4:3 display that spans
-/// 52 degrees along its diagonal, as the projection optics of Hua et al. (Applied Optics 39, 2000)
-/// and their successors do.
+/// 63 mm apart, symmetric about the origin of H, and the virtual image of a 4:3 display 1 m ahead
+/// that spans 52 degrees along its diagonal, as the projection optics of Hua et al. (Applied Optics
+/// 39, 2000) and their successors.
 [[nodiscard]] DisplayGeometry defaultDisplay();
 
 } // namespace carina

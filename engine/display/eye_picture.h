@@ -5,7 +5,7 @@
 namespace carina
 {
 
-/// A part of a window, as shares of its width and height from its upper left corner.
+/// A rectangle of a window, in shares of its width and height, from its upper left corner.
 struct WindowPart {
     double x = 0.0;
     double y = 0.0;
@@ -13,7 +13,7 @@ struct WindowPart {
     double height = 1.0;
 };
 
-/// Whole pixels of a window, from its upper left corner.
+/// A rectangle of a window in whole pixels, from its upper left corner.
 struct PixelRect {
     int x = 0;
     int y = 0;
@@ -23,29 +23,29 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-/// What one eye sees, and in which part of a window.
+/// The view of one eye, and the part of a window in which it is drawn.
 struct EyePicture {
-    RigidTransform X_AD; ///< the eye in the anatomy
+    RigidTransform X_AD; ///< pose of the eye in the anatomy frame A
     Frustum frustum;
     WindowPart part; ///< within which the picture is letterboxed
 };
 
-/// The pixels of a window's part, each of whose edges falls on the nearest line between pixels; so
-/// parts that share an edge share no pixel.
-/// @pre the window has a size, and the part lies within it.
+/// The pixels of a window's part, with each edge rounded to the nearest pixel boundary, so that
+/// parts that share an edge do not share a pixel.
+/// @pre width and height of the window are above 0, and the part lies within it.
 [[nodiscard]] PixelRect pixelsOf(const WindowPart& part, int windowWidth, int windowHeight);
 
-/// A picture where it is drawn.
+/// The pixels into which a picture is drawn, and its frustum.
 struct PlacedPicture {
     PixelRect pixels;
-    Frustum frustum; ///< what is seen in these very pixels
+    Frustum frustum; ///< that of exactly these pixels
 };
 
-/// The largest picture of a frustum's width over height, centred in an area. Its edges seldom lie
-/// between two pixels: it is drawn into all pixels that it touches, at least one, and the frustum
-/// is widened by what they show beyond its edges. So each pixel is as wide as it is high, and no
-/// point of the picture is moved by rounding.
-/// @pre the area has a size and the frustum's right and top are beyond its left and bottom.
+/// The largest picture with the aspect ratio of the frustum, centred in an area. As its edges
+/// rarely fall on pixel boundaries, it is drawn into all pixels that it touches (at least one), and
+/// the frustum is widened by the parts of these pixels beyond its edges. So pixels are square, and
+/// rounding moves no point of the picture.
+/// @pre width and height of the area are above 0; right > left and top > bottom in the frustum.
 [[nodiscard]] PlacedPicture letterboxed(const Frustum& frustum, const PixelRect& area);
 
 } // namespace carina

@@ -9,12 +9,12 @@
 namespace carina
 {
 
-/// Whose picture is drawn: one for each eye, or one for both, from midway between them.
+/// The eye for which a picture is drawn; Middle is one picture for both, from midway between them.
 enum class Eye : std::uint8_t { Left, Right, Middle };
 
-/// What an eye sees through its screen: the screen's edges at unit distance before the eye, that is
-/// the tangents of the angles to the line of sight. Negative left of it and below it; the four need
-/// not be symmetric, nor lie about the line of sight at all.
+/// The off-axis frustum of an eye and its screen: the edges at unit distance from the eye, which
+/// are the tangents of their angles to the line of sight (-z of D). Negative to the left of it and
+/// below it. The frustum need be neither symmetric nor contain the line of sight.
 struct Frustum {
     double left = -1.0;
     double right = 1.0;
@@ -22,8 +22,8 @@ struct Frustum {
     double top = 1.0;
 };
 
-/// An eye D and what it sees. D has the axes of H: +x to the right, +y up, line of sight along -z,
-/// at a right angle to the screen.
+/// The pose of an eye D and its frustum. D has the axes of H: +x to the right, +y up, line of sight
+/// along -z, perpendicular to the screen.
 struct EyeView {
     RigidTransform X_HD;
     Frustum frustum;
@@ -36,8 +36,8 @@ struct EyeView {
 ///     bottom = (c_y - e_y - height / 2) / d      top   = (c_y - e_y + height / 2) / d
 ///
 /// @returns NotFinite where a number of the display is not finite; OutOfRange for a screen without
-///          width or height, for an eye behind the screen or less than 1 mm before it, and for
-///          lengths so unlike each other that the tangents lose them.
+///          width or height, for an eye behind the screen or less than 1 mm in front of it, and
+///          where the lengths differ so much that the frustum has no size in double precision.
 [[nodiscard]] Result<EyeView> eyeView(const DisplayGeometry& display, Eye eye);
 
 } // namespace carina

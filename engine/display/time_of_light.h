@@ -7,12 +7,13 @@
 namespace carina
 {
 
-/// When a frame that is begun now will be lit, on average over the screen: after the median time
-/// that the latest frames took from their beginning to their swapped buffers, and half a refresh.
+/// Predicts when a frame that is begun now will be lit, on average over the screen: after the
+/// median time of the latest frames from their beginning to their buffer swap, plus half a refresh
+/// period.
 ///
-/// At most kFarthest ahead: where drawing is slower than that, a pose carried on so far would be
-/// further off than one that lags, and facts would be asked for before they are known. Never
-/// before the answer before, so that what is drawn never runs backwards.
+/// The prediction is at most kFarthest ahead: a pose predicted further would have a larger error
+/// than one that lags, and facts would be needed before they arrive. It is never earlier than the
+/// previous one, so that the drawn time does not run backwards.
 class TimeOfLight
 {
 public:
@@ -20,11 +21,12 @@ public:
     static constexpr Duration kFarthest = std::chrono::milliseconds{50};
     static constexpr double kUsualRefreshRate = 60.0; ///< hertz
 
-    /// A frame took this long from its beginning to its swapped buffers.
+    /// Adds the time that a frame took from its beginning to its buffer swap.
     void frameTook(Duration drawing);
 
-    /// @param refreshRate of the screen in hertz; the usual one where it is not from 20 to 1000,
-    ///        as screens say that do not know.
+    /// The time at which a frame that was begun at `begun` will be lit.
+    /// @param refreshRate of the screen, hertz; values outside 20 to 1000, which some screens
+    ///                    report, are replaced by kUsualRefreshRate
     [[nodiscard]] LocalTime of(LocalTime begun, double refreshRate);
 
 private:

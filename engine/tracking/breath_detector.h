@@ -7,22 +7,26 @@
 namespace carina
 {
 
-/// Finds the beginnings of breaths in the height of a marker on a chest, sample by sample.
+/// Detects when breaths begin, from the height of a marker on the chest, sample by sample.
 ///
-/// A breath has begun when the marker has risen by kShownShare of the motion of breaths above the
-/// lowest point since the last one's top; and has ended its rise when it has come down by as much
-/// from its highest. The motion is the smaller of the last two, so that one lean on the chest or
-/// one jump of a registration does not hide what follows; and kLeastMotion is enough again after
-/// kForgetting without a beginning. The beginning is told as the time at which the line through the
-/// crossings of kFootShare and kShownShare leaves the lowest point: a chest rests long at that
-/// point, and the time of the point itself would be anywhere in the rest. Motions below
-/// kLeastMotion are noise, drift of the marker is followed.
+/// A breath is detected when the marker has risen by kShownShare of the amplitude above its lowest
+/// point since the previous breath; its rise ends when the marker has fallen by as much below its
+/// highest point. The amplitude is the smaller of those of the last two breaths, so that one push
+/// on the chest or one jump of a registration does not hide the following breaths. After
+/// kForgetting without a breath, a rise of kLeastMotion is enough again. Smaller motions are always
+/// taken for noise; drift of the marker is followed.
+///
+/// The reported time is where the straight line through the crossings of kFootShare and kShownShare
+/// of the amplitude meets the height of the lowest point. The time of the lowest point itself would
+/// be arbitrary, as a chest rests there between breaths.
 class BreathDetector
 {
 public:
-    /// @param height of the marker along the way the chest rises, metres, whatever its zero
-    /// @returns when a breath began that this sample is the first to show.
-    /// @pre height is finite. A time not later than the last is ignored.
+    /// Takes the next sample; one whose time is not later than the last is ignored.
+    /// @param height of the marker along the direction in which the chest rises, metres, from any
+    ///               zero
+    /// @returns the time at which a breath began, with the sample that detects it.
+    /// @pre height is finite.
     std::optional<SessionTime> add(SessionTime t, double height);
 
 private:
@@ -34,13 +38,14 @@ private:
     bool m_isRising = false;
     double m_lowest = 0.0;
     double m_highest = 0.0;
-    double m_lastMotion = 0.0; ///< highest less lowest of the last whole breath
+    double m_lastMotion = 0.0; ///< highest minus lowest of the last complete breath
     double m_motion = 0.0;     ///< the smaller of that and the one before
-    SessionTime m_begun{};     ///< when the last beginning was found
-    SessionTime m_foot{};      ///< when the foot's height was passed on the way up
+    SessionTime m_begun{};     ///< time of the sample that detected the last breath
+    SessionTime m_foot{};      ///< time of the crossing of kFootShare on the way up
     bool m_isAboveFoot = false;
 };
 
+/// Shares of the amplitude, see BreathDetector.
 inline constexpr double kFootShare = 0.2;
 inline constexpr double kShownShare = 0.5;
 inline constexpr double kLeastMotion = 3e-3; ///< m; chests of manikins rise by 10 mm and more

@@ -12,24 +12,24 @@
 namespace carina
 {
 
-/// Reads the session clock; nothing while it is not yet set. Called from any thread.
+/// Reads the session clock; returns nothing while it is not yet set. Called from any thread.
 using ReadSessionClock = std::function<std::optional<SessionTime>()>;
 
-/// Calls a step on a thread of its own at the session times the step asks for. The step holds what
-/// is deterministic and is tested without the thread.
+/// Calls a step function on its own thread, at the session times that the step returns or earlier.
+/// The step contains the deterministic logic and is tested without the thread.
 class DeliveryThread
 {
 public:
-    /// Does everything due at `now`, and says when it is next due; nothing when all is done.
+    /// Does what is due at `now`. @returns when it is due next; nothing to end the thread.
     using Step = std::function<std::optional<SessionTime>(SessionTime now)>;
 
     DeliveryThread(ReadSessionClock clock, Step step);
     ~DeliveryThread() { stop(); }
 
-    /// Begins; harmless while it runs. @returns TrackerFailed where no thread can be had.
+    /// Starts the thread; no effect while it runs. @returns TrackerFailed where that fails.
     [[nodiscard]] Result<void> start();
 
-    /// Ends; on return the step is not running and is not called any more.
+    /// Stops the thread; on return the step is not running and will not be called any more.
     void stop();
 
 private:

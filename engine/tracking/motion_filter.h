@@ -9,24 +9,25 @@ namespace carina
 
 /// A Kalman filter for a three-dimensional quantity of nearly constant acceleration (Bar-Shalom et
 /// al. 2001, section 6.2.3): per axis the state (x, x', x''), driven by white jerk of spectral
-/// density q^2. The axes are alike, so that one covariance serves all three; and x is held by the
-/// caller, to whom the filter tells what to add, so that x may be a rotation.
+/// density q^2. All axes have the same noise and share one covariance. The caller stores x and adds
+/// the increments that the filter returns, so that x may be a rotation.
 class AccelerationFilter
 {
 public:
     struct Noise {
         double measurement = 0.0;  ///< standard deviation of x per axis
         double jerk = 0.0;         ///< q, unit of x per s^2.5
-        double rate = 0.0;         ///< standard deviation of x' before anything is known
-        double acceleration = 0.0; ///< of x''
+        double rate = 0.0;         ///< initial standard deviation of x'
+        double acceleration = 0.0; ///< initial standard deviation of x''
     };
 
     explicit AccelerationFilter(const Noise& noise);
 
-    /// Goes on by dt. @returns by how much x has changed.
+    /// Predicts the state dt seconds later. @returns the increment of x.
     Vec3 predict(double dt);
-    /// Takes in a measurement. @param innovation measured x less predicted x
-    /// @returns what is to be added to x.
+    /// Corrects the state by a measurement.
+    /// @param innovation measured x minus predicted x
+    /// @returns the increment of x.
     Vec3 correct(const Vec3& innovation);
 
     [[nodiscard]] const Vec3& rate() const { return m_rate; }
@@ -39,11 +40,12 @@ private:
     Mat3 m_covariance;
 };
 
-/// The velocity of a tracked object, from every sample its tracker gives: by it a pose is carried
-/// on, here to the time of light and at the others' by what the owner sends along.
+/// Estimates the velocity of a tracked object O in F from its tracker's samples. Poses are
+/// predicted with it: on this machine to the time at which a frame is lit, and on other machines,
+/// to which the velocity is sent with the pose.
 ///
-/// Position and rotation are filtered alike; the innovation of the rotation is the rotation vector
-/// of q_measured q_predicted^-1, in axes of F.
+/// Position and rotation have one AccelerationFilter each; the innovation of the rotation is the
+/// rotation vector of q_measured q_predicted^-1, in axes of F.
 class MotionFilter
 {
 public:
@@ -51,25 +53,26 @@ public:
         AccelerationFilter::Noise rotation; ///< radians
         AccelerationFilter::Noise position; ///< metres
     };
-    /// For hands and heads, at 30 to 90 samples a second.
+    /// Noise for hands and heads, at 30 to 90 samples per second.
     static Noise handsAndHeads();
 
-    /// A gap longer than this begins anew.
+    /// After a gap longer than this the filter restarts.
     static constexpr Duration kLongestGap = std::chrono::milliseconds{150};
-    /// So many samples in a row are needed before there is a velocity.
+    /// Number of samples since the (re)start from which on there is a velocity.
     static constexpr int kSamplesNeeded = 3;
 
     explicit MotionFilter(const Noise& noise = handsAndHeads());
 
-    /// The next sample. A lost one, or one that is not later than the last, is left out.
+    /// Adds the next sample. One that is lost, or not later than the last, is ignored.
     void add(const PoseSample& sample);
 
-    /// Adds a sample. @returns it with the motion found at it; a lost one as it came.
+    /// Adds a sample. @returns the sample with the estimated motion; a lost one unchanged.
     [[nodiscard]] PoseSample moving(PoseSample sample);
 
-    /// At the newest sample; nothing while too few came in a row.
+    /// The motion at the newest sample; nothing before kSamplesNeeded samples.
     [[nodiscard]] std::optional<Motion> motion() const;
-    /// The filtered pose, carried on at the acceleration found. @pre motion()
+    /// The filtered pose X_FO, extrapolated to t with the estimated acceleration.
+    /// @pre motion() has a value.
     [[nodiscard]] RigidTransform predicted(SessionTime t) const;
 
 private:
@@ -78,7 +81,7 @@ private:
     Noise m_noise;
     AccelerationFilter m_rotationFilter;
     AccelerationFilter m_positionFilter;
-    int m_samples = 0; // in a row
+    int m_samples = 0; // since the (re)start, at most kSamplesNeeded
     SessionTime m_time{};
     Quat m_q_FO = Quat::Identity();
     Vec3 m_p_FO = Vec3::Zero();

@@ -10,49 +10,48 @@
 namespace carina
 {
 
-/// The recent poses of one object O in one frame F. A device or network thread pushes, any thread
-/// asks; one mutex inside keeps each call whole.
+/// The recent poses of one object O in one frame F. All functions are thread-safe: a device or
+/// network thread pushes, any thread reads; each call locks one internal mutex.
 ///
-/// Asked for a time it answers with the sample of that time (Exact), the pose between two samples
-/// (Interpolated: straight line and great circle), or the newest pose carried on by its velocity
-/// (Predicted):
+/// For a time t, at() returns the sample of that time (Exact), the pose between two samples
+/// (Interpolated: linear and slerp), or the newest pose extrapolated by its velocity (Predicted):
 ///
 ///     p(t0 + dt) = p(t0) + v_FO dt          q(t0 + dt) = exp(w_FO dt) q(t0)
 ///
-/// The velocity is the sample's own where the source gave one, else the difference to the tracked
-/// sample before it if that is no more than longestGap older, else none: the pose is held.
+/// The velocity is that of the sample where its source gave one; otherwise the difference quotient
+/// to the previous tracked sample, if that is at most longestGap older; otherwise there is none and
+/// the pose stays constant.
 class PoseHistory
 {
 public:
     struct Limits {
-        std::size_t capacity = 512;                           ///< samples kept
-        Duration longestGap = std::chrono::milliseconds{150}; ///< bridged by interpolation
-        Duration horizon = std::chrono::milliseconds{150};    ///< predicted beyond the newest
+        std::size_t capacity = 512;                           ///< number of samples stored
+        Duration longestGap = std::chrono::milliseconds{150}; ///< longest gap that is interpolated
+        Duration horizon = std::chrono::milliseconds{150};    ///< longest prediction
     };
 
     PoseHistory() = default;
     explicit PoseHistory(const Limits& limits) : m_limits{limits} {}
 
-    /// Takes a sample in. One older than the newest is sorted into its place; one with the time of
-    /// another replaces it. When full, the oldest makes room.
-    /// @returns false where it was refused: not finite, a time more than a hundred years from the
-    ///          clock's zero, or older than everything kept when full.
+    /// Adds a sample, in order of time; it replaces a sample of the same time. When the history is
+    /// full, the oldest sample is removed.
+    /// @returns false where the sample was rejected: not finite, a time more than 100 years from
+    ///          the clock's zero, or older than all samples of a full history.
     bool push(const PoseSample& sample);
 
-    /// The pose at time t; nothing for a time before the oldest sample kept.
+    /// The pose at time t; nothing for a time before the oldest sample stored.
     ///
-    /// Validity is Lost when a sample next to t is lost, the samples around t are further apart
-    /// than longestGap, or t is further beyond the newest than horizon (both limits still count as
-    /// good). The pose is then that of the sample before t, or carried to the horizon, and has no
-    /// motion. Between two samples the motion is their difference, and validity and error are
-    /// those of the worse.
-    /// Exact is the sample as it came, with the velocity that would carry it on.
+    /// Validity is Lost when a sample next to t is lost, when the samples around t are more than
+    /// longestGap apart, or when t is more than horizon beyond the newest. The pose is then that of
+    /// the sample before t, or the newest predicted up to the horizon, and has no motion. Between
+    /// two samples the motion is their difference quotient, and validity and error are those of the
+    /// worse sample. An Exact pose is the sample itself, with the velocity described above.
     [[nodiscard]] std::optional<PoseSample> at(SessionTime t) const;
 
-    /// The newest sample as it came.
+    /// The newest sample, unchanged; nothing while there is none.
     [[nodiscard]] std::optional<PoseSample> newest() const;
 
-    /// All samples kept, oldest first.
+    /// All samples stored, oldest first.
     [[nodiscard]] std::vector<PoseSample> samples() const;
 
     void clear();

@@ -9,34 +9,34 @@
 namespace carina
 {
 
-/// How well the device saw the object.
+/// How well the device saw the object, from best to worst.
 enum class Validity : std::uint8_t {
-    Tracked,        ///< all that is needed was seen
-    PartlyOccluded, ///< seen in part; the pose is good, its error larger
-    Lost,           ///< not seen: the pose is where it was last, not where it is
+    Tracked,        ///< fully seen
+    PartlyOccluded, ///< partly seen: the pose is valid, its error larger
+    Lost,           ///< not seen: the pose is the last one known, not the current one
 };
 
-/// How a pose for the time asked came about.
+/// How a pose for a requested time was obtained.
 enum class How : std::uint8_t {
     Exact,        ///< measured at that time
     Interpolated, ///< between two measurements
-    Predicted,    ///< beyond the newest measurement, by its velocity
+    Predicted,    ///< extrapolated beyond the newest measurement
 };
 
-/// Velocity of object O in frame F, in axes of F.
+/// Velocity of the object O in the frame F, in axes of F.
 struct Motion {
     Vec3 v_FO = Vec3::Zero(); ///< of the origin of O, m/s
     Vec3 w_FO = Vec3::Zero(); ///< angular, rad/s
 };
 
-/// A pose that knows when it was true and how far it may be trusted.
+/// A pose with its time, validity and error.
 ///
-/// F is the frame of the history the sample belongs to (T for a tracker, A for a shared object), O
-/// the object. A lost sample carries the last pose known; it is never an identity by default.
+/// F is the frame of the history that contains the sample (T for a tracker, A for a shared object),
+/// O the object. A lost sample holds the last pose known, never the identity as a default.
 struct PoseSample {
-    SessionTime time{};
+    SessionTime time{}; ///< at which the object had this pose
     RigidTransform X_FO{};
-    std::optional<Motion> motion{}; ///< where the source knows it
+    std::optional<Motion> motion{}; ///< where the source provides it
     Validity validity = Validity::Tracked;
     double error = 0.0; ///< RMS fit error of the device, metres
     How how = How::Exact;

@@ -8,26 +8,26 @@ namespace carina
 {
 
 enum class PlaybackPace : std::uint8_t {
-    Recorded,   ///< every sample when as much time has gone by as in the recording
+    Recorded,   ///< at the speed of the recording
     AtFullSpeed ///< all samples at once
 };
 
-/// A tracker that plays a recording. Samples are stamped with the session time of the start plus
-/// their time since the first frame of the recording, at either pace, and each tool's history holds
-/// the whole recording. Each sample gets the velocity that a MotionFilter finds.
+/// A tracker that plays a recording. At either pace the time of a sample is the session time of the
+/// start plus its time since the first sample of the recording. Each tool's history can hold the
+/// whole recording. Each sample gets the velocity that a MotionFilter estimates.
 class RecordedTracker : public Tracker
 {
 public:
     RecordedTracker(const TrackerSequence& sequence, PlaybackPace pace, ReadSessionClock clock);
 
-    /// Plays from the beginning.
+    /// Plays from the beginning; all histories are cleared first.
     [[nodiscard]] Result<void> start() override;
     void stop() override { m_thread.stop(); }
     [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
 
-    /// What the thread does: delivers what is due at `now`; the first call is the start.
+    /// One step of the thread: delivers what is due at `now`. The first call sets the start.
     /// @returns when the next sample is due; nothing at the end of the recording.
-    /// @pre the thread does not run.
+    /// @pre the thread is not running.
     std::optional<SessionTime> advance(SessionTime now);
 
 private:

@@ -8,8 +8,8 @@
 namespace carina
 {
 
-/// A sample told in another frame G, in which F stands still: X_GO = X_GF * X_FO, and the motion
-/// turned into axes of G. When, how and how well it was measured stay as they are.
+/// A sample expressed in another frame G, in which F does not move: X_GO = X_GF * X_FO, with the
+/// motion in axes of G. Time, validity, error and `how` are unchanged.
 [[nodiscard]] inline PoseSample reframed(const RigidTransform& X_GF, PoseSample sample)
 {
     sample.X_FO = X_GF * sample.X_FO;
@@ -32,12 +32,13 @@ namespace carina
     return sample;
 }
 
-/// An object O seen from another object J, both measured in F at the same time:
-/// X_JO = X_FJ^-1 * X_FO, with the velocity of O as J sees it,
+/// The pose of an object O in the frame of another object J, both measured in F at the same time:
+/// X_JO = X_FJ^-1 * X_FO, with the velocity of O relative to J,
 ///
 ///     v_JO = R_JF (v_FO - v_FJ - w_FJ x (p_FO - p_FJ))        w_JO = R_JF (w_FO - w_FJ)
 ///
-/// where both have a motion. It is as valid as the worse of the two, and as uncertain as both.
+/// where both have a motion, and none otherwise. Validity and `how` are those of the worse of the
+/// two; the error is the root of the sum of both squared errors.
 [[nodiscard]] inline PoseSample seenFrom(const PoseSample& X_FJ, PoseSample X_FO)
 {
     const RigidTransform X_JF = X_FJ.X_FO.inverse();

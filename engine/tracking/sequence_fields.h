@@ -8,17 +8,18 @@
 #include <string_view>
 #include <system_error>
 
-/// Reads the values of the `key = value` lines of a sequence file. Nothing where the text is not
-/// wholly what is asked for.
+/// Parses the values of the `key = value` lines of a sequence file. The parsers return nothing
+/// where the text, as a whole, is not such a value.
 namespace carina::field
 {
 
-/// Without blanks (and the CR of a CRLF) at either end.
+/// The text without blanks (and the CR of a CRLF) at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+/// The part after the last blank of the trimmed text.
 [[nodiscard]] std::string_view lastWord(std::string_view text);
 
-/// NaN and infinities are numbers here.
+/// A number; NaN and infinities are accepted.
 template <class Number> [[nodiscard]] std::optional<Number> numberOf(std::string_view word)
 {
     Number value{};
@@ -28,10 +29,10 @@ template <class Number> [[nodiscard]] std::optional<Number> numberOf(std::string
     return value;
 }
 
-/// Exactly 16 numbers, row by row.
+/// A 4x4 matrix: exactly 16 numbers, row by row.
 [[nodiscard]] std::optional<Mat4> matrixOf(std::string_view text);
 
-/// The word a tracker's status is written as.
+/// The validity that a tracker's status word stands for (see readSequence).
 [[nodiscard]] std::optional<Validity> validityOf(std::string_view status);
 
 } // namespace carina::field

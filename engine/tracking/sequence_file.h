@@ -11,12 +11,12 @@
 namespace carina
 {
 
-/// One tool of a recording: its poses X_T<tool>, in the order and on the clock of the file.
+/// One tool of a recording: its poses X_T<tool>, in the order of the file and with its times.
 struct RecordedTool {
-    std::string name; ///< as the file has it: "Stylus" of StylusToTracker
+    std::string name; ///< as in the file: "Stylus" of StylusToTracker
     ToolRole role = ToolRole::Other;
     std::vector<PoseSample> samples{};
-    /// Frames before the tool was first seen: lost, and without a last pose to carry.
+    /// Frames before the tool was first seen. They have no sample, as there is no last pose.
     std::size_t neverSeenYet = 0;
 };
 
@@ -33,14 +33,14 @@ struct TrackerSequence {
 ///     Seq_FrameNNNN_Timestamp = seconds
 ///
 /// up to the line ElementDataFile. Pixels after it, other fields, and transforms to frames other
-/// than the tracker's are passed over. Lengths become metres here. OK is Tracked; MISSING, INVALID,
-/// OUT_OF_VIEW, OUT_OF_VOLUME and REQ_TIMEOUT are Lost and carry the last pose seen.
+/// than the tracker's are ignored. Lengths are converted to metres. OK is Tracked; MISSING,
+/// INVALID, OUT_OF_VIEW, OUT_OF_VOLUME and REQ_TIMEOUT are Lost and hold the last pose seen.
 ///
-/// @param name what to call the input in an error
-/// @returns FileUnreadable; FileEmpty; FileMalformed where it is cut off, holds another number of
-///          frames than DimSize says, no tool, a frame out of order, back in time, incomplete or
-///          with an unknown status; NotFinite, NotARotation or OutOfRange where a number of a
-///          tracked pose or a time is. The detail names input, frame and fault.
+/// @param name name of the input in errors
+/// @returns FileUnreadable; FileEmpty; FileMalformed where the header is truncated, the number of
+///          frames differs from DimSize, there is no tool, or a frame is out of order, earlier than
+///          the one before, incomplete or of unknown status; NotFinite, NotARotation or OutOfRange
+///          for a tracked pose or a time. The detail names input, frame and fault.
 [[nodiscard]] Result<TrackerSequence> readSequence(std::istream& input, const std::string& name);
 
 /// The same from a file. @returns also FileNotFound.

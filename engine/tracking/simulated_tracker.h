@@ -12,43 +12,43 @@
 namespace carina
 {
 
-/// Where a tool truly is: X_T<tool>; nothing while something hides it. Called on the tracker's
+/// The true pose X_T<tool> of a tool at a time; nothing while it is hidden. Called on the tracker's
 /// thread.
 using TrueToolPose = std::function<std::optional<RigidTransform>(ToolRole, SessionTime)>;
 
-/// A tool hidden by script, from `from` on and before `until`.
+/// A scripted occlusion of a tool, from `from` (included) to `until` (excluded).
 struct Occlusion {
     ToolRole tool = ToolRole::Other;
     SessionTime from;
     SessionTime until;
 };
 
-/// How well the simulated device measures.
+/// Accuracy and timing of the simulated device.
 struct SimulatedTrackerSettings {
     Frequency rate = hertz(60.0); ///< the device with three probes reaches 30 Hz
     /// Three-dimensional RMS of the position noise, equal everywhere in the volume.
     Length positionNoise = millimetres(0.35);
-    /// Standard deviation along the line of sight from the origin of T to the tool, over that
-    /// across it in either direction.
+    /// Standard deviation along the line of sight from the origin of T to the tool, divided by that
+    /// in each direction across it.
     double depthRatio = 3.0;
-    Angle rotationNoise = degrees(0.05);              ///< RMS angle, about an axis of any direction
+    Angle rotationNoise = degrees(0.05);              ///< RMS angle, isotropic axis
     Duration latency = std::chrono::milliseconds{14}; ///< from exposure to delivery
     WorkingVolume volume;                             ///< a tool's origin outside it is lost
     std::vector<Occlusion> occlusions;
-    bool chestMarker = false; ///< there is one on the manikin's chest, too
-    bool bodyProbe = false;   ///< and a probe on its torso
+    bool chestMarker = false; ///< also simulate a marker on the manikin's chest
+    bool bodyProbe = false;   ///< also simulate a probe on its torso
     std::uint32_t seed = 1;
 };
 
-/// A tracker for a station without hardware: measures given true poses of a head, a jaw, a tube and
-/// a stylus, and of a chest and a torso where they have a probe, with noise, occlusion and loss, on
-/// a thread of its own.
+/// A tracker for a station without hardware. On its own thread it measures given true poses of
+/// head, jaw, tube and stylus, and of a chest marker and a body probe if there are, with noise,
+/// occlusion and loss.
 ///
-/// Every sample is stamped with the time of its exposure and delivered a latency later, with the
-/// velocity that a MotionFilter finds. The fit
-/// error is drawn apart from the pose's error, as the two are independent: its RMS is
-/// sqrt(1 - 2/N) of the position noise (Fitzpatrick 1998) for tools of N = 4 markers. A lost sample
-/// carries the last pose measured; a tool never yet seen has no samples.
+/// Every sample has the time of its exposure and is delivered `latency` later, with the velocity
+/// that a MotionFilter estimates. The fit error is drawn independently of the error of the pose, as
+/// the two are independent; its RMS is sqrt(1 - 2/N) times the position noise (Fitzpatrick 1998)
+/// for tools of N = 4 markers. A lost sample holds the last pose measured; a tool not seen yet has
+/// no samples.
 class SimulatedTracker : public Tracker
 {
 public:
@@ -59,11 +59,11 @@ public:
     void stop() override { m_thread.stop(); }
     [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
 
-    /// What the thread does: exposes at each tick up to `now` and delivers what has travelled for
-    /// the latency. Ticks are whole periods from the first call on; when a call comes more than a
-    /// second late or early, they begin anew at its time.
-    /// @returns the time at which the next thing is due, later than `now`.
-    /// @pre the thread does not run.
+    /// One step of the thread: measures at each tick up to `now` and delivers the samples whose
+    /// latency has passed. Ticks are whole periods after the first call; after a call more than one
+    /// second too late or too early they restart at the time of that call.
+    /// @returns the time of the next tick or delivery, later than `now`.
+    /// @pre the thread is not running.
     SessionTime advance(SessionTime now);
 
 private:
@@ -88,11 +88,11 @@ private:
     TrueToolPose m_truth;
     std::mt19937 m_random;
     std::normal_distribution<double> m_normal;
-    std::deque<Probe> m_probes;         // which stay where they are
+    std::deque<Probe> m_probes;         // a deque: their addresses do not change
     std::vector<TrackedTool> m_tools;   // one for each probe
     std::deque<Measurement> m_underway; // ascending in time
     std::optional<SessionTime> m_firstTick;
-    std::int64_t m_ticks = 0; // exposed since the first
+    std::int64_t m_ticks = 0; // measured since the first
     DeliveryThread m_thread;  // last: ends before what it uses
 };
 

@@ -8,31 +8,33 @@
 namespace carina
 {
 
-/// A scripted hand that holds a stylus: the true pose X_TS for a station without a person. It is
-/// told what to do next and moves there from where it is, gently, in kReach.
+/// A scripted hand that holds a stylus: the true pose X_TS for a station without a person. Each
+/// command (park, hold, swing) moves the stylus smoothly from its current pose to the new one
+/// within kReach.
 ///
-/// A hand that holds a point keeps the tip on it and sways the stylus by 3 degrees about it, as
-/// people do. A hand that swings keeps the tip in a divot and tilts the stylus's z axis to all
-/// sides, by 15 to 30 degrees, once round in two seconds.
+/// While it holds a point, the tip stays on it and the stylus sways by 3 degrees about it, as in a
+/// person's hand. While it swings, the tip stays in a divot and the z axis of the stylus is tilted
+/// by 15 to 30 degrees in a direction that rotates once in two seconds.
 ///
-/// Told on one thread, asked on any.
+/// Commands come from one thread; at() may be called from any.
 class StylusHand
 {
 public:
-    /// From one place to the next.
+    /// Duration of the movement after a command.
     static constexpr Duration kReach = std::chrono::milliseconds{800};
 
-    /// @param X_TS_parked where the stylus rests
+    /// @param X_TS_parked pose of the parked stylus
     /// @param p_SQ the true tip in the stylus frame S, metres
     StylusHand(const RigidTransform& X_TS_parked, const Vec3& p_SQ);
 
+    /// Moves the stylus to its parked pose.
     void park(SessionTime now);
-    /// Holds the tip at a point.
+    /// Holds the tip at a point Q, metres.
     void hold(const Vec3& p_TQ, SessionTime now);
-    /// Swings the stylus with its tip in a divot.
+    /// Swings the stylus with its tip in a divot Q, metres.
     void swing(const Vec3& p_TQ, SessionTime now);
 
-    /// X_TS at a time; for times before the latest order, as if it had just been given.
+    /// X_TS at time t; for a time before the latest command, the pose at which that began.
     [[nodiscard]] RigidTransform at(SessionTime t) const;
 
 private:
@@ -47,7 +49,7 @@ private:
     mutable std::mutex m_mutex;
     Task m_task = Task::Park;
     Vec3 m_p_TQ = Vec3::Zero();
-    RigidTransform m_X_TS_start; ///< where it was when it was told
+    RigidTransform m_X_TS_start; ///< at the latest command
     SessionTime m_since{};
 };
 

@@ -20,27 +20,27 @@ enum class ToolRole : std::uint8_t {
     Other,
 };
 
-/// One tool of a tracker: its name as the device or the site gives it, and its poses X_TO.
+/// One tool of a tracker: its name as given by the device or the site, and its poses X_TO.
 struct TrackedTool {
     std::string name;
     ToolRole role = ToolRole::Other;
-    PoseHistory* history = nullptr; ///< X_T<tool>; owned by the tracker, lives as long as it
+    PoseHistory* history = nullptr; ///< X_T<tool>; owned by the tracker, valid as long as it exists
 };
 
-/// A device that measures poses of tools in its own frame T and pushes them, stamped with the time
-/// of exposure, into one history per tool. Its thread is its own affair.
+/// A device that measures poses of tools in its own frame T and pushes them, with the time of
+/// exposure, into one history per tool. Implementations deliver on a thread of their own.
 class Tracker
 {
 public:
     virtual ~Tracker() = default;
 
-    /// Begins to deliver. @returns TrackerFailed with what to look at.
+    /// Starts delivery. @returns TrackerFailed, with what to check in the detail.
     [[nodiscard]] virtual Result<void> start() = 0;
 
-    /// Ends delivery; on return no sample arrives any more. Harmless when not started.
+    /// Stops delivery; after it returns no sample arrives. No effect when not started.
     virtual void stop() = 0;
 
-    /// The tools, fixed from construction on.
+    /// The tools; they do not change after construction.
     [[nodiscard]] virtual std::vector<TrackedTool> tools() const = 0;
 };
 

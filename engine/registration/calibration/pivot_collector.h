@@ -9,63 +9,66 @@
 namespace carina
 {
 
+/// The stage of a collection.
 enum class PivotStage : std::uint8_t {
-    Waiting,  ///< for the tool to be swung with its tip at rest
+    Waiting,  ///< until the tool is swung with its tip at rest
     Swinging, ///< poses are collected
     Done,
 };
 
-/// What is still missing, the first of these that is.
+/// What is still missing: the first of these that applies.
 enum class PivotNeed : std::uint8_t {
     Swing,      ///< the tool is not swung about a point
     Motion,     ///< it did not move enough
     Directions, ///< it did not move in enough directions: it was turned about one axis
     Stillness,  ///< the tip does not stay in one place
-    Poses,      ///< nothing but more of the same: the tip is not certain enough yet
+    Poses,      ///< more of the same: the tip's uncertainty is still too large
     Nothing,
 };
 
-/// How far a collection has come, for a person to see.
+/// The progress of a collection, to be shown to the user.
 struct PivotProgress {
     PivotStage stage = PivotStage::Waiting;
     PivotNeed need = PivotNeed::Swing;
-    double share = 0.0;                  ///< of the way to the end, 0 to 1
-    int poses = 0;                       ///< that count
-    TurnCoverage coverage{};             ///< of these; from it what directions are missing
-    std::optional<double> uncertainty{}; ///< RMS of the tip, metres, where there is one already
+    double share = 0.0;                  ///< completed share, 0 to 1
+    int poses = 0;                       ///< number of poses used
+    TurnCoverage coverage{};             ///< of these poses; tells which directions are missing
+    std::optional<double> uncertainty{}; ///< RMS error of the tip, metres; nothing without a fit
 };
 
-/// Collects the poses of a stylus for calibratePivot without a button: begins when the stylus is
-/// swung about a point, and ends when every direction turned enough and the tip is certain enough.
+/// Collects the poses of a stylus for calibratePivot without a button: starts when the stylus is
+/// swung about a point, and ends when every direction turned enough and the tip's uncertainty is
+/// small enough.
 ///
-/// A stylus is swung when in the latest window some direction of it turned by `start` and yet one
-/// point of it, within reach of its markers, stood still. A pose counts when the stylus has turned
-/// by a degree since the last that did: a stylus at rest tells nothing, nor does a fast tracker. A
-/// tip that then leaves its place for half of a window makes the collection begin anew.
+/// The stylus counts as swung when, in the latest `window`, a direction of it turned by `start`
+/// while one point within `reach` of the markers stood still. A pose is used when the stylus has
+/// rotated by at least one degree since the last used pose, so that neither pauses nor a fast
+/// tracker add weight. The collection restarts when the tip is away from its place for more than
+/// half of a window, or when too many poses disagree (ToolMoved).
 class PivotCollector
 {
 public:
     struct Settings {
         PivotSettings calibration{};
-        Length certainty = millimetres(0.15); ///< RMS of the tip at which it ends
-        Duration shortest = std::chrono::seconds{4};
+        Length certainty = millimetres(0.15);        ///< RMS error of the tip at which it ends
+        Duration shortest = std::chrono::seconds{4}; ///< of a collection
         Duration window = std::chrono::seconds{1};
-        Angle start = degrees(4.0);
-        Length reach = millimetres(400.0); ///< from the markers to the tip, at most
+        Angle start = degrees(4.0);        ///< RMS turn
+        Length reach = millimetres(400.0); ///< largest distance from the markers to the tip
     };
 
     PivotCollector() = default;
     explicit PivotCollector(const Settings& settings) : m_settings{settings} {}
 
-    /// Takes the next pose of the stylus. One that is lost, not finite, a kilometre away or not
-    /// newer than the last is left out, as are all once it is done.
+    /// Takes the next pose of the stylus. A pose that is lost, not finite, a kilometre away or not
+    /// later than the last is ignored, and so is every pose when the collection is done.
     /// @returns the calibration, with the pose that completes it.
     std::optional<PivotCalibration> push(SessionTime time, const RigidTransform& X_TS,
                                          Validity validity);
 
     [[nodiscard]] const PivotProgress& progress() const { return m_progress; }
 
-    /// Begins anew.
+    /// Discards all poses and waits for a swing.
     void restart();
 
 private:
@@ -82,11 +85,11 @@ private:
 
     Settings m_settings;
     PivotProgress m_progress;
-    std::vector<Timed> m_latest;           ///< of one window, ascending in time
-    std::vector<RigidTransform> m_counted; ///< turned against each other
+    std::vector<Timed> m_latest;           ///< of the latest window, ascending in time
+    std::vector<RigidTransform> m_counted; ///< the poses used, for calibratePivot
     std::optional<SessionTime> m_last;
-    SessionTime m_since{};     ///< began swinging
-    SessionTime m_evaluated{}; ///< last time
+    SessionTime m_since{};     ///< start of the swing
+    SessionTime m_evaluated{}; ///< time of the latest fit
 };
 
 } // namespace carina

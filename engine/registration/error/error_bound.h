@@ -8,23 +8,23 @@
 namespace carina
 {
 
-/// Degrees of freedom of a variance that is given and not estimated.
+/// Degrees of freedom of a variance that is known and not estimated.
 inline constexpr double kKnownExactly = std::numeric_limits<double>::infinity();
 
-/// The share of errors that a bound holds, unless another is said.
+/// The default probability of a bound.
 inline constexpr double kBoundShare = 0.95;
 
-/// The length that a Gaussian error of mean 0 stays below with a probability.
+/// The length that a Gaussian error vector of mean 0 stays below with probability `share`.
 ///
-/// Along a direction n the squared length is r^2 n^T C n, with r^2 chi-squared of three degrees of
-/// freedom; where C was estimated from `degrees` degrees of freedom, and is independent of the
-/// error, r^2 / 3 follows F(3, degrees) instead. The bound solves
+/// With C the covariance, the error is r C^1/2 n, where n is a unit vector of uniform direction and
+/// r^2 is chi-squared with three degrees of freedom; where C was estimated with `degrees` degrees
+/// of freedom, independently of the error, r^2 / 3 follows F(3, degrees) instead. The bound solves
 ///
 ///     mean over all n of P(r^2 <= b^2 / n^T C n) = share
 ///
-/// to a thousandth from three degrees of freedom on: Student's t where one direction has all of the
-/// error, Fisher's F where all directions are alike. For three alike that are known, b = 1.61 RMS;
-/// no bound of 95 % is below that.
+/// to a relative accuracy of 1e-3 from three degrees of freedom on. Special cases are Student's t,
+/// where the error has one direction, and Fisher's F, where it is isotropic. For an isotropic known
+/// covariance the bound of 95 % is 1.61 RMS, and none is smaller.
 ///
 /// @param covariance m^2, symmetric
 /// @param degrees    above 0
@@ -32,13 +32,13 @@ inline constexpr double kBoundShare = 0.95;
 [[nodiscard]] Length errorBound(const Mat3& covariance, double degrees = kKnownExactly,
                                 double share = kBoundShare);
 
-/// The quantile of chi-squared over its degrees of freedom: with this probability a variance that
-/// is estimated from so many is less than this times the true one.
+/// The `share` quantile of chi-squared, divided by its degrees of freedom: with this probability an
+/// estimated variance is less than this factor times the true one.
 /// @param degrees above 0
 /// @param share   between 0 and 1
 [[nodiscard]] double chiSquaredShare(double degrees, double share);
 
-/// The probability that chi-squared is more than this.
+/// The probability that a chi-squared variable exceeds this value.
 /// @param chiSquared 0 or more
 /// @param degrees    above 0
 [[nodiscard]] double chiSquaredTail(double chiSquared, double degrees);

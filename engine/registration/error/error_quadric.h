@@ -5,14 +5,14 @@
 namespace carina
 {
 
-/// How large a registration's error is everywhere at once. For a small motion (w, v) of A's points
+/// The error of a registration at all points as one matrix. For a small motion (w, v) of A's points
 /// with covariance C, as UncertainTransform has it, the mean squared error at p is
 ///
 ///     E |w x p + v|^2 = [p 1] Q [p 1]^T        Q = [ tr(C_ww) I - C_ww   c        ]
 ///                                                  [ c^T                 tr(C_vv) ]
 ///
-/// with c = E[v x w]: the trace of pointCovariance, written out. What is alike in error lies on
-/// ellipsoids about the place where it is least.
+/// with c = E[v x w]: the trace of pointCovariance, expanded. Points of equal error lie on
+/// ellipsoids about the point of the smallest error.
 ///
 /// @returns Q in A: [p 1] Q [p 1]^T in m^2 for p in metres; symmetric, and positive semidefinite
 ///          where the covariance is.

@@ -8,31 +8,31 @@
 namespace carina
 {
 
-/// How far touched landmarks stray from their places: the fiducial localisation error (FLE), which
-/// the people, the stylus and the anatomy make together.
+/// The fiducial localisation error (FLE): the distance of touched landmarks from their true places,
+/// caused by person, stylus and anatomy together.
 struct LocalisationError {
-    Length rms;                     ///< root of the expected squared length of one error
-    double degrees = kKnownExactly; ///< of freedom from which it was estimated
+    Length rms;                     ///< root mean square length of the error of one touch
+    double degrees = kKnownExactly; ///< degrees of freedom of the estimate
 
-    /// The limit that the true FLE is below with a probability, and `1 - share` for the one that it
-    /// is above: rms / sqrt(chiSquaredShare(degrees, 1 - share)).
+    /// The limit that the true FLE stays below with probability `share`:
+    /// rms / sqrt(chiSquaredShare(degrees, 1 - share)); rms where the FLE is known exactly.
     [[nodiscard]] Length limit(double share = kBoundShare) const;
 };
 
-/// The FLE of equal errors in all directions from what a fit (fitRigid) leaves of them,
+/// The FLE from the FRE of a fit of equal weights (fitRigid), for equal isotropic errors:
 ///
 ///     FRE^2 = (1 - 2/N) FLE^2
 ///
-/// on average (Sibson 1979; Fitzpatrick, West, Maurer 1998), with the 3 N - 6 degrees of freedom
-/// that the fit leaves. It is independent of the error at any target.
+/// in the mean of squares (Sibson 1979; Fitzpatrick, West, Maurer 1998), with the 3 N - 6 degrees
+/// of freedom of the residuals. It is independent of the error at any target.
 ///
-/// @param fre rms of the fit
-/// @param landmarks at least 3
+/// @param fre       RMS residual of the fit
+/// @param landmarks their number N, at least 3
 [[nodiscard]] LocalisationError localisationError(Length fre, std::size_t landmarks);
 
-/// Of two estimates of the same FLE: an earlier registration by the same hand, or what is known of
-/// tracker and stylus, and the residuals of this one. The mean of the squares by their degrees of
-/// freedom, which add. One that is known exactly prevails.
+/// Combines two independent estimates of the same FLE, such as those of an earlier registration by
+/// the same person and of this one: the mean of the squares, weighted by the degrees of freedom,
+/// which add up. Where one is known exactly, it is returned.
 [[nodiscard]] LocalisationError pooled(const LocalisationError& a, const LocalisationError& b);
 
 } // namespace carina

@@ -11,22 +11,24 @@
 namespace carina
 {
 
-/// Which of `count` things agree about one model, though others among them are wrong: random
-/// sample consensus (Fischler and Bolles 1981). Each sample of `sampleSize` things gives a model;
-/// the best has the least
+/// Finds the inliers among `count` items by random sample consensus (RANSAC, Fischler and Bolles
+/// 1981). A model is fitted to each random sample of `sampleSize` items; the best model has the
+/// smallest
 ///
-///     sum over all things of min(d^2, limit^2)
+///     sum over all items of min(d^2, limit^2)
 ///
-/// where d is the distance of a thing from the model (Torr and Zisserman 2000). Whenever a model is
-/// better than all before, it is fitted anew to all things within the limit of it, as often as this
-/// makes it better still (Chum, Matas and Kittler 2003). Samples are drawn until one of things that
-/// are right was among them with all but certainty, and no more than half of all need be right.
-/// The draws begin alike each time: the same things give the same answer.
+/// where d is the distance of an item from the model (MSAC, Torr and Zisserman 2000). Whenever a
+/// model is better than all before, it is refitted to all its inliers (d <= limit) as long as this
+/// lessens the sum (LO-RANSAC, Chum, Matas and Kittler 2003). Sampling stops when, for the share of
+/// inliers found, a sample of inliers only has been drawn with probability 1 - 1e-9, or after 400
+/// draws, which suffice for samples of four where half of all items are inliers. The random numbers
+/// have a fixed seed: the same input gives the same result.
 ///
-/// @param fit      fit(indices) gives the model of some things
-/// @param distance distance(model, index); one that is no number lies beyond any limit
+/// @param limit    largest distance of an inlier from the model
+/// @param fit      fit(indices) returns the model of the items with these indices
+/// @param distance distance(model, index); NaN counts as an outlier
 /// @pre count is at least sampleSize.
-/// @returns their indices, ascending; none where no model could be made.
+/// @returns the indices of the inliers, ascending; empty where no model has sampleSize inliers.
 template <class Fit, class Distance>
 [[nodiscard]] std::vector<std::size_t> consensus(std::size_t count, std::size_t sampleSize,
                                                  double limit, const Fit& fit,

@@ -13,19 +13,20 @@ struct TouchedLandmark {
     Vec3 p_TQ = Vec3::Zero(); ///< in the tracker frame T, metres
 };
 
-/// A patient's anatomy laid on a manikin.
+/// A registration of a patient's anatomy to a manikin.
 struct ManikinFit {
-    RigidTransform X_TM; ///< the manikin's local frame, from the touched points
-    RigidFit fit;        ///< X_AM, residuals in the landmarks' order, FRE
+    RigidTransform X_TM; ///< pose of the manikin's local frame M, from the touched points
+    RigidFit fit;        ///< X_AM, the residuals in the landmarks' order, and the FRE
 
+    /// The pose of the tracker in the anatomy.
     [[nodiscard]] RigidTransform X_AT() const { return fit.X_AM * X_TM.inverse(); }
 };
 
-/// Makes the manikin's local frame of its touched landmarks (siteFrame) and fits the manikin onto
-/// the anatomy in it (fitRigid).
+/// Defines the manikin's local frame M by its touched landmarks (siteFrame), and fits the manikin
+/// to the anatomy in that frame (fitRigid).
 ///
 /// @param landmarks in the order of their catalogue
-/// @returns what siteFrame and fitRigid return.
+/// @returns the errors of siteFrame and fitRigid.
 [[nodiscard]] Result<ManikinFit> fitManikin(std::span<const TouchedLandmark> landmarks);
 
 } // namespace carina

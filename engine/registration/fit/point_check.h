@@ -9,33 +9,33 @@
 namespace carina
 {
 
-/// Coordinates of points in a room are less: squares and sums of such points stay finite.
+/// Upper limit of the coordinates of a valid point; squares and sums of such points stay finite.
 inline constexpr Length kFarthest = metres(1e3);
 
-/// Whether a measured point can be one in a room; false for NaN.
+/// Whether all coordinates are below kFarthest in absolute value, metres; false for NaN.
 [[nodiscard]] inline bool isInRoom(const Vec3& p)
 {
     return std::abs(p.x()) < kFarthest.si && std::abs(p.y()) < kFarthest.si
            && std::abs(p.z()) < kFarthest.si;
 }
 
-/// The same as a reason.
+/// The same check as a Result.
 ///
+/// @param what name of the point, with which the detail begins
 /// @returns NotFinite for NaN or infinity, OutOfRange where a coordinate is a kilometre or more.
-///          The detail begins with what the point is.
 [[nodiscard]] Result<void> checkPoint(const Vec3& p, const char* what);
 
-/// Whether points spread along two directions, so that a rigid fit of them is determined.
+/// Whether points extend along at least two directions, so that a rigid fit of them is determined.
 ///
-/// @param scatter the mean of the outer products of their distances from their mean
-/// @param whose   with which the detail begins: "the manikin's"
-/// @returns DegenerateLandmarks where they lie at one place or (nearly) on one line, as
-///          kSmallestExtent and kCollinearShare say (rigid_fit.h).
+/// @param scatter the mean of the outer products of their differences from their mean, m^2
+/// @param whose   owner of the points, with which the detail begins: "the manikin's"
+/// @returns DegenerateLandmarks where they are coincident (kSmallestExtent) or nearly collinear
+///          (kCollinearShare, both in rigid_fit.h).
 [[nodiscard]] Result<void> checkSpread(const Mat3& scatter, const char* whose);
 
-/// Whether a matrix can be the covariance of where a landmark is touched.
+/// Whether a matrix is a valid covariance of a landmark's position.
 ///
-/// @returns NotFinite; OutOfRange where it is not symmetric and positive definite.
+/// @returns NotFinite; OutOfRange where it is not symmetric or not positive definite.
 [[nodiscard]] Result<void> checkCovariance(const Mat3& covariance);
 
 } // namespace carina

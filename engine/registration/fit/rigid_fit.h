@@ -16,24 +16,24 @@ struct LandmarkPair {
     Vec3 p_MQ = Vec3::Zero(); ///< Q in the manikin frame M, metres
 };
 
-/// A registration and how well it meets its own landmarks. The fiducial registration error (FRE)
-/// says little about the error elsewhere.
+/// A registration and its residuals at its own landmarks. The fiducial registration error (FRE)
+/// says little about the error elsewhere (TRE).
 struct RigidFit {
     RigidTransform X_AM;
     std::vector<double> residuals{}; ///< |p_AQ - X_AM p_MQ| of each pair, metres, in their order
     double rms = 0.0;                ///< FRE: root of the mean squared residual, metres
 };
 
-/// Landmarks whose distance from their mean (RMS) is less are taken for one point: a tracker's
-/// noise is of that size.
+/// Landmarks whose RMS distance from their mean along their main direction is less count as
+/// coincident: a tracker's noise is of that size.
 inline constexpr Length kSmallestExtent = millimetres(1.0);
 
-/// Below this share of a point set's largest extent its second extent counts as none: the points
-/// are collinear and leave the turn about their line undetermined. A tracker with 0.35 mm of noise
-/// makes about 0.003 of exactly collinear points 30 cm long.
+/// Landmarks count as collinear where their second largest extent is below this share of the
+/// largest: the rotation about their line is then undetermined. For exactly collinear points 30 cm
+/// long, 0.35 mm of tracker noise makes a share of about 0.003.
 inline constexpr double kCollinearShare = 0.01;
 
-/// Fits the manikin onto the anatomy: the X_AM that minimises
+/// Fits the manikin to the anatomy: the X_AM that minimises
 ///
 ///     sum_i | p_AQ_i - X_AM * p_MQ_i |^2
 ///
@@ -43,8 +43,8 @@ inline constexpr double kCollinearShare = 0.01;
 ///
 /// @returns TooFewLandmarks below three pairs; NotFinite for NaN or infinity and OutOfRange for a
 ///          kilometre or more in either set; DegenerateLandmarks if either set is coincident or
-///          (nearly) collinear, or if more than one rotation fits best, as where the sets mirror
-///          each other or landmarks were touched in another order.
+///          (nearly) collinear, or if more than one rotation fits best, as when one set is the
+///          mirror image of the other or landmarks were touched in another order.
 [[nodiscard]] Result<RigidFit> fitRigid(std::span<const LandmarkPair> pairs);
 
 } // namespace carina

@@ -12,16 +12,16 @@ namespace carina
 ///
 ///     origin  the mean of all points
 ///     +z      from the second point to the first
-///     +x      square to +z, to the side of the line through these two on which the third lies
+///     +x      perpendicular to +z, towards the side of this line on which the third point lies
 ///     +y      z cross x
 ///
 /// With the rib cage's landmarks in their order (sternal notch, xiphoid process, left fifth rib,
-/// right fifth rib) +x is the manikin's left, +y posterior and +z superior, turned against A by no
-/// more than the slope of the sternum.
+/// right fifth rib) +x is the manikin's left, +y posterior and +z superior; the rotation from A is
+/// about that of the sternum's slope.
 ///
 /// @param p_TQ the landmarks in the tracker's frame, metres, in the order of their catalogue
-/// @returns X_TM; TooFewLandmarks below three; DegenerateLandmarks where the first three are at one
-///          place or (nearly) on one line; NotFinite; OutOfRange for a kilometre or more.
+/// @returns X_TM; TooFewLandmarks below three; DegenerateLandmarks where the first three are
+///          coincident or (nearly) collinear; NotFinite; OutOfRange for a kilometre or more.
 [[nodiscard]] Result<RigidTransform> siteFrame(std::span<const Vec3> p_TQ);
 
 } // namespace carina

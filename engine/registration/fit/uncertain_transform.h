@@ -7,35 +7,35 @@ namespace carina
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// The pose of O in F and how far it may be off: the true pose is a small motion (w, v) of F's
-/// points after it,
+/// The pose of O in F with its covariance. The true pose is the given one followed by a small
+/// motion (w, v) of the points of F,
 ///
 ///     p_FQ_true = p_FQ + w x p_FQ + v        p_FQ = X_FO * p_OQ
 ///
-/// where the turn w (radians) and the shift v (metres) are Gaussian with mean 0. Everything here is
-/// first order in them; for independent poses only.
+/// where the rotation vector w (radians) and the shift v (metres) are Gaussian with mean 0. All
+/// functions are first order in them and assume that the errors of different poses are independent.
 struct UncertainTransform {
     RigidTransform X_FO;
     Mat6 covariance_F = Mat6::Zero(); ///< of (w, v)
 };
 
-/// X_FQ of X_FO and X_OQ. With Ad taking small motions of O's points to F,
-/// cov = cov_FO + Ad cov_OQ Ad^T.
+/// The product X_FQ = X_FO * X_OQ. With Ad the adjoint matrix of X_FO, which converts small motions
+/// from O to F, cov = cov_FO + Ad cov_OQ Ad^T.
 [[nodiscard]] UncertainTransform operator*(const UncertainTransform& X_FO,
                                            const UncertainTransform& X_OQ);
 
-/// X_OF of X_FO.
+/// The inverse X_OF.
 [[nodiscard]] UncertainTransform inverse(const UncertainTransform& X_FO);
 
-/// How far a point that lies fixed in O is off in F for the pose's error, m^2.
-/// @param p_FQ where the pose says that it is, in F
+/// The covariance in F of a point fixed in O, due to the error of the pose X_FO, m^2.
+/// @param p_FQ the point in F as given by the pose, metres
 [[nodiscard]] Mat3 pointCovariance(const Mat6& covariance_F, const Vec3& p_FQ);
 
-/// The same for a point that is itself known with an error in O.
+/// The same for a point whose position in O has a covariance, too.
 [[nodiscard]] Mat3 pointCovariance(const UncertainTransform& X_FO, const Vec3& p_OQ,
                                    const Mat3& covariance_O);
 
-/// Whether errors can have such a covariance: no variance is negative, but for rounding.
+/// Whether a matrix is positive semidefinite up to rounding, as a covariance is.
 /// @pre it is symmetric.
 [[nodiscard]] bool isCovariance(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 

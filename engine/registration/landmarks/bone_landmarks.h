@@ -11,38 +11,40 @@
 namespace carina
 {
 
-/// The surface of one bone of a patient, in A.
+/// The surface of one bone of a patient.
 struct Bone {
-    std::string name; ///< such as "Left fifth rib"
-    std::span<const Vec3f> positions_A;
+    std::string name;                   ///< such as "Left fifth rib"
+    std::span<const Vec3f> positions_A; ///< its vertices, metres
 };
 
-/// The four landmarks of ribCageCatalogue on a patient that has bones:
+/// The four landmarks of ribCageCatalogue, taken from the surfaces of a patient's bones:
 ///
-///     sternal notch         the highest point of the manubrium within 3 mm of its middle plane
-///     xiphoid process       the lowest point of the xiphoid process
-///     left, right fifth rib the foremost point of the rib within 3 mm of the plane through the
-///                           middle of its clavicle, or of the whole rib where it ends before
+///     sternal notch         the most superior point of the manubrium within 3 mm of its midplane
+///     xiphoid process       the most inferior point of the xiphoid process
+///     left, right fifth rib the most anterior point of the rib within 3 mm of the sagittal plane
+///                           through the middle of the clavicle, or of the whole rib where it does
+///                           not reach that plane
 ///
-/// Bones are known by their names: "manubrium", "xiphoid", "fifth rib" and "clavicle" with "left"
-/// or "right", in letters of any case.
-/// @param anatomy content hash of the patient
+/// Bones are recognised by words in their names, in any case: "manubrium", "xiphoid", and
+/// "fifth rib" and "clavicle" with "left" or "right".
+/// @param anatomy content hash of the patient, stored in the catalogue
 /// @returns nothing where one of these bones is missing.
 [[nodiscard]] std::optional<LandmarkCatalogue> boneLandmarks(std::span<const Bone> bones,
                                                              std::string anatomy);
 
-/// Further places taken from bones where a patient has them:
+/// Further places, taken from the patient's bones where it has them:
 ///
-///     angle of the jaw   the point of the mandible's half that lies furthest down and back, the
-///                        mouth shut
-///     end of tenth rib   its foremost point
+///     angle of the jaw   the point of each half of the mandible with the largest y - z (down and
+///                        back); the mouth has to be closed
+///     end of tenth rib   its most anterior point
 ///
-/// Known by "mandible" and "tenth rib" with "left" or "right". @param places those that stay where
-/// a bone is missing
+/// Recognised by "mandible", and "tenth rib" with "left" or "right".
+/// @param places the result for places whose bone is missing
 [[nodiscard]] FurtherPlaces onBones(FurtherPlaces places, std::span<const Bone> bones);
 
-/// Places to check a registration at, none of them a landmark: the inner ends of both clavicles,
-/// their points nearest to the middle of the manubrium. None where one of these bones is missing.
+/// Places for checking a registration that are not landmarks: the medial ends of both clavicles,
+/// which are their points nearest to the midplane of the manubrium. Empty where one of these bones
+/// is missing.
 [[nodiscard]] std::vector<Landmark> boneCheckPlaces(std::span<const Bone> bones);
 
 } // namespace carina

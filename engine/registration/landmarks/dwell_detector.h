@@ -10,7 +10,7 @@
 namespace carina
 {
 
-/// A point that a stylus was held at.
+/// A point at which a stylus was held still.
 struct DwellPoint {
     Vec3 p_FQ = Vec3::Zero(); ///< mean of the tip's positions, metres, in the samples' frame F
     double spread = 0.0;      ///< largest distance of a position from the mean, metres
@@ -19,17 +19,17 @@ struct DwellPoint {
     SessionTime until{};
 };
 
-/// Turns the stream of a stylus tip into the points it was held at: a point is the first stretch
-/// of `hold` in which all tracked positions lie within `radius` of their mean.
+/// Detects the points at which a stylus tip is held still: a point is the first interval of
+/// duration `hold` in which all tracked positions lie within `radius` of their mean.
 ///
-/// Every position stands for one mean interval of its stretch: n of them from t_1 to t_n cover
-/// (t_n - t_1) n / (n - 1). Counted from first to last alone, the same second would be longer the
-/// slower the tracker.
+/// Each position represents one mean sampling interval: n positions from t_1 to t_n have the
+/// duration (t_n - t_1) n / (n - 1). With t_n - t_1 alone a slower tracker would require a longer
+/// hold.
 ///
-/// After a point the tip has to go further than `leave` from it before the next can be taken, so
-/// that one touch is one point. The tip may sway about the point by more than the radius while the
-/// stylus is swung in its divot: 2.4 mm in a recording with a tip calibrated to 0.46 mm. Landmarks
-/// are centimetres apart.
+/// After a point the tip has to move further than `leave` from it before the next point can be
+/// taken, so that one touch gives one point. `leave` is larger than `radius`, because the computed
+/// tip may move while the stylus is swung in a divot: by 2.4 mm in a recording with a tip
+/// calibrated to 0.46 mm. Landmarks are centimetres apart.
 class DwellDetector
 {
 public:
@@ -43,19 +43,19 @@ public:
     DwellDetector() = default;
     explicit DwellDetector(const Settings& settings) : m_settings{settings} {}
 
-    /// Takes the next position of the tip. A sample that is lost, not finite or not newer than the
-    /// last is left out; after a gap longer than longestGap the hold begins anew.
+    /// Takes the next position of the tip. A sample that is lost, not finite or not later than the
+    /// last is ignored; after a gap longer than longestGap the hold restarts.
     /// @returns the point, with the sample that completes it.
     std::optional<DwellPoint> push(SessionTime time, const Vec3& p_FQ, Validity validity);
 
-    /// The next point is taken only after the tip has gone further than `leave` from here: it was
-    /// taken otherwise, or the tip lay there before anybody asked for a point.
+    /// Ignores the tip until it is further than `leave` from this point, because the point was
+    /// taken in another way, or the tip was there before a point was requested.
     void leave(const Vec3& p_FQ);
 
-    /// How much of the hold the latest positions within the radius cover, 0 to 1, for a person to
-    /// see; 0 once they have given a point.
+    /// The completed share of the hold, 0 to 1, for display to the user; 0 after a point.
     [[nodiscard]] double progress() const;
 
+    /// A tracked position of the tip, metres.
     struct Position {
         SessionTime time;
         Vec3 p_FQ;
@@ -63,9 +63,9 @@ public:
 
 private:
     Settings m_settings;
-    std::vector<Position> m_latest; ///< ascending in time, no more than cover the hold
+    std::vector<Position> m_latest; ///< ascending in time, just enough for the hold
     std::optional<SessionTime> m_last;
-    std::optional<Vec3> m_taken; ///< the point just taken, until the tip has left it
+    std::optional<Vec3> m_taken; ///< the last point, until the tip has left it
 };
 
 } // namespace carina

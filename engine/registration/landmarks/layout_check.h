@@ -7,32 +7,33 @@
 namespace carina
 {
 
-/// What landmarks that are not yet touched will be good for.
+/// The predicted errors of a set of landmarks before they are touched.
 struct LayoutReport {
-    std::vector<TargetError> targets; ///< in their order
+    std::vector<TargetError> targets; ///< in the order of the targets
     std::size_t worst = 0;            ///< the target with the largest RMS error
-    bool withinLimit = true;          ///< of the worst
+    bool withinLimit = true;          ///< whether the worst RMS error is at most the limit
 };
 
-/// Predicts the error at targets (places in A) before digitising. A layout that is nearly on one
-/// line, or far from a target, shows as a large error there and the direction in which it is worst.
+/// Predicts the TRE at targets (positions in A, metres) before any landmark is touched. A layout
+/// that is nearly collinear, or far from a target, has a large error there; TargetError also gives
+/// the direction in which it is largest.
 ///
-/// @param limit of the RMS error
-/// @returns what fitCovariance returns; OutOfRange where there is no target.
+/// @param limit largest acceptable RMS error
+/// @returns the errors of fitCovariance; OutOfRange where there is no target; NotFinite or
+///          OutOfRange for an invalid target.
 [[nodiscard]] Result<LayoutReport> checkLayout(std::span<const LandmarkError> landmarks,
                                                std::span<const Vec3> targets, Length limit,
                                                Weighting weighting = Weighting::Alike);
 
-/// The landmark that is worth touching too.
+/// The additional landmark that reduces the error most.
 struct NextLandmark {
-    std::size_t candidate = 0; ///< its place among the candidates
-    Length worstRms;           ///< error at the worst target with it
+    std::size_t candidate = 0; ///< its index among the candidates
+    Length worstRms;           ///< RMS error at the worst target with this landmark added
 };
 
-/// Where one more landmark helps most: the candidate with which the error at the worst target is
-/// least.
+/// The candidate which, added to the landmarks, makes the error at the worst target smallest.
 ///
-/// @returns what fitCovariance and checkLayout return; nothing where no candidate makes it less.
+/// @returns the errors of checkLayout; nothing where no candidate reduces that error.
 [[nodiscard]] Result<std::optional<NextLandmark>>
 nextLandmark(std::span<const LandmarkError> landmarks, std::span<const LandmarkError> candidates,
              std::span<const Vec3> targets, Weighting weighting = Weighting::Alike);

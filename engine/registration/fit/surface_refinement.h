@@ -63,10 +63,13 @@ inline constexpr std::size_t kFewestSwabPoints = 20;
 /// below 0.3 mm; points beyond it are rejected. The iteration ends when no step of a micrometre or
 /// more reduces the sum.
 ///
-/// How strongly motions are constrained is told by the eigenvalues of mean_i j_i j_i^T, j_i = (r_i
-/// x n_i / L, n_i), with n_i the unit direction of d_i, r_i from the swab's centre and L the RMS of
-/// |r_i| (Gelfand et al. 2003). The covariance is s^2 / n times the inverse of this matrix, with
-/// s^2 the sum of d_i^2 of the n inliers divided by n - 6.
+/// The eigenvalues of the matrix
+///
+///     mean_i j_i j_i^T        j_i = (r_i x n_i / L, n_i)
+///
+/// tell how strongly the swab constrains each motion (Gelfand et al. 2003), with n_i the unit
+/// direction of d_i, r_i from the swab's centre and L the RMS of |r_i|. The covariance is s^2 / n
+/// times the inverse of this matrix, with s^2 the sum of d_i^2 of the n inliers divided by n - 6.
 ///
 /// @param surface_A the surface that was swabbed, in A
 /// @param p_MQ      positions of the tip on the surface, in M, metres

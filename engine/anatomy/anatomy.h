@@ -11,7 +11,7 @@
 namespace carina
 {
 
-/// What a surface is, as far as Carina treats parts differently.
+/// The kind of a part, as far as Carina treats parts differently.
 enum class PartRole : std::uint8_t {
     Trachea,
     RightMainBronchus,
@@ -24,7 +24,7 @@ enum class PartRole : std::uint8_t {
     RightLowerLobe,
     LeftUpperLobe,
     LeftLowerLobe,
-    RightLung, ///< whole, where there are no lobes
+    RightLung, ///< the whole lung, where there are no lobes
     LeftLung,
     Diaphragm,
     Mandible,
@@ -44,10 +44,11 @@ enum class PartRole : std::uint8_t {
 
 enum class Side : std::uint8_t { Right, Left };
 
-/// The lung that a lobe or whole lung belongs to.
+/// The side of a lobe or whole lung; nothing for other roles.
 [[nodiscard]] std::optional<Side> lungSide(PartRole role);
 
-/// The stable name of a role in files and JSON ("right_upper_lobe"), and back.
+/// The name of a role in files and JSON ("right_upper_lobe"), which does not change, and its
+/// inverse; nothing for an unknown name.
 [[nodiscard]] const char* roleName(PartRole role);
 [[nodiscard]] std::optional<PartRole> roleFromName(const std::string& name);
 
@@ -57,15 +58,14 @@ struct AnatomyPart {
     PartRole role = PartRole::Other;
     std::string conceptId;            ///< FMA id such as "FMA7394"; empty where unknown
     std::vector<TriangleMesh> levels; ///< at least one; finest first, normals present in each
-    /// How far each level departs from the finest, metres; one each, or none where that
-    /// is not known.
+    /// Deviation of each level from the finest, metres; one per level, or empty where unknown.
     std::vector<double> deviations{};
-    /// The colours that the surface came with, one per vertex of each level; none where it has
-    /// those of its role.
+    /// Colours from the surface's file, one per vertex of each level; empty where it is drawn in
+    /// the colour of its role.
     std::vector<std::vector<Rgb>> colors{};
 };
 
-/// Points and the way of a tube that every patient has, in A, metres.
+/// The landmarks of a patient's airway and the path of a tube, in A, metres.
 struct AirwayLandmarks {
     Vec3 p_A_incisors = Vec3::Zero(); ///< midpoint of the upper incisors' edge
     Vec3 p_A_glottis = Vec3::Zero();  ///< midpoint between the vocal cords
@@ -77,8 +77,8 @@ struct AirwayLandmarks {
 /// superior, metres).
 struct Anatomy {
     std::string name; ///< "Adult", "12 years, 150 cm", or the folder's name
-    /// Equal means the same patient: SHA-256 in hex of the files a set was made from; of a built-in
-    /// patient its name and the version of what makes it, such as "builtin-adult-2".
+    /// Identifies the patient: SHA-256 in hex of the files of a set; for a built-in patient its
+    /// name and the version of its formulas, such as "builtin-adult-2".
     std::string contentHash;
     std::vector<AnatomyPart> parts;
     AirwayLandmarks landmarks;

@@ -10,11 +10,11 @@
 namespace carina
 {
 
-/// The windpipe's frame W in A: origin at the carina, +x as in A, +z up the trachea's axis and +y
-/// to its back. The trachea leans 12 degrees forward on its way up.
+/// X_AW of the trachea's frame W: origin at the carina, +x as in A, +z up the trachea's axis, +y to
+/// its back. The trachea leans forward by 12 degrees on its way up.
 [[nodiscard]] RigidTransform windpipeInAnatomy();
 
-/// A rod that tapers, in W, metres.
+/// A tapered rod in W, metres.
 struct AirwayRod {
     Vec3 p_W_from;
     Vec3 p_W_to;
@@ -22,37 +22,38 @@ struct AirwayRod {
     double radiusTo = 0.0;
 };
 
-/// The trachea, both main bronchi and their lobar branches as one solid, and its parts.
+/// The trachea, both main bronchi and their lobar branches as one solid, and its three parts.
 ///
-/// The inner walls of the two main bronchi meet at the origin, the carina. There each part ends in
-/// a plane square to its bronchus, so that the parts meet without overlap or gap and the trachea
-/// reaches down to exactly the carina.
+/// The medial walls of the two main bronchi meet at the origin, the carina. There the solid is
+/// divided by a plane perpendicular to each bronchus, so that the parts meet without overlap or
+/// gap, and the trachea reaches exactly down to the carina.
 class AirwaySolid
 {
 public:
     explicit AirwaySolid(const PatientDimensions& dimensions);
 
-    /// C-shaped cartilages stand out between the gaps; the back wall is flat.
+    /// The trachea in A, with protruding C-shaped cartilages and a flat posterior wall.
     [[nodiscard]] ImplicitShape trachea() const;
-    /// A main bronchus with its lobar branches.
+    /// A main bronchus with its lobar branches, in A.
     [[nodiscard]] ImplicitShape bronchus(Side side) const;
 
-    /// The main bronchus of a side and its branches, in W: right the upper lobe's, the intermediate
-    /// bronchus down to the lower lobe, and the middle lobe's; left the upper lobe's, the lower
-    /// lobe's, and the lingula's.
+    /// The main bronchus of a side and its branches, in W. Right: to the upper lobe, the
+    /// intermediate bronchus down to the lower lobe, and to the middle lobe. Left: to the upper
+    /// lobe, to the lower lobe, and to the lingula.
     [[nodiscard]] const std::array<AirwayRod, 4>& rods(Side side) const
     {
         return side == Side::Right ? m_right.rods : m_left.rods;
     }
 
-    /// Distance in A to the trachea and both main bronchi without lobar branches: where no lung is.
+    /// Signed distance to the trachea and both main bronchi without lobar branches, metres: the
+    /// region that the lungs leave free.
     [[nodiscard]] double outsideLungs(const Vec3& p_A) const;
 
 private:
     [[nodiscard]] double tracheaDistance(const Vec3& p_WQ) const;
     [[nodiscard]] double bronchusDistance(Side side, const Vec3& p_WQ) const;
     [[nodiscard]] double wholeDistance(const Vec3& p_WQ) const;
-    /// Below zero where the solid belongs to that bronchus and not to the trachea.
+    /// Below zero where the solid belongs to the bronchus of that side.
     [[nodiscard]] double territory(Side side, const Vec3& p_WQ) const;
 
     struct Branches {
@@ -65,7 +66,7 @@ private:
     PatientDimensions m_dimensions;
     RigidTransform m_X_AW;
     RigidTransform m_X_WA;
-    double m_scale; ///< of this trachea's length to the adult's: for what has no figure of its own
+    double m_scale; ///< this trachea's length over the adult's: scales sizes without an own figure
     Branches m_right;
     Branches m_left;
 };

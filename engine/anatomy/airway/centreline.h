@@ -9,17 +9,18 @@
 namespace carina
 {
 
-/// A line through points in one frame, metres.
+/// A polyline through points in one frame, metres.
 using Centreline = std::vector<Vec3>;
 
+/// Its arc length.
 [[nodiscard]] Length lengthOf(std::span<const Vec3> line);
 
-/// The place a way `along` the line from its first point; the nearer end outside it.
-/// @pre the line has a point.
+/// The point at arc length `along` from the first point; clamped to both ends.
+/// @pre the line has at least one point.
 [[nodiscard]] Vec3 pointAlong(std::span<const Vec3> line, Length along);
 
-/// The same line with points at equal distances along it, as close as `spacing` at most; both ends
-/// stay where they are.
+/// The same line, resampled to points at equal arc lengths of at most `spacing`; both ends are
+/// kept.
 /// @pre at least two points and spacing above zero.
 [[nodiscard]] Centreline evenlySpaced(std::span<const Vec3> line, Length spacing);
 

@@ -9,7 +9,7 @@ namespace carina
 namespace
 {
 
-/// Between the condyles, from the edge of the upper incisors, in his millimetres.
+/// Midway between the condyles, from the edge of the upper incisors, in reference millimetres.
 const Vec3 kHinge{0.0, 87.0, 45.0};
 
 // The lower incisors are 98 mm from the hinge: 11.7 degrees take them 20 mm down and back.

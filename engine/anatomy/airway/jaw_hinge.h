@@ -6,14 +6,14 @@
 namespace carina
 {
 
-/// X_AJ of the lower jaw in the plan's posture, the identity with the mouth shut: a turn about the
-/// line through both condyles, which opens the incisors by 20 mm in an adult.
+/// X_AJ of the mandible in the plan's posture: the identity with the mouth closed, otherwise a
+/// rotation about the line through both condyles that opens the incisors by 20 mm in an adult.
 [[nodiscard]] RigidTransform heldJaw(const BodyPlan& plan);
 
-/// From a place in the mouth that is shut to where the lower jaw takes it in the plan's posture.
+/// Moves a point of the closed mouth with the mandible to the plan's posture; in A, metres.
 [[nodiscard]] Vec3 withJaw(const BodyPlan& plan, const Vec3& p_A_shut);
 
-/// A shape that is written for a mouth that is shut, as the lower jaw takes it.
+/// Moves a shape, given for the closed mouth, with the mandible to the plan's posture.
 [[nodiscard]] ImplicitShape onJaw(const BodyPlan& plan, ImplicitShape shut);
 
 } // namespace carina

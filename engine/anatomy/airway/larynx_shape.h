@@ -8,9 +8,10 @@ namespace carina
 {
 
 /// Thyroid and cricoid cartilage, both arytenoid cartilages, both vocal cords and the epiglottis.
-/// The cricoid sits on the trachea's upper end; the cords lie at their height above the carina,
-/// parted as for breathing, on both sides of the trachea's axis produced. In a laryngoscope's
-/// posture the epiglottis is raised; at rest it leans over the way into the larynx.
+/// The cricoid sits on the trachea's upper end; the cords lie at cordsToCarina above the carina,
+/// abducted as for breathing, on both sides of the extended axis of the trachea. In
+/// Posture::Laryngoscopy the epiglottis is raised; at rest it leans over the entrance of the
+/// larynx.
 [[nodiscard]] std::vector<PartPlan> larynx(const BodyPlan& plan);
 
 } // namespace carina

@@ -10,7 +10,7 @@ namespace carina
 namespace
 {
 
-/// Everything here is in his millimetres from the edge of his upper incisors.
+/// All shapes here are in reference millimetres (BodyPlan) from the edge of the upper incisors.
 
 constexpr Length kMouthVoxel = millimetres(1.6);
 
@@ -67,7 +67,7 @@ double oralCavity(const Strand& soft, Posture posture, const Vec3& p)
     return roundedMax(roundedMax(arch, walls, 4.0), std::max(outsideTongue, outsidePalate), 2.0);
 }
 
-/// A shape in his millimetres within a box, in A.
+/// Converts a shape in reference millimetres, within a box, to A.
 PartPlan planOf(const char* name, PartRole role, const char* concept_, const BodyPlan& plan,
                 const Box& bounds_mm, Implicit local)
 {

@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// Tongue, hard palate, soft palate with the uvula, and the space between them: the oral cavity,
-/// from the teeth back to the pharynx, as a solid of its own.
+/// Tongue, hard palate, soft palate with the uvula, and the oral cavity between them, from the
+/// teeth back to the pharynx, as a separate solid.
 [[nodiscard]] std::vector<PartPlan> mouth(const BodyPlan& plan);
 
 } // namespace carina

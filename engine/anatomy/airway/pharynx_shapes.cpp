@@ -17,8 +17,8 @@ constexpr Length kPharynxVoxel = millimetres(1.8);
 constexpr Length kOesophagusVoxel = millimetres(2.0);
 constexpr double kHalfWall = 1.7;
 
-/// A level section of the wall, in his millimetres from between his vocal cords: half its width,
-/// where it is furthest back, and where it begins in front.
+/// A horizontal section of the wall, in reference millimetres (BodyPlan) from between the vocal
+/// cords: half its width, its rearmost y, and the y at which it begins in front.
 struct WallSection {
     double z, halfWidth, back, front;
 };
@@ -68,7 +68,7 @@ public:
     {
     }
 
-    /// To his millimetres, origin between his vocal cords.
+    /// To reference millimetres, origin between the vocal cords.
     [[nodiscard]] Vec3 inHis(const Vec3& p_A) const
     {
         const Vec3 p = p_A - m_cords;
@@ -88,11 +88,11 @@ public:
         return m_cords + Vec3{breadthAt(z) * p_mm.x(), breadthAt(z) * p_mm.y(), height};
     }
 
-    /// Metres that no millimetre of his is less than.
+    /// The smallest of the scales, in metres per reference millimetre.
     [[nodiscard]] double least() const { return std::min({m_larynx, m_face, m_between}); }
 
 private:
-    static constexpr double kIncisors = 48.6; ///< the edge of his upper incisors above his cords
+    static constexpr double kIncisors = 48.6; ///< the upper incisors' edge above the cords
 
     [[nodiscard]] double breadthAt(double z) const
     {
@@ -122,7 +122,8 @@ PartPlan constrictor(const char* name, const char* concept_, double from, double
         name, PartRole::Pharynx, concept_, {bounds, distance}, 1e3 * plan.airway * kPharynxVoxel};
 }
 
-/// Middle of the oesophagus in his chest, in his millimetres, from the cricoid to the diaphragm.
+/// Centre line of the oesophagus from the cricoid to the diaphragm, in reference millimetres of the
+/// chest.
 constexpr std::array<std::array<double, 3>, 12> kOesophagus{{{0, -12, 102},
                                                              {0, -9, 75},
                                                              {0, -6, 50},

@@ -8,7 +8,7 @@ namespace carina
 {
 
 /// The wall of the pharynx, open to the front, from the base of the skull to the cricoid, as its
-/// three constrictors; and the oesophagus from there down behind the trachea to the diaphragm.
+/// three constrictor muscles; and the oesophagus from there, behind the trachea, to the diaphragm.
 [[nodiscard]] std::vector<PartPlan> pharynxAndOesophagus(const BodyPlan& plan);
 
 } // namespace carina

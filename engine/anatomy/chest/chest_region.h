@@ -6,25 +6,26 @@
 namespace carina
 {
 
-/// Parts of the body that breathing and the lower jaw move in the same way.
+/// Regions of the body; all parts of a region move in the same way with breathing and the jaw.
 enum class ChestRegion : std::uint8_t {
-    Still,          ///< skull, teeth, spine, what is not recognised
-    RightUpperLung, ///< upper and middle lobe, and a lung that is given whole
+    Still,          ///< skull, teeth, spine, and unrecognised parts: do not move
+    RightUpperLung, ///< upper and middle lobe; also a lung without lobes
     RightLowerLung, ///< lower lobe, which slides along the oblique fissure
     LeftUpperLung,
     LeftLowerLung,
-    Bronchi,     ///< within both lungs, and the main bronchi that lead there
-    Diaphragm,   ///< goes with the base of the lungs
+    Bronchi,     ///< main bronchi and the bronchial tree
+    Diaphragm,   ///< moves with the base of the lungs
     Wall,        ///< ribs, sternum and skin, on which the lungs slide
-    Mediastinum, ///< trachea, oesophagus, heart and vessels; what is high enough follows the jaw
-    Throat,      ///< tongue, epiglottis, larynx and muscles: they follow the jaw
-    Pharynx,     ///< follows the jaw, too, but for its wall behind and for the palate
+    Mediastinum, ///< trachea, oesophagus, heart, vessels; upper parts follow the jaw
+    Throat,      ///< tongue, epiglottis, larynx and muscles: follow the jaw
+    Pharynx,     ///< follows the jaw, except its posterior wall and the palate
 };
 inline constexpr std::size_t kChestRegions = 11;
 
+/// The region of a part, by its role.
 [[nodiscard]] ChestRegion regionOf(PartRole role);
 
-/// As what a region follows the jaw; nothing for one that does not.
+/// The kind of tissue as which a region follows the jaw; nothing for a region that does not.
 [[nodiscard]] std::optional<ThroatTissue> tissueOf(ChestRegion region);
 
 } // namespace carina

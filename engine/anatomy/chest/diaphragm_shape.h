@@ -5,11 +5,12 @@
 namespace carina
 {
 
-/// Signed distance to what lies below the diaphragm's two domes, in his millimetres from the lowest
-/// edge of his trachea; straight down below the widest place of each.
+/// Signed distance to the space below the two domes of the diaphragm, which goes on straight down
+/// below the widest section of each. Point and result in reference millimetres of the chest
+/// (BodyPlan).
 [[nodiscard]] double belowDiaphragm(const Vec3& p);
 
-/// The diaphragm as a sheet over both domes, from its crura and costal margin up.
+/// The diaphragm as a sheet over both domes, upwards from its crura and the costal margin.
 [[nodiscard]] PartPlan diaphragm(const BodyPlan& plan);
 
 } // namespace carina

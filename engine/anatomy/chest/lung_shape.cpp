@@ -14,10 +14,10 @@ namespace
 
 constexpr Length kLungVoxel = millimetres(3.3);
 
-/// Lungs are written in his millimetres from the lowest edge of his trachea, towards the lung's own
-/// side: x is positive away from the midline in both.
+/// Lungs are given in reference millimetres (BodyPlan) from the lowest edge of the trachea; x is
+/// positive away from the midline for both lungs.
 
-/// Free way between an airway and the lung beside it, and from the middle of the diaphragm.
+/// Clearance between an airway and the lung beside it, and from the middle of the diaphragm.
 constexpr double kClearance = 2.5;
 constexpr double kAboveDiaphragm = 3.4;
 constexpr double kAboveDomes = -65.0; ///< height above which the diaphragm is far away

@@ -12,8 +12,8 @@ namespace
 
 constexpr Length kSegmentVoxel = millimetres(1.5);
 
-/// A segmental bronchus: where it leaves which rod of its side, and where it ends, in his
-/// millimetres from the lowest edge of his trachea (right ones with x below zero).
+/// A segmental bronchus: the rod of its side that it leaves, where, and its end in reference
+/// millimetres (BodyPlan) from the lowest edge of the trachea; right ones have x below zero.
 struct SegmentFigures {
     const char* name;
     const char* concept_;

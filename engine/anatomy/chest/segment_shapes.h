@@ -8,8 +8,8 @@
 namespace carina
 {
 
-/// The segmental bronchi: ten in the right lung and nine in the left, where the apical and the
-/// posterior one of the upper lobe leave apart; each from its lobar bronchus into its segment.
+/// The segmental bronchi, each from its lobar bronchus into its segment: ten in the right lung and
+/// nine in the left, where those of the apical and posterior upper lobe are separate.
 [[nodiscard]] std::vector<PartPlan> segmentalBronchi(const BodyPlan& plan,
                                                      const AirwaySolid& airway);
 

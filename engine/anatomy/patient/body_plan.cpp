@@ -12,8 +12,8 @@ namespace carina
 namespace
 {
 
-/// Of the man whose millimetres the shapes are written in: cords to carina along his trachea's
-/// line, height, volume of his lungs, incisors to glottis in a straight line.
+/// The reference man of BodyPlan: cords to carina along the trachea, height, volume of the lungs,
+/// incisors to glottis in a straight line.
 constexpr Length kHisCordsToCarina = millimetres(121.9);
 constexpr Length kHisHeight = metres(1.729);
 constexpr Volume kHisLungs = litres(2.864);
@@ -39,7 +39,7 @@ BodyPlan bodyPlanOf(const PatientDimensions& dimensions, Posture posture)
         .dimensions = dimensions, .posture = posture, .landmarks = landmarksOf(dimensions)};
     plan.airway = 1e-3 * (dimensions.cordsToCarina / kHisCordsToCarina);
     plan.chest = 1e-3 * std::cbrt(dimensions.functionalResidualCapacity / kHisLungs);
-    // Jaws and mouth follow height, unless the way over the tongue asks for another size.
+    // The geometric mean of the scale by the path over the tongue and that by height.
     const double byWay = (plan.landmarks.p_A_incisors - plan.landmarks.p_A_glottis).norm()
                          / kHisIncisorsToGlottis.si;
     const double byHeight = dimensions.height / kHisHeight;

@@ -9,44 +9,47 @@
 namespace carina
 {
 
-/// How a patient lies there: with the mouth shut and the epiglottis over the way into the larynx,
-/// or as a laryngoscope holds them, the mouth open, tongue and epiglottis lifted from the way of a
-/// tube.
+/// The posture in which a patient is made. Rest: mouth closed, epiglottis over the entrance of the
+/// larynx. Laryngoscopy: mouth open, tongue and epiglottis lifted off the path of a tube, as by a
+/// laryngoscope.
 enum class Posture : std::uint8_t { Rest, Laryngoscopy };
 
-/// Where the organs of one patient lie and how large they are. Shapes are written in millimetres of
-/// one man, whose surfaces are published (BodyParts3D): positions and sizes were measured there and
-/// rounded. Each region has the size against his that its published formulas give.
+/// Positions and sizes of one patient's organs. Shapes are defined in millimetres of a reference
+/// man, whose surfaces are published (BodyParts3D): positions and sizes were measured there and
+/// rounded. Comments call these reference millimetres. Each region of a patient is scaled from them
+/// by its own factor, which follows from the patient's dimensions.
 struct BodyPlan {
     PatientDimensions dimensions;
     Posture posture = Posture::Laryngoscopy;
     AirwayLandmarks landmarks;
-    double airway = 1.0; ///< metres for each of his millimetres: windpipe and larynx
-    double chest = 1.0;  ///< lungs, ribs, diaphragm
-    double face = 1.0;   ///< mouth and jaws
+    double airway = 1.0; ///< metres per reference millimetre: trachea and larynx
+    double chest = 1.0;  ///< the same for lungs, ribs, diaphragm
+    double face = 1.0;   ///< the same for mouth and jaws
 
+    /// The reference man's carina, from the lowest edge of his trachea.
     inline static const Vec3 kEdgeToCarina_mm{0.0, 2.5, 0.4};
 
-    /// From his millimetres, origin at the lowest edge of his trachea, to A: his carina lies 2.5 mm
-    /// behind and 0.4 mm above it.
+    /// From reference millimetres of the chest, with the origin at the lowest edge of the reference
+    /// man's trachea, to A.
     [[nodiscard]] Vec3 inChest(const Vec3& p_mm) const { return chest * (p_mm - kEdgeToCarina_mm); }
-    /// From his millimetres, origin at the edge of his upper incisors, to A.
+    /// From reference millimetres of the face, with the origin at the edge of the upper incisors,
+    /// to A.
     [[nodiscard]] Vec3 inFace(const Vec3& p_mm) const
     {
         return landmarks.p_A_incisors + face * p_mm;
     }
 };
 
-/// The plan of a patient with these figures.
+/// The plan of a patient with these dimensions.
 [[nodiscard]] BodyPlan bodyPlanOf(const PatientDimensions& dimensions, Posture posture);
 
-/// A part of a patient that is still to be meshed.
+/// A part of a patient before it is meshed.
 struct PartPlan {
     std::string name;
     PartRole role = PartRole::Other;
-    std::string conceptId;
-    ImplicitShape shape;
-    Length voxel;
+    std::string conceptId; ///< FMA id
+    ImplicitShape shape;   ///< in A
+    Length voxel;          ///< edge of the grid cells of its mesh
 };
 
 } // namespace carina

@@ -35,15 +35,16 @@ namespace
 
 constexpr std::array kShares{0.25, 0.0625};
 
-/// How often a part is tried, and by how much finer each time.
+/// Attempts to mesh a part, and the refinement of the grid with each.
 constexpr int kAttempts = 6;
 constexpr double kFiner = 0.03;
 
-/// Edge of a voxel for a trachea of the size of BodyPlan's man, and for his jaw.
+/// Edge of a voxel for the trachea and the jaw of BodyPlan's reference man.
 constexpr Length kAirwayVoxel = millimetres(1.0);
 constexpr Length kMandibleVoxel = millimetres(1.9);
 
-/// The edge of the lower incisors of a mouth that is shut, in his millimetres from the upper ones'.
+/// The edge of the lower incisors with the mouth closed, from that of the upper ones, in reference
+/// millimetres.
 const Vec3 kUpperToLowerIncisors{0.0, 4.0, 0.5};
 
 void add(std::vector<PartPlan>& all, std::vector<PartPlan> more)
@@ -112,11 +113,11 @@ void matchVolumes(const BodyPlan& plan, std::span<AnatomyPart> parts)
     }
 }
 
-/// A part in all levels. Simplifying folds a surface now and then, thin ones more often; what meets
-/// itself keeps some more triangles.
+/// A part in all levels of detail. Simplification sometimes makes a surface, mostly a thin one,
+/// intersect itself; such a part keeps more triangles.
 struct Made {
     AnatomyPart part;
-    bool isWrong = false; ///< it meets itself all the same
+    bool isWrong = false; ///< it still intersects itself
 };
 
 Made surfaceOf(const PartPlan& plan, double finer)
@@ -135,7 +136,7 @@ Made surfaceOf(const PartPlan& plan, double finer)
     return made;
 }
 
-/// Makes parts, and those that meet themselves in their finest level a little finer once more.
+/// Makes parts; those that intersect themselves again with a finer grid.
 void makeParts(std::span<const PartPlan> plans, std::span<AnatomyPart> parts)
 {
     tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
@@ -146,7 +147,7 @@ void makeParts(std::span<const PartPlan> plans, std::span<AnatomyPart> parts)
     });
 }
 
-/// Makes the lobes of both lungs, which are scaled together and so made anew together.
+/// Makes the lobes of both lungs. They are scaled together, so all are made again together.
 void makeLobes(const BodyPlan& plan, std::span<const PartPlan> plans, std::span<AnatomyPart> parts)
 {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {

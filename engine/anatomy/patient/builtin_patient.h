@@ -9,26 +9,28 @@
 namespace carina
 {
 
-/// A patient made by formulas: mouth with teeth, tongue and palate, pharynx, larynx with vocal
+/// Makes a patient from formulas: mouth with teeth, tongue and palate, pharynx, larynx with vocal
 /// cords, epiglottis, trachea with its rings, bronchi to the segments, five lobes, diaphragm, ribs,
-/// sternum, clavicles, spine, lower jaw, oesophagus and skin, each closed in each of three levels
-/// of detail (whole, a quarter, a sixteenth of the triangles). No file is read; the same build
-/// makes the same patient.
+/// sternum, clavicles, spine, mandible, oesophagus and skin. Each surface is closed in each of
+/// three levels of detail (all, about a quarter and about a sixteenth of the triangles). No file is
+/// read; the same build makes the same patient.
 ///
-/// Both lungs together enclose the functional residual capacity, shared as the dimensions say, in
-/// every level of detail. What meets itself is made anew, a little finer, up to six times; of the
-/// two built-in patients nothing is left that does. Name and content hash say whom these figures
-/// make (nameOf, madeHash); with the mouth shut the hash is left empty.
+/// In every level of detail the lungs enclose the functional residual capacity, divided between
+/// both sides by rightLungShare. A part that intersects itself is made again with a slightly finer
+/// grid, at most six times in all; in the two built-in patients no self-intersection remains. The
+/// patient has the name and content hash of its parameters (nameOf, madeHash); in Posture::Rest the
+/// hash is empty.
 ///
-/// @returns MeshNotClosed if a surface came out open or inside out; OutOfRange (see dimensionsFor).
+/// @returns MeshNotClosed if a surface is open or its volume is not positive; OutOfRange (see
+///          dimensionsFor).
 [[nodiscard]] Result<Anatomy> patientFor(const PatientParameters& parameters,
                                          Posture posture = Posture::Laryngoscopy);
 
-/// The same with the figures of a built-in patient.
+/// The same for a built-in patient, in Posture::Laryngoscopy.
 [[nodiscard]] Result<Anatomy> builtinPatient(BuiltinPatient patient);
 
-/// X_AJ of the lower jaw as the surfaces of a patient have it: in those that patientFor makes the
-/// mouth is held open, in every other it is shut (the identity).
+/// X_AJ of the mandible in the surfaces of a patient: open in those that patientFor makes in
+/// Posture::Laryngoscopy, recognised by their content hash; the identity (closed) in all others.
 [[nodiscard]] RigidTransform heldJaw(std::string_view contentHash);
 
 } // namespace carina

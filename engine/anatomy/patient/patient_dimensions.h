@@ -9,13 +9,13 @@
 namespace carina
 {
 
-/// The patients that Carina makes without being told figures.
+/// The patients that Carina offers without parameters.
 enum class BuiltinPatient : std::uint8_t { Adult, TwelveYears };
 
 enum class Sex : std::uint8_t { Female, Male };
 enum class Habitus : std::uint8_t { Slim, Normal, Obese };
 
-/// Whom to make.
+/// The parameters from which a patient is made.
 struct PatientParameters {
     double ageInYears = 30.0; ///< 6 to 90
     Length height;            ///< 1.0 to 2.1 m
@@ -25,17 +25,17 @@ struct PatientParameters {
     friend bool operator==(const PatientParameters&, const PatientParameters&) = default;
 };
 
-/// A man of 30 years and 175 cm; a girl of 12 years and 150 cm.
+/// Adult: a man of 30 years and 175 cm. TwelveYears: a girl of 12 years and 150 cm.
 [[nodiscard]] PatientParameters parametersOf(BuiltinPatient patient);
 
 /// One main bronchus: from the carina to its first lobar branch.
 struct MainBronchusDimensions {
     Length length;     ///< along its axis, from the level of the carina
-    Angle fromTrachea; ///< between its axis and the trachea's axis produced
+    Angle fromTrachea; ///< between its axis and the extended axis of the trachea
     Length diameter;
 };
 
-/// Shares of the five lobes in the volume of both lungs; their sum is 1.
+/// Shares of the five lobes in the total lung volume; their sum is 1.
 struct LobeShares {
     double rightUpper = 0.0;
     double rightMiddle = 0.0;
@@ -44,7 +44,7 @@ struct LobeShares {
     double leftLower = 0.0;
 };
 
-/// The figures a patient is made from.
+/// The dimensions and respiratory parameters of a patient.
 struct PatientDimensions {
     Length height;
     double weightInKilograms = 0.0;
@@ -59,24 +59,24 @@ struct PatientDimensions {
     MainBronchusDimensions leftBronchus;
     Length teethToCarina; ///< along the path of a tube
     Volume functionalResidualCapacity;
-    double rightLungShare = 0.0; ///< of the functional residual capacity
+    double rightLungShare = 0.0; ///< share of the functional residual capacity
     LobeShares lobes;
-    Length fatLayer; ///< between skin and ribs
+    Length fatLayer; ///< thickness between skin and ribs
     Volume tidalVolume;
     Frequency breathingRate;
-    double inspiratoryFraction = 0.0; ///< inspiration's share of a breath
-    Length tubeInnerDiameter;         ///< of the tracheal tube that fits
+    double inspiratoryFraction = 0.0; ///< share of inspiration in a breath, 0 to 1
+    Length tubeInnerDiameter;         ///< of a fitting tracheal tube
 };
 
-/// Body mass index of somebody neither slim nor obese, kg/m^2: 17.8 at twelve (40 kg at 150 cm) and
-/// 25.1 grown up (Pulse's standard patient, 77 kg at 175 cm).
+/// Body mass index of Habitus::Normal, kg/m^2: 17.8 at twelve years (40 kg at 150 cm) and 25.1 in
+/// adults (the standard patient of Pulse, 77 kg at 175 cm).
 [[nodiscard]] double usualBodyMassIndex(double ageInYears);
 
-/// The figures of a patient by published formulas; patient_dimensions.cpp gives the source of each.
-/// @returns OutOfRange for an age or height that the formulas do not reach.
+/// The dimensions of a patient by published formulas; patient_dimensions.cpp gives each source.
+/// @returns OutOfRange for an age or height outside the range of the formulas.
 [[nodiscard]] Result<PatientDimensions> dimensionsFor(const PatientParameters& parameters);
 
-/// The figures of a built-in patient.
+/// The dimensions of a built-in patient.
 [[nodiscard]] PatientDimensions dimensionsOf(BuiltinPatient patient);
 
 } // namespace carina

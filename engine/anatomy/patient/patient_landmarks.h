@@ -6,20 +6,20 @@
 namespace carina
 {
 
-/// A plane of a patient, in A.
+/// A plane of a patient, in A, metres.
 struct AnatomyPlane {
     Vec3 p_A = Vec3::Zero();
     Vec3 normal_A = Vec3::UnitZ(); ///< unit, towards the head
 };
 
-/// Every place and plane of a patient by which depth and position are judged; exact, since the
-/// surfaces are made from them.
+/// The points and planes of a patient by which depth and position are measured. They are exact, as
+/// the surfaces are made from them.
 struct PatientLandmarks {
-    AirwayLandmarks airway; ///< incisors, glottis, carina, and the way of a tube between them
+    AirwayLandmarks airway; ///< incisors, glottis, carina, and the path of a tube
     RibLandmarks ribs;
-    AnatomyPlane incisors; ///< through the edges of the upper teeth: it rises to the molars
-    AnatomyPlane glottis;  ///< through both vocal cords, square to the windpipe
-    AnatomyPlane carina;   ///< square to the windpipe
+    AnatomyPlane incisors; ///< through the edges of the upper teeth; rises towards the molars
+    AnatomyPlane glottis;  ///< through both vocal cords, perpendicular to the trachea
+    AnatomyPlane carina;   ///< perpendicular to the trachea
 };
 
 [[nodiscard]] PatientLandmarks landmarksOf(const BodyPlan& plan);

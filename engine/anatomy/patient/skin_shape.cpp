@@ -12,7 +12,7 @@ namespace
 
 constexpr Length kSkinVoxel = millimetres(7.0);
 
-/// The chin of a mouth that is shut, in his millimetres from the edge of his upper incisors.
+/// The chin with the mouth closed, in reference millimetres from the edge of the upper incisors.
 double chinDistance(const Vec3& p)
 {
     return ellipsoidDistance(p - Vec3{0.0, 22.0, -30.0}, {30.0, 34.0, 26.0});
@@ -33,7 +33,7 @@ double head(const Vec3& p, double chin)
     return roundedMin(d, ear, 8.0);
 }
 
-/// Torso in his millimetres from the lowest edge of his trachea; `fat` beneath the skin.
+/// The torso, in reference millimetres from the lowest edge of the trachea; `fat` under the skin.
 double torso(const Vec3& p, double fat)
 {
     // Sections with rounded corners that are widest at the lower ribs and narrow to the shoulders.

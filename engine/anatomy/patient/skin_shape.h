@@ -5,8 +5,8 @@
 namespace carina
 {
 
-/// Skin of head, neck and torso to below the ribs, without arms: a plain body that encloses
-/// everything else, thicker over the ribs the more fat there is.
+/// The skin of head, neck and torso down to below the ribs, without arms: a simplified body that
+/// encloses all other parts, at a distance from the ribs that grows with the fat layer.
 [[nodiscard]] PartPlan skin(const BodyPlan& plan);
 
 } // namespace carina

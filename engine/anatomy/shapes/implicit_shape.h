@@ -10,46 +10,46 @@ namespace carina
 
 using Vec2 = Eigen::Vector2d;
 
-/// A solid given by a function: below zero inside, above zero outside, about the distance to the
-/// surface near it, in metres.
+/// A solid as a function: negative inside, positive outside, and near the surface approximately the
+/// signed distance to it, metres.
 using Implicit = std::function<double(const Vec3&)>;
 
-/// A solid and the box that holds it.
+/// A solid and a box that contains it.
 struct ImplicitShape {
     Box bounds;
-    Implicit distance; ///< differs by at most 2 metres for each metre between two points
+    Implicit distance; ///< Lipschitz constant at most 2
 };
 
-/// The larger and the smaller of two distances, rounded over where they differ by less than `blend`
-/// (Quilez' polynomial blend): the intersection and the union of two solids with a fillet.
+/// Smooth maximum and minimum of two distances, which are blended where they differ by less than
+/// `blend` (Quilez' polynomial blend): intersection and union of two solids with a fillet.
 [[nodiscard]] double roundedMax(double a, double b, double blend);
 [[nodiscard]] double roundedMin(double a, double b, double blend);
 
-/// 0 at `from` or before, 1 at `to` or beyond, with a smooth cubic between.
+/// Smooth step: 0 up to `from`, 1 from `to` on, and 3 t^2 - 2 t^3 between.
 [[nodiscard]] double easedStep(double from, double to, double x);
 
-/// A rod with round ends from a to b, of radius ra at a and rb at b.
+/// Distance to a rod with round ends from a to b, of radius ra at a and rb at b.
 [[nodiscard]] double rodDistance(const Vec3& p, const Vec3& a, const Vec3& b, double ra, double rb);
 
-/// An ellipsoid about the origin. Exact on the surface and along it to first order.
+/// Distance to an ellipsoid about the origin, to first order: exact on the surface.
 [[nodiscard]] double ellipsoidDistance(const Vec3& p, const Vec3& radii);
 /// The same for an ellipse.
 [[nodiscard]] double ellipseDistance(const Vec2& p, const Vec2& radii);
 
-/// Signed distance to a simple polygon, corners in either order.
+/// Signed distance to a simple polygon, whose corners may have either orientation.
 [[nodiscard]] double polygonDistance(const Vec2& p, std::span<const Vec2> corners);
 
-/// A point beside a line through several points: how far along and how far off.
+/// A point relative to a polyline: the arc length of its nearest point, and its distance.
 struct AlongLine {
     double along;
     double off;
 };
-/// The nearest place on the line through `points`, which goes on straight beyond its last one.
+/// Coordinates of p relative to the polyline through `points`, extended straight beyond the last.
 /// @pre at least two points, no two neighbours equal.
 [[nodiscard]] AlongLine alongLine(const Vec2& p, std::span<const Vec2> points);
 
-/// The line with its corners cut off at a quarter and three quarters of each step, `times` times;
-/// both ends stay (Chaikin 1974). Tends to a smooth curve.
+/// Chaikin's corner cutting (1974), `times` times: each segment is replaced by its points at a
+/// quarter and three quarters. Both ends are kept; the result converges to a smooth curve.
 [[nodiscard]] std::vector<Vec2> cornersCut(std::vector<Vec2> points, int times);
 
 } // namespace carina

@@ -8,21 +8,22 @@
 namespace carina
 {
 
-/// A place on a strand: half its width, half its thickness, and the direction in which it is thin.
+/// A point of a strand's centre line with the size of its section, metres.
 struct StrandPoint {
     Vec3 p;
-    double wide = 0.0;
-    double thin = 0.0;
-    Vec3 thinAxis = Vec3::UnitY(); ///< unit
+    double wide = 0.0;             ///< half its width
+    double thin = 0.0;             ///< half its thickness
+    Vec3 thinAxis = Vec3::UnitY(); ///< unit direction of the thickness
 };
 
-/// A flat rod along a line, with rounded edges and ends: a rib, a breastbone, a muscle.
+/// A flat rod along a polyline, with rounded edges and ends: a rib, a sternum, a muscle.
 class Strand
 {
 public:
-    /// @pre two points at least, no two neighbours in one place.
+    /// @pre at least two points, no two neighbours equal.
     explicit Strand(std::vector<StrandPoint> points);
 
+    /// Approximate signed distance (see Implicit).
     [[nodiscard]] double distance(const Vec3& p) const;
     [[nodiscard]] Box bounds() const;
     [[nodiscard]] ImplicitShape shape() const;
@@ -31,17 +32,19 @@ private:
     std::vector<StrandPoint> m_points;
 };
 
-/// A smooth line in `pieces` steps from one point to another that leaves along `leaving` and
-/// arrives along `arriving`, whose lengths say how far they are followed (cubic Hermite); the last
-/// point is left to the next line.
+/// A cubic Hermite curve in `pieces` steps from one point to another, with the derivatives
+/// `leaving` and `arriving` at its ends. The last point is not included, so that curves can be
+/// joined.
 [[nodiscard]] std::vector<Vec3> smoothLine(const Vec3& from, const Vec3& leaving, const Vec3& to,
                                            const Vec3& arriving, int pieces);
 
-/// A smooth line through all points (Catmull and Rom 1974), `pieces` steps between two of them.
-/// @pre two points at least.
+/// A smooth curve through all points (Catmull and Rom 1974), with `pieces` steps between two of
+/// them.
+/// @pre at least two points.
 [[nodiscard]] std::vector<Vec3> smoothThrough(std::span<const Vec3> points, int pieces);
 
-/// A round rod along a line with another radius at every point; the union of its pieces.
+/// Distance to a round rod along a polyline with a radius for each point: the union of tapered
+/// rods.
 [[nodiscard]] double tubeDistance(const Vec3& p, std::span<const Vec3> line,
                                   std::span<const double> radii);
 

@@ -6,8 +6,8 @@
 namespace carina
 {
 
-/// The surface of a solid as a closed mesh facing outward, made on a grid of cubes of edge `voxel`
-/// by OpenVDB's dual contouring. Edges sharper than a voxel are rounded. Without normals.
+/// The surface of a solid as a closed mesh that faces outward, by OpenVDB's dual contouring on a
+/// grid of cubes of edge `voxel`. Edges sharper than a voxel are rounded. The mesh has no normals.
 ///
 /// @pre voxel is above zero and the surface lies inside the shape's bounds.
 [[nodiscard]] TriangleMesh meshOf(const ImplicitShape& shape, Length voxel);

@@ -8,31 +8,32 @@
 namespace carina
 {
 
-/// A line through space with a direction to the side that turns with it as little as possible.
+/// A polyline with a side direction that rotates about it as little as possible.
 struct SweptLine {
     std::vector<double> along; ///< arc length of each point, metres, from 0
     std::vector<Vec3> points;
-    std::vector<Vec3> tangents;
-    std::vector<Vec3> sides; ///< unit, across the tangent
+    std::vector<Vec3> tangents; ///< unit
+    std::vector<Vec3> sides;    ///< unit, perpendicular to the tangent
 };
 
-/// The line through these points. @pre two points at least, no two neighbours equal.
+/// The line through these points. @pre at least two points, no two neighbours equal.
 [[nodiscard]] SweptLine sweptLine(std::span<const Vec3> points);
 
-/// A point of the line at an arc length, with its tangent and side; the ends are held.
+/// A point of the line with its tangent and side.
 struct LinePlace {
     Vec3 point, tangent, side;
 };
+/// The point at an arc length, metres; clamped to both ends.
 [[nodiscard]] LinePlace placeAt(const SweptLine& line, double along);
 
-/// A ring of a surface round a line.
+/// A circular section of a surface around a line.
 struct Ring {
     double along = 0.0;  ///< metres of arc length
     double radius = 0.0; ///< metres
 };
 
-/// The closed surface through these rings, in their order, with flat ends and normals.
-/// @pre two rings at least, ascending in `along` (equal ones make a step).
+/// The closed surface through these rings, in their order, with flat ends and with normals.
+/// @pre at least two rings, in ascending order of `along` (equal values make a step).
 [[nodiscard]] TriangleMesh sweptSurface(const SweptLine& line, std::span<const Ring> rings);
 
 } // namespace carina

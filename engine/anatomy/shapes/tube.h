@@ -19,32 +19,31 @@ struct TubePiece {
     TriangleMesh mesh; ///< closed, with normals
 };
 
-/// A tracheal tube as a rigid body, preformed to lie in one airway at its final depth.
+/// A tracheal tube as a rigid body, whose shape fits one airway at its final depth.
 ///
-/// E, the connector's frame: origin at the middle of the connector's outer end of the tube, +z out
-/// of the patient along the tube, +x to the patient's left, +y completes the right-handed frame.
+/// E, the connector's frame: origin at the centre of the tube's end at the connector, +z out of the
+/// patient along the tube, +x to the patient's left, +y completes the right-handed frame. Metres.
 struct TubeShape {
-    RigidTransform X_AE;          ///< in place
+    RigidTransform X_AE;          ///< pose at the final depth
     std::vector<Vec3> p_E_centre; ///< centreline, from the connector to the tip
     Vec3 p_E_tip = Vec3::Zero();
-    Vec3 dir_E_tip = -Vec3::UnitZ(); ///< unit, where the tip points
-    Length tipAboveCarina;           ///< along the path, in place
+    Vec3 dir_E_tip = -Vec3::UnitZ(); ///< unit direction of the tip
+    Length tipAboveCarina;           ///< along the path, at the final depth
     Length outerDiameter;
     std::vector<TubePiece> pieces;
 };
 
-/// Outer diameter of a tube by its inner one, from a maker's list (6.0 mm: 8.2, 6.5: 8.9, 7.0: 9.6,
-/// 7.5: 10.2, 8.0: 10.9 mm), linear between and beyond.
+/// Outer diameter of a tube for its inner one, from a manufacturer's list (6.0 mm: 8.2, 6.5: 8.9,
+/// 7.0: 9.6, 7.5: 10.2, 8.0: 10.9 mm), with linear interpolation and extrapolation.
 [[nodiscard]] Length outerDiameterOf(Length innerDiameter);
 
-/// The tube that lies along `path_A`, its tip `tipAboveCarina` before the path's end and its
-/// connector 5 cm in front of the incisors. Depth marks every centimetre from the tip, a broader
-/// one every five.
+/// Makes the tube that lies along `path_A`, with its tip `tipAboveCarina` before the end of the
+/// path and its connector 5 cm in front of the incisors. Depth marks are 1 cm apart from 5 cm above
+/// the tip on, every fifth one broader.
 ///
-/// @param path_A centreline of the airway, from in front of the incisors to the carina
-/// @returns NoAirway for a path that is not there or too short for the tube; OutOfRange for an
-/// inner
-///          diameter outside 2 to 12 mm or a tip beyond the path's end.
+/// @param path_A centreline of the airway, from in front of the incisors to the carina, metres
+/// @returns NoAirway where the path is empty or too short for the tube; OutOfRange for an inner
+///          diameter outside 2 to 12 mm or a negative tipAboveCarina.
 [[nodiscard]] Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,
                                          const Vec3& p_A_incisors,
                                          Length tipAboveCarina = millimetres(30.0));

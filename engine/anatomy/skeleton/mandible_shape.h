@@ -5,11 +5,11 @@
 namespace carina
 {
 
-/// The lower jaw without its teeth, in A: the horseshoe of the body, the rami with coronoid and
-/// condylar process.
+/// The mandible without its teeth, in A: the horseshoe-shaped body, and the rami with coronoid and
+/// condylar processes.
 ///
-/// @param p_A_lowerIncisors  edge of the lower incisors, in the midline
-/// @param size               1 for the adult; lengths go with it
+/// @param p_A_lowerIncisors  edge of the lower incisors, in the midline, metres
+/// @param size               factor of all lengths; 1 for the adult
 [[nodiscard]] ImplicitShape mandibleShape(const Vec3& p_A_lowerIncisors, double size);
 
 } // namespace carina

@@ -157,7 +157,7 @@ const std::array kSternum{
 const std::array kXiphoid{PlateFigures{{0, -124, -106}, 8.0, 4.0},
                           PlateFigures{{0, -124, -117}, 4.0, 3.0}};
 
-/// Where the last end of a plate reaches, in his millimetres.
+/// The outer end of a plate at its last point, in reference millimetres (BodyPlan).
 template <std::size_t n> Vec3 tipOf(const std::array<PlateFigures, n>& places)
 {
     const PlateFigures& last = places[n - 1];

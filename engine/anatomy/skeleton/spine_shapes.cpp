@@ -11,8 +11,8 @@ namespace
 
 constexpr Length kVertebraVoxel = millimetres(2.6);
 
-/// One vertebra in his millimetres: the middle of its body, half its width, depth and height, the
-/// tip of its spinous process and of its left transverse one, and how far the canal is behind.
+/// One vertebra in reference millimetres (BodyPlan): the centre of its body, half its width, depth
+/// and height, and the tips of its spinous process and of its left transverse process.
 struct VertebraFigures {
     const char* name;
     int concept_;
@@ -45,7 +45,7 @@ constexpr std::array kVertebrae{
     VertebraFigures{"Twelfth thoracic vertebra", 10081, 2, -200, 20, 19.5, 12, 57, -224, 19, 33}};
 constexpr std::size_t kFirstThoracic = 6;
 
-/// The atlas: a ring with broad sides, in his millimetres.
+/// The atlas: a ring with broad sides, in reference millimetres.
 constexpr VertebraFigures kAtlas{"Atlas", 12519, 18, 187, 0, 0, 0, 39, 186, 40, 16};
 
 /// A body: an upright drum with rounded rims and a waist.

@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// Seven cervical and twelve thoracic vertebrae: body, arch, spinous and transverse processes. The
-/// thorax has its curve to the back and the neck the other one; the discs are the gaps between.
+/// Seven cervical and twelve thoracic vertebrae: body, arch, spinous and transverse processes, with
+/// thoracic kyphosis and cervical lordosis. The intervertebral discs are left out as gaps.
 [[nodiscard]] std::vector<PartPlan> spine(const BodyPlan& plan);
 
 } // namespace carina

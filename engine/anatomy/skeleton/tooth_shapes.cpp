@@ -14,8 +14,8 @@ namespace
 
 constexpr Length kToothVoxel = millimetres(1.0);
 
-/// A left tooth in his millimetres from the edge of his upper incisors: the middle of its edge, the
-/// tip of its root, half its width along the arch and half its depth across.
+/// A left tooth in reference millimetres (BodyPlan) from the edge of the upper incisors: the middle
+/// of its edge, the tip of its root, half its width along the arch and half its depth across.
 struct ToothFigures {
     const char* name;
     std::array<int, 2> concepts; ///< left, right
@@ -51,8 +51,8 @@ const std::array kLower{
     ToothFigures{
         "second secondary molar", {55703, 55705}, {26.6, 43, 8.5}, {26, 49, -6.5}, 5.0, 4.6}};
 
-/// Signed distance in his millimetres, of the left tooth. Crowns are a third of the length: chisels
-/// in front, drums behind; roots taper.
+/// Signed distance to a left tooth, reference millimetres. The crown is a third of the length, a
+/// chisel in front teeth and a cylinder in back teeth; roots are tapered.
 double tooth(const ToothFigures& t, const Vec3& p)
 {
     const Vec3 axis = (t.root - t.edge).normalized();

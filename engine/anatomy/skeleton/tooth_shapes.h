@@ -7,9 +7,9 @@
 namespace carina
 {
 
-/// Fourteen upper and fourteen lower teeth with their roots; wisdom teeth are left out. The edges
-/// of the two upper central incisors lie at the landmark of the incisors. The lower ones go with
-/// the lower jaw.
+/// Fourteen upper and fourteen lower teeth with their roots, without wisdom teeth. The edges of the
+/// two upper central incisors lie at AirwayLandmarks::p_A_incisors. The lower teeth move with the
+/// mandible (heldJaw).
 [[nodiscard]] std::vector<PartPlan> teeth(const BodyPlan& plan);
 
 } // namespace carina

@@ -22,7 +22,7 @@ namespace
 /// Fewer triangles than this no longer show what a part is, and cost nothing to draw.
 constexpr std::size_t kFewestTriangles = 64;
 
-/// Collapse as far as the target asks: the number of triangles decides, not the error.
+/// No limit of the error: only the target number of triangles ends the simplification.
 constexpr float kAnyError = 1.0F;
 
 static_assert(sizeof(Triangle) == 3 * sizeof(unsigned int));
@@ -95,7 +95,7 @@ Simplified simplified(const TriangleMesh& mesh, std::size_t triangles)
     return {std::move(coarse), double{shareOfExtent} * double{extent}};
 }
 
-/// Takes out two triangles on the same three corners that face each other: they bound nothing.
+/// Removes pairs of triangles on the same three vertices that face opposite ways.
 void cancelOpposites(std::vector<Triangle>& triangles)
 {
     const auto turned = [](Triangle t, bool over) {
@@ -113,7 +113,7 @@ void cancelOpposites(std::vector<Triangle>& triangles)
     });
 }
 
-/// Which corners of triangles are one vertex: those joined, directly or in turn.
+/// A union-find structure: which corners of triangles are the same vertex.
 class CornerGroups
 {
 public:
@@ -183,8 +183,8 @@ bool sheetsTouch(const TriangleMesh& mesh)
     return touch;
 }
 
-/// Undoes what a collapse does to a thin place: sheets that come to touch along an edge part again,
-/// where the surface stays as closed as it was.
+/// Separates sheets of a thin part that a collapse brought into contact along an edge, unless this
+/// would open a closed surface.
 void partTouchingSheets(TriangleMesh& mesh)
 {
     if (!sheetsTouch(mesh))

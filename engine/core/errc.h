@@ -13,7 +13,7 @@ enum class Errc : std::uint8_t {
     OutOfRange,        ///< a value outside the range its quantity may take
     NotARotation,      ///< a matrix that is not a proper rotation
     MeshNotClosed,     ///< a surface that encloses no volume
-    VolumeUnreachable, ///< no deformation of the mesh has the volume asked for
+    VolumeUnreachable, ///< no deformation of the mesh has the requested volume
     NoAirway,          ///< an anatomy without an airway that a tube fits into
 
     // Registration

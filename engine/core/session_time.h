@@ -35,7 +35,7 @@ using LocalTime = LocalClock::time_point;
 /// A duration in seconds, for arithmetic with velocities and rates.
 constexpr double toSeconds(Duration d) { return std::chrono::duration<double>(d).count(); }
 
-/// A duration of so many seconds, rounded to a nanosecond.
+/// Converts seconds to a duration, rounded to a nanosecond.
 /// @pre seconds is finite and its absolute value is below 292 years.
 inline Duration fromSeconds(double seconds) { return Duration{std::llround(seconds * 1e9)}; }
 

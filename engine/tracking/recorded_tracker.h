@@ -7,6 +7,7 @@
 namespace carina
 {
 
+/// The speed of playback.
 enum class PlaybackPace : std::uint8_t {
     Recorded,   ///< at the speed of the recording
     AtFullSpeed ///< all samples at once

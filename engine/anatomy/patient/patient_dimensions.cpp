@@ -22,8 +22,8 @@ double shareBetween(double from, double to, double x)
 double mix(double a, double b, double share) { return a + share * (b - a); }
 Length mix(Length a, Length b, double share) { return metres(mix(a.si, b.si, share)); }
 
-/// How much of a grown windpipe somebody has. Boys and girls are alike until fourteen, when girls
-/// have stopped growing and boys go on (Griscom and Wohl 1986).
+/// The share of the adult size that a trachea has. Boys and girls are alike until fourteen, when
+/// girls have stopped growing and boys go on (Griscom and Wohl 1986).
 double maturity(const PatientParameters& p)
 {
     return p.sex == Sex::Male ? shareBetween(14.0, 18.0, p.ageInYears)

@@ -22,6 +22,7 @@ struct PatientLandmarks {
     AnatomyPlane carina;   ///< perpendicular to the trachea
 };
 
+/// The landmarks of a patient that is made by this plan.
 [[nodiscard]] PatientLandmarks landmarksOf(const BodyPlan& plan);
 
 } // namespace carina

@@ -89,7 +89,7 @@ std::vector<Vec3> placed(const std::vector<Vec3>& line_mm, Side side, const Body
 }
 
 /// A flat strand along a line in A; ribs are thin across the chest's wall: in the direction that is
-/// square to the line and nearest to level.
+/// perpendicular to the line and nearest to horizontal.
 Strand ribStrand(const std::vector<Vec3>& line_A, double wide, double thin)
 {
     std::vector<StrandPoint> points;

@@ -78,6 +78,7 @@ inline constexpr double kSpread = 0.28;
 inline constexpr double kRibsFade = 0.3;
 inline constexpr double kRibsEnd = 1.0;
 
+/// The value of a function of one variable, and its derivative.
 template <class T> struct Smooth {
     T value;
     T slope;

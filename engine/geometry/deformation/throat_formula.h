@@ -71,6 +71,7 @@ struct TissueReach {
     double roofTo;
 };
 
+/// The reach of a tissue.
 [[nodiscard]] constexpr TissueReach reachOf(ThroatTissue tissue)
 {
     return tissue == ThroatTissue::Airway ? TissueReach{1.40, 0.17, 0.69}

@@ -116,7 +116,7 @@ std::optional<Curvature> Patch::curvature(std::size_t i, double scale) const
     return Curvature{bent.eigenvalues()[0], bent.eigenvalues()[1], most[0] * u + most[1] * v};
 }
 
-/// The curvatures of a patch, computed where they are asked for.
+/// The curvatures of a patch, computed on first use.
 class CurvedPatch
 {
 public:

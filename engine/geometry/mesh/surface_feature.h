@@ -22,12 +22,14 @@ enum class SurfaceFeature : std::uint8_t {
     Ridge, ///< a local maximum of the largest curvature, compared across the ridge
 };
 
+/// A feature found on a mesh; position in the mesh's frame, metres.
 struct FeaturePoint {
     std::uint32_t vertex = 0;
     Vec3 p = Vec3::Zero();
     Curvature curvature{};
 };
 
+/// The settings of nearestFeature.
 struct FeatureSettings {
     Length radius = millimetres(10.0); ///< largest distance of a feature from the picked point
     Length scale = millimetres(3.0);   ///< size of the fitted patch: finer bumps are smoothed out

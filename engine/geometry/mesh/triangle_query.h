@@ -12,6 +12,7 @@ struct Corners {
     Vec3 c;
 };
 
+/// The corners of a triangle of a mesh, in double precision.
 [[nodiscard]] Corners cornersOf(const TriangleMesh& mesh, const Triangle& triangle);
 
 /// The point of a triangle nearest to p; also for a degenerate triangle.

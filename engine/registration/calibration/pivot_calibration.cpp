@@ -13,7 +13,7 @@ namespace carina
 namespace
 {
 
-/// Three poses tell a tip; four tell it where two of them are alike.
+/// Three poses determine a tip; four do so even if two of them are equal.
 constexpr std::size_t kPivotSample = 4;
 
 struct Pivot {

@@ -19,6 +19,7 @@ struct PivotCalibration {
     [[nodiscard]] double uncertainty() const { return std::sqrt(covariance_S.trace()); }
 };
 
+/// The limits of a pivot calibration.
 struct PivotSettings {
     Length outlierLimit = millimetres(3.0); ///< a pose with the tip further off is rejected
     /// Smallest RMS turn of every direction of the stylus (see TurnCoverage). Along the direction

@@ -65,8 +65,8 @@ void PivotCollector::keepLatest(SessionTime time, const RigidTransform& X_TS)
     m_latest.push_back({time, X_TS});
 }
 
-/// The window is full but for a tenth, some direction turned, and the point that strayed least did
-/// so by little and lies within reach.
+/// The window is at least 90 % full, some direction turned, and the point of the stylus that moved
+/// least has a small RMS distance from its mean and lies within reach.
 bool PivotCollector::isSwung() const
 {
     if (m_latest.size() < kFewestPoses

@@ -12,7 +12,7 @@ namespace carina
 namespace
 {
 
-/// Two poses tell the axis between them; a third tells one that is none.
+/// Two poses determine an axis; a third one reveals a wrong axis.
 constexpr std::size_t kSpinSample = 3;
 
 struct Axis {
@@ -32,8 +32,8 @@ double leanOf(const Axis& axis, const TurnedPose& pose)
     return (pose.R_TS * axis.dir_S - axis.dir_T).norm();
 }
 
-/// The point of the axis nearest to the origin of S: the tip that a pivot calibration would find,
-/// were the axis its only unknown direction.
+/// The point of the axis nearest to the origin of S: the pivot calibration restricted to the two
+/// directions across the axis.
 Vec3 pointOf(const PoseMeans& means, const TurnCoverage& coverage)
 {
     Eigen::Matrix<double, 3, 2> across_S;

@@ -17,6 +17,7 @@ struct SpinCalibration {
     TurnCoverage coverage{};    ///< the direction that turned least is the axis
 };
 
+/// The limits of a spin calibration.
 struct SpinSettings {
     Angle outlierLimit = degrees(3.0); ///< a pose whose axis deviates more is rejected
     /// Smallest RMS turn of the directions across the axis; 20 degrees correspond to a spin of 35

@@ -39,6 +39,7 @@ struct SurfaceRefinement {
     [[nodiscard]] double uncertaintyAt(const Vec3& p_A) const;
 };
 
+/// The limits of a refinement.
 struct RefinementSettings {
     Length farthestMove = millimetres(15.0); ///< largest allowed displacement of a swabbed point
     Length largestRms = millimetres(3.0);

@@ -5,6 +5,7 @@
 namespace carina
 {
 
+/// The covariance of a small motion (w, v), see UncertainTransform.
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 /// The pose of O in F with its covariance. The true pose is the given one followed by a small

@@ -54,7 +54,7 @@ Result<RigidTransform> atRest(std::span<const UncertainPair> pairs, RigidTransfo
 {
     constexpr int kMostSteps = 100;
     constexpr double kAtRest = 1e-12;    // metres and radians
-    constexpr double kLongestStep = 1.0; // from where all landmarks count alike
+    constexpr double kLongestStep = 1.0; // from the fit of equal weights; metres and radians
     for (int i = 0; i < kMostSteps; ++i) {
         const StepEquations equations = equationsAt(pairs, X_AM, p_A_about);
         const Vec6 motion = equations.normal.ldlt().solve(equations.gradient);

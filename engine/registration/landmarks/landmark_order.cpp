@@ -30,7 +30,7 @@ std::vector<LandmarkPair> inOrder(std::span<const LandmarkPair> pairs,
     return ordered;
 }
 
-/// Goes through the orders in which all distances agree.
+/// Searches the orders in which all distances agree.
 class OrderSearch
 {
 public:
@@ -45,7 +45,7 @@ public:
         m_best = m_touchOf;
     }
 
-    /// @returns false where there are too many.
+    /// @returns false beyond kMostOrders.
     bool run() { return assign(0); }
 
     [[nodiscard]] const std::vector<std::size_t>& best() const { return m_best; }
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] std::size_t explanations() const { return m_explanations; }
 
 private:
-    /// Tries all touches that are left, which stand from this landmark on, for the landmark.
+    /// Tries all remaining touches, those from this index on, for the landmark.
     bool assign(std::size_t landmark)
     {
         if (++m_looked > kMostOrders)
@@ -72,7 +72,7 @@ private:
         return true;
     }
 
-    /// Whether this landmark's touch is as far from those before as their landmarks.
+    /// Whether the distances of this landmark's touch from those before match their landmarks'.
     [[nodiscard]] bool agrees(std::size_t landmark) const
     {
         for (std::size_t before = 0; before < landmark; ++before) {
@@ -105,7 +105,7 @@ private:
     std::size_t m_looked = 0;
 };
 
-/// The FRE that errors of this size hardly ever leave more than.
+/// The FRE that errors of this size exceed with probability 1 - kPlausibleShare.
 double plausibleRms(Length fle, std::size_t landmarks)
 {
     const double degrees = 3.0 * double(landmarks) - 6.0;

@@ -16,6 +16,7 @@ enum class TouchOrder : std::uint8_t {
     Unexplained  ///< none: a landmark touched at a wrong place, or another patient
 };
 
+/// The result of recogniseOrder.
 struct OrderFinding {
     TouchOrder order = TouchOrder::Unexplained;
     /// Per landmark the index of the pair whose touch belongs to it: the correct order where

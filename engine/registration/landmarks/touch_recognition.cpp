@@ -20,7 +20,8 @@ double plausibleChiSquared(double degrees)
     return degrees > 0.0 ? degrees * chiSquaredShare(degrees, kPlausibleShare) : 0.0;
 }
 
-/// How touches are named: pairs of a landmark's place and its touch, and which landmark each is.
+/// An assignment of touches: pairs of a landmark's position and its touch, and the landmarks'
+/// indices.
 struct Named {
     std::vector<LandmarkPair> pairs{};
     std::vector<std::size_t> landmarks{};
@@ -45,7 +46,7 @@ struct Named {
         all.push_back(another);
         return poseMisfit(all);
     }
-    /// By how many coordinates they hold a further point.
+    /// The number of coordinates by which they constrain a further point.
     [[nodiscard]] double hold() const
     {
         return pairs.size() >= 3 && fitRigid(pairs) ? 3.0 : std::min(2.0, double(pairs.size()));
@@ -138,7 +139,7 @@ private:
         return finding;
     }
 
-    /// Whether all touches fit together as they are named; one made anew need not.
+    /// Whether all touches fit together as assigned; a repeated touch is not tested.
     [[nodiscard]] bool agrees(const Guess& guess) const
     {
         if (!guess.isPlausible || m_earlier.p_TQ[guess.landmark])
@@ -156,7 +157,7 @@ private:
     Named m_named;
 };
 
-/// Goes through the namings of touches in which all distances agree.
+/// Searches the assignments of touches in which all distances agree.
 class NamingSearch
 {
 public:
@@ -168,7 +169,7 @@ public:
     {
     }
 
-    /// @returns the landmark of each touch, where one naming explains them and no other does.
+    /// @returns the landmark of each touch, if exactly one assignment explains them; else nothing.
     std::vector<std::size_t> run()
     {
         const double limit = plausibleChiSquared(3.0 * double(m_p_TQ.size()) - 6.0);
@@ -177,8 +178,7 @@ public:
     }
 
 private:
-    /// Tries all landmarks that are left for the next touch. @returns false where there are too
-    /// many.
+    /// Tries all remaining landmarks for the next touch. @returns false beyond kMostOrders.
     bool name()
     {
         if (++m_looked > kMostOrders)
@@ -235,7 +235,7 @@ private:
     std::size_t m_looked = 0;
 };
 
-/// Fewer than four touches are too few to tell.
+/// Requires at least four touches.
 std::optional<TouchFinding> Recognition::anotherNaming() const
 {
     if (m_named.pairs.size() < 3)

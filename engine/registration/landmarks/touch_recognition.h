@@ -18,7 +18,7 @@ struct TouchesSoFar {
     std::span<const std::optional<Vec3>> p_TQ; ///< touches, in the tracker frame T; nothing: open
 };
 
-/// The result for a new touch.
+/// The classification of a new touch.
 enum class TouchVerdict : std::uint8_t {
     Landmark,  ///< an open landmark
     Again,     ///< a landmark that was touched before: replaces that touch
@@ -27,6 +27,7 @@ enum class TouchVerdict : std::uint8_t {
     Nowhere,   ///< no landmark
 };
 
+/// The result of recogniseTouch.
 struct TouchFinding {
     TouchVerdict verdict = TouchVerdict::Nowhere;
     /// Catalogue index of the touched landmark; of the most likely one where there is none.

@@ -6,33 +6,36 @@
 namespace carina
 {
 
-/// The pose in which these lungs show what the mechanics say, a pure function of its arguments.
+/// The pose in which the lungs are drawn for a state of the mechanics; a pure function of its
+/// arguments.
 ///
-/// - The surface of a lung encloses what it encloses at rest (FRC of this anatomy, and whatever
-///   else lies within it) and the gas that the mechanics have more than at rest in health:
-///   drawn = restVolume + gas - healthy, to the last digits. This is what the cubic is solved for.
-/// - Diaphragm and ribs stand where their side of the chest has the room that the mechanics say,
-///   each with the share of it that the mechanics give them; the lung falls in from there towards
-///   its hilum by the gas beside it.
-/// - The inside of a lung has sunk by the sag of the mechanics, less where the mediastinum leans on
-///   it.
-/// - The mediastinum goes aside as far as the mechanics say, at most by kDrawnShift of half the
-///   chest's width: what it takes of the range, the lung that it leans on has no more for itself.
+/// - The surface of a lung encloses its volume at rest (FRC of this anatomy, and whatever else lies
+///   inside the surface) plus the gas that the mechanics give above that of a healthy lung at rest:
+///   drawn = restVolume + gas - healthy, exact to rounding. The volume cubic is solved for this
+///   value.
+/// - Diaphragm and ribs stand where their side of the chest has the room that the mechanics give,
+///   the ribs making ribShare of its change. From there the lung collapses towards its hilum until
+///   it encloses the drawn volume.
+/// - The inside of a lung sinks by ChestShape::sag, less where the mediastinum is shifted into this
+///   lung.
+/// - The mediastinum is shifted as far as the mechanics give, at most by kDrawnShift. The part of
+///   the range (rangeTaken) that a shift takes is not available to the lung it is shifted into.
 ///
 /// Where all of this does not fit into the range in which the field keeps its orientation, chest
-/// wall and diaphragm go back towards rest as far as the lung's volume needs, then the mediastinum,
-/// and a volume beyond even that is drawn as the nearest there is.
+/// wall and diaphragm move back towards rest as far as the lung's volume requires, then the
+/// mediastinum. A volume that is still out of reach is drawn as the nearest possible one.
 [[nodiscard]] ChestPose drawnPose(const LungPair& lungs, const ChestShape& shape,
                                   std::size_t level);
 
-/// The volume that drawnPose encloses in a lung, for all that the range holds.
+/// The volume that a lung is to enclose in drawnPose, before the range of the field limits it.
 [[nodiscard]] Volume drawnVolume(const LungPair& lungs, const ChestShape& shape, Side side);
 
-/// By how much less than drawnVolume both lungs together enclose in the pose of drawnPose: 0 where
-/// the range holds what the mechanics say.
+/// By how much less than drawnVolume the lungs enclose in the pose of drawnPose, both lungs
+/// together; 0 where the range did not limit the pose.
 [[nodiscard]] Volume notDrawn(const LungPair& lungs, const ChestShape& shape,
                               const ChestPose& drawn, std::size_t level);
 
-inline constexpr double kDrawnShift = 0.15; ///< 16 mm in the built-in adult
+/// The largest drawn shift, as a share of half the chest's width; 16 mm in the built-in adult.
+inline constexpr double kDrawnShift = 0.15;
 
 } // namespace carina

@@ -10,19 +10,19 @@
 namespace carina
 {
 
-/// How far each way of moving has gone in one lung; 0 at functional residual capacity, lying down.
+/// The amplitude of each mode of motion of one lung; all 0 at functional residual capacity, supine.
 struct LungPose {
-    /// 1 lowers the base by 7.5 % of the lungs' height at the back and by 11 % of that in front.
-    /// The base of the domes lies higher and goes less; a quiet breath takes 2.3.
+    /// 1 lowers the base by 7.5 % of the lungs' height at the back and by 11 % of it in front. The
+    /// base under the domes, which lies higher, moves less. A quiet breath takes 2.3.
     double diaphragm = 0.0;
     /// 1 moves the front forward by 1.8 % of the lungs' height and the side outward by up to two
     /// thirds of that; a quiet breath takes 1.6.
     double ribs = 0.0;
-    /// 1 lets the inside of the lung sink by 4 % of the lungs' height towards the back, as in
-    /// someone who lies on it; -1 towards the front.
+    /// 1 moves the inside of the lung by 4 % of the lungs' height towards the back, -1 towards the
+    /// front, relative to its place supine.
     double gravity = 0.0;
-    /// The share of its extent that a lung loses towards its hilum; below 0 what it gains, as
-    /// where air is trapped in it.
+    /// The share of its extent that a lung loses towards its hilum; negative where it is inflated,
+    /// as by trapped gas.
     double collapse = 0.0;
 
     friend LungPose operator+(const LungPose& a, const LungPose& b)
@@ -37,64 +37,65 @@ struct LungPose {
     friend bool operator==(const LungPose&, const LungPose&) = default;
 };
 
-/// Breathing, lying down. Diaphragm and inside go together as the landmarks of five people did; the
-/// ribs take the larger part in it that lets them make room for two fifths of the gas, as was
-/// measured from outside (docs/deformation.md).
+/// Quiet breathing, supine. Diaphragm and gravity are in the ratio fitted to landmarks in the lungs
+/// of five people. The ribs move more than in that fit, so that they make two fifths of the volume
+/// change, as measured from outside (docs/deformation.md).
 inline constexpr LungPose kQuietBreath{1.0, 0.65, 0.15, 0.0};
 
 /// The shape of a whole chest.
 struct ChestPose {
     std::array<LungPose, 2> lungs; ///< right, left
-    /// How far what lies between the lungs has gone to the left, of half the chest's width.
+    /// Shift of the mediastinum towards the patient's left, as a share of half the chest's width.
     double mediastinalShift = 0.0;
 
     friend bool operator==(const ChestPose&, const ChestPose&) = default;
 };
 
+/// Index of a side in arrays of two lungs: right 0, left 1.
 [[nodiscard]] constexpr std::size_t indexOf(Side side) { return side == Side::Right ? 0 : 1; }
 
-/// What moves a region in a pose. The lungs' motion is their own; what lies between or around both
-/// goes with each on its side.
+/// How a region moves in a pose. Each lung moves by its own pose; what lies between or around the
+/// lungs moves on each side with the lung of that side.
 ///
-/// - Diaphragm and bronchi go with the lungs, and the diaphragm stays where a lung collapses.
-/// - The wall goes forward and outward with the lungs beneath, and upward besides, while the lungs
-///   slide down along it.
+/// - Diaphragm and bronchi move with the lungs; the diaphragm does not follow a collapse.
+/// - The wall moves forward and outward with the lung beneath it, and upward besides, while the
+///   lung slides down along it.
 /// - Lower lobes slide along the oblique fissure, forward and down, by 0.15 % of the lungs' height
 ///   (0.4 mm in an adult) in the middle of the lung at diaphragm 1.
-/// - The mediastinum shifts, and otherwise stays.
+/// - The mediastinum only shifts.
 [[nodiscard]] ChestMotion motionOf(ChestRegion region, const ChestPose& pose,
                                    const ChestField& field);
 
-/// Poses in which the field keeps its orientation: det (I + grad d) > 0.2 everywhere in the box of
-/// the lungs and a fifth of its size around it. With the limits below,
+/// The range of poses in which the field keeps its orientation, that is det(I + grad d) > 0.2
+/// everywhere in the box of the lungs and a fifth of its size around it. With the limits below,
 ///
 ///     max (diaphragm, ribs, gravity, each / its limit) + collapse / its limit
 ///         + shift into the lung / kMostShift <= 1
 ///
-/// while the shift away from a lung is at most kMostShift.
+/// and a shift away from a lung is at most kMostShift.
 ///
-/// @returns the left side of this, for the lung for which it is greater; infinity for a greater
-///          shift.
+/// @returns the left side of this inequality, for the lung for which it is greater; infinity where
+///          the shift exceeds kMostShift.
 [[nodiscard]] double rangeTaken(const ChestPose& pose);
 
-inline constexpr double kLeastBreath = -3.0;    ///< diaphragm and ribs, breathed out
-inline constexpr double kGreatestBreath = 10.0; ///< breathed in
+inline constexpr double kLeastBreath = -3.0;    ///< diaphragm and ribs, expiration
+inline constexpr double kGreatestBreath = 10.0; ///< inspiration
 inline constexpr double kMostGravity = 1.6;     ///< either way
 inline constexpr double kMostCollapse = 0.37;   ///< a quarter of the volume is left
 inline constexpr double kLeastCollapse = -0.55; ///< 3.7 times the volume
-inline constexpr double kMostShift = 0.25;
+inline constexpr double kMostShift = 0.25;      ///< of half the chest's width, either way
 
-/// The amplitudes s for which a lung may be posed as given + s along, in a chest whose mediastinum
-/// is shifted towards this lung by `shiftInto` (negative away from it).
+/// The amplitudes s for which the pose given + s along of a lung is within the range, in a chest
+/// whose mediastinum is shifted towards this lung by `shiftInto` (negative away from it).
 ///
 /// @returns nothing where no amplitude is within the range.
-/// @pre `along` is not rest.
+/// @pre `along` is not all 0.
 [[nodiscard]] std::optional<AmplitudeRange>
 amplitudesWithin(const LungPose& given, const LungPose& along, double shiftInto);
 
-/// The pose with every departure from rest multiplied: for teaching, where the true motion is hard
-/// to see. Drawn volumes are then not those of the patient, and a view must say so. As far as the
-/// range goes.
+/// The pose with every amplitude multiplied by `factor`, at most as far as the range allows: for
+/// teaching, where the true motion is hard to see. The drawn volumes are then not those of the
+/// patient, and a view must say so.
 [[nodiscard]] ChestPose exaggerated(const ChestPose& pose, double factor);
 
 } // namespace carina

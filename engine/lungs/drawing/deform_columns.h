@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// Vertices as columns of numbers, which processors move many at a time.
+/// Vertices as one array for each coordinate, for vectorised (SIMD) computation.
 struct VertexColumns {
     std::array<std::vector<float>, 3> position; ///< x, y and z in A, metres; all of one length
     std::array<std::vector<float>, 3> normal;   ///< likewise, of unit length
@@ -16,11 +16,13 @@ struct VertexColumns {
     [[nodiscard]] std::size_t size() const { return position[0].size(); }
 };
 
+/// @pre the mesh has one normal for each vertex.
 [[nodiscard]] VertexColumns columnsOf(const TriangleMesh& mesh);
 
-/// What deformed() does, for many vertices and on all processors: the same numbers but
-/// for rounding. `moved` gets the length of `rest`; where it has it already, nothing is allocated.
-/// @pre both columns of `rest` are of one length.
+/// The same as deformed(), for many vertices on all processors; results differ by rounding only.
+/// `moved` is resized to the length of `rest`; nothing is allocated where it has that length
+/// already.
+/// @pre all columns of `rest` are of one length.
 void deformColumns(const VertexColumns& rest, const ChestField& field, const ChestMotion& motion,
                    VertexColumns& moved);
 

@@ -17,16 +17,17 @@ struct VolumeCubic {
     [[nodiscard]] Volume at(double s) const;
 };
 
-/// The amplitudes from which one is taken.
+/// A closed interval of amplitudes.
 struct AmplitudeRange {
     double least = 0.0;
     double greatest = 0.0;
 };
 
-/// The amplitude within a range at which the volume is `volume`, exact to the last digits of
-/// double; where the cubic has several, the one nearest to `nearest`.
+/// The amplitude within a range at which the cubic equals `volume`, exact to rounding; of several
+/// solutions the one nearest to `nearest`.
 ///
-/// @returns VolumeUnreachable when no amplitude within the range has it; NotFinite for NaN or inf.
+/// @returns VolumeUnreachable where no amplitude within the range gives this volume; NotFinite for
+///          NaN or inf.
 /// @pre the range is finite and its least is not above its greatest.
 [[nodiscard]] Result<double> amplitudeFor(const VolumeCubic& cubic, Volume volume, double nearest,
                                           const AmplitudeRange& range);

@@ -7,28 +7,27 @@
 namespace carina
 {
 
-/// When the breaths of a patient begin: at a rate that was set, or locked to the breaths of a
-/// manikin, whose beginnings are told as they are seen.
+/// When the breaths of a patient begin: at a set rate, or locked to the breaths of a manikin, each
+/// reported by trigger().
 ///
-/// Two beginnings give a rate. The clock then runs at it, faster or slower by at most kMostPull
-/// until its own beginnings fall on the manikin's; its rate changes by at most kSlew of the faster
-/// of old and new per second, so the phase neither jumps nor runs back. One beginning or two that
-/// were missed do not matter, where an interval is within kNearWhole of a whole number of breaths
-/// and the one before it was not bridged as well; after kPatience breaths without one the clock
-/// goes back to the rate set. Beginnings that follow each other faster than anybody breathes are
-/// not believed.
+/// Two triggers give a rate. The clock then runs at this rate, faster or slower by at most
+/// kMostPull until its breaths begin at the triggers. Its rate changes by at most kSlew of the
+/// larger of old and new rate per second, so that the phase neither jumps nor decreases. Missed
+/// triggers are bridged where an interval is within kNearWhole of a whole number of breaths and the
+/// previous interval was not bridged. After kPatience breaths without a trigger the clock returns
+/// to the set rate. Triggers that follow each other faster than kFastestManikin are ignored.
 class BreathClock
 {
 public:
-    /// Everything that decides what follows.
+    /// The complete state of the clock.
     struct State {
-        double breaths = 0.0;      ///< since the start, whole and part
-        Frequency rate;            ///< at present
+        double breaths = 0.0;      ///< since the start, with fraction
+        Frequency rate;            ///< now
         Frequency measured;        ///< of the manikin; 0: not known
-        double pull = 0.0;         ///< to be caught up with, half a breath either way at the most
-        double sinceTrigger = 0.0; ///< seconds since the last beginning that was believed
-        bool triggered = false;    ///< there was one
-        bool bridged = false;      ///< it came after some that were missed
+        double pull = 0.0;         ///< phase error still to be corrected, in breaths, -0.5 to 0.5
+        double sinceTrigger = 0.0; ///< seconds since the last accepted trigger
+        bool triggered = false;    ///< there was an accepted trigger
+        bool bridged = false;      ///< the last interval contained missed triggers
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -36,17 +35,19 @@ public:
     explicit BreathClock(Frequency rate) { m_state.rate = rate; }
     explicit BreathClock(const State& state) : m_state{state} {}
 
-    /// A breath of the manikin began so many seconds ago.
+    /// A breath of the manikin began `secondsAgo` before now.
     void trigger(double secondsAgo);
-    /// Time goes on by a step.
+    /// Advances by `seconds`. @param set rate used while the clock is not locked
     void advance(Frequency set, double seconds);
 
     [[nodiscard]] const State& state() const { return m_state; }
-    /// 0 at the beginning of a breath, to below 1.
+    /// Phase within the present breath, 0 <= phase < 1.
     [[nodiscard]] double phase() const;
+    /// Whether the clock follows the manikin.
     [[nodiscard]] bool isLocked() const;
 
 private:
+    /// Number of breaths in an interval between triggers: more than 1 where triggers were missed.
     [[nodiscard]] double breathsIn(double interval) const;
 
     State m_state;
@@ -56,7 +57,7 @@ inline constexpr double kMostPull = 0.25; ///< of the rate, faster or slower
 inline constexpr double kSlew = 0.5;      ///< of the rate, per second
 inline constexpr double kPatience = 3.5;  ///< breaths
 inline constexpr double kNearWhole = 0.2; ///< breaths
-/// Slowest and fastest breathing that is believed of a manikin.
+/// Slowest and fastest breathing rate that is accepted from a manikin.
 inline constexpr Frequency kSlowestManikin = perMinute(4.0);
 inline constexpr Frequency kFastestManikin = perMinute(60.0);
 

@@ -5,7 +5,7 @@
 namespace carina
 {
 
-/// How a patient breathes: one breath after another of the same shape.
+/// Breathing as it is set: breaths of equal length and shape.
 struct BreathingPattern {
     Frequency rate = perMinute(19.0);
     Volume tidalVolume = millilitres(280.0);

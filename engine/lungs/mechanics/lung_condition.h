@@ -8,6 +8,7 @@
 namespace carina
 {
 
+/// Diseases and complications that can be set; afflicted() describes each.
 enum class ConditionKind : std::uint8_t {
     Normal,
     Ards,
@@ -21,7 +22,7 @@ enum class ConditionKind : std::uint8_t {
     StiffChest,
 };
 
-/// In the order in which people are offered them, which is that of the enumerators.
+/// In the order in which controls list them, which is that of the enumerators.
 inline constexpr std::array kConditionKinds{
     ConditionKind::Normal,
     ConditionKind::Ards,
@@ -35,9 +36,10 @@ inline constexpr std::array kConditionKinds{
     ConditionKind::StiffChest,
 };
 
+/// Which lung a condition affects.
 enum class ConditionSide : std::uint8_t { Both, Right, Left };
 
-/// What ails the lungs of a patient.
+/// The disease of a patient's lungs.
 struct LungCondition {
     ConditionKind kind = ConditionKind::Normal;
     double severity = 0.0; ///< 0 healthy to 1
@@ -46,28 +48,29 @@ struct LungCondition {
     friend bool operator==(const LungCondition&, const LungCondition&) = default;
 };
 
-/// What a condition makes of a healthy system, tube included. Figures by severity s lie on straight
-/// lines between those of Pulse at 0.3, 0.6 and 0.9 where it has them (docs/mechanics.md names each
-/// source):
+/// A healthy system, tube included, with a condition applied. Parameters as functions of the
+/// severity s are piecewise linear through the values of Pulse at 0.3, 0.6 and 0.9, where Pulse has
+/// them (docs/mechanics.md names each source):
 ///
-/// - Ards: the open share of the lung falls to 0.7, 0.5, 0.4, and with it compliance, volume and
-///   capacity; alveolar dead space, tired muscles.
-/// - Copd: bronchi narrow to 1.9, 3.8, 5.3 times the resistance; resting volume 1.77, capacity 1.40
-///   and residual volume 2.42 times at 0.9; compliance up to 1.4; alveolar dead space. Bronchi are
-///   compressed while gas leaves: 3.9, 6.8, 9.7 times the resistance that they have to gas that
-///   comes in.
-/// - Asthma: resistance of the whole natural airway 1 + 14 s times, all of it in the bronchi.
-/// - SimplePneumothorax: gas in the pleura, of a pressure s of the way to that of the room; the
-///   lung rests at 1 - 0.75 s of its volume.
-/// - TensionPneumothorax: a tear of that size lets gas into the pleura and not back, as long as the
-///   condition lasts.
-/// - Atelectasis: 0.9 s of the lung is shut off.
-/// - MainstemIntubation: the tube is in the bronchus of `side`; a share s of the section of the
-///   other is closed, and the blood takes up its gas down to 0.45 of the resting volume.
-/// - Obstruction: a share s of the section is closed; of the trachea or tube for both sides, else
-///   of a main bronchus. A bronchus conducts as the square of its section; a trachea lets nothing
-///   through as the last hundredth of it closes.
-/// - StiffChest: the wall's compliance is divided by 1 + 4 s.
+/// - Ards: the open share of the lung falls to 0.7, 0.5, 0.4, and with it compliance, resting
+///   volume and capacity; alveolar dead space; reduced muscle effort.
+/// - Copd: bronchial resistance 1.9, 3.8, 5.3 times; resting volume 1.77, capacity 1.40 and
+///   residual volume 2.42 times at 0.9; compliance up to 1.4 times; alveolar dead space. Bronchi
+///   are compressed during expiration: their resistance to gas that leaves is 3.9, 6.8, 9.7 times
+///   that to gas that enters.
+/// - Asthma: resistance of the whole natural airway 1 + 14 s times, the increase in the bronchi.
+/// - SimplePneumothorax: gas in the pleural space, at a pressure s of the way from the pleural to
+///   that of the room; the lung rests at 1 - 0.75 s of its volume.
+/// - TensionPneumothorax: a one-way tear of size s lets gas from the airway into the pleural space
+///   as long as the condition lasts.
+/// - Atelectasis: 0.9 s of the lung is closed.
+/// - MainstemIntubation: the tube is in the main bronchus of `side`. A share s of the section of
+///   the other main bronchus is closed, and the blood absorbs gas behind it down to 0.45 of the
+///   resting volume.
+/// - Obstruction: a share s of the section is closed: of the trachea or tube for Both, else of a
+///   main bronchus. The conductance of a bronchus goes with the square of its open section; a
+///   trachea of which the last hundredth closes blocks both lungs.
+/// - StiffChest: the compliance of the wall is divided by 1 + 4 s.
 ///
 /// @pre severity within 0..1; MainstemIntubation has one side.
 [[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,

@@ -5,22 +5,23 @@
 namespace carina
 {
 
-/// How much gas one lung holds at a pressure across it (alveolar less pleural), at rest: the
-/// sigmoid of Venegas et al. (J Appl Physiol 1998;84:389),
+/// Static pressure-volume curve of one lung: its gas as a function of the transpulmonary pressure
+/// (alveolar less pleural), the sigmoid of Venegas et al. (J Appl Physiol 1998;84:389)
 ///
 ///     V(P) = floor + span / (1 + exp(-(P - centre) / width))
 ///
 /// with the compliance (V - floor)(floor + span - V) / (span width), greatest at the centre.
 ///
-/// Within kStraightShare of the span from either asymptote the curve goes on as its tangent, so
-/// that every volume has a pressure and a step of an integrator that goes too far comes back.
+/// Within kStraightShare of the span from either asymptote the curve continues as its tangent, so
+/// that every volume has a pressure and an integration step that overshoots can recover.
 struct PressureVolumeCurve {
-    Volume floor;    ///< what is left when the lung is squeezed
-    Volume span;     ///< from there to the most it can hold
-    Pressure centre; ///< at the middle of the span
-    Pressure width;  ///< over which the exponential falls to 1/e
+    Volume floor;    ///< lower asymptote: gas left when the lung is squeezed
+    Volume span;     ///< upper asymptote (capacity) less lower asymptote
+    Pressure centre; ///< at the inflection point, where V = floor + span / 2
+    Pressure width;  ///< pressure scale of the exponential
 
-    /// The curve between two asymptotes that passes `volume` at `pressure` with a compliance.
+    /// The curve with these asymptotes that passes through `volume` at `pressure` with this
+    /// compliance.
     /// @pre floor < volume < ceiling, compliance above 0.
     [[nodiscard]] static PressureVolumeCurve through(Volume floor, Volume ceiling, Volume volume,
                                                      Pressure pressure, Compliance compliance);
@@ -32,7 +33,7 @@ struct PressureVolumeCurve {
     friend bool operator==(const PressureVolumeCurve&, const PressureVolumeCurve&) = default;
 };
 
-/// Share of the span at either end of it where the curve is straight.
+/// Share of the span at either end where the curve is its tangent.
 inline constexpr double kStraightShare = 0.01;
 
 } // namespace carina

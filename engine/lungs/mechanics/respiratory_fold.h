@@ -14,7 +14,7 @@
 namespace carina
 {
 
-/// Everything that people decide about a patient's breathing.
+/// Everything about a patient's breathing that is set by people.
 struct RespiratorySettings {
     PatientBuild build;
     LungCondition condition;
@@ -26,25 +26,27 @@ struct RespiratorySettings {
     friend bool operator==(const RespiratorySettings&, const RespiratorySettings&) = default;
 };
 
-/// The patient's lungs, chest and airway as the settings make them; relaxed where a ventilator
-/// alone breathes, which takes none of the resting volume of someone who sits.
+/// Lungs, chest and airway of a patient with these settings; relaxed (see relax) where only the
+/// ventilator breathes. Relaxation takes none of the resting volume of a sitting patient.
 [[nodiscard]] RespiratorySystem systemOf(const RespiratorySettings& settings);
 
-/// What one whole breath came to.
+/// Measured values of one whole breath.
 struct BreathFigures {
-    Volume tidalVolume;                      ///< inspired at the opening
+    Volume tidalVolume;                      ///< inspired at the airway opening
     std::array<Volume, 2> tidalVolumeOfLung; ///< greatest less least gas; right, left
-    Frequency rate;                          ///< one over the time it took
-    Pressure peak;                           ///< greatest at the opening
-    Pressure plateau;                        ///< at the carina as inspiration ended
-    Pressure endExpiratory;                  ///< in the alveoli as the next began, mean by bronchi
-    Pressure autoPeep;                       ///< of that, above PEEP
-    VolumeFlow alveolarVentilation;          ///< less both dead spaces, by the rate
+    Frequency rate;                          ///< reciprocal of its duration
+    Pressure peak;                           ///< greatest at the airway opening
+    Pressure plateau;                        ///< at the carina at the end of inspiration
+    /// Alveolar, at the end of the breath; mean weighted by bronchial conductance.
+    Pressure endExpiratory;
+    Pressure autoPeep; ///< endExpiratory less PEEP
+    /// Tidal volume less anatomical and alveolar dead space, times rate.
+    VolumeFlow alveolarVentilation;
 
     friend bool operator==(const BreathFigures&, const BreathFigures&) = default;
 };
 
-/// The breath that is going on.
+/// Running values of the present breath.
 struct BreathTally {
     std::int64_t steps = 0;
     Volume inspired;
@@ -56,7 +58,7 @@ struct BreathTally {
     friend bool operator==(const BreathTally&, const BreathTally&) = default;
 };
 
-/// Everything that decides how the breathing goes on under given settings: a checkpoint.
+/// The complete state of the fold under given settings: a checkpoint.
 struct RespiratoryState {
     std::int64_t steps = 0; ///< since the fold began
     RespiratorySystem system;
@@ -64,51 +66,52 @@ struct RespiratoryState {
     BreathClock::State clock;
     VentilatorState ventilator;
     BreathingPattern breath; ///< in force since the present breath began
-    Pressure effort;         ///< greatest of it
+    Pressure effort;         ///< peak muscle pressure of the present breath
     Pressure muscle;         ///< at the end of the last step
     AirwayOpening opening;   ///< in the last step
     BreathTally tally;
-    BreathFigures last; ///< the latest whole breath; all 0 before there was one
+    BreathFigures last; ///< the latest whole breath; all 0 before the first
 
     friend bool operator==(const RespiratoryState&, const RespiratoryState&) = default;
 };
 
-/// Breathes a patient, one step of kRespiratoryStep after another.
+/// Simulates the breathing of a patient in steps of kRespiratoryStep.
 ///
 /// A fold: the same settings, changes and triggers at the same steps give the same state, bit for
-/// bit, wherever it is run with the same mathematical library; one made from a checkpoint goes on
-/// as the one that wrote it. It reads no clock. What a condition, patient, position or tube changes
-/// system comes in over kChangeTime, so that nothing jumps; a tidal volume and an inspiratory
-/// fraction hold from the next breath on, the volume as far as largestTidalVolume.
+/// bit, wherever it runs with the same mathematical library. A fold made from a checkpoint
+/// continues exactly as the one that wrote it. It reads no clock. A change of condition, patient,
+/// position or tube is approached exponentially with the time constant kChangeTime, so that no
+/// volume jumps. A new tidal volume or inspiratory fraction takes effect with the next breath; the
+/// tidal volume is limited to largestTidalVolume.
 class RespiratoryFold
 {
 public:
-    /// At rest, before a first breath.
+    /// Starts at rest, before the first breath.
     /// @pre every setting is in the range of engine/session/facts/fact_rules.
     explicit RespiratoryFold(const RespiratorySettings& settings);
     RespiratoryFold(const RespiratorySettings& settings, const RespiratoryState& checkpoint);
 
-    /// From the next step on.
+    /// Settings from the next step on.
     void set(const RespiratorySettings& settings);
-    /// A breath of the manikin began so many seconds before the end of the last step.
+    /// A breath of the manikin began `secondsAgo` before the end of the last step.
     void trigger(double secondsAgo) { m_clock.trigger(secondsAgo); }
     void step();
 
-    /// It took a step, or one before its checkpoint did.
+    /// Whether a step was taken, here or before the checkpoint.
     [[nodiscard]] bool hasBegun() const { return m_state.steps > 0; }
     [[nodiscard]] const RespiratorySettings& settings() const { return m_settings; }
     [[nodiscard]] RespiratoryState state() const;
-    /// At the end of the last step.
+    /// Pressures and flows at the end of the last step.
     [[nodiscard]] const ChestMoment& moment() const { return m_moment; }
     [[nodiscard]] const ChestContent& content() const { return m_state.content; }
     [[nodiscard]] const RespiratorySystem& system() const { return m_state.system; }
     [[nodiscard]] const BreathFigures& lastBreath() const { return m_state.last; }
-    /// Of the breath that is going on.
+    /// Running values of the present breath.
     [[nodiscard]] const BreathTally& breath() const { return m_state.tally; }
     [[nodiscard]] Pressure muscle() const { return m_state.muscle; }
 
 private:
-    /// With which m_healthy breathes.
+    /// Result of effortFor with m_healthy, kept for the next breath.
     struct FoundEffort {
         BreathingPattern pattern;
         Pressure effort;
@@ -126,17 +129,17 @@ private:
 
     RespiratorySettings m_settings;
     RespiratorySystem m_target;
-    RespiratorySystem m_healthy; ///< the patient in health, in that position
+    RespiratorySystem m_healthy; ///< without condition, in the set position
     std::optional<FoundEffort> m_found;
-    RespiratoryState m_state; ///< but for the clock's
+    RespiratoryState m_state; ///< its `clock` is not used: m_clock has it
     BreathClock m_clock;
     ChestMoment m_moment;
 };
 
 inline constexpr double kRespiratoryStep = 2e-3; ///< s
-inline constexpr double kChangeTime = 2.0;       ///< s, for 63 % of a change of the system
-/// How fast the muscle gives up, or takes up, what a change of its effort in mid-breath leaves: a
-/// quiet breath's effort in a tenth of a second.
+inline constexpr double kChangeTime = 2.0; ///< s, time constant: 63 % of a change of the system
+/// Rate at which the muscle's pressure follows a change of effort within a breath: the effort of a
+/// quiet breath in 0.1 s.
 inline constexpr double kMuscleSlew_cmH2OPerS = 100.0;
 
 } // namespace carina

@@ -9,60 +9,65 @@ namespace carina
 
 enum class VentilationMode : std::uint8_t { Spontaneous, VolumeControl, PressureControl };
 
-/// What makes the breaths. Rate, tidal volume and inspiratory fraction are those of the
-/// BreathingPattern beside it, whoever breathes.
+/// Settings of the ventilator. Rate, tidal volume and inspiratory fraction are those of the
+/// BreathingPattern beside it, also in spontaneous breathing.
 struct VentilatorSettings {
     VentilationMode mode = VentilationMode::Spontaneous;
     Pressure peep = cmH2O(5.0);
-    Pressure drivingPressure = cmH2O(10.0); ///< above PEEP, pressure control
-    Pressure pressureLimit = cmH2O(40.0);   ///< volume control gives no more, nor less than PEEP
-    double pauseShare = 0.2; ///< of inspiration, held without flow at its end, volume control
-    VolumeFlow trigger;      ///< inspired flow that begins a breath early; 0: none does
-    Frequency ownRate;       ///< of the patient's own efforts while ventilated; 0: none
-    double ownEffort = 0.0;  ///< of these, as a share of a quiet breath's
+    Pressure drivingPressure = cmH2O(10.0); ///< above PEEP; pressure control
+    /// Volume control does not exceed this pressure; a limit below PEEP counts as PEEP.
+    Pressure pressureLimit = cmH2O(40.0);
+    /// Share of inspiration, at its end, during which no gas flows; volume control.
+    double pauseShare = 0.2;
+    VolumeFlow trigger;     ///< inspiratory flow that triggers a breath; 0: no triggering
+    Frequency ownRate;      ///< of the patient's own efforts while ventilated; 0: none
+    double ownEffort = 0.0; ///< of these efforts, as a share of that of a quiet breath
 
     friend bool operator==(const VentilatorSettings&, const VentilatorSettings&) = default;
 };
 
-/// The share of its greatest effort that the inspiratory muscle makes at a phase of the breath: a
-/// half sine up, from 0 to kRiseShare of inspiration; held to its end; a half sine down over
-/// kFallShare of inspiration, or over all of expiration where that is shorter.
+/// Pressure of the inspiratory muscles at a phase of the breath, as a share of its peak: a
+/// half-sine rise over kRiseShare of inspiration; constant to the end of inspiration; a half-sine
+/// fall over kFallShare of the duration of inspiration, or over all of expiration where that is
+/// shorter.
 /// @pre 0 <= phase < 1, the fraction within 0.1..0.9.
 [[nodiscard]] double muscleShare(double phase, double inspiratoryFraction);
 
 inline constexpr double kRiseShare = 0.75;
 inline constexpr double kFallShare = 0.5;
 
-/// The muscle's greatest pressure with which a patient breathes the tidal volume of a pattern,
-/// breath after breath, to a thousandth of it: found by breathing.
+/// The peak muscle pressure with which a patient steadily breathes the tidal volume of a pattern,
+/// to 0.1 % of that volume; found by simulating breaths.
 /// @pre the rate is above 0.
 [[nodiscard]] Pressure effortFor(const RespiratorySystem& system, const BreathingPattern& pattern);
 
-/// A ventilator's own clock, in steps of the fold.
+/// State of a ventilator, counted in steps of the fold.
 struct VentilatorState {
     std::int64_t sinceBreath = 0; ///< steps since its present breath began
 
     friend bool operator==(const VentilatorState&, const VentilatorState&) = default;
 };
 
-/// A ventilator's breath in whole steps.
+/// Durations within a ventilator's breath, in steps.
 struct VentilatorTiming {
-    std::int64_t flow = 1;        ///< gas is driven in
-    std::int64_t inspiration = 1; ///< flow and pause
+    std::int64_t flow = 1;        ///< of the flow phase of volume control
+    std::int64_t inspiration = 1; ///< of flow and pause together
     std::int64_t breath = 2;
 };
 
+/// @param step length of a step, seconds
+/// @pre the rate is above 0; pauseShare is in 0..1, below 1.
 [[nodiscard]] VentilatorTiming ventilatorTiming(const VentilatorSettings& settings,
                                                 const BreathingPattern& pattern, double step);
 
-/// What the ventilator does to the airway in its present step.
+/// Boundary condition that the ventilator sets at the airway opening in its present step.
 [[nodiscard]] AirwayOpening ventilatorOpening(const VentilatorSettings& settings,
                                               const VentilatorTiming& timing, Volume tidalVolume,
                                               const VentilatorState& state, double step);
 
-/// A patient's effort is looked for this long after the end of inspiration.
+/// Time after the end of inspiration from which on the patient's effort can trigger a breath.
 inline constexpr double kTriggerDelay = 0.2; // s
-/// Pressure control reaches its pressure in this time.
+/// Rise time of the pressure in pressure control.
 inline constexpr double kPressureRise = 0.1; // s
 
 } // namespace carina

@@ -5,27 +5,28 @@
 namespace carina
 {
 
-/// A participant's part in actions on shared objects: takes its own and sends them until the host
-/// has them, and takes what the host passes on.
+/// A participant's end of actions on shared objects: begins actions on its own objects, sends them
+/// until the host acknowledges them, and stores those that the host forwards.
 class ClientActions
 {
 public:
     void setSelf(ParticipantId self) { m_actions.setSelf(self); }
-    /// It is another session.
+    /// Forgets everything: the host has another session.
     void startAfresh();
-    /// What the old connection brought is acknowledged no more, and a host that was restarted may
-    /// not have all that the last one acknowledged.
+    /// The connection ended. Pending acknowledgements are dropped, and own actions are sent whole
+    /// again on the next connection, because a restarted host may have lost what it had
+    /// acknowledged.
     void disconnected();
 
-    /// As the facts say.
+    /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
-    /// Takes an action on an object of its own. @returns what SharedActions::begun does.
+    /// Begins an action on an object of this participant. @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, SessionTime session,
                                    LocalTime now);
-    /// An action that the host passed on. @param session the session's time, where it is known
+    /// An action that the host forwarded. @param session present session time, where it is known
     void take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
-    /// A sign of life that the host passed on: as if the action it names had come again, if that is
-    /// the newest here.
+    /// A heartbeat that the host forwarded: counts as a repeat of the action it names where that is
+    /// the newest here, and is ignored otherwise.
     void take(const EventBeat& beat, std::optional<SessionTime> session, LocalTime now);
     void acknowledge(const EventAck& ack) { m_repeater.acknowledge(ack); }
 
@@ -37,8 +38,9 @@ public:
 
 private:
     SharedActions m_actions;
-    EventRepeater m_repeater{true};  // of the objects of its own
-    std::vector<ObjectId> m_adopted; // have become its own; their repeating is to begin
+    EventRepeater m_repeater{true}; // for objects of this participant
+    // newly owned objects, whose action is still to be given to m_repeater
+    std::vector<ObjectId> m_adopted;
     std::vector<WireRecord> m_acks;
 };
 

@@ -9,7 +9,7 @@
 namespace carina
 {
 
-/// An action to be sent: whole, or only named, as a sign of life.
+/// An action to send: whole, or as a heartbeat that only names it.
 struct DueEvent {
     EventCpo event;
     bool isBeat = false;
@@ -17,39 +17,42 @@ struct DueEvent {
     [[nodiscard]] WireRecord record() const;
 };
 
-/// One direction of one connection: sends the newest action on each object at once, again after
-/// 10 ms, after 30 ms, and every further 20 ms until it is acknowledged: what a burst of loss took
-/// is not known elsewhere before the first repeat that comes through.
+/// Retransmission of actions in one direction of one connection. The newest action on each object
+/// is sent at once, again after 10 ms and 30 ms, and then every 20 ms until it is acknowledged:
+/// after a burst of loss, the first repeat that arrives determines the delay.
 ///
-/// Whoever owns the objects also has a heartbeat, so that the others can tell an object at rest
-/// from an owner that is gone: an acknowledged action is named every 100 ms, in a record as long as
-/// its acknowledgement, so that the two take equally long through a narrow path, as the clock
-/// wants it. When kUnanswered beats in a row were for nothing the action is sent whole again.
+/// The owner of the objects also sends a heartbeat, so that others can tell an object at rest from
+/// an owner that is gone: every 100 ms a record names the acknowledged action. This record is as
+/// long as its acknowledgement, so that both take equally long through a narrow link, as the clock
+/// estimate requires. After kUnanswered heartbeats in a row without an acknowledgement the action
+/// is sent whole again.
 class EventRepeater
 {
 public:
     static constexpr Duration kFirstRepeat = std::chrono::milliseconds{10};
     static constexpr Duration kRepeat = std::chrono::milliseconds{20};
     static constexpr Duration kHeartbeat = std::chrono::milliseconds{100};
-    /// A heartbeat is not passed on sooner than this after the last time the action was sent.
+    /// Shortest time from the last sending of an action to a heartbeat that is forwarded.
     static constexpr Duration kShortestBeat = std::chrono::milliseconds{50};
-    /// Heartbeats are passed on to one participant after the other, so far apart: sent to all at
-    /// once they are answered at once, and answers that wait for each other shift the clocks.
+    /// Heartbeats are forwarded to one participant after the other, at this interval. Sent to all
+    /// at once they would be answered at once, and answers that queue for each other bias the clock
+    /// estimates.
     static constexpr Duration kTurn = std::chrono::milliseconds{2};
+    /// Unacknowledged heartbeats after which an action is sent whole.
     static constexpr int kUnanswered = 10;
 
     explicit EventRepeater(bool hasHeartbeat) : m_hasHeartbeat{hasHeartbeat} {}
 
-    /// A new action on an object, in place of the last.
+    /// Replaces the action on an object by a new one, to be sent now.
     void begin(const EventCpo& event, LocalTime now);
-    /// A heartbeat of an action is to be passed on at that time.
+    /// Schedules a heartbeat of an action, to be forwarded at `due`.
     void beat(const EventCpo& event, LocalTime due);
     void acknowledge(const EventAck& ack);
-    /// The other end may have lost what it had acknowledged.
+    /// The peer may have lost what it had acknowledged: actions are sent whole again.
     void doubt();
-    /// The object is another's now.
+    /// Stops sending for an object.
     void forget(ObjectId object) { m_entries.erase(object); }
-    /// Whether an action on the object is under way that nobody acknowledged.
+    /// Whether the action on the object is not acknowledged yet.
     [[nodiscard]] bool awaits(ObjectId object) const;
 
     /// Events to send now; they count as sent.
@@ -72,9 +75,9 @@ private:
     std::map<ObjectId, Entry> m_entries;
 };
 
-/// Whether action a on an object is later than b: by the ownership's epoch, then by the counter,
-/// and then by the start, for an owner whose program was restarted may not know yet how far it
-/// counted.
+/// Whether action a on an object is later than b: by the epoch of the ownership, then by the action
+/// counter, then by the start time. The last decides for an owner that was restarted and has not
+/// received its earlier count.
 [[nodiscard]] bool isLater(const EventCpo& a, const EventCpo& b);
 
 } // namespace carina

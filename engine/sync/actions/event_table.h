@@ -8,31 +8,34 @@
 namespace carina
 {
 
-/// The actions in force on shared objects, as they came from elsewhere: the latest wins, by the
-/// ownership's epoch and then by the counter, in whatever order they arrive.
+/// The actions in force on shared objects. The latest action wins (isLater), in whatever order they
+/// arrive.
 class EventTable
 {
 public:
-    /// An object of which nothing was heard for so long is stale.
+    /// An object is stale when neither an action nor a heartbeat of it arrived for this long.
     static constexpr Duration kStaleAfter = std::chrono::milliseconds{300};
-    /// An action that starts further ahead than this is of no session like this one.
+    /// An action that starts further ahead than this is refused.
     static constexpr Duration kLargestLead = std::chrono::seconds{10};
 
+    /// What take() did: refused the action, found it older than the newest, the same as the newest,
+    /// or a new one.
     enum class Verdict : std::uint8_t { Refused, Old, Known, New };
 
-    /// @param session the session's time now, where it is known
+    /// Stores an action that arrived. @param session present session time, where it is known
     Verdict take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
 
-    /// The object at session time t: of the action before the newest where that has not begun, so
-    /// that an action may be announced. Nothing for an object never heard of.
+    /// The object at session time t. The newest action may start in the future: until then the one
+    /// before it is evaluated. Nothing for an unknown object.
     [[nodiscard]] std::optional<ActedPose> at(ObjectId object, SessionTime t) const;
-    /// The action that at() evaluates; nullptr for an object never heard of.
+    /// The action that at() evaluates; nullptr for an unknown object.
     [[nodiscard]] const EventCpo* inForce(ObjectId object, SessionTime t) const;
     [[nodiscard]] bool isStale(ObjectId object, LocalTime t) const;
+    /// The newest action on an object; nullptr for an unknown object.
     [[nodiscard]] const EventCpo* newest(ObjectId object) const;
-    /// The newest action on an object, where it is the one named; nullptr otherwise.
+    /// The newest action on an object if it is the one that `beat` names, else nullptr.
     [[nodiscard]] const EventCpo* named(const EventBeat& beat) const;
-    /// Of every object, in any order.
+    /// The newest action of every object, in no particular order.
     [[nodiscard]] std::vector<EventCpo> newest() const;
     void forget(ObjectId object) { m_entries.erase(object); }
 

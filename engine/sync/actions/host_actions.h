@@ -8,12 +8,12 @@
 namespace carina
 {
 
-/// Where a datagram comes from or goes to; only the socket's owner knows what it stands for.
+/// Where a datagram comes from or goes to. The transport assigns and interprets the number.
 using PeerAddress = std::uint64_t;
 
-/// The session host's part in actions on shared objects: takes those of their owners, its own
-/// included, passes each on to everybody else until it is acknowledged, and brings late joiners the
-/// newest of every object.
+/// The session host's end of actions on shared objects: accepts actions from the objects' owners
+/// (the host included), forwards each to everybody else until it is acknowledged, and sends late
+/// joiners the newest action of every object.
 class HostActions
 {
 public:
@@ -22,26 +22,27 @@ public:
     void join(PeerAddress address, ParticipantId participant, LocalTime now);
     void leave(PeerAddress address) { m_peers.erase(address); }
 
-    /// As the facts say. With another owner the action in force goes on in that one's name
-    /// (SharedActions::continued).
+    /// Sets the ownership of an object, taken from the facts. Where the owner changed, the action
+    /// in force continues under the new ownership (SharedActions::continued).
     void share(ObjectId object, const Ownership& ownership);
-    /// Takes an action on an object of the host's own. @returns what SharedActions::begun does.
+    /// Begins an action on an object of the host. @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, SessionTime session,
                                    LocalTime now);
-    /// An action that came from a peer: acknowledged and passed on where it is the owner's, under
-    /// the present ownership; dropped otherwise.
+    /// An action from a peer: acknowledged and forwarded where the peer owns the object under the
+    /// epoch of the action; dropped otherwise.
     void take(PeerAddress from, const EventCpo& event, SessionTime session, LocalTime now);
-    /// A sign of life: as if the action it names had come again, if that is the newest here.
+    /// A heartbeat from a peer: counts as a repeat of the action it names where that is the newest
+    /// here, and is ignored otherwise.
     void take(PeerAddress from, const EventBeat& beat, SessionTime session, LocalTime now);
     void acknowledge(PeerAddress from, const EventAck& ack);
-    /// An action that was in force before the host was started: goes on, in the name of whoever
-    /// owns the object by now. Nothing for an object that is not shared.
+    /// Restores an action that was in force before a restart of the host; it continues under the
+    /// present ownership. Ignored for an object that is not shared.
     void restore(const EventCpo& event);
-    /// The newest action of every object on which it is another than at the last call: what a host
-    /// that is started again is to be told by restore().
+    /// The newest action of every object on which it changed since the last call: to be stored, and
+    /// given to restore() after a restart.
     [[nodiscard]] std::vector<EventCpo> takeChanged();
 
-    /// Passes on what the host itself has to say; called before takeDue.
+    /// Forwards the host's own actions and heartbeats; to be called before takeDue.
     void advance(SessionTime session, LocalTime now);
     /// Acknowledgements and actions to send to a peer now; they count as sent.
     [[nodiscard]] std::vector<WireRecord> takeDue(PeerAddress to, LocalTime now);
@@ -61,7 +62,7 @@ private:
 
     SharedActions m_actions;
     EventRepeater m_own{true};
-    std::vector<EventCpo> m_handedOver; // to be passed on
+    std::vector<EventCpo> m_handedOver; // continued or restored, not forwarded yet
     std::set<ObjectId> m_changed;
     std::map<PeerAddress, Peer> m_peers;
 };

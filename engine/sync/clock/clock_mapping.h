@@ -5,15 +5,15 @@
 namespace carina
 {
 
-/// Local time to session time. A value: copied to whoever needs the time.
+/// Converts local time to session time. A value: it is copied to the threads that need the time.
 ///
-/// Session time is local time and an offset that grows with the skew of the two clocks. A
-/// correction is spread: it is worked off at 1/kSlewDivisor, so that session time never jumps and
-/// never runs backwards.
+/// Session time is local time plus an offset that changes with the skew of the two clocks. A
+/// correction of the offset is spread over time (slewed) at 1/kSlewDivisor, so that session time
+/// never jumps and never runs backwards.
 class ClockMapping
 {
 public:
-    /// 500 ppm.
+    /// Largest slew rate, as a divisor: 500 ppm.
     static constexpr int kSlewDivisor = 2000;
 
     /// @param skew seconds of session time per second of local time, less 1
@@ -23,10 +23,10 @@ public:
     }
 
     [[nodiscard]] SessionTime at(LocalTime t) const;
-    /// Works from `start` on towards what would be `offset` at `start`, and from there on has
-    /// `skew`.
+    /// Slews from `start` on towards the mapping that has `offset` at `start`, and `skew` from then
+    /// on.
     void slewTo(Duration offset, LocalTime start, double skew = 0.0);
-    /// Of the correction, at local time t.
+    /// The part of the last correction that is still to be made at local time t.
     [[nodiscard]] Duration toGo(LocalTime t) const;
 
 private:
@@ -35,7 +35,7 @@ private:
     LocalTime m_start;
     Duration m_offset; // session time less local time, at m_start
     double m_skew;
-    Duration m_correction{}; // to be added to it from there on
+    Duration m_correction{}; // to be added to the offset from m_start on
 };
 
 } // namespace carina

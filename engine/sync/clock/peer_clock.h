@@ -6,32 +6,33 @@
 namespace carina
 {
 
-/// The clock of a participant and the path to it, as the session host sees them.
+/// Clock of a participant and path to it, estimated by the session host.
 ///
-/// The same exchange that tells a participant of the host's clock tells the host of the
-/// participant's. With t1 and t2 on the host's clock when it sent and heard again, and h the time
-/// the participant held the datagram until it answered at p on its own clock:
+/// The datagrams from which a participant estimates the host's clock let the host estimate the
+/// participant's. With t1 and t2 the times on the host's clock when it sent a datagram and received
+/// the answer, p the time on the participant's clock when it answered, and h the time for which it
+/// held the datagram:
 ///
 ///     offset = (t1 + t2)/2 - (p - h/2)        round trip = (t2 - t1) - h
 ///
-/// from which FittedClock makes a line. One-way delays are half the round trip.
+/// FittedClock fits a line to these. One-way delays are half the round trip.
 class PeerClock
 {
 public:
-    /// Clocks are believed up to this reading, so that no difference of two overflows: 73 years.
+    /// Larger clock readings are ignored, so that no difference of two overflows: 73 years.
     static constexpr Duration kLargestReading{1LL << 61};
 
     /// @param trip as measured by the host
-    /// @param session at the host when the trip ended
+    /// @param session session time at which the trip ended
     void add(const RoundTrip& trip, SessionTime session);
 
-    /// h_0, H_p, sigma and gamma_0 of the path, by the rule of an idle participant.
+    /// h_0, H_p, sigma and gamma_0 of the path (ProbeTrigger), by the rule of an idle participant.
     [[nodiscard]] const ProbeTrigger& trigger() const { return m_clock.trigger(); }
     /// Session time less the participant's local time; nothing before the first fit.
     [[nodiscard]] std::optional<Duration> offset(SessionTime session) const;
     /// Standard error of the offset, seconds (FittedClock::uncertainty). @pre offset()
     [[nodiscard]] double uncertainty(SessionTime session) const;
-    /// Nothing makes the error of the offset larger (FittedClock::bound). @pre offset()
+    /// Upper bound of the error of the offset (FittedClock::bound). @pre offset()
     [[nodiscard]] Duration bound(SessionTime session) const;
 
 private:

@@ -5,14 +5,14 @@
 namespace carina
 {
 
-/// A line through weighted points, its slope held to 0 as far as the points leave it open.
+/// A line through weighted points whose slope is regularised towards 0 (ridge regression).
 ///
 /// With W the sum of the weights w, x_m and y_m the weighted means, S = sum w (x - x_m)^2, and v
-/// the variance of a point of weight 1, from the scatter about the free line:
+/// the variance of a point of weight 1, from the scatter about the unregularised line:
 ///
 ///     slope = sum w (x - x_m)(y - y_m) / (S + v / prior^2)
 ///
-/// which is the most probable slope when slopes scatter about 0 by `prior` (ridge regression).
+/// which is the most probable slope for slopes distributed about 0 with standard deviation `prior`.
 class WeightedLine
 {
 public:
@@ -29,6 +29,7 @@ public:
 
     void add(const Point& point) { m_points.push_back(point); }
 
+    /// @param prior standard deviation of the slope
     /// @pre at least one point
     [[nodiscard]] Fit fit(double prior) const;
 

@@ -7,20 +7,20 @@
 namespace carina
 {
 
-/// The share of datagrams that did not arrive, told by the gaps in their sequence numbers.
+/// Datagram loss, from gaps in the sequence numbers.
 ///
-/// Of the last kWindow numbers up to the newest that arrived, those that are missing count as lost;
-/// one that was only overtaken counts again once it is there, and a copy changes nothing.
+/// Of the last kWindow sequence numbers up to the newest received, those missing count as lost. A
+/// datagram that arrives late no longer counts as lost; a duplicate changes nothing.
 class LossWindow
 {
 public:
     static constexpr std::uint32_t kWindow = 1024;
-    /// Fewer numbers than this say nothing.
+    /// Sequence numbers that are needed for an estimate.
     static constexpr std::uint32_t kLeast = 100;
 
     void arrived(std::uint32_t sequence);
 
-    /// From 0 to 1; nothing before kLeast numbers were sent.
+    /// Share lost, 0 to 1; nothing before kLeast sequence numbers.
     [[nodiscard]] std::optional<double> loss() const;
 
 private:
@@ -28,7 +28,7 @@ private:
 
     std::bitset<kWindow> m_arrived; // by sequence modulo kWindow
     std::uint32_t m_newest = 0;
-    std::uint32_t m_sent = 0; // of the window, so far
+    std::uint32_t m_sent = 0; // sequence numbers in the window so far
 };
 
 } // namespace carina

@@ -10,21 +10,21 @@
 namespace carina
 {
 
-/// Nothing heard for so long: the peer is away.
+/// A peer from which nothing arrived for this long is away.
 inline constexpr Duration kPeerTimeout = std::chrono::seconds{3};
-/// A datagram goes out at least this often, for liveness and as a probe of the clock.
+/// Longest interval between datagrams to a peer, for liveness and as clock probes.
 inline constexpr Duration kKeepAlive = std::chrono::milliseconds{250};
 
-/// A round trip just measured, with what the clock needs to know of it.
+/// A measured round trip, with the timestamps that the clock estimate needs.
 struct RoundTrip {
     LocalTime sent;      ///< by this node
     Duration peerSent{}; ///< on the peer's clock
-    Duration hold{};     ///< between the peer's receiving and sending
-    Duration length{};
+    Duration hold{};     ///< from the peer's receiving to its sending
+    Duration length{};   ///< without the hold
 };
 
-/// One end of a connection: numbers what it sends, measures round trips and hears whether the other
-/// end lives.
+/// One end of a connection: assigns sequence numbers, measures round trips and notes when the peer
+/// was last heard.
 class PeerLink
 {
 public:
@@ -36,21 +36,21 @@ public:
 
     [[nodiscard]] std::uint32_t connection() const { return m_connection; }
 
-    /// The header of the next datagram to the peer, but for its flags and sender.
+    /// The header of the next datagram to the peer, without flags and sender.
     [[nodiscard]] BundleHeader nextHeader(LocalTime now);
 
-    /// Takes note of a datagram from the peer. @returns the round trip it closes, if it does. A
-    /// peer that sends often answers one datagram many times; only the first answer counts, for
-    /// they share the way out, and one slow datagram would otherwise look like another route.
+    /// Notes a datagram from the peer. @returns the round trip that it completes, if any. A peer
+    /// that sends often echoes the same datagram many times. Only the first echo counts: the others
+    /// share its outward delay, and one slow datagram would look like a change of route.
     std::optional<RoundTrip> heard(const BundleHeader& header, LocalTime now);
 
     [[nodiscard]] LocalTime lastHeard() const { return m_lastHeard; }
     [[nodiscard]] LocalTime lastSent() const { return m_lastSent; }
-    /// Of the recent ones; nothing before the first.
+    /// Of the last round trips; nothing before the first.
     [[nodiscard]] std::optional<Duration> shortestRoundTrip() const;
     [[nodiscard]] std::optional<Duration> longestRoundTrip() const;
     [[nodiscard]] std::optional<Duration> newestRoundTrip() const;
-    /// Of what the peer sent; see LossWindow.
+    /// Loss of datagrams from the peer; see LossWindow.
     [[nodiscard]] std::optional<double> loss() const { return m_loss.loss(); }
 
 private:
@@ -66,7 +66,7 @@ private:
     LocalTime m_lastSent;
     std::uint32_t m_sequence = 0;
     std::optional<Arrival> m_newest;
-    std::optional<LocalTime> m_answered; // when the newest that was answered was sent
+    std::optional<LocalTime> m_answered; // when the newest datagram that was echoed was sent
     std::deque<Duration> m_roundTrips;   // the last kRoundTripsKept
     LossWindow m_loss;
 };

@@ -19,12 +19,12 @@ struct RefusedProposal {
     Errc reason;
 };
 
-/// One participant's end of a session, without socket, clock or thread: whoever drives it brings
-/// bytes and local time in, and takes datagrams for the host, facts and stream samples out.
+/// One participant's end of a session, without socket, clock or thread: the caller passes in bytes
+/// and local time, and takes out datagrams for the host, facts and stream samples.
 ///
-/// It says Hello until it is welcomed, more and more slowly; keeps its copy of the log; repeats its
-/// proposals; estimates the session clock; and begins anew, from where its log ends, when the host
-/// falls silent or has forgotten it.
+/// It repeats Hello at growing intervals until it is welcomed, keeps its copy of the log, repeats
+/// its proposals and estimates the session clock. When the host is silent or no longer has the
+/// connection, it reconnects and continues from the end of its log.
 class SyncClient
 {
 public:
@@ -32,23 +32,24 @@ public:
 
     static constexpr Duration kFirstHelloWait = std::chrono::milliseconds{25};
     static constexpr Duration kLastHelloWait = std::chrono::milliseconds{250};
-    /// Between probes while the clock is being set.
+    /// Interval of probes while the clock is being set.
     static constexpr Duration kAcquireInterval = std::chrono::milliseconds{20};
 
     struct Output {
         std::vector<std::vector<std::byte>> datagrams;
-        bool startedAfresh = false;    ///< another session: what came of the last is void
-        std::vector<FactRecord> facts; ///< next in order
+        /// The host has another session: discard everything taken before.
+        bool startedAfresh = false;
+        std::vector<FactRecord> facts; ///< the next ones in order
         std::vector<StreamSample> streams;
         std::vector<RefusedProposal> refused;
     };
 
-    /// @param join the fact that this participant comes in, proposed with every Hello
-    /// @param firstConnection at random, so that an earlier program's datagrams are not taken for
-    ///        this one's
+    /// @param join the fact that this participant joins, proposed with every Hello
+    /// @param firstConnection random, so that datagrams to an earlier run of the program are not
+    ///        accepted
     SyncClient(ProposalRecord join, std::uint32_t firstConnection, LocalTime now);
 
-    /// A datagram from the host's address. What is malformed is dropped.
+    /// A datagram from the host's address. A malformed one is dropped.
     void receive(std::span<const std::byte> bytes, LocalTime now);
     /// Sends what is due; called after everything else and at nextWake().
     void advance(LocalTime now);
@@ -56,21 +57,22 @@ public:
     [[nodiscard]] Output take() { return std::exchange(m_output, {}); }
 
     void propose(ProposalRecord proposal, LocalTime now);
-    /// Tells of a shared object, as the facts do; samples of others than its owner are dropped.
+    /// Sets the ownership of an object, taken from the facts; samples from others than its owner
+    /// are dropped.
     void share(ObjectId object, const Ownership& ownership);
-    /// Sends a sample of an object of its own with the next tick.
+    /// Queues a sample of an own object for the next tick.
     void publish(StationId station, const StreamCpo& cpo);
-    /// There is a new path to the host: greets it at once where it is not connected.
+    /// There is a new path to the host: sends Hello at once unless connected.
     void greetNow(LocalTime now);
-    /// Takes an action on an object of its own, now; also while the host is away.
+    /// Begins an action on an own object, now; also while the host is away.
     /// @returns what SharedActions::begun does; NotPermitted before the clock is set.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, LocalTime now);
-    /// Says goodbye; nothing is received or sent any more.
+    /// Sends Goodbye; nothing is received or sent after it.
     void leave(LocalTime now);
 
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] ParticipantId self() const { return m_self; }
-    /// The whole log that the host had at the last Welcome is here.
+    /// Whether the log is complete up to its end at the last Welcome.
     [[nodiscard]] bool isCaughtUp() const;
     [[nodiscard]] FactNumber lastFact() const { return m_facts.last(); }
     [[nodiscard]] const std::deque<ProposalRecord>& waiting() const
@@ -80,7 +82,7 @@ public:
     [[nodiscard]] const FittedClock& clock() const { return m_clock; }
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const PeerLink& link() const { return m_link; }
-    /// Why the host does not let this participant in.
+    /// Why the host refuses to admit this participant.
     [[nodiscard]] std::optional<Errc> helloRefused() const { return m_helloRefused; }
 
 private:

@@ -13,36 +13,37 @@
 namespace carina
 {
 
-/// What the session decides when somebody comes in.
+/// Result of admitting a participant.
 struct Admission {
     ParticipantId participant;
-    /// The fact that the participant came in. Its number, cut to 16 bits, is the epoch of the
-    /// participant's streams: later each time, also across a restart of the host.
+    /// The fact that the participant joined. Its number modulo 2^16 is the epoch of the
+    /// participant's streams: it increases with each joining, also across a restart of the host.
     FactRecord fact;
 };
 
-/// The session behind the host: it judges, and has on disk what it returns.
+/// Callbacks into the session, which decides, and has each fact that it returns on disk.
 struct HostRules {
-    /// Who a join would be; changes nothing.
+    /// The participant that a join would be admitted as; changes nothing.
     std::function<Result<ParticipantId>(const ProposalRecord& join, LocalTime)> identify;
-    /// Lets a participant in. The fact may be an old one, where the same join is repeated.
+    /// Admits a participant. A repeated join gets the fact it already has.
     std::function<Result<Admission>(const ProposalRecord& join, LocalTime)> admit;
-    /// Enters a proposal into the log. The fact may be an old one, where it is repeated.
+    /// Enters a proposal into the log. A repeated proposal gets the fact it already has.
     std::function<Result<FactRecord>(const ProposalRecord& proposal, LocalTime)> decide;
-    /// A participant said goodbye or fell silent.
+    /// A participant sent Goodbye or timed out.
     std::function<void(ParticipantId, LocalTime)> left;
-    /// Whether a participant's role lets it act on objects, its own included.
+    /// Whether a participant's role permits acting on objects, including its own.
     std::function<bool(ParticipantId)> mayAct;
 };
 
-/// The session host's end, without socket, clock or thread: keeps every peer's copy of the log
-/// complete, passes streams on, and is the session clock.
+/// The session host's end, without socket, clock or thread: replicates the log to every peer,
+/// forwards streams and actions, and provides the session clock.
 class SyncHost
 {
 public:
-    /// A program that was heard of less long ago keeps its name against another program's.
+    /// A program from which a datagram arrived less than this ago keeps its participant against
+    /// another program with the same name and role.
     static constexpr Duration kNameHeld = std::chrono::milliseconds{600};
-    /// Effect times do not wait longer than this for a slow path.
+    /// Upper limit of slowestPath(), by which effect times are delayed.
     static constexpr Duration kLongestPath = std::chrono::seconds{1};
 
     struct Output {
@@ -58,10 +59,10 @@ public:
         PeerLink link;
         ParticipantId participant;
         std::uint16_t epoch;
-        ProposalId join; ///< tells one run of a program from the next
+        ProposalId join; ///< identifies one run of a program
         FactSender facts;
-        bool welcome = true; ///< is due
-        bool answer = false; ///< is due, with whatever there is
+        bool welcome = true; ///< a Welcome is to be sent
+        bool answer = false; ///< a datagram is to be sent at once
         std::vector<WireRecord> outbox{};
         PeerClock clock{};
 
@@ -83,25 +84,25 @@ public:
     [[nodiscard]] LocalTime nextWake() const;
     [[nodiscard]] Output take() { return std::exchange(m_output, {}); }
 
-    /// A fact that the host itself decided and has on disk. One that is in the log already changes
-    /// nothing. @pre it is at most the next.
+    /// Appends a fact that the host itself decided and has on disk. One that is already in the log
+    /// changes nothing. @pre its number is at most one above the end of the log.
     void append(const FactRecord& fact);
-    /// Tells of a shared object, as the facts do.
+    /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
-    /// Takes an action on an object of the host's own, now.
+    /// Begins an action on an object of the host, now.
     /// @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, LocalTime now)
     {
         return m_actions.act(object, action, sessionTime(now), now);
     }
-    /// See HostActions.
+    /// See HostActions::restore and takeChanged.
     void restore(const EventCpo& event) { m_actions.restore(event); }
     [[nodiscard]] std::vector<EventCpo> takeChanged() { return m_actions.takeChanged(); }
-    /// Sends a sample of an object of the host's own with the next tick.
+    /// Queues a sample of an object of the host for the next tick.
     void publish(const StreamSample& sample, LocalTime now);
-    /// Nobody will be heard from this address any more.
+    /// The path to this address has ended.
     void drop(PeerAddress address, LocalTime now);
-    /// Says goodbye to everyone.
+    /// Sends Goodbye to every peer.
     void close(LocalTime now);
 
     [[nodiscard]] SessionTime sessionTime(LocalTime t) const
@@ -111,7 +112,7 @@ public:
     [[nodiscard]] const std::map<PeerAddress, Peer>& peers() const { return m_peers; }
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const std::vector<FactRecord>& log() const { return m_log; }
-    /// How long a datagram to the slowest peer takes at worst.
+    /// Half the longest recent round trip of any peer, at most kLongestPath.
     [[nodiscard]] Duration slowestPath() const;
 
 private:

@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// A fact as it travels and is stored: what orders and dates it in the open, its meaning as bytes
-/// that engine/session writes and reads (engine/session/facts/fact_codec).
+/// A fact as it is sent and stored. Order, author and times are plain fields; the content is opaque
+/// here, encoded by engine/session/facts/fact_codec.
 struct FactRecord {
     FactNumber number;
     ProposalId proposal;
@@ -23,7 +23,7 @@ struct FactRecord {
     friend bool operator==(const FactRecord&, const FactRecord&) = default;
 };
 
-/// A fact that somebody would like to enter the log, as it travels.
+/// A proposed fact as it is sent.
 struct ProposalRecord {
     ProposalId id;
     ParticipantId author;
@@ -33,7 +33,7 @@ struct ProposalRecord {
     friend bool operator==(const ProposalRecord&, const ProposalRecord&) = default;
 };
 
-/// A fact fits into one datagram with its envelope.
+/// Bytes; a fact with its header fits into one datagram.
 inline constexpr std::size_t kLargestFactBody = 1024;
 
 } // namespace carina

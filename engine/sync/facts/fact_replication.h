@@ -10,17 +10,18 @@
 namespace carina
 {
 
-/// Facts that may be under way to one peer at a time; a late joiner's log is paced by it.
+/// Send window: facts that may be sent to one peer and not acknowledged. It also paces the log that
+/// a late joiner gets.
 inline constexpr std::uint64_t kFactWindow = 64;
 
-/// Facts first to last, empty when last is before first.
+/// Facts from first to last; empty where last is before first.
 struct FactRange {
     FactNumber first{1};
     FactNumber last{0};
 };
 
-/// The host's side of one peer's copy of the log: sends it in order and repeats, ever more slowly,
-/// what is not acknowledged.
+/// The host's side of replicating the log to one peer: sends facts in order and repeats
+/// unacknowledged ones with exponential backoff.
 class FactSender
 {
 public:
@@ -32,12 +33,12 @@ public:
     {
     }
 
-    /// What to send now of a log that ends with `logEnd`; it counts as sent.
+    /// Facts to send now of a log that ends at `logEnd`; they count as sent.
     /// @param roundTrip added to the time after which facts are repeated
     [[nodiscard]] FactRange takeDue(FactNumber logEnd, Duration roundTrip, LocalTime now);
-    /// When takeDue will have something if no acknowledgement comes.
+    /// When takeDue returns the next facts, if no acknowledgement arrives before.
     [[nodiscard]] LocalTime nextDue(FactNumber logEnd) const;
-    /// @param last of an acknowledgement; one for facts never sent is ignored
+    /// @param last newest fact acknowledged; ignored where it was never sent
     void acknowledge(FactNumber last, Duration roundTrip, LocalTime now);
 
     [[nodiscard]] FactNumber acknowledged() const { return m_acknowledged; }
@@ -48,18 +49,18 @@ private:
     FactNumber m_acknowledged;
     FactNumber m_sent; // m_acknowledged <= m_sent
     Duration m_repeatAfter = kFirstRepeat;
-    LocalTime m_repeatAt{}; // of what is sent and not acknowledged
+    LocalTime m_repeatAt{}; // for the facts sent and not acknowledged
 };
 
-/// A client's side: puts facts into order.
+/// The client's side: puts facts into order.
 class FactReceiver
 {
 public:
-    /// The last that came in order.
+    /// The last fact received in order.
     [[nodiscard]] FactNumber last() const { return m_last; }
 
-    /// @returns the facts that are now next in order: none for one that was there or that came
-    ///          early, several for one that fills a gap.
+    /// @returns the facts that are now next in order: none for a duplicate or an early fact,
+    ///          several for a fact that fills a gap.
     [[nodiscard]] std::vector<FactRecord> take(FactRecord fact);
 
 private:
@@ -67,26 +68,26 @@ private:
     std::map<FactNumber, FactRecord> m_early; // at most kFactWindow ahead
 };
 
-/// Proposals of this node that the host has neither entered nor refused, oldest first.
+/// Proposals of this node that the host has neither entered into the log nor refused, oldest first.
 ///
-/// They are sent from the oldest on, so that a datagram with a proposal holds every older one too
-/// and the host sees them in order, whatever is lost on the way.
+/// Each datagram starts with the oldest proposal and holds no gaps, so that the host receives them
+/// in order whatever is lost.
 class ProposalQueue
 {
 public:
     static constexpr Duration kRepeat = std::chrono::milliseconds{100};
 
     void add(ProposalRecord proposal, LocalTime now);
-    /// Forgets a proposal that was entered or refused. @returns it, if it was here.
+    /// Removes a proposal that was entered or refused. @returns it, if it was in the queue.
     std::optional<ProposalRecord> settle(ProposalId id);
-    /// Sends everything at once, to a host that may be another.
+    /// Makes all proposals due at `now`: the host may be another one.
     void repeatAt(LocalTime now) { m_nextDue = now; }
     void clear() { m_waiting.clear(); }
 
     [[nodiscard]] const std::deque<ProposalRecord>& waiting() const { return m_waiting; }
 
-    /// The oldest proposals that fit together into `bytes` on the wire, if it is time to send them;
-    /// at least one.
+    /// The oldest proposals that fit together into `bytes` on the wire, at least one; none before
+    /// they are due.
     [[nodiscard]] std::vector<ProposalRecord> takeDue(std::size_t bytes, LocalTime now);
     [[nodiscard]] LocalTime nextDue() const;
 

@@ -8,19 +8,19 @@
 namespace carina
 {
 
-/// What the actions on a shared object do to what one node draws.
+/// Drift and delay of actions on a shared object, at one node.
 struct ActionFigures {
-    Drift drift;      ///< how far the last moved what was drawn when it arrived
-    Drift limit;      ///< nothing moves less: by then nobody could know of it
-    Duration delay{}; ///< of the last, from when it was taken to when it arrived
+    Drift drift;      ///< how far the last action moved the drawn object on arrival
+    Drift limit;      ///< the least drift that the network delay permits, see ActionMeter
+    Duration delay{}; ///< of the last action, from its start to its arrival
 };
 
 /// Measures the actions on one shared object as they arrive at a node.
 ///
-/// The drift is between what the action before it and it have for the time it arrives; none where
-/// it is there when it begins, as at whoever took it. The limit is the same for the shortest delay
-/// that any action under this ownership had in the last kWindow: a repeat or a queue is in the one
-/// but not in the other.
+/// The drift is the difference between the previous action and the new one, both evaluated for the
+/// time of arrival; 0 where the action arrives no later than it begins, as at its owner. The limit
+/// is the same difference for the shortest delay of any action under this ownership in the last
+/// kWindow: unlike the drift, it contains no retransmission or queueing.
 class ActionMeter
 {
 public:
@@ -28,7 +28,7 @@ public:
     static constexpr std::size_t kMostKept = 100;
 
     /// @param before the action that was in force until then
-    /// @param now the session's time
+    /// @param now present session time
     void arrived(const EventCpo& event, const EventCpo& before, SessionTime now);
 
     [[nodiscard]] const ActionFigures& figures() const { return m_figures; }

@@ -13,7 +13,8 @@ namespace carina
 ///
 ///     h_mean = (1/p) sum h_i        sigma = sqrt((1/p) sum (h_i - h_mean)^2)
 ///
-/// both over what is there, the newest delay h_0 included; sigma is the population's (eq. 4).
+/// Both are over the delays stored so far, the newest delay h_0 included; sigma is the population
+/// standard deviation (eq. 4).
 class DelayHistory
 {
 public:
@@ -23,7 +24,7 @@ public:
     void add(Duration delay);
     void clear() { m_delays.clear(); }
 
-    /// The newest last.
+    /// Oldest first.
     [[nodiscard]] const std::deque<Duration>& delays() const { return m_delays; }
     [[nodiscard]] std::size_t size() const { return m_delays.size(); }
     [[nodiscard]] bool isFull() const { return m_delays.size() == kCapacity; }
@@ -31,7 +32,7 @@ public:
     [[nodiscard]] Duration newest() const;
     /// h_mean, in whole nanoseconds. @pre size() > 0
     [[nodiscard]] Duration mean() const;
-    /// To the nearest nanosecond. @pre size() > 0
+    /// sigma, to the nearest nanosecond. @pre size() > 0
     [[nodiscard]] Duration sigma() const;
 
 private:

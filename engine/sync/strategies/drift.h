@@ -6,14 +6,14 @@
 namespace carina
 {
 
-/// How far two views of one object for one time are apart.
+/// Difference between two poses of one object for the same time.
 struct Drift {
-    Angle rotation;  ///< of q_s q_c^-1
+    Angle rotation;  ///< of q_s q_c^-1, sent and shown
     Length position; ///< between the origins
 };
 
-/// @param X_AO_sent as its owner had it
-/// @param X_AO_shown as a viewer had it for the same time, before it heard
+/// @param X_AO_sent pose at the owner
+/// @param X_AO_shown pose that a viewer drew for the same time, before the update arrived
 [[nodiscard]] Drift driftBetween(const RigidTransform& X_AO_sent, const RigidTransform& X_AO_shown);
 
 } // namespace carina

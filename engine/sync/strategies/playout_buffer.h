@@ -8,17 +8,17 @@
 namespace carina
 {
 
-/// Snapshots of one object, drawn late by as much as their jitter asks for.
+/// Snapshots of one object, drawn with a playout delay that adapts to their jitter.
 ///
 /// With o = arrival here - time of the snapshot on the sender's clock (delay and clock offset
-/// together) over the last kWindow snapshots, what is drawn at local time t is the object at the
+/// together) over the last kWindow snapshots, the object is drawn at local time t as it was at the
 /// sender's time
 ///
 ///     t - (q95(o) + kPeriod)
 ///
-/// the 95th percentile, so that the snapshot after that time is mostly there, and one period to
-/// interpolate over. The delay follows at 10 % of the elapsed time, so that motion is at most that
-/// much too fast or slow. Beyond the newest snapshot the object stands still.
+/// with q95 the 95th percentile, so that mostly the next snapshot has arrived, and one period to
+/// interpolate over. The playout delay is adjusted by at most 10 % of the elapsed time, so that
+/// motion is at most 10 % too fast or slow. After the newest snapshot the object stands still.
 class PlayoutBuffer
 {
 public:
@@ -30,7 +30,7 @@ public:
     void add(SessionTime sent, const ActedPose& acted, LocalTime now);
     /// @pre add() was called.
     [[nodiscard]] ActedPose at(LocalTime t) const;
-    /// Local time less the sender's time that is drawn.
+    /// The playout delay: local time less the sender's time that is drawn.
     [[nodiscard]] Duration playout() const { return m_playout; }
 
 private:

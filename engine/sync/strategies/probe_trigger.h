@@ -6,12 +6,12 @@ namespace carina
 {
 
 /// How often a path is probed: gamma_0 probes a second, by the adaptive trigger of the Adaptive
-/// Synchronization Algorithm.
+/// Synchronization Algorithm (Hamza-Lup et al. 2004).
 ///
-/// While the history fills, gamma_0 stays where it started. Then each new delay h_0 within
-/// h_mean +- sigma lowers it by 1 a second and each outside raises it by 1. The paper leaves two
-/// things open, decided here: gamma_0 stays within [lowest, highest], and a delay on the edge is
-/// inside, so that sigma = 0 (all delays alike) lowers it.
+/// While the history fills, gamma_0 keeps its start value. Then each new delay h_0 within h_mean +-
+/// sigma lowers it by 1 per second and each one outside raises it by 1. What the paper leaves open
+/// is decided here: gamma_0 stays within [lowest, highest], and a delay on the boundary is inside,
+/// so that sigma = 0 (all delays equal) lowers it.
 class ProbeTrigger
 {
 public:
@@ -21,13 +21,13 @@ public:
         double lowest = 1.0;                           ///< per second
         double highest = 20.0;                         ///< per second
         Duration sigmaFloor{};                         ///< a smaller sigma counts as this
-        std::size_t history = DelayHistory::kCapacity; ///< delays before it adapts
+        std::size_t history = DelayHistory::kCapacity; ///< number of delays before it adapts
     };
 
     explicit ProbeTrigger(const Rule& rule) : m_rule{rule}, m_rate{rule.start} {}
 
     void addDelay(Duration delay);
-    /// Forgets the delays and begins anew.
+    /// Discards the delays and returns to the start value.
     void reset();
 
     /// gamma_0, per second.

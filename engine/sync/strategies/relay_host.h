@@ -5,7 +5,7 @@
 namespace carina
 {
 
-/// A host that passes relayed messages on, at once and as they are, and knows nothing more.
+/// A host that forwards relayed messages at once and unchanged, and keeps no state.
 class RelayHost final : public StarNode
 {
 public:

@@ -11,24 +11,24 @@
 namespace carina
 {
 
-/// Asks for an answer at once.
+/// Request for an immediate answer.
 struct DelayProbe {
     Duration sentAt{}; ///< on the asker's clock
 };
-/// The answer, with the probe's time.
+/// The answer to a DelayProbe.
 struct DelayAnswer {
-    Duration sentAt{};
+    Duration sentAt{}; ///< that of the probe
 };
 
-/// What the strategies of before the session clock send each other: from one participant to
-/// another, or to all others, over a host that passes it on at once and as it is.
+/// Message of the strategies that have no session clock: from one participant to another, or to all
+/// others, forwarded by the host at once and unchanged.
 struct RelayedMessage {
     ParticipantId from;
     ParticipantId to;
     std::variant<EventCpo, DelayProbe, DelayAnswer> content;
 };
 
-/// Stands for all participants but the sender.
+/// Addresses all participants but the sender.
 inline constexpr ParticipantId kAllOthers{0xFFFF};
 
 /// @pre numbers within their ranges (engine/sync/wire/cpo_codec.h)

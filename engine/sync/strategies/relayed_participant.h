@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// Actions as they go on at this participant, each begun at a local time of its own.
+/// The actions in force at this participant, each begun at its own local time.
 class RunningActions
 {
 public:
@@ -26,8 +26,8 @@ private:
     std::unordered_map<ObjectId, Running> m_running;
 };
 
-/// What the strategies over a RelayHost share: an action that is taken goes on here at once and is
-/// sent to all others once; one that arrives goes on here from `begin`.
+/// Common base of the strategies over a RelayHost: an own action starts here at once and is sent to
+/// all others once; a derived class starts an action that arrives.
 class RelayedParticipant : public StarParticipant
 {
 public:
@@ -57,7 +57,7 @@ private:
     RunningActions m_running;
 };
 
-/// `now` as the start of an action on this participant's own clock, where there is no session's.
+/// Start time of an action on this participant's own clock, for strategies without a session clock.
 [[nodiscard]] inline SessionTime ownStamp(LocalTime now)
 {
     return SessionTime{now.time_since_epoch()};

@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// The host whose clock is the session's: passes each new action on at once, to every participant
-/// until that acknowledges it, and answers probes at once.
+/// The host of the session-clock strategy, whose clock is the session clock. It forwards each new
+/// action at once, to every participant until it is acknowledged, and answers probes at once.
 class SessionClockHost final : public StarNode
 {
 public:
@@ -28,7 +28,7 @@ private:
         PeerLink link;
         EventRepeater events{false};
         std::vector<WireRecord> acks{};
-        bool answer = false; ///< is due, with whatever there is
+        bool answer = false; ///< a datagram is to be sent at once
     };
 
     void take(ParticipantId from, const EventCpo& event, LocalTime now);

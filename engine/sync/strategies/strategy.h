@@ -14,28 +14,29 @@
 namespace carina
 {
 
-/// A datagram to a direct neighbour in the star.
+/// A datagram to a neighbour in the star topology.
 struct StarDatagram {
     ParticipantId to;
     std::vector<std::byte> bytes;
 };
 
-/// A program in a session's star, without socket, clock or thread: inputs are local time and bytes,
+/// A program in a session, without socket, clock or thread: inputs are local time and bytes,
 /// outputs are bytes and the next wake-up. The same inputs give the same outputs.
 ///
-/// Participants have one neighbour, the host kStarHost; the host has all participants.
+/// The topology is a star: participants have one neighbour, the host kStarHost; the host has all
+/// participants.
 class StarNode
 {
 public:
     virtual ~StarNode() = default;
 
     virtual void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) = 0;
-    /// Sends what is due; called after everything else and at nextWake().
+    /// Sends what is due. To be called after every other call, and at nextWake().
     virtual void advance(LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const { return LocalTime::max(); }
     [[nodiscard]] std::vector<StarDatagram> take() { return std::exchange(m_outgoing, {}); }
 
-    /// Datagrams sent so far for no other purpose than to measure the delay.
+    /// Number of datagrams sent only to measure the delay.
     [[nodiscard]] virtual std::uint64_t probesSent() const { return 0; }
 
 protected:
@@ -54,25 +55,25 @@ inline constexpr ParticipantId kStarHost{0};
 class StarParticipant : public StarNode
 {
 public:
-    /// This participant takes an action on an object that it owns, now. The action's start time is
-    /// the strategy's to set; its counter is one above the last on that object.
+    /// Begins an action, now, on an object that this participant owns. The strategy sets the start
+    /// time; the caller sets the counter, one above the last on that object.
     virtual void act(const EventCpo& action, LocalTime now) = 0;
-    /// What this participant draws at local time t; nothing for an object never heard of.
+    /// The object as this participant draws it at local time t; nothing for an unknown object.
     [[nodiscard]] virtual std::optional<ShownObject> shown(ObjectId object, LocalTime t) const = 0;
-    /// The session's clock, where the strategy has one.
+    /// Session time, for strategies with a session clock.
     [[nodiscard]] virtual std::optional<SessionTime> sessionTime(LocalTime) const
     {
         return std::nullopt;
     }
 };
 
-/// Who a participant is among those of its session.
+/// Identity of a participant within its session.
 struct StarSeat {
     ParticipantId self;
-    std::uint16_t participants = 2; ///< 1 to this number, beside the host
+    std::uint16_t participants = 2; ///< their ids are 1 to this number; the host is 0
 };
 
-/// A way to keep shared objects alike everywhere. Adding one takes a file in
+/// A method of keeping shared objects consistent between participants. To add one, write a file in
 /// engine/sync/strategies and a line in strategy.cpp (docs/synchronisation.md).
 struct SyncStrategy {
     std::string_view name;
@@ -81,9 +82,9 @@ struct SyncStrategy {
     std::unique_ptr<StarParticipant> (*makeParticipant)(const StarSeat& seat, LocalTime now);
 };
 
-/// All there are; the first is the default.
+/// All strategies; the first is the default.
 [[nodiscard]] std::span<const SyncStrategy> syncStrategies();
-/// Nothing for a name that is none.
+/// nullptr for an unknown name.
 [[nodiscard]] const SyncStrategy* findSyncStrategy(std::string_view name);
 
 } // namespace carina

@@ -10,20 +10,20 @@
 namespace carina
 {
 
-/// The session host's part in streams: takes the samples of each object's owner, its own included,
-/// and with each tick passes the newest of each object on to everybody else.
+/// The session host's end of streams: accepts samples from each object's owner (the host included),
+/// and forwards the newest of each object to everybody else at each tick.
 class HostStreams
 {
 public:
     void share(ObjectId object, ParticipantId owner) { m_table.share(object, owner); }
-    /// @returns whether it is to be passed on and used: see StreamTable::accept.
+    /// @returns whether the sample is accepted (StreamTable::accept), and thus forwarded.
     bool take(const StreamSample& sample, SessionTime session);
 
     [[nodiscard]] bool isDue(LocalTime now) const;
     [[nodiscard]] LocalTime nextDue() const;
-    /// What a participant is sent with this tick.
+    /// Records to send to a participant at this tick.
     [[nodiscard]] std::vector<WireRecord> dueTo(ParticipantId participant) const;
-    /// Everybody was sent what was due.
+    /// Ends the tick: all participants were sent their records.
     void served(LocalTime now);
 
 private:

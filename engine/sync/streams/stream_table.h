@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// One stream sample with what its group said about it.
+/// One stream sample with the fields of its group.
 struct StreamSample {
     ParticipantId owner;
     std::uint16_t epoch = 0;
@@ -16,19 +16,20 @@ struct StreamSample {
     StreamCpo cpo;
 };
 
-/// Which shared objects there are, and the newest sample of each: newest wins, by the owner's epoch
-/// and then by sequence.
+/// The shared objects and the newest sample of each. A sample is newer by the owner's epoch, then
+/// by its sequence number.
 class StreamTable
 {
 public:
-    /// A sample whose time is further than this from now is no present pose.
+    /// Largest difference between the time of a sample and the present.
     static constexpr Duration kLargestAge = std::chrono::seconds{10};
 
     void share(ObjectId object, ParticipantId owner);
     void clear() { m_objects.clear(); }
 
-    /// Whether the sample is to be used: of a shared object, from its owner, of the present, and
-    /// newer than the last that was. If so it is the newest from now on.
+    /// Whether the sample is used: the object is shared, the sample comes from its owner, is within
+    /// kLargestAge of `now`, and is newer than the last accepted one. If so, it is stored as the
+    /// newest.
     [[nodiscard]] bool accept(const StreamSample& sample, SessionTime now);
 
 private:
@@ -44,7 +45,7 @@ private:
     std::unordered_map<ObjectId, Object> m_objects;
 };
 
-/// One group per owner, epoch and station, split where one would be too long.
+/// One group per owner, epoch and station, split at kStreamsPerGroup.
 /// @pre the times of the samples lie within kGroupTimeSpan of each other.
 [[nodiscard]] std::vector<StreamGroup> groupStreams(const std::vector<StreamSample>& samples);
 

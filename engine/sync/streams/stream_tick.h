@@ -5,7 +5,8 @@
 namespace carina
 {
 
-/// The beat at which streams are sent together, 60 a second on average however late it is served.
+/// The tick at which streams are sent together: 60 a second on average, also where it is served
+/// late.
 class StreamTick
 {
 public:
@@ -13,7 +14,7 @@ public:
 
     [[nodiscard]] bool isDue(LocalTime now) const { return now >= m_next; }
     [[nodiscard]] LocalTime next() const { return m_next; }
-    /// The beat was served; beats that were missed altogether are left out.
+    /// The tick was served; ticks that were missed altogether are skipped.
     void served(LocalTime now)
     {
         m_next += kPeriod;

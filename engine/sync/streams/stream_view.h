@@ -8,16 +8,17 @@
 namespace carina
 {
 
-/// A streamed object as it is drawn elsewhere: carried on from its newest sample, and brought to
-/// the next without a jump.
+/// A streamed object as another participant draws it: extrapolated from its newest sample, and
+/// blended to the next one without a jump.
 ///
-/// A sample is carried on by its velocity for kHorizon; then the velocity fades to zero over kFade,
-/// for nobody knows where it went. When the next sample puts the object elsewhere than it was
-/// drawn, by more than kSmallestTurn or kSmallestShift, the difference d is worked off over kBlend:
+/// A sample is extrapolated with its velocity for kHorizon; then the velocity fades to zero over
+/// kFade, because the true motion is unknown. Where the next sample differs from the drawn pose by
+/// more than kSmallestTurn or kSmallestShift, the difference d is reduced to zero over kBlend:
 ///
 ///     X(t) = B(s) X_carried(t)      B(s) = (1 - 3 s^2 + 2 s^3) of d       s = (t - taken) / kBlend
 ///
-/// d a rotation vector and a shift, so that pose and velocity are continuous at either end.
+/// with d as a rotation vector and a translation, so that pose and velocity are continuous at both
+/// ends.
 class StreamView
 {
 public:
@@ -29,9 +30,10 @@ public:
     /// A sample older than this when drawn is stale.
     static constexpr Duration kStaleAfter = std::chrono::milliseconds{300};
 
-    /// The next sample, newer than the last (StreamTable::accept), while `drawn` is being drawn.
-    /// @returns how far it puts the object from where it was drawn for that time: the drift of the
-    ///          view; nothing for the first.
+    /// The next sample, newer than the last (StreamTable::accept); `drawn` is the session time that
+    /// is being drawn.
+    /// @returns the difference between the new and the drawn pose for that time: the drift of the
+    ///          view; nothing for the first sample.
     std::optional<Drift> take(const StreamCpo& sample, SessionTime drawn);
 
     /// X_AO at session time t. @pre take() was called.
@@ -49,7 +51,8 @@ private:
     Difference m_difference;
 };
 
-/// The pose of a sample carried on to session time t, as above; before its time it stays.
+/// The pose X_AO of a sample extrapolated to session time t, as in StreamView; constant before the
+/// time of the sample.
 [[nodiscard]] RigidTransform carriedOn(const StreamCpo& sample, SessionTime t);
 
 } // namespace carina

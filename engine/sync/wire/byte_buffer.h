@@ -15,7 +15,7 @@
 namespace carina
 {
 
-/// Makes bytes of numbers, little endian whatever the machine, and puts them into a Sink.
+/// Encodes numbers as little-endian bytes on any machine and passes them to Sink::put.
 template <class Sink> class NumberWriter
 {
 public:
@@ -58,7 +58,7 @@ private:
     std::vector<std::byte>& m_out;
 };
 
-/// Fills a block of a known size, which takes a third of the time of a buffer that grows.
+/// Writes into a block of fixed size, three times as fast as into a growing buffer.
 template <std::size_t Size> class BlockWriter : public NumberWriter<BlockWriter<Size>>
 {
 public:
@@ -76,10 +76,10 @@ private:
     std::size_t m_at = 0;
 };
 
-/// Reads what ByteWriter wrote, from bytes that nobody vouches for.
+/// Reads what ByteWriter wrote, from untrusted bytes.
 ///
-/// The first read past the end, or the first require() that does not hold, makes ok() false for
-/// good; reads then give zero. So a decoder reads all its fields and asks once.
+/// The first read beyond the end, or the first require() that fails, makes ok() false permanently;
+/// reads then return zero. A decoder can therefore read all fields and check once at the end.
 class ByteReader
 {
 public:
@@ -96,10 +96,10 @@ public:
     }
     float realFloat() { return std::bit_cast<float>(number<std::uint32_t>()); }
     double realDouble() { return std::bit_cast<double>(number<std::uint64_t>()); }
-    /// The next `count` bytes, in place; empty when there are fewer.
+    /// The next `count` bytes, not copied; empty where fewer are left.
     std::span<const std::byte> bytes(std::size_t count);
 
-    /// Notes that the bytes break a rule of the format, named for the error's detail.
+    /// Checks a rule of the format. @param rule name of the rule, for the detail of the error
     void require(bool holds, const char* rule)
     {
         if (!holds && ok())

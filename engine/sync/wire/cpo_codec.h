@@ -13,12 +13,12 @@ inline constexpr std::size_t kEventCpoBytes = 93;
 
 /// @pre 1 to kStreamsPerGroup streams within kGroupTimeSpan of the first; all numbers finite.
 void writeStreamGroup(ByteWriter& out, const StreamGroup& group);
-/// Meaningless when in.ok() is false afterwards.
+/// The result is valid only if in.ok() is true afterwards.
 [[nodiscard]] StreamGroup readStreamGroup(ByteReader& in);
 
 /// @pre all numbers finite, quaternion and axis of unit length, scale above 0.
 void writeEventCpo(ByteWriter& out, const EventCpo& event);
-/// Meaningless when in.ok() is false afterwards.
+/// The result is valid only if in.ok() is true afterwards.
 [[nodiscard]] EventCpo readEventCpo(ByteReader& in);
 
 } // namespace carina

@@ -12,32 +12,34 @@
 namespace carina
 {
 
-/// Of this layout; a peer with another number is refused.
+/// Version of this layout; a peer with another version is refused.
 inline constexpr std::uint8_t kProtocolVersion = 6;
-/// Leaves room for DTLS around it (29 bytes), so that no more than 1200 bytes travel in a UDP
-/// packet: they fit into any path's MTU, and nothing is ever fragmented.
+/// Bytes. With DTLS (29 bytes) a UDP payload has at most 1200 bytes, which fits the MTU of any
+/// usual path without fragmentation.
 inline constexpr std::size_t kLargestDatagram = 1160;
 
-/// Tells one session from every other: 128 random bits, all zero for "none yet".
+/// Identifies a session: 128 random bits; all zero for "none yet".
 using SessionKey = std::array<std::byte, 16>;
 
-/// What a datagram brings back to the peer so that it can measure the path: the time on its own
-/// clock when it sent the newest datagram that arrived here, and how long that has been here.
+/// What a datagram returns to the peer for measuring the path: the sending time, on the peer's
+/// clock, of the newest datagram received from it, and the time since its arrival.
 struct ClockEcho {
     Duration sentAt{};
     Duration hold{}; ///< at most kLongestHold
 
     friend bool operator==(const ClockEcho&, const ClockEcho&) = default;
 };
-/// 32 bits of nanoseconds.
+/// 2^32 - 1 nanoseconds, 4.3 s.
 inline constexpr Duration kLongestHold{0xFFFF'FFFFLL};
 
-/// Before the records of every datagram.
+/// The header of every datagram, before its records.
 struct BundleHeader {
     bool fromHost = false;
-    bool answerNow = false;       ///< the peer shall answer at once, for the sake of the clock
-    std::uint32_t connection = 0; ///< drawn by the client; a number above the last for a new one
-    std::uint32_t sequence = 0;   ///< of the datagrams of one direction of a connection; wraps
+    bool answerNow = false; ///< the peer is to answer at once, for the clock estimate
+    /// Chosen by the client: random at first, one more for each new connection.
+    std::uint32_t connection = 0;
+    /// Sequence number in one direction of a connection; wraps.
+    std::uint32_t sequence = 0;
     ParticipantId sender = kNobody;
     Duration sentAt{}; ///< on the sender's clock: session time at the host, local time elsewhere
     std::optional<ClockEcho> echo;
@@ -49,44 +51,44 @@ struct BundleHeader {
 struct FactAck {
     FactNumber last;
 };
-/// This action, or a later one on its object, has arrived.
+/// This action, or a later one on the object, has arrived.
 struct EventAck {
     ObjectId object;
     std::uint16_t epoch = 0;
     std::uint32_t action = 0;
 };
-/// A sign of life of the owner: this action, which the other end has acknowledged, is in force.
+/// Heartbeat of the owner: this action, which the peer has acknowledged, is still in force.
 struct EventBeat {
     ObjectId object;
     std::uint16_t epoch = 0;
     std::uint32_t action = 0;
 };
-/// The host does not enter this proposal into the log.
+/// The host refuses to enter this proposal into the log.
 struct ProposalRefused {
     ProposalId proposal;
     Errc reason = Errc::NotPermitted;
 };
-/// A client wants to come in, or back.
+/// A client asks to be admitted, for the first time or again.
 struct Hello {
-    SessionKey session{}; ///< the one it knows
+    SessionKey session{}; ///< the session known to the client
     FactNumber lastFact;  ///< the last it holds of it
-    ProposalRecord join;  ///< the fact that it comes in, for the session to judge
+    ProposalRecord join;  ///< the fact that the client joins, for the session to judge
 };
-/// The host lets it in.
+/// The host admits the client.
 struct Welcome {
     SessionKey session{};
     ParticipantId participant;
     std::uint16_t epoch = 0; ///< of the participant's streams
     FactNumber lastFact;     ///< of the host's log
 };
-/// The host does not let it in.
+/// The host refuses to admit the client.
 struct HelloRefused {
     Errc reason = Errc::NotPermitted;
 };
-/// The host knows no such connection; say Hello.
+/// The host has no such connection; the client must send Hello.
 struct ConnectionUnknown {
 };
-/// The sender goes away for good.
+/// The sender ends the connection.
 struct Goodbye {
 };
 

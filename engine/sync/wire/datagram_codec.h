@@ -11,27 +11,27 @@ namespace carina
 
 inline constexpr std::size_t kBundleHeaderBytes = 34;
 
-/// Room for the records that follow is reserved already.
+/// The header as bytes, with capacity reserved for the records that follow.
 /// @pre times lie within kLargestWireTime and the echo's hold within kLongestHold.
 [[nodiscard]] std::vector<std::byte> encodeHeader(const BundleHeader& header);
 
-/// A datagram leaves later than its header says: it waited for others to leave. Changes when it was
-/// sent and how long it held its echo, which is left out where it would exceed kLongestHold. Bytes
-/// that do not begin with a header stay as they are. @pre by >= 0
+/// Corrects the header of a datagram that leaves later than it says, because it was queued: sending
+/// time and hold of the echo increase by `by`; an echo whose hold would exceed kLongestHold is
+/// removed. Bytes that do not begin with a header are not changed. @pre by >= 0
 void leaveLater(std::span<std::byte> datagram, Duration by);
 
-/// Takes a datagram apart. What it allocates is bounded by the datagram's own length.
+/// Decodes a datagram. The memory that it allocates is bounded by the length of the datagram.
 ///
-/// The author of a ProposalRecord does not travel, the host knows it; it is decoded as kNobody.
+/// The author of a ProposalRecord is not transmitted and is decoded as kNobody; the host derives it
+/// from the connection.
 ///
-/// @returns PacketMalformed, naming the rule that was broken, for anything that is not exactly a
-///          header and whole records: wrong lengths, unknown kinds, flags or enumerators, numbers
-///          that are not finite or out of range, rotations that are none; VersionMismatch for a
-///          Carina datagram of another version.
+/// @returns PacketMalformed, naming the rule that was broken, for anything but a header and whole
+///          records: wrong lengths, unknown kinds, flags or enumerators, numbers not finite or out
+///          of range, invalid rotations; VersionMismatch for a Carina datagram of another version.
 [[nodiscard]] Result<Datagram> decodeDatagram(std::span<const std::byte> bytes);
 
-/// Packs records, in their order, into as few datagrams as hold them; none makes one of a header
-/// alone.
+/// Packs records, in their order, into as few datagrams as possible. Without records the result is
+/// one datagram of a header alone.
 /// @param nextHeader called once for each datagram
 [[nodiscard]] std::vector<std::vector<std::byte>>
 packDatagrams(std::span<const WireRecord> records, const std::function<BundleHeader()>& nextHeader);

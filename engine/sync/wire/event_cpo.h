@@ -12,8 +12,8 @@ namespace carina
 
 enum class ActionKind : std::uint8_t { Rotation, Translation, Scaling };
 
-/// A control packet object of an event: an action on a shared object O that goes on by itself, so
-/// that any node can evaluate it for any time, to the same bits.
+/// A control packet object (CPO) of an event: an action that moves a shared object O without
+/// further messages. Any node can evaluate it for any time, with bit-identical results.
 ///
 /// With t the time since `start`: a rotation turns O about its own origin by rate t (rad) about
 /// axis_A; a translation moves it by rate t (m) along axis_A; a scaling multiplies its size by
@@ -28,10 +28,10 @@ struct EventCpo {
     Vec3 p_AO = Vec3::Zero();     ///< at the start, metres
     Vec3f axis_A = Vec3f::UnitX();
     float rate = 0.0F;  ///< rad/s, m/s or 1/s by kind
-    float scale = 1.0F; ///< size of O against its model at the start, above 0
+    float scale = 1.0F; ///< size of O relative to its model at the start, above 0
 };
 
-/// A shared object as an action has left it.
+/// Pose and size of a shared object under an action.
 struct ActedPose {
     RigidTransform X_AO;
     double scale = 1.0;
@@ -40,23 +40,23 @@ struct ActedPose {
 /// A shared object as a participant draws it.
 struct ShownObject {
     ActedPose acted;
-    bool isStale = false; ///< nothing was heard of it for longer than expected
+    bool isStale = false; ///< no update arrived for longer than expected
     // What goes on with it, as in EventCpo:
     ActionKind kind = ActionKind::Rotation;
     Vec3 axis_A = Vec3::UnitX();
     double rate = 0.0;
 };
 
-/// The object so long after the action's start. Before the start it is as it was at the start.
+/// The object at `sinceStart` after the action's start; before the start it is in the start pose.
 [[nodiscard]] ActedPose evaluateAfter(const EventCpo& event, Duration sinceStart);
 
-/// The object at time t.
+/// The object at session time t.
 [[nodiscard]] inline ActedPose evaluate(const EventCpo& event, SessionTime t)
 {
     return evaluateAfter(event, std::max(t, event.start) - event.start);
 }
 
-/// The same action, begun at `start` with the object as it is in `from`.
+/// The same action, with `start` as its start time and `from` as its start pose.
 [[nodiscard]] EventCpo begunFrom(const ActedPose& from, SessionTime start, EventCpo action);
 
 } // namespace carina

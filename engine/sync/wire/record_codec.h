@@ -6,13 +6,14 @@
 namespace carina
 {
 
-/// One byte of kind and the record's fields, as in docs/protocol.md.
+/// Writes one byte of kind and the fields of the record, as in docs/protocol.md.
 ///
 /// @pre the numbers are finite and within their ranges; bodies of facts and proposals have 1 to
-///      kLargestFactBody bytes. A reason for refusal that does not travel becomes NotPermitted.
+///      kLargestFactBody bytes. A reason for refusal without a code on the wire is sent as
+///      NotPermitted.
 void writeRecord(ByteWriter& out, const WireRecord& record);
 
-/// Meaningless when in.ok() is false afterwards.
+/// The result is valid only if in.ok() is true afterwards.
 [[nodiscard]] WireRecord readRecord(ByteReader& in);
 
 } // namespace carina

@@ -6,7 +6,7 @@
 namespace carina
 {
 
-/// Whether a number that counts up and wraps has passed another: less than half its range ahead.
+/// Whether a wrapping sequence number a is after b: ahead by less than half of its range.
 template <std::unsigned_integral Number> [[nodiscard]] constexpr bool isAfter(Number a, Number b)
 {
     return static_cast<std::make_signed_t<Number>>(static_cast<Number>(a - b)) > 0;

@@ -20,33 +20,33 @@ struct StreamMotion {
     Vec3 w_AO = Vec3::Zero(); ///< angular, rad/s
 };
 
-/// A control packet object of a stream: where a shared object was at one time, and how it moved.
+/// A control packet object (CPO) of a stream: pose and velocity of a shared object O at one time.
 ///
 /// On the wire it is quantised (docs/protocol.md): time to 1 us, each quaternion component to
 /// 2.2e-5, position to 10 um within +-83.8 m, velocity to 0.1 mm/s within +-3.2 m/s, angular
-/// velocity to 0.02 deg/s within +-655 deg/s, error to 0.05 mm up to 12.75 mm. What lies outside is
-/// sent as the nearest value inside; a position outside is sent as Lost.
+/// velocity to 0.02 deg/s within +-655 deg/s, error to 0.05 mm up to 12.75 mm. A value outside its
+/// range is sent as the nearest value inside; a position outside is sent as Lost.
 struct StreamCpo {
     ObjectId object;
-    std::uint16_t sequence = 0; ///< of this object's samples; wraps
-    SessionTime time{};         ///< when the pose was true
+    std::uint16_t sequence = 0; ///< sequence number of this object's samples; wraps
+    SessionTime time{};         ///< at which the pose was measured
     RigidTransform X_AO;
-    std::optional<StreamMotion> motion; ///< where the owner knows it
+    std::optional<StreamMotion> motion; ///< nothing where the owner has no velocity
     StreamValidity validity = StreamValidity::Tracked;
     double error = 0.0; ///< RMS error of the pose, metres
 };
 
-/// Stream samples of one owner at one station, as they travel together.
+/// Stream samples of one owner at one station that are sent together.
 struct StreamGroup {
     ParticipantId owner;
-    std::uint16_t epoch = 0; ///< rises, wrapping, each time the owner comes into the session
+    std::uint16_t epoch = 0; ///< increases with each joining of the owner; wraps
     StationId station;
     std::vector<StreamCpo> streams; ///< 1 to kStreamsPerGroup, within kGroupTimeSpan
 };
 
-/// As many as fit into one datagram.
+/// The most that fit into one datagram.
 inline constexpr std::size_t kStreamsPerGroup = 30;
-/// The times of a group lie this close to the first, half an hour: 32 bits of microseconds hold it.
+/// Largest distance of a time in a group from the first: 32 bits of microseconds hold it.
 inline constexpr Duration kGroupTimeSpan = std::chrono::minutes{30};
 
 } // namespace carina

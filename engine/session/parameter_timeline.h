@@ -9,13 +9,14 @@
 namespace carina
 {
 
+/// Types that can be multiplied by a Duration.
 template <class T>
 concept TimesDuration = requires(T value, Duration time)
 {
     value* time;
 };
 
-/// The unit of a value times time: Duration for bool, a duration of double for double.
+/// The type of a value integrated over time: Duration for bool, a duration of double for double.
 template <class T> struct TimeIntegral {
     struct Type {
     };
@@ -24,10 +25,10 @@ template <TimesDuration T> struct TimeIntegral<T> {
     using Type = decltype(T{} * Duration{});
 };
 
-/// A parameter over the session: an initial value, and changes that each hold until the next.
+/// A parameter over session time: an initial value, and changes that each hold until the next.
 ///
-/// Changes may come in any order; of two for the same time the one that came last holds. A look-up
-/// takes O(log n), a change O(1) when it is the newest and O(n) when it is not.
+/// Changes may be added in any order; of two at the same time the last one added holds. A look-up
+/// takes O(log n), a change O(1) when it is the newest and O(n) otherwise.
 template <class T> class ParameterTimeline
 {
 public:
@@ -58,7 +59,7 @@ public:
         return next == m_changes.begin() ? m_initial : std::prev(next)->value;
     }
 
-    /// The value summed over time, from the first change (nothing counts before it) to t.
+    /// The integral of the value over time, from the first change to t.
     [[nodiscard]] Integral integral(SessionTime t) const requires TimesDuration<T>
     {
         const auto next = after(t);
@@ -71,7 +72,7 @@ public:
     /// In ascending order of time.
     [[nodiscard]] std::span<const Change> changes() const { return m_changes; }
 
-    /// The time of the first change after t; the end of all time where there is none.
+    /// The time of the first change after t; SessionTime::max() where there is none.
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const
     {
         const auto next = after(t);

@@ -10,11 +10,12 @@
 namespace carina
 {
 
-/// A change reaches every site before it takes effect, or this late where all sites are near.
+/// Shortest time from the decision on a change to its effect; longer where a path is slower, so
+/// that a change reaches every site before it takes effect.
 inline constexpr Duration kShortestLead = std::chrono::milliseconds{100};
 
-/// What the session host decides: who may do what, under which number and from when on. No socket,
-/// no clock, no disk; whoever drives it stores each fact before committing it here.
+/// The decisions of the session host: who may do what, the number of each fact and its effect time.
+/// Without socket, clock and disk; the caller stores each fact before it calls commit().
 class SessionAuthority
 {
 public:
@@ -25,31 +26,34 @@ public:
 
     /// The fact that a proposal becomes, not yet committed.
     ///
-    /// What drives a patient or the phase takes effect at now + max(100 ms, slowestPath), so that
-    /// it takes effect everywhere at once, and never before an earlier such fact, so that of two
-    /// changes the later decided one holds. Who and what is there takes effect now.
+    /// A change of the patient or the phase takes effect at now + max(kShortestLead, slowestPath),
+    /// so that it takes effect everywhere at the same time, and never before an earlier such fact,
+    /// so that of two changes the later decided one holds. Facts about participants, objects and
+    /// stations take effect now.
     ///
-    /// A ParticipantJoined with participant 0 is given the id of the participant with the same name
-    /// and role, else the next free one; an ObjectShared with object 0 that of the same owner, kind
-    /// and name. Ids other than 0 must be known. An ObjectHandedOver ends the ownership of its
-    /// epoch or none.
+    /// A ParticipantJoined with participant 0 gets the id of the participant with the same name and
+    /// role, else the next free one; an ObjectShared with object 0 that of the object with the same
+    /// owner, kind and name, likewise. Other ids must exist. An ObjectHandedOver is refused unless
+    /// it names the present epoch of the ownership.
     ///
-    /// @param proposal its author decides. The host itself (0) may everything, who is not
-    ///        admitted yet (kNobody) may join, instructors may all but create the session and leave
-    ///        checkpoints, trainees may join, leave, share objects as themselves, hand these over
-    ///        and tell of the breaths of the manikin at their station, observers only join and
-    ///        leave, and own nothing.
-    /// @returns NotPermitted where the author's role may not do this; SessionEnded after the end;
-    ///          OutOfRange for a parameter outside the range a patient can have, an unknown
-    ///          station, participant or object, and a phase that cannot follow the present one;
-    ///          OwnerChanged for an object that has passed to somebody else meanwhile.
+    /// @param proposal its author decides what is permitted. The host itself (0) may propose
+    ///        everything, a participant not yet admitted (kNobody) may join, instructors may
+    ///        propose everything but SessionCreated and RespirationCheckpoint, trainees may join,
+    ///        leave, share objects as themselves, hand these over, ask for ownership and report
+    ///        breaths of the manikin at their station, observers may only join and leave, and own
+    ///        nothing.
+    /// @returns NotPermitted where the author's role does not permit it; SessionEnded after the
+    ///          end, except for facts about participants and shared objects; OutOfRange for a
+    ///          parameter outside the range of a patient, an unknown station, participant or
+    ///          object, and a phase that cannot follow the present one; OwnerChanged for an object
+    ///          that has changed its owner meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,
                                      Duration slowestPath) const;
 
-    /// The fact that came of a proposal before, for one that is repeated.
+    /// The fact that a repeated proposal became before; nothing for a new one.
     [[nodiscard]] std::optional<FactNumber> settled(ProposalId id) const;
 
-    /// Takes over a fact that is on disk now.
+    /// Applies a fact that is on disk now.
     void commit(const Fact& fact);
 
 private:

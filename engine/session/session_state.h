@@ -22,11 +22,12 @@ struct Participant {
 struct SharedObject {
     ObjectId id;
     ParticipantId owner;
-    std::uint16_t epoch = 1; ///< of the ownership: one more with each change of owner; wraps
+    std::uint16_t epoch = 1; ///< of the ownership: incremented with each change of owner; wraps
     StationId station;
     ObjectKind kind = ObjectKind::Tube;
     std::string name;
-    std::vector<ParticipantId> wantedBy{}; ///< those who asked for it, who asked first to the front
+    /// Participants that asked for ownership, in the order of asking.
+    std::vector<ParticipantId> wantedBy{};
 };
 
 struct Station {
@@ -37,23 +38,24 @@ struct Station {
     RespirationTimeline respiration;
 };
 
-/// Everything that follows from the facts so far, at any node. A value: copied to whoever draws.
+/// Everything that follows from the facts so far, the same at every node. A value: it is copied to
+/// the threads that draw.
 ///
-/// Applying the same facts in the order of their numbers gives the same state everywhere; a state
-/// asked for a time is a pure function of (facts, time).
+/// Applying the same facts in the order of their numbers gives the same state everywhere; values at
+/// a time are pure functions of the facts and the time.
 class SessionState
 {
 public:
-    /// A fact about a station or participant that the log does not know changes nothing.
+    /// Applies a fact. One about an unknown station or participant changes nothing.
     /// @pre fact.number is one more than the last applied.
     void apply(const Fact& fact);
 
-    /// 0 before the first.
+    /// Number of the last fact applied; 0 before the first.
     [[nodiscard]] FactNumber lastApplied() const { return m_lastApplied; }
     [[nodiscard]] const std::string& name() const { return m_name; }
     [[nodiscard]] const std::string& sessionId() const { return m_sessionId; }
     [[nodiscard]] SessionPhase phaseAt(SessionTime t) const { return m_phase.at(t); }
-    /// Time spent in Running up to t, pauses left out.
+    /// Time spent in phase Running up to t.
     [[nodiscard]] Duration runningTime(SessionTime t) const { return m_running.integral(t); }
 
     [[nodiscard]] const std::map<ParticipantId, Participant>& participants() const

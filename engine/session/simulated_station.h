@@ -8,21 +8,21 @@
 namespace carina
 {
 
-/// A station without hardware: the simulated tracker watches a scripted pair of hands that brings
-/// the tube into this patient again and again, where the manikin breathes a marker on its chest,
-/// and where it was registered with a body probe that probe.
+/// A station without hardware. The simulated tracker observes scripted hands that repeatedly insert
+/// the tube into this patient, a marker on the chest where the manikin breathes, and the body probe
+/// where the registration has one.
 struct SimulatedStation {
     std::unique_ptr<StationTracking> tracking;
-    RigidTransform X_TA;         ///< where the manikin truly lies
-    StationRegistration exactly; ///< the registration without any error
-    TrueToolPose truth;          ///< X_T<tool> of the hands, whatever the tracker measures
+    RigidTransform X_TA;         ///< the true pose of the anatomy
+    StationRegistration exactly; ///< the error-free registration
+    TrueToolPose truth;          ///< the true X_T<tool>, without the tracker's errors
 };
 
-/// @param registration of the manikin; without one it is registered exactly. Has it X_BA, the
-///        manikin wears a body probe, which truly is at simulatedBodyProbe()
-/// @param manikinBreathes its chest rises by kManikinRise so often; 0: it does not, and has no
-///        marker
-/// @returns what ScriptedHands::make refuses of this airway.
+/// @param registration of the manikin; without one the error-free registration is used. If it has
+///        X_BA, the manikin wears a body probe, whose true pose is simulatedBodyProbe()
+/// @param manikinBreathes breathing rate at which the chest rises by kManikinRise; 0: no breathing
+///        and no marker
+/// @returns the errors of ScriptedHands::make for this airway.
 [[nodiscard]] Result<SimulatedStation>
 simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
                  const std::optional<StationRegistration>& registration = {},
@@ -30,8 +30,7 @@ simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessi
 
 inline constexpr Length kManikinRise = millimetres(12.0);
 
-/// X_AB of the body probe that a simulated manikin may wear: on its right shoulder, with the axes
-/// of A.
+/// X_AB of the body probe of a simulated manikin: on its right shoulder, with the axes of A.
 [[nodiscard]] RigidTransform simulatedBodyProbe();
 
 } // namespace carina

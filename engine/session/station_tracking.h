@@ -10,80 +10,83 @@
 namespace carina
 {
 
-/// How a station's tracker stands to its patient.
+/// Registration of a station's tracker to its patient.
 struct StationRegistration {
-    RigidTransform X_AT; ///< the tracker in the anatomy, while the manikin lies where it lay
-    /// The anatomy in the chin probe, with the mouth closed; none for a manikin without a probe.
+    /// The tracker in the anatomy, as long as neither manikin nor tracker moves.
+    RigidTransform X_AT;
+    /// The anatomy in the frame J of the chin probe, with the mouth closed; nothing without this
+    /// probe.
     std::optional<RigidTransform> X_JA{};
-    /// The anatomy in the body probe, X_BM * X_MA; none for a manikin without one on its torso.
+    /// The anatomy in the frame B of the body probe, X_BM * X_MA; nothing without a probe on the
+    /// torso.
     std::optional<RigidTransform> X_BA{};
 };
 
-/// What a motion of the chin probe is taken for. One probe cannot tell both.
+/// How motion of the chin probe is interpreted; one probe alone cannot distinguish the two.
 enum class ChinMotion : std::uint8_t {
     OfJaw,     ///< the manikin lies still and the mouth opens
     OfManikin, ///< the mouth is closed and the manikin is moved
 };
 
-/// By what it is known where the patient is.
+/// How the pose of the patient is determined.
 enum class MotionAssumption : std::uint8_t {
-    BodyProbe,        ///< it goes with the probe on the torso; nothing is assumed
-    ChinMovesManikin, ///< it goes with the chin probe, the mouth being closed
-    ChinMovesJaw,     ///< manikin and tracker stay where they are; the chin probe moves the jaw
-    Static,           ///< manikin and tracker stay where they are
+    BodyProbe,        ///< from the probe on the torso, without assumption
+    ChinMovesManikin, ///< from the chin probe, with the mouth assumed closed
+    ChinMovesJaw,     ///< manikin and tracker are assumed static; the chin probe moves the jaw
+    Static,           ///< manikin and tracker are assumed static
 };
 
-/// The tools of one station's tracker, told in the frame A of its patient.
+/// The tools of one station's tracker, in the frame A of its patient.
 ///
-/// With a body probe B the manikin goes with it, and so does the frame in which everything is told;
-/// then the tracker may be moved as well, and the chin probe tells of the jaw alone:
+/// With a body probe B the frame A moves with that probe; then the tracker may be moved as well,
+/// and the chin probe gives the motion of the jaw alone:
 ///
 ///     X_AO = X_AB * X_BT * X_TO     and of the mandible X_AB * X_BT * X_TJ * X_JA
 ///
-/// Without one, while the chin's motion is the jaw's, the manikin stays where it was:
+/// Without a body probe, with ChinMotion::OfJaw, the manikin is assumed static:
 ///
-///     X_AO = X_AT * X_TO        the pose told of the jaw is that of the mandible, the frame fixed
-///                               to it that coincides with A while the mouth is closed:
-///                               X_AT * X_TJ * X_JA
+///     X_AO = X_AT * X_TO
 ///
-/// While it is the manikin's, the manikin goes with the probe:
+/// and the pose of the jaw tool is that of the mandible, the frame fixed to it that coincides with
+/// A while the mouth is closed: X_AT * X_TJ * X_JA. With ChinMotion::OfManikin the manikin moves
+/// with the chin probe, and the mandible is in its closed position:
 ///
-///     X_AO = X_AJ * X_JT * X_TO with the mandible in its place
+///     X_AO = X_AJ * X_JT * X_TO
 ///
-/// All calls may come from any thread.
+/// All functions may be called from any thread.
 class StationTracking
 {
 public:
     StationTracking(std::unique_ptr<Tracker> tracker, const StationRegistration& registration);
     ~StationTracking() { stop(); }
 
-    /// @returns TrackerFailed with what to look at.
+    /// @returns TrackerFailed; the detail says what to check.
     [[nodiscard]] Result<void> start();
 
-    /// On return no sample arrives any more and the session clock is not read. Harmless when not
+    /// After return no sample arrives and the session clock is not read. Has no effect when not
     /// started.
     void stop() { m_tracker->stop(); }
 
-    /// Takes a new registration over, as of a manikin that was laid anew.
+    /// Replaces the registration, as after the manikin was moved.
     void takeRegistration(const StationRegistration& registration);
 
-    /// Takes the chin's motions for this from now on. When they are the jaw's again, the manikin
-    /// stays where the probe was seen last.
-    /// @returns false for a station without a chin probe, or with a body probe, which stays as it
-    ///          is.
+    /// Sets how motion of the chin probe is interpreted. On a change back to OfJaw the manikin
+    /// stays where the probe was last seen.
+    /// @returns false, and changes nothing, for a station without a chin probe or with a body
+    ///          probe.
     bool takeChinMotion(ChinMotion motion);
     [[nodiscard]] ChinMotion chinMotion() const;
     [[nodiscard]] bool hasChinProbe() const;
     [[nodiscard]] bool hasBodyProbe() const;
     [[nodiscard]] MotionAssumption motionAssumption() const;
-    /// As the tracker names the tool; empty where it has none.
+    /// The tracker's name of the tool; empty where it has no such tool.
     [[nodiscard]] std::string toolName(ToolRole role) const;
 
-    /// X_A<tool> at a time, as PoseHistory::at answers it; nothing for a tool the tracker lacks.
-    /// A tool is lost while the probe is that should tell where the manikin is.
+    /// X_A<tool> at a time, as by PoseHistory::at; nothing for a tool that the tracker lacks. A
+    /// tool is lost while the probe that determines the pose of the manikin is lost.
     [[nodiscard]] std::optional<PoseSample> at(ToolRole role, SessionTime t) const;
 
-    /// The newest sample X_A<tool>, with the motion that would carry it on.
+    /// The newest sample X_A<tool>, with its velocity for extrapolation.
     [[nodiscard]] std::optional<PoseSample> newest(ToolRole role) const;
 
 private:
@@ -92,7 +95,7 @@ private:
         ChinMotion chin = ChinMotion::OfJaw;
     };
 
-    /// A probe that the manikin goes with, and the anatomy in it.
+    /// A probe that is fixed to the manikin, and the anatomy in its frame P.
     struct Carrier {
         ToolRole probe = ToolRole::Manikin;
         RigidTransform X_PA;

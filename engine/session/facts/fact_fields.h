@@ -7,7 +7,8 @@
 namespace carina
 {
 
-/// The fields of each fact, and of what it is made of, in the order in which they are written.
+/// The members of each fact, and of the structures within it, in the order in which they are
+/// encoded.
 template <class Whole> inline constexpr std::tuple<> kFields;
 template <>
 inline constexpr std::tuple kFields<fact::SessionCreated>{&fact::SessionCreated::name,
@@ -132,7 +133,7 @@ inline constexpr std::tuple kFields<BreathFigures>{
     &BreathFigures::plateau,     &BreathFigures::endExpiratory,
     &BreathFigures::autoPeep,    &BreathFigures::alveolarVentilation};
 
-/// The greatest enumerator there is.
+/// The last enumerator; decoders refuse greater values.
 template <class Enum> inline constexpr Enum kLastEnumerator{};
 template <> inline constexpr SessionPhase kLastEnumerator<SessionPhase> = SessionPhase::Ended;
 template <> inline constexpr Role kLastEnumerator<Role> = Role::Observer;

@@ -23,19 +23,19 @@ enum class ObjectKind : std::uint8_t {
     Patient, ///< the virtual patient as drawn; not tracked, moved by actions
 };
 
-/// What may be decided or happen in a session. Each alternative is one kind of fact; its station,
-/// author and effect time are in the Fact around it.
+/// The kinds of facts: what may be decided or happen in a session. Station, author and effect time
+/// are in the enclosing Fact.
 namespace fact
 {
 
-/// First fact of every log.
+/// The first fact of every log.
 struct SessionCreated {
     std::string name;
-    std::string sessionId; ///< 128 random bits in hex
+    std::string sessionId; ///< 128 random bits in hexadecimal
 
     friend bool operator==(const SessionCreated&, const SessionCreated&) = default;
 };
-/// The session starts, pauses, goes on or ends, for all stations.
+/// The session starts, pauses, resumes or ends, for all stations.
 struct PhaseChanged {
     SessionPhase phase = SessionPhase::Prepared;
 
@@ -46,7 +46,7 @@ struct StationAdded {
 
     friend bool operator==(const StationAdded&, const StationAdded&) = default;
 };
-/// A program came in, or came back: the same name and role give the same participant id.
+/// A participant joined, for the first time or again: the same name and role give the same id.
 struct ParticipantJoined {
     ParticipantId participant;
     Role role = Role::Observer;
@@ -68,23 +68,23 @@ struct ObjectShared {
 
     friend bool operator==(const ObjectShared&, const ObjectShared&) = default;
 };
-/// A shared object passes from its owner to another.
+/// A shared object passes from its owner to another participant.
 struct ObjectHandedOver {
     ObjectId object;
-    ParticipantId owner;     ///< from now on
+    ParticipantId owner;     ///< the new one
     std::uint16_t epoch = 0; ///< of the ownership that ends: void where another has taken its place
 
     friend bool operator==(const ObjectHandedOver&, const ObjectHandedOver&) = default;
 };
-/// The author would like to own a shared object, or not any more. A wish stands until the author
-/// owns the object or leaves.
+/// The author asks for ownership of a shared object, or withdraws the request. A request stands
+/// until the author owns the object or leaves.
 struct ObjectWanted {
     ObjectId object;
     bool wanted = true;
 
     friend bool operator==(const ObjectWanted&, const ObjectWanted&) = default;
 };
-/// The station's patient, by content hash and name.
+/// The anatomy of the station's patient, by content hash and name.
 struct AnatomyChosen {
     std::string contentHash;
     std::string name;
@@ -110,7 +110,8 @@ struct InspiratoryFractionSet {
 
 } // namespace fact
 
-/// The order of the alternatives is the kind byte on the wire and on disk: new ones go to the end.
+/// The index of an alternative defines the kind byte on the wire and on disk: add new ones at the
+/// end.
 using FactBody = std::variant<
     fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
     fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
@@ -118,14 +119,14 @@ using FactBody = std::variant<
     fact::PatientBuildSet, fact::LungConditionSet, fact::VentilatorSet, fact::TubePlaced,
     fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet>;
 
-/// Whether a program proposes such a fact by itself: no person waits for what becomes of it.
+/// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)
 {
     return std::holds_alternative<fact::ManikinBreathed>(body)
            || std::holds_alternative<fact::RespirationCheckpoint>(body);
 }
 
-/// The object whose ownership a fact is about, if it is about one.
+/// The object whose ownership a fact changes; nothing for other facts.
 [[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)
 {
     if (const auto* shared = std::get_if<fact::ObjectShared>(&body))
@@ -135,7 +136,7 @@ using FactBody = std::variant<
     return std::nullopt;
 }
 
-/// A fact that somebody would like to enter the log.
+/// A fact proposed to the host.
 struct Proposal {
     ProposalId id;
     ParticipantId author;
@@ -145,7 +146,7 @@ struct Proposal {
     friend bool operator==(const Proposal&, const Proposal&) = default;
 };
 
-/// One entry of the append-only log: ordered by the host, on disk before anyone sees it.
+/// One entry of the append-only log: numbered by the host, and on disk before anyone receives it.
 struct Fact {
     FactNumber number;   ///< position in the log, from 1 without gaps
     ProposalId proposal; ///< the proposal it came from

@@ -5,8 +5,9 @@
 namespace carina
 {
 
-/// Whether a number of a fact lies in its range. Number and range are in the unit shown.
-/// @returns OutOfRange naming the value and its range; NotFinite for a NaN or an infinity.
+/// Whether a number of a fact is within its range.
+/// @param value in `unit`, as are `lowest` and `highest`
+/// @returns OutOfRange naming the value and its range; NotFinite for NaN or infinity.
 [[nodiscard]] Result<void> checkNumber(const char* what, double value, double lowest,
                                        double highest, const char* unit);
 

@@ -6,43 +6,43 @@
 namespace carina::fact
 {
 
-/// Who the patient of the station is.
+/// Height, weight, age and sex of the station's patient.
 struct PatientBuildSet {
     PatientBuild build;
 
     friend bool operator==(const PatientBuildSet&, const PatientBuildSet&) = default;
 };
-/// What ails the lungs; one condition takes the place of another.
+/// The disease of the lungs; replaces the previous one.
 struct LungConditionSet {
     LungCondition condition;
 
     friend bool operator==(const LungConditionSet&, const LungConditionSet&) = default;
 };
-/// Who breathes the patient, and how, besides rate, tidal volume and inspiratory fraction.
+/// The settings of the ventilator, beside rate, tidal volume and inspiratory fraction.
 struct VentilatorSet {
     VentilatorSettings settings;
 
     friend bool operator==(const VentilatorSet&, const VentilatorSet&) = default;
 };
-/// A tube of that inner diameter is in the trachea; 0: none is.
+/// A tracheal tube of this inner diameter is in place; 0: no tube.
 struct TubePlaced {
     Length innerDiameter;
 
     friend bool operator==(const TubePlaced&, const TubePlaced&) = default;
 };
-/// The patient lies or sits otherwise.
+/// The patient is moved into a position.
 struct BodyPositionSet {
     BodyPosition position = BodyPosition::Supine;
 
     friend bool operator==(const BodyPositionSet&, const BodyPositionSet&) = default;
 };
-/// A sensor on the manikin's chest saw a breath begin.
+/// A sensor on the manikin's chest detected the beginning of a breath.
 struct ManikinBreathed {
     SessionTime began{};
 
     friend bool operator==(const ManikinBreathed&, const ManikinBreathed&) = default;
 };
-/// Where the breathing of the station had come to.
+/// The state of the station's breathing at a time.
 struct RespirationCheckpoint {
     SessionTime at{};
     RespiratoryState state;

@@ -7,38 +7,38 @@
 namespace carina
 {
 
-/// A RespirationRun for whoever asks again and again, usually for a little later: to draw a patient
-/// 60 times a second, or to plot how it breathes. What it answers is a pure function of the facts
-/// and the time; what it keeps makes the answer quick.
+/// The breathing of a patient at times that mostly increase in small steps, as for drawing 60 times
+/// a second or plotting. The result is a pure function of the facts and the time; the object only
+/// caches runs.
 ///
-/// - Asked for later, it takes the steps between: eight for a frame.
-/// - Stands on the newest checkpoint, so that programs on different machines, whose mathematical
-///   libraries round differently, are never apart by more than ten seconds of rounding.
-/// - A decision that comes too late (it counts from a time that was answered for already) and a
-///   step back are made good from a second, older run, or from the checkpoint.
+/// - For a later time it takes the steps in between: eight for a frame.
+/// - It continues from the newest checkpoint, so that programs on different machines, whose
+///   mathematical libraries round differently, never differ by more than ten seconds of rounding.
+/// - A fact that arrives late (its effect time is before a time already computed) and a step back
+///   in time are computed from a second, older run, or from the checkpoint.
 class RespirationFollower
 {
 public:
-    /// The patient's breathing as the facts so far have it. The reference holds until the next
-    /// call. `timeline` is always the same one, with facts that came since.
+    /// The breathing at time t by the facts so far. The reference is valid until the next call.
+    /// Always pass the same timeline; it may have grown since the last call.
     const RespirationRun& at(const RespirationTimeline& timeline, SessionTime t);
 
 private:
-    /// Standing somewhere, knowing so much.
+    /// A run, and the facts that it contains.
     struct Place {
         RespirationRun run;
-        SessionTime checkpoint{}; ///< that it came from
-        std::size_t decisions = 0;
+        SessionTime checkpoint{};  ///< from which the run started
+        std::size_t decisions = 0; ///< number of timeline decisions that it contains
     };
 
     static Place begun(const RespirationTimeline& timeline, SessionTime t);
     static bool holds(const Place& place, const RespirationTimeline& timeline, SessionTime t);
 
     std::optional<Place> m_now;
-    std::optional<Place> m_before; ///< up to kStepBack ago
+    std::optional<Place> m_before; ///< older by up to kStepBack
 };
 
-/// The older run is at most this far behind.
+/// Largest distance of the older run behind the newer one.
 inline constexpr Duration kStepBack = std::chrono::milliseconds{500};
 
 } // namespace carina

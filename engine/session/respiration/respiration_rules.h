@@ -6,7 +6,7 @@
 namespace carina
 {
 
-/// The ranges that people may choose from; controls show them, the host enforces them.
+/// The ranges of settings; controls offer them, the host enforces them.
 inline constexpr Length kSmallestPatient = millimetres(500.0);
 inline constexpr Length kTallestPatient = millimetres(2300.0);
 inline constexpr double kLightestPatient = 5.0; ///< kg
@@ -23,8 +23,8 @@ inline constexpr double kStrongestEffort = 2.0; ///< of a quiet breath's
 inline constexpr Length kNarrowestTube = millimetres(2.0);
 inline constexpr Length kWidestTube = millimetres(12.0);
 
-/// Whether the values of a fact about respiration can be true of any patient. What passes may be
-/// given to a RespiratoryFold.
+/// Whether the values of a fact about respiration are possible for any patient. Values that pass
+/// may be given to a RespiratoryFold.
 /// @returns OutOfRange or NotFinite, with the value and its range.
 [[nodiscard]] Result<void> checkRespiration(const fact::PatientBuildSet& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::LungConditionSet& fact);
@@ -34,7 +34,7 @@ inline constexpr Length kWidestTube = millimetres(12.0);
 [[nodiscard]] Result<void> checkRespiration(const fact::ManikinBreathed& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::RespirationCheckpoint& fact);
 
-/// Whether a patient of that build can be given such breaths.
+/// Whether the tidal volume is possible for a patient of this build (largestTidalVolume).
 /// @returns OutOfRange or NotFinite, with the volume and the patient's range.
 [[nodiscard]] Result<void> checkTidalVolume(const PatientBuild& build, Volume tidalVolume);
 

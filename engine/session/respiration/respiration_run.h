@@ -7,29 +7,30 @@
 namespace carina
 {
 
-/// Breathes the patient of a station along the session: a RespiratoryFold that takes every setting,
-/// pause and breath of the manikin at its effect time. Its steps follow each other from the first
-/// moment the session runs, and after a pause from the moment it goes on, so that every node that
-/// knows the facts up to a time has the same state then, bit for bit. What was decided before the
-/// first step holds from the beginning.
+/// Simulates the breathing of a station's patient along the session: a RespiratoryFold that applies
+/// every setting, pause and breath of the manikin at its effect time. Steps start when the session
+/// first runs, and continue after a pause when it runs again, so that every node that has the facts
+/// up to a time has the same state at it, bit for bit. Settings decided before the first step hold
+/// from the start.
 class RespirationRun
 {
 public:
-    /// Stands where the last checkpoint at or before t has it, else before the first breath.
+    /// Starts from the last checkpoint at or before t, else before the first breath.
     RespirationRun(const RespirationTimeline& timeline, SessionTime t);
 
-    /// Breathes on up to the last whole step at or before t. `timeline` is the same one, with facts
-    /// that came since. Of a longer time between two changes only the last kLongestCatchUp is
-    /// breathed, as where the host was down for a night: a screen would stand still for the rest.
-    /// Until the next checkpoint, whoever breathed all of it may be at another moment of a breath.
+    /// Advances to the last whole step at or before t. `timeline` is the same one as before, and
+    /// may have grown. Of a longer time between two changes only the last kLongestCatchUp is
+    /// simulated, as after a host was down for a night, because a screen would freeze meanwhile.
+    /// Until the next checkpoint a node that simulated all of it may then be at a different phase
+    /// of a breath.
     void advanceTo(const RespirationTimeline& timeline, SessionTime t);
 
-    /// The end of the last step.
+    /// Session time at the end of the last step.
     [[nodiscard]] SessionTime at() const { return m_at; }
     [[nodiscard]] const RespiratoryFold& fold() const { return m_fold; }
-    /// What is to be drawn.
+    /// The state to draw.
     [[nodiscard]] ChestShape shape() const;
-    /// For those who join later: to be put into the log.
+    /// The present state as a fact for the log, for participants that join later.
     [[nodiscard]] fact::RespirationCheckpoint checkpoint() const;
 
 private:
@@ -39,14 +40,14 @@ private:
     void forgetBreaths(const RespirationTimeline& timeline);
 
     SessionTime m_at;
-    std::size_t m_heard = 0; ///< breaths of the manikin
+    std::size_t m_heard = 0; ///< number of manikin breaths applied
     RespiratoryFold m_fold;
 };
 
-/// The most that is breathed at once between two changes: 30,000 steps.
+/// The most that is simulated between two changes: 30,000 steps.
 inline constexpr Duration kLongestCatchUp = std::chrono::seconds{60};
 
-/// The host puts a checkpoint into the log that often.
+/// Interval of checkpoints that the host puts into the log.
 inline constexpr Duration kCheckpointEvery = std::chrono::seconds{10};
 
 } // namespace carina

@@ -10,24 +10,24 @@
 namespace carina
 {
 
-/// A breath of the manikin, and when it may be heard of everywhere.
+/// A breath of the manikin, and the effect time of its fact.
 struct HeardBreath {
     SessionTime heard{};
     SessionTime began{};
 };
 
-/// A fold's state at a time.
+/// The state of a fold at a session time.
 struct RespirationState {
     SessionTime at{};
     RespiratoryState state;
 };
 
 /// What was decided about the breathing of one patient over the session, and whether the session
-/// runs. Before the first changes a healthy child of 12 years, 150 cm and 40 kg breathes without
-/// help as a BreathingPattern is made, on the back, and the session does not run.
+/// runs. Before the first change the patient is a healthy child of 12 years, 150 cm and 40 kg,
+/// supine, breathing spontaneously by the default BreathingPattern, and the session does not run.
 ///
-/// Changes may come in any order; of two of one kind for the same time the later one holds. Breaths
-/// and checkpoints come in the order of their facts.
+/// Changes may be added in any order; of two of one kind at the same time the last one added holds.
+/// Breaths and checkpoints are added in the order of their facts.
 class RespirationTimeline
 {
 public:
@@ -42,24 +42,23 @@ public:
     void setTube(SessionTime from, Length innerDiameter);
     void setPosition(SessionTime from, BodyPosition position);
     void setRunning(SessionTime from, bool running);
-    /// One that began later than it is heard of, or more than kLongestNews before, is not believed.
+    /// Ignored where it began after `heard`, or more than kLongestNews before.
     void addBreath(const HeardBreath& breath);
-    /// One that is not later than the last is not taken. A change from before it that is decided
-    /// afterwards makes it void.
+    /// Ignored where it is not later than the last. A change with an earlier effect time that is
+    /// added afterwards invalidates it.
     void addCheckpoint(const RespirationState& checkpoint);
 
     /// The settings in force at t (what a console shows).
     [[nodiscard]] RespiratorySettings settingsAt(SessionTime t) const;
     [[nodiscard]] bool runsAt(SessionTime t) const { return m_running.at(t); }
-    /// The first change of a setting or of running after t; the end of all time where there is
-    /// none.
+    /// The first change of a setting or of running after t; SessionTime::max() where there is none.
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
     /// In ascending order of `heard`.
     [[nodiscard]] std::span<const HeardBreath> breaths() const { return m_breaths; }
-    /// The last at or before t; nullptr where there is none.
+    /// The last valid checkpoint at or before t; nullptr where there is none.
     [[nodiscard]] const RespirationState* checkpointBefore(SessionTime t) const;
-    /// From when on each change and each breath counts, in the order in which they were decided:
-    /// whoever knows how many there were finds out what the new ones touch.
+    /// The effect time of each change and each breath, in the order in which they were added: a
+    /// reader that stores how many there were finds out from when on new ones have an effect.
     [[nodiscard]] std::span<const SessionTime> decisions() const { return m_decisions; }
 
 private:
@@ -79,6 +78,7 @@ private:
     std::vector<SessionTime> m_decisions;
 };
 
+/// Longest time from a breath of the manikin to its effect.
 inline constexpr Duration kLongestNews = std::chrono::seconds{5};
 
 } // namespace carina

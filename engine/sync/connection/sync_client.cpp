@@ -14,7 +14,7 @@ constexpr std::size_t kProposalBytes = 1100;
 
 } // namespace
 
-/// What each kind of record means to a client; those that only a host is sent mean nothing.
+/// Handles each kind of record at a client; kinds that only the host receives are ignored.
 struct SyncClient::Visitor {
     SyncClient& client;
     LocalTime now;

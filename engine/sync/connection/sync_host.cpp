@@ -17,7 +17,7 @@ Duration roundTripOf(const PeerLink& link) { return link.longestRoundTrip().valu
 
 } // namespace
 
-/// What each kind of record means to the host; those that only a client is sent mean nothing.
+/// Handles each kind of record at the host; kinds that only a client receives are ignored.
 struct SyncHost::Visitor {
     SyncHost& host;
     PeerAddress from;

@@ -16,7 +16,7 @@ namespace
 /// and advances an action that arrives by the one-way delay from its author, taken as half of the
 /// newest round trip.
 ///
-/// Not in it, on purpose: repeats of what is lost, order of what overtakes, a common clock.
+/// Deliberately without retransmission, reordering or a common clock.
 class AsaParticipant final : public RelayedParticipant
 {
 public:

@@ -7,9 +7,8 @@ namespace carina
 namespace
 {
 
-/// No synchronisation: an action is a motion and says nothing of where the object is. It goes on
-/// from wherever this participant has the object, so that what one action lacks or has too much
-/// stays for good.
+/// No synchronisation: an action is a motion without a start pose. It starts from the pose that the
+/// object has at this participant, so that the error of each action remains permanently.
 class UnsynchronisedParticipant final : public RelayedParticipant
 {
 public:

@@ -9,34 +9,34 @@
 namespace carina
 {
 
-/// Imported sets on disk, so that a start does not parse their files again.
+/// Imported sets on disk, so that a later start does not parse their files again.
 ///
 ///     <content hash>.anatomy    the set (set_codec.h)
-///     <content hash>.json       what it holds (set_description.h), for people
-///     <listing hash>.listing    the content hash of a folder whose files look so
+///     <content hash>.json       its contents (set_description.h), for people
+///     <listing hash>.listing    the content hash of a folder with this listing
 ///
-/// Each file is written beside its place and renamed into it, so that a half-written one is never
-/// met; a set that is damaged all the same is refused by its checksum and imported anew.
+/// Files are written under a temporary name and renamed, so that no incomplete file is read. A
+/// damaged set is refused by its checksum and imported again.
 class AnatomyCache
 {
 public:
     explicit AnatomyCache(std::filesystem::path folder);
 
-    /// The folder that the user's desktop gives to caches, with carina/anatomy below it.
+    /// The folder carina/anatomy in the cache location of the user's desktop.
     [[nodiscard]] static std::filesystem::path defaultFolder();
 
-    /// The content hash last found for files that look so (see listingHashOf).
+    /// The content hash last stored for this listing (see listingHashOf).
     [[nodiscard]] std::optional<std::string> contentHash(const std::string& listingHash) const;
 
-    /// @returns FileNotFound when it is not there; FileMalformed when it is not as it was written.
+    /// @returns FileNotFound where it is not in the cache; FileMalformed where it is damaged.
     [[nodiscard]] Result<ImportedSet> load(const std::string& contentHash) const;
 
-    /// @returns FileUnwritable
+    /// Writes the set. @returns FileUnwritable
     [[nodiscard]] Result<void> store(const ImportedSet& set) const;
-    /// The same, and remembers the listing that it was made from.
+    /// Writes the set, and its content hash for the listing that it was imported from.
     [[nodiscard]] Result<void> store(const ImportedSet& set, const std::string& listingHash) const;
 
-    /// Remembers that files that look so hold this content.
+    /// Stores the content hash for a listing.
     /// @returns FileUnwritable
     [[nodiscard]] Result<void> remember(const std::string& listingHash,
                                         const std::string& contentHash) const;

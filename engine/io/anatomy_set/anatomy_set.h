@@ -12,29 +12,29 @@ namespace carina
 {
 
 enum class CacheUse : std::uint8_t {
-    Allowed, ///< a cached set is taken where there is one
-    Renewed, ///< the files are read again and the cache is written anew
+    Allowed, ///< a cached set is used where there is one
+    Renewed, ///< the files are read again and the cache is rewritten
 };
 
-/// A set and how it came.
+/// A set and where it was loaded from.
 struct LoadedSet {
     ImportedSet set;
     bool fromCache = false;
-    std::filesystem::path cacheFile; ///< where it is kept
-    std::optional<Error> cacheFault; ///< why it could not be kept; the set is good all the same
+    std::filesystem::path cacheFile; ///< its file in the cache
+    std::optional<Error> cacheFault; ///< why it could not be cached; the set is valid all the same
 };
 
-/// A patient from a folder of surfaces: from the cache when its files look as they did last time,
-/// or hold what a cached set was made from, else by importSetFolder, and kept for the next time.
-/// Writes into the cache's folder and nowhere else.
+/// A patient from a folder of surfaces: from the cache where the listing or the content of the
+/// files is that of a cached set, else by importSetFolder, and stored in the cache. Writes into the
+/// cache's folder only.
 ///
-/// What a review corrects is kept beside the cache, as <content hash of the
-/// files>.corrections.json, and holds for the same files from then on; who has a review sees it
-/// already corrected.
+/// Corrections of a review are stored beside the cache, as <content hash of the
+/// files>.corrections.json, and apply to the same files from then on; a later review is shown the
+/// corrected draft.
 ///
 /// @param cacheFolder usually AnatomyCache::defaultFolder()
 /// @param progress may be empty
-/// @param review may be empty; asked only where files are read
+/// @param review may be empty; called only where files are read
 /// @returns FileNotFound without such a folder; NothingRecognised; OutOfRange; Cancelled.
 [[nodiscard]] Result<LoadedSet> loadAnatomySet(const std::filesystem::path& folder,
                                                const std::filesystem::path& cacheFolder,

@@ -6,8 +6,8 @@
 namespace carina
 {
 
-/// The patient that these figures make: from the cache where it was kept, else made and kept there
-/// for the next time, which is the same patient. Where it cannot be kept it is made again.
+/// The patient generated from these parameters: from the cache where it is stored, else generated
+/// and stored. Both are identical. A failure to store is ignored.
 ///
 /// @param cacheFolder usually AnatomyCache::defaultFolder()
 /// @returns OutOfRange and MeshNotClosed, see patientFor.

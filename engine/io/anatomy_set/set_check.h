@@ -5,12 +5,12 @@
 namespace carina
 {
 
-/// Whether a set that somebody else made may be drawn: what an import always makes, and what the
-/// rest of the engine counts on.
+/// Whether a set from another computer meets what every import guarantees and the rest of the
+/// engine requires.
 ///
-/// Every level of every part has a vertex, and a finite normal for each; everything lies within
-/// 10 m of the carina; and the way of the tube goes on with each of its at most 4096 points, by
-/// 10 cm or less and without a corner sharper than a right angle.
+/// Every level of every part has at least one vertex, and a finite normal for each; everything is
+/// within 10 m of the carina; the path of the tube has at most 4096 points, each 10 cm or less from
+/// the last, and no corner sharper than a right angle.
 ///
 /// @returns FileMalformed with the rule that is broken.
 [[nodiscard]] Result<void> checkSet(const ImportedSet& set);

@@ -19,7 +19,7 @@ namespace carina
 ///              attributions, faults and what was left out, in the encoding of mesh_codec.h
 [[nodiscard]] std::vector<std::byte> encodeSet(const ImportedSet& set);
 
-/// The inverse.
+/// Inverse of encodeSet.
 /// @returns FileMalformed for anything that encodeSet did not write: another version, a byte
 ///          missing, changed or added, a count beyond the bytes that follow.
 [[nodiscard]] Result<ImportedSet> decodeSet(std::span<const std::byte> bytes);

@@ -12,38 +12,39 @@
 namespace carina
 {
 
-/// What the import of a set makes of one surface, before it builds anything.
+/// One surface of a set as the import interprets it, before anything is built.
 struct DraftSurface {
-    std::string key; ///< "airway/trachea.obj: Trachea", its file and its name in there
+    std::string key; ///< file and name within it, such as "airway/trachea.obj: Trachea"
     std::optional<PartRole> role = PartRole::Other; ///< nothing where it is left out
     std::size_t triangles = 0;
 };
 
-/// What the import of a set has read, to be looked through by a person.
+/// What an import has read, for review by a person.
 struct SetDraft {
     std::vector<DraftSurface> surfaces;
-    std::optional<SetFrame> frame; ///< nothing where no unit makes it a person
+    std::optional<SetFrame> frame; ///< nothing where no unit gives the size of a person
     std::vector<FileFault> faults;
 };
 
-/// What a person knows better than the import.
+/// Corrections of an import by a person.
 struct SetCorrections {
-    /// By DraftSurface::key; nothing for a surface that is to be left out.
+    /// New roles by DraftSurface::key; nothing for a surface to be left out.
     std::map<std::string, std::optional<PartRole>> roles;
     std::optional<SetFrame> frame;
 
     [[nodiscard]] bool empty() const { return roles.empty() && !frame; }
 };
 
-/// Asked once all is read, before anything is built. @returns nothing to stop the import.
+/// Called after all files are read and before anything is built. @returns nothing to cancel the
+/// import.
 using SetReview = std::function<std::optional<SetCorrections>(const SetDraft& draft)>;
 
-/// The axes of files by where +x, +y and +z point, as axisWords names them; nothing for words that
-/// are not three axes of the body.
+/// The axes of files from words for +x, +y and +z, as in axisWords; nothing for words that are not
+/// three axes of the body.
 [[nodiscard]] std::optional<Mat3> axesFromWords(const std::vector<std::string>& words);
 
-/// The content hash of files that were imported with corrections: with others they are another
-/// patient. That of the files themselves without any.
+/// The content hash of a set imported with corrections: different corrections make a different
+/// patient. Without corrections it is that of the files.
 [[nodiscard]] std::string correctedHash(const std::string& contentHashOfFiles,
                                         const SetCorrections& corrections);
 
@@ -53,10 +54,9 @@ using SetReview = std::function<std::optional<SetCorrections>(const SetDraft& dr
 [[nodiscard]] Result<void> writeCorrections(const std::filesystem::path& file,
                                             const SetCorrections& corrections);
 
-/// The inverse.
+/// Inverse of writeCorrections.
 /// @returns FileNotFound, FileUnreadable, FileEmpty; FileMalformed, UnknownFormat; the detail
-/// begins
-///          with the file.
+///          begins with the file.
 [[nodiscard]] Result<SetCorrections> readCorrections(const std::filesystem::path& file);
 
 } // namespace carina

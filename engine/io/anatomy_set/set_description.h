@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// What a set holds, for people and tools: the JSON schema carina.anatomy/1, whose keys
-/// `carina-lab help` names.
+/// The contents of a set, for people and tools: JSON of the schema carina.anatomy/1, whose keys
+/// `carina-lab help` lists.
 [[nodiscard]] QJsonObject describeSet(const ImportedSet& set);
 
 } // namespace carina

@@ -10,28 +10,28 @@
 namespace carina
 {
 
-/// The files of a folder that make up an anatomy set, found without opening them.
+/// The files of a folder that belong to an anatomy set, found without opening them.
 struct SetFolder {
     std::filesystem::path root;
     std::vector<std::string> surfaces; ///< files of a surface format, relative to root, sorted
-    /// What else the import reads: MANIFEST.tsv, SOURCE.txt, the buffers of glTF, the materials of
+    /// Other files that the import reads: MANIFEST.tsv, SOURCE.txt, buffers of glTF, materials of
     /// OBJ and textures; sorted.
     std::vector<std::string> companions;
 };
 
-/// Lists a folder and the folders below it.
-/// @returns FileNotFound when there is no such folder; NothingRecognised without a single surface.
+/// Lists a folder and its subfolders.
+/// @returns FileNotFound where there is no such folder; NothingRecognised where it has no surface.
 [[nodiscard]] Result<SetFolder> listSetFolder(const std::filesystem::path& root);
 
-/// SHA-256 in hex over the names and the bytes of all these files: equal for equal sets wherever
-/// they lie. A file that cannot be read counts as empty.
+/// SHA-256 in hexadecimal of the names and the bytes of all these files: equal for equal sets in
+/// any location. A file that cannot be read counts as empty.
 [[nodiscard]] std::string contentHashOf(const SetFolder& folder);
 
-/// SHA-256 in hex over where these files lie, their sizes and when they were last written: changes
-/// when any of them does, and takes milliseconds.
+/// SHA-256 in hexadecimal of the paths of these files, their sizes and modification times: a change
+/// of any file changes it, and it takes milliseconds.
 [[nodiscard]] std::string listingHashOf(const SetFolder& folder);
 
-/// Files that a MANIFEST.tsv of the folder names in its column "file" and that are not below it.
+/// Files that a MANIFEST.tsv of the folder lists in its column "file" and that do not exist in it.
 [[nodiscard]] std::vector<FileFault> missingFiles(const SetFolder& folder);
 
 /// The lines about licence and copyright in the SOURCE.txt of the folder.

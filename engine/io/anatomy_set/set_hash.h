@@ -6,8 +6,8 @@
 namespace carina
 {
 
-/// Whether a text is a hash as sets are named by it: 64 hexadecimal digits in lower case. Only such
-/// a text is made part of a file's name.
+/// Whether a text is a hash of a set: 64 hexadecimal digits in lower case. Check it before a
+/// received text becomes part of a file name.
 [[nodiscard]] constexpr bool isSetHash(std::string_view text)
 {
     constexpr std::size_t kDigits = 64;

@@ -6,17 +6,18 @@
 namespace carina
 {
 
-/// Makes a patient of a folder's surfaces, without any cache.
+/// Imports a patient from the surfaces of a folder, without a cache.
 ///
-/// Every surface gets a role by its concept or its name, or by its file's name. The review, where
-/// there is one, sees that and corrects it. What is there twice is left out (see leaveOutRepeated).
-/// Unit and axes are found (see findSetFrame) where they were not given, and all is moved into A:
-/// metres, origin at the carina, or at the middle of the set where no trachea tells it. Lungs and
-/// lobes are welded within 10 um, capped and turned outward; each part gets levels of detail. A
-/// file that cannot be used is among the faults, and the rest is imported. The result depends on
-/// the files alone; its name and content hash are left empty.
+/// Every surface gets a role by its concept id, its name or its file's name. The review, if any,
+/// may correct it. Duplicates are left out (see leaveOutRepeated). Unit and axes are found (see
+/// findSetFrame) unless corrected, and everything is transformed into A: metres, origin at the
+/// carina, or at the middle of the set where no trachea determines it. Lungs and lobes are welded
+/// within 10 um, capped and turned outward; each part gets levels of detail. A file that cannot be
+/// used becomes a fault, and the rest is imported. The result depends on the files alone; its name
+/// and content hash are left empty.
 ///
-/// @returns NothingRecognised when no surface has a role; OutOfRange when no unit fits; Cancelled.
+/// @returns NothingRecognised where no surface has a role; OutOfRange where no unit fits;
+///          Cancelled.
 [[nodiscard]] Result<ImportedSet> importSetFolder(const SetFolder& folder,
                                                   const ImportProgress& progress,
                                                   const SetReview& review = {});

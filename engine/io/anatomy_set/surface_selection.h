@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// Takes out what would be there twice, and returns what was taken out, one line each:
+/// Removes duplicates, and returns what was removed, one line each:
 /// - a surface with the same triangles as an earlier one;
 /// - a whole lung where a lobe of that side is present.
 [[nodiscard]] std::vector<std::string> leaveOutRepeated(std::vector<RecognisedSurface>& surfaces);

@@ -9,15 +9,15 @@
 namespace carina
 {
 
-/// Opens the log of one session in an SQLite file, or begins a new one where there is no file.
+/// Opens the log of one session in an SQLite file, or creates it where there is no file.
 ///
 /// Every fact is a transaction of its own, synced to disk before append returns. While the store is
-/// open no other program can use the file. It may be used by any thread, one at a time.
+/// open no other program can use the file. It may be used from any thread, one at a time.
 ///
 /// @pre a QCoreApplication exists.
-/// @returns StoreCorrupt for a file that is truncated or no database, UnknownFormat for a database
-///          of another program or of a newer Carina, StoreFailed where it cannot be opened or
-///          another program has it open. The file is left as it is.
+/// @returns StoreCorrupt for a file that is truncated or not a database, UnknownFormat for a
+///          database of another program or of a newer Carina, StoreFailed where it cannot be opened
+///          or another program has it open. On failure the file is unchanged.
 [[nodiscard]] Result<std::unique_ptr<FactStore>> openFactStore(const std::filesystem::path& path);
 
 } // namespace carina

@@ -11,31 +11,30 @@
 namespace carina
 {
 
-/// A line of a text and its number, from 1.
+/// A line of a text and its line number, from 1.
 struct TextLine {
     std::size_t number;
-    std::string_view text; ///< without its end
+    std::string_view text; ///< without its line end
 };
 
 /// The lines of a text that are not blank, without a byte order mark.
 [[nodiscard]] std::vector<TextLine> linesOf(std::string_view text);
 
-/// The fields of a line, parted by commas (RFC 4180): without blanks around them, and without their
-/// quotes.
-/// @returns FileMalformed for a quote that is not closed, or text behind it; bytes that are no
-///          UTF-8. The detail begins with the line's number.
+/// The comma-separated fields of a line (RFC 4180), without surrounding blanks and quotes.
+/// @returns FileMalformed for an unclosed quote, text after a closing quote, and invalid UTF-8. The
+///          detail begins with the line number.
 [[nodiscard]] Result<std::vector<std::string>> csvFields(const TextLine& line);
 
-/// A text as one field: in quotes where it needs them.
+/// A text as one field, quoted where necessary.
 [[nodiscard]] std::string csvField(std::string_view text);
 
-/// The shortest digits that read back as the number.
+/// The shortest decimal text that reads back as the same number.
 [[nodiscard]] std::string digitsOf(double number);
 
-/// Three fields as a point, millimetres in the text and metres here.
+/// Three fields as a point: millimetres in the text, metres in the result.
 /// @param names of the fields
-/// @returns FileMalformed where one is no number below a kilometre. The detail names line and
-/// field.
+/// @returns FileMalformed where a field is not a number below a kilometre. The detail names line
+///          and field.
 [[nodiscard]] Result<Vec3> pointOf(const TextLine& line, std::span<const std::string, 3> fields,
                                    std::span<const std::string, 3> names);
 

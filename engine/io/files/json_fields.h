@@ -17,43 +17,43 @@
 namespace carina
 {
 
-/// Reads the fields of a JSON object one by one and remembers the first fault, its own or of an
-/// object within, as FileMalformed "touched[2].p_TQ_mm: three numbers are due". A field with a
-/// fault reads as zero, so that a reader asks for all it needs and looks for a fault once, at the
-/// end. Lengths are millimetres in the file and metres here.
+/// Reads the fields of a JSON object one by one and keeps the first fault, its own or of a nested
+/// object, as FileMalformed "touched[2].p_TQ_mm: three numbers are due". A field with a fault reads
+/// as zero, so that a reader can read all fields and check once at the end. Lengths are millimetres
+/// in the file and metres here.
 class JsonFields
 {
 public:
-    /// @param fault takes the first fault; outlives this.
-    /// @param path  where the object stands in its file, empty for the outermost
+    /// @param fault receives the first fault; must outlive this.
+    /// @param path  of the object within its file, empty for the outermost
     JsonFields(QJsonObject object, std::optional<Error>& fault, std::string path = {});
 
-    /// A key that is not among these is a fault: a misspelled one would be lost.
+    /// A key that is not among these is a fault, so that a misspelled key is not ignored.
     void allowOnly(std::initializer_list<const char*> keys);
 
     [[nodiscard]] bool has(const char* key) const;
-    /// A text that is not empty.
+    /// A text, not empty.
     [[nodiscard]] std::string text(const char* key);
-    /// A text that is not empty, or the first of a list of texts.
+    /// A text, not empty, or the first of a list of texts.
     [[nodiscard]] std::string firstText(const char* key);
-    /// Not negative.
+    /// A length in metres, not negative.
     [[nodiscard]] double length(const char* key);
     /// A number from 0 to a million.
     [[nodiscard]] double amount(const char* key);
-    /// So many numbers, each below a million.
+    /// A list of exactly `count` numbers, each below a million.
     [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
     /// A whole number from 0 to a million.
     [[nodiscard]] int count(const char* key);
-    /// The place of a text among these words.
+    /// The index of a text in `words`.
     [[nodiscard]] std::size_t oneOf(const char* key, std::span<const char* const> words);
-    /// [x, y, z], each below a kilometre.
+    /// [x, y, z], each below a kilometre; in metres.
     [[nodiscard]] Vec3 point(const char* key);
     /// Four rows of four numbers: a proper rotation, and a translation below a kilometre.
     [[nodiscard]] RigidTransform pose(const char* key);
     [[nodiscard]] JsonFields object(const char* key);
     [[nodiscard]] std::vector<JsonFields> objects(const char* key);
 
-    /// Marks a field as faulty for a reason of the caller's.
+    /// Reports a fault of a field, with the caller's reason.
     void refuse(const char* key, const std::string& why);
 
 private:
@@ -70,18 +70,17 @@ private:
 /// A pose as four rows of four numbers, its translation in millimetres.
 [[nodiscard]] QJsonArray jsonPose(const RigidTransform& X);
 
-/// The object that a JSON text holds; an empty one for a list.
-/// @returns FileMalformed where it is no JSON.
+/// The object in a JSON text; an empty one for a list.
+/// @returns FileMalformed where it is not JSON.
 [[nodiscard]] Result<QJsonObject> jsonObjectIn(std::string_view text);
 
-/// The object that a JSON file holds, of which "schema" is as given.
-/// @returns FileNotFound, FileUnreadable, FileEmpty; FileMalformed where it is no JSON object;
+/// The object in a JSON file whose "schema" must be as given.
+/// @returns FileNotFound, FileUnreadable, FileEmpty; FileMalformed where it is not a JSON object;
 ///          UnknownFormat where its schema is another. The detail begins with the file.
 [[nodiscard]] Result<QJsonObject> readJsonFile(const std::filesystem::path& file,
                                                const QString& schema);
 
-/// Writes an object so that the file is either there whole or as it was, whenever the program is
-/// killed.
+/// Writes an object. If the program is killed meanwhile, the file is the old or the new one, whole.
 /// @returns FileUnwritable
 [[nodiscard]] Result<void> writeJsonFile(const std::filesystem::path& file,
                                          const QJsonObject& object);

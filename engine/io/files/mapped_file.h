@@ -9,11 +9,11 @@
 namespace carina
 {
 
-/// A file as memory: its pages are read when they are looked at, and belong to the system's cache
-/// of files, not to this program.
+/// A file mapped into memory, read-only: pages are read on access and belong to the system's page
+/// cache, not to this program.
 ///
-/// For files that are only ever replaced, by renaming another into their place (writeWholeFile): of
-/// a file that somebody shortens meanwhile, looking at what is gone ends the program.
+/// Only for files that are replaced by renaming (writeWholeFile): access to a page beyond the end
+/// of a file that was truncated meanwhile ends the program.
 class MappedFile
 {
 public:
@@ -25,7 +25,7 @@ public:
     MappedFile& operator=(MappedFile&& other) noexcept;
     ~MappedFile();
 
-    /// Valid as long as this is.
+    /// Valid as long as this object.
     [[nodiscard]] std::span<const std::byte> bytes() const { return m_bytes; }
 
 private:

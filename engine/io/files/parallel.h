@@ -7,11 +7,11 @@ namespace carina
 {
 
 /// Calls `work(i)` once for every i below `count`, on as many threads of Qt as there are cores, and
-/// returns when all are done. Each thread makes its own `work`, so that it may hold what belongs to
-/// a thread.
+/// returns when all are done. Each thread calls `makeWork` for a `work` of its own, which may hold
+/// objects that belong to the thread.
 ///
-/// `goOn(done)` is called in the calling thread, first and every now and then, with the number of
-/// calls that have ended; when it answers false no further one is begun.
+/// `goOn(done)` is called in the calling thread, at first and repeatedly, with the number of calls
+/// that have ended; when it returns false no further call is begun.
 ///
 /// @returns false when `goOn` stopped it.
 [[nodiscard]] bool inParallel(std::size_t count,

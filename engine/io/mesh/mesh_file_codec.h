@@ -10,10 +10,10 @@
 namespace carina
 {
 
-/// What carina-surface-reader answers for one file: its surfaces, or why there are none.
+/// The answer of carina-surface-reader for one file: its surfaces, or the error.
 [[nodiscard]] std::vector<std::byte> encodeMeshFile(const Result<MeshFile>& file);
 
-/// The inverse.
+/// Inverse of encodeMeshFile.
 /// @returns FileMalformed for bytes that encodeMeshFile did not write.
 [[nodiscard]] Result<Result<MeshFile>> decodeMeshFile(std::span<const std::byte> bytes);
 

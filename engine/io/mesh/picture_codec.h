@@ -16,13 +16,13 @@ struct Picture {
     std::vector<Rgb> pixels; ///< width x height
 };
 
-/// Decodes a PNG or JPEG file. What is transparent in it is opaque here.
+/// Decodes a PNG or JPEG file; transparency is ignored.
 ///
-/// @returns UnknownFormat for bytes of another kind; FileMalformed where they are damaged or
-///          truncated, or promise more than 2^26 pixels.
+/// @returns UnknownFormat for bytes of another format; FileMalformed where they are damaged or
+///          truncated, or the header declares more than 2^26 pixels.
 ///
-/// A damaged picture can bring down the library that decodes it: called by carina-surface-reader
-/// alone.
+/// A damaged picture can crash the library that decodes it. Therefore only carina-surface-reader
+/// calls this.
 [[nodiscard]] Result<Picture> decodePicture(std::string_view bytes);
 
 } // namespace carina

@@ -7,13 +7,13 @@
 namespace carina
 {
 
-/// The formats of surfaces that are read.
+/// Surface formats that can be read.
 enum class SurfaceFormat : std::uint8_t { Obj, Ply, Stl, Gltf, Glb };
 
-/// The format that a file has by the ending of its name, in any case; nothing for another.
+/// The format of a file by its extension, in upper or lower case; nothing for another extension.
 [[nodiscard]] std::optional<SurfaceFormat> surfaceFormat(const std::filesystem::path& file);
 
-/// The ending of a format's files, without the dot.
+/// The file extension of a format, without the dot.
 [[nodiscard]] const char* endingOf(SurfaceFormat format);
 
 } // namespace carina

@@ -13,19 +13,19 @@ class QProcess;
 namespace carina
 {
 
-/// Reads files of surfaces in a process of their own, carina-surface-reader, which may take 4 GiB
-/// and write nothing. A file that brings the process down, or holds it longer than the limit, is an
-/// error that names the file; the next file gets a new process.
+/// Reads surface files in a separate process, carina-surface-reader, which is limited to 4 GiB of
+/// memory and cannot write files. A file that crashes the process or exceeds the time limit gives
+/// an error that names the file; the next file gets a new process.
 ///
-/// Belongs to the thread it is made in, which must be Qt's (QThread or the main thread).
+/// To be used in the thread that created it, which must be Qt's (QThread or the main thread).
 class SurfaceReader
 {
 public:
     explicit SurfaceReader(std::chrono::milliseconds limitPerFile = std::chrono::seconds{60});
     ~SurfaceReader();
 
-    /// As readMeshFile. Also FileMalformed when the process died of the file or took too long, and
-    /// FileUnreadable when there is no such process to start.
+    /// As readMeshFile. Also FileMalformed where the process crashed or took too long, and
+    /// FileUnreadable where the process cannot be started.
     [[nodiscard]] Result<MeshFile> read(const std::filesystem::path& file);
 
 private:

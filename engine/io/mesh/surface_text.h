@@ -8,26 +8,26 @@
 namespace carina
 {
 
-/// What the comments of a surface file say about the surface, as BodyParts3D and others write them.
+/// Information about a surface in the comments of its file, as in those of BodyParts3D.
 struct SurfaceNotes {
-    std::string name;                      ///< of "English name : Trachea"
-    std::string conceptId;                 ///< of "Concept ID : FMA7394"
-    std::vector<std::string> attributions; ///< comments that speak of a licence or of copyright
+    std::string name;                      ///< from "English name : Trachea"
+    std::string conceptId;                 ///< from "Concept ID : FMA7394"
+    std::vector<std::string> attributions; ///< comments about licence or copyright
 };
 
 /// Reads the comments among the first lines of an OBJ ("# ...") or PLY ("comment ...") text.
 [[nodiscard]] SurfaceNotes notesIn(std::string_view text);
 
-/// The first "FMA" with digits after it: "FMA7394" of "Trachea_FMA7394.001".
+/// The first "FMA" followed by digits: "FMA7394" of "Trachea_FMA7394.001".
 [[nodiscard]] std::optional<std::string> conceptIn(std::string_view text);
 
-/// Whether a line speaks of a licence or of copyright.
+/// Whether a line is about a licence or copyright.
 [[nodiscard]] bool isAttribution(std::string_view line);
 
-/// The next line without its end, taken off the front of `text`.
+/// Removes the first line from `text` and returns it without its line end.
 [[nodiscard]] std::string_view takeLine(std::string_view& text);
 
-/// The next word, taken off the front of `line`; empty at the end.
+/// Removes the first word from `line` and returns it; empty at the end.
 [[nodiscard]] std::string_view takeWord(std::string_view& line);
 
 } // namespace carina

@@ -17,23 +17,23 @@ struct aiScene;
 namespace carina
 {
 
-/// What colours the vertices of a scene's meshes have: by a texture, by themselves, or by their
-/// material, in this order.
+/// Colours of the vertices of a scene's meshes: from a texture, the vertices or the material, in
+/// this order of preference.
 ///
-/// A texture is averaged down until about one texel lies in a triangle, so that a vertex has the
-/// colour of what is around it. Pictures lie in the scene or in the folder of its file, nowhere
-/// else.
+/// A texture is reduced by averaging to about one texel per triangle, so that the colour of a
+/// vertex is that of its surroundings. Pictures are read from the scene or the folder of its file
+/// only.
 class SurfaceTexture
 {
 public:
-    /// @param linear the scene's plain colours are linear, and multiply its textures, as in glTF;
-    ///        else they are sRGB, and a texture counts alone
+    /// @param linear the scene's plain colours are linear and multiply its textures, as in glTF;
+    ///        otherwise they are sRGB and are not used with a texture
     SurfaceTexture(const aiScene& scene, std::filesystem::path folder, bool linear);
 
     /// One colour per vertex.
     [[nodiscard]] std::vector<Rgb> colorsOf(const aiMesh& mesh);
 
-    /// Why pictures that were asked for cannot be used, each once.
+    /// Why pictures could not be used, one error for each.
     [[nodiscard]] std::vector<Error> faults() const;
 
 private:

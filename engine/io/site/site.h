@@ -13,11 +13,11 @@
 namespace carina
 {
 
-/// The pages of preparing a site, in their order.
+/// The pages of site preparation, in their order.
 enum class SiteStep : std::uint8_t { Overview, Tracker, Stylus, Landmarks, Touch, Fit, Verify };
 
-/// What was changed beneath a result, so that it no longer follows from what it rests on: the
-/// deepest first.
+/// Why a result is out of date: the input that was changed after it was computed, the most basic
+/// first.
 enum class StaleCause : std::uint8_t { Tracker, Stylus, Landmarks, Manikin, Touches, Fit };
 
 /// The axis of a tool, from a spin calibration.
@@ -39,37 +39,38 @@ struct StylusTip {
     std::optional<StylusAxis> axis{};
 };
 
-/// The calibration of a tool, or the only one that names none; null where there is none.
+/// The calibration of a tool, else the one stored without a tool's name; nullptr where there is
+/// neither.
 [[nodiscard]] const StylusTip* tipOfTool(const std::vector<StylusTip>& styluses,
                                          const std::string& tool);
 
-/// A landmark as it was touched.
+/// A landmark touched with the stylus.
 struct TouchedPoint {
     std::string landmark{};       ///< its name in the catalogue
     Vec3 p_TQ = Vec3::Zero();     ///< in the tracker frame T, metres
-    double spread = 0.0;          ///< of the tip's positions, metres
-    Quat q_TS = Quat::Identity(); ///< how the stylus was held
+    double spread = 0.0;          ///< of the tip's positions while it was held there, metres
+    Quat q_TS = Quat::Identity(); ///< orientation of the stylus
     std::optional<StaleCause> stale{};
 };
 
-/// How far a touched landmark stays from its place in the anatomy.
+/// Distance of a touched landmark from its place in the anatomy after the fit.
 struct LandmarkResidual {
     std::string landmark{};
     double residual = 0.0;           ///< metres
-    std::optional<double> leftOut{}; ///< from the fit of all others, metres
+    std::optional<double> leftOut{}; ///< with the fit of all other landmarks, metres
 };
 
-/// A refinement of a registration on a surface that was swabbed.
+/// Refinement of a registration on a surface that was swabbed with the stylus.
 struct SiteSwab {
     std::string surface{}; ///< its name in the patient
     int points = 0;
     int outliers = 0;
-    double startRms = 0.0; ///< of the distances before, metres
+    double startRms = 0.0; ///< of the distances before the refinement, metres
     double rms = 0.0;      ///< after
-    double moved = 0.0;    ///< the longest way that a point of the swab went, metres
+    double moved = 0.0;    ///< longest displacement of a swab point, metres
 };
 
-/// The manikin was moved, and laid anew by some of its landmarks.
+/// A repeated registration with some of the landmarks, after the manikin was moved.
 struct SiteRelay {
     std::string at{}; ///< ISO 8601
     std::string operatorName{};
@@ -77,38 +78,38 @@ struct SiteRelay {
     double rms = 0.0; ///< metres
 };
 
-/// Where the anatomy lies on the manikin.
+/// Registration of the anatomy A to the manikin M.
 struct SiteRegistration {
     RigidTransform X_AM;
-    RigidTransform X_AT; ///< when the landmarks were touched; ever since, if the manikin is static
-    /// The manikin in the frame of its chin probe while the mouth is closed: with a chin probe the
-    /// manikin may be moved, X_AT = X_AM * X_JM^-1 * X_JT.
+    RigidTransform X_AT; ///< when the landmarks were touched; still valid if the manikin is static
+    /// The manikin in the frame J of its chin probe while the mouth is closed: with a chin probe
+    /// the manikin may be moved, X_AT = X_AM * X_JM^-1 * X_JT.
     std::optional<RigidTransform> X_JM{};
-    std::optional<RigidTransform> X_BM{}; ///< in the frame of its body probe, which it goes with
+    std::optional<RigidTransform> X_BM{}; ///< in the frame B of its body probe, with which it moves
     double rms = 0.0;                     ///< FRE, metres
     std::vector<LandmarkResidual> residuals{};
     Mat6 covariance_A = Mat6::Zero(); ///< of X_AM: see UncertainTransform
-    double fle = 0.0;                 ///< estimated from the residuals, metres
-    double degrees = 0.0;             ///< of freedom of that estimate; 0 where there is none
-    std::string madeAt{};             ///< ISO 8601; empty where it is not known
+    double fle = 0.0;     ///< fiducial localisation error, estimated from the residuals, metres
+    double degrees = 0.0; ///< degrees of freedom of that estimate; 0 where there is none
+    std::string madeAt{}; ///< ISO 8601; empty where it is not known
     std::string operatorName{};
     std::optional<SiteSwab> swab{};
     std::vector<SiteRelay> relays{}; ///< oldest first
     std::optional<StaleCause> stale{};
 };
 
-/// A place that was touched to check the registration, and not used in the fit.
+/// A point touched to check the registration, not used in the fit.
 struct VerifiedPoint {
     std::string name{};
     Vec3 p_AQ = Vec3::Zero();
     Vec3 p_TQ = Vec3::Zero();
     double error = 0.0; ///< | X_AT p_TQ - p_AQ |, metres
-    double bound = 0.0; ///< that 95 % of such errors stay below, metres
+    double bound = 0.0; ///< 95 % of such errors are below this, metres
 };
 
 enum class Verdict : std::uint8_t { Open, Good, NotGood };
 
-/// What checking the registration came to.
+/// The result of checking the registration.
 struct SiteVerification {
     Verdict verdict = Verdict::Open;
     std::string at{}; ///< ISO 8601, of the verdict; empty while it is open
@@ -117,17 +118,17 @@ struct SiteVerification {
     std::optional<StaleCause> stale{};
 };
 
-/// All that is known of a site: its tracker, styluses, manikin and display.
+/// The data of a site: its tracker, styluses, manikin and display.
 struct Site {
-    SiteStep step = SiteStep::Tracker; ///< the one that is next
-    std::string operatorName{};        ///< who works on it; empty where nobody said
+    SiteStep step = SiteStep::Tracker; ///< the next one
+    std::string operatorName{};        ///< empty where it is not known
     std::string tracker{};             ///< which tracker, in words; empty before it is chosen
     std::vector<StylusTip> styluses{}; ///< one for each tool
     std::string patient{};             ///< its name as shown; empty where it is not known
     std::optional<LandmarkCatalogue> catalogue{};
     std::vector<TouchedPoint> touched{}; ///< of the catalogue, none twice
     std::optional<SiteRegistration> registration{};
-    /// While the manikin, which was moved, is laid anew: its landmarks touched again so far.
+    /// While the manikin is registered again after it was moved: the landmarks touched so far.
     std::optional<std::vector<TouchedPoint>> relay{};
     std::optional<SiteVerification> verification{};
     std::optional<DisplayGeometry> display{};

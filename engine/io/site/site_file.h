@@ -9,7 +9,7 @@ namespace carina
 {
 
 /// Reads a site file: a JSON object with lengths in millimetres, angles in degrees, poses as four
-/// rows of four numbers and times as in ISO 8601. What is not known yet is left out.
+/// rows of four numbers and times as in ISO 8601. Unknown values are left out.
 ///
 ///     schema        "carina.site/2"
 ///     step          "overview", "tracker", "stylus", "landmarks", "touch", "fit" or "verify"
@@ -17,7 +17,7 @@ namespace carina
 ///     tracker       text
 ///     styluses      a list of tool, p_SQ_mm, rms_mm, calibrated_at, covariance_S_mm2 (xx, xy, xz,
 ///                   yy, yz, zz), poses, outliers, axis: axis_S, wobble_deg, calibrated_at
-///     patient       text: what people call it; the catalogue's anatomy says which it is
+///     patient       text: its display name; the catalogue's anatomy identifies it
 ///     catalogue     name, anatomy, landmarks: a list of name and p_AQ_mm
 ///     touched       a list of landmark, p_TQ_mm, spread_mm, q_TS (x, y, z, w) and stale
 ///     registration  X_AM_mm, X_AT_mm, X_JM_mm, X_BM_mm, rms_mm, residuals_mm: a list of name, mm
@@ -25,20 +25,21 @@ namespace carina
 ///                   milliradians before shifts in millimetres; fle_mm, degrees_of_freedom,
 ///                   made_at, operator, swab: surface, points, outliers, start_rms_mm, rms_mm,
 ///                   moved_mm; relays: a list of at, operator, landmarks and rms_mm; stale
-///     relay         as touched: while the manikin is laid anew
+///     relay         as touched: while the manikin is registered again
 ///     verification  verdict ("open", "good", "not good"), at, operator, points: a list of name,
 ///                   p_AQ_mm, p_TQ_mm, error_mm and bound_mm; stale
 ///     display       p_HDl_mm, p_HDr_mm, p_HQ_screen_centre_mm, screen_width_mm, screen_height_mm
 ///
-/// stale is what was changed beneath: "tracker", "stylus", "landmarks", "touches" or "fit". A file
-/// of the version before, "carina.site/1", is read too: it has one "stylus" and less of everything.
+/// stale is the input changed after the result: "tracker", "stylus", "landmarks", "manikin",
+/// "touches" or "fit". The earlier version "carina.site/1" is read too; it has one "stylus" and
+/// fewer fields.
 ///
 /// @returns FileNotFound, FileUnreadable, FileEmpty; UnknownFormat for another schema;
-///          FileMalformed where a field is missing, of the wrong kind, unknown, or contradicts
+///          FileMalformed where a field is missing, of the wrong type, unknown, or contradicts
 ///          another. The detail names file, field and fault.
 [[nodiscard]] Result<Site> readSiteFile(const std::filesystem::path& file);
 
-/// Writes a site file. Whenever the program is killed, the file is whole: the old or the new one.
+/// Writes a site file atomically.
 /// @returns FileUnwritable; FileMalformed for a site that readSiteFile would refuse, which leaves
 ///          the file as it was.
 [[nodiscard]] Result<void> writeSiteFile(const std::filesystem::path& file, const Site& site);

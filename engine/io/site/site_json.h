@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// The fields of a site file (site_file.h), and the words in it.
+/// The schema of a site file (site_file.h), and the words for its enumerators, in their order.
 inline const QString kSiteSchema = QStringLiteral("carina.site/2");
 inline const QString kFirstSiteSchema = QStringLiteral("carina.site/1");
 inline constexpr std::array kStepWords{"overview", "tracker", "stylus", "landmarks",
@@ -17,12 +17,12 @@ inline constexpr std::array kStaleWords{"tracker", "stylus",  "landmarks",
                                         "manikin", "touches", "fit"};
 inline constexpr std::array kVerdictWords{"open", "good", "not good"};
 
-/// Milliradians and millimetres, squared: what a covariance of turns and shifts is in the file.
+/// Squared unit of a covariance in the file: milliradians and millimetres.
 inline constexpr double kCovarianceUnit = 1e-6;
 
 [[nodiscard]] QJsonObject jsonSite(const Site& site);
 
-/// A site of fields; the first fault is in them.
+/// A site from its fields; the first fault is kept in them.
 [[nodiscard]] Site readSite(JsonFields& fields);
 
 } // namespace carina

@@ -6,9 +6,10 @@
 namespace carina::carriage
 {
 
-/// TLS 1.2 by which a set travels: ECDHE-PSK-CHACHA20-POLY1305 and nothing else, without
-/// certificates, tickets or a second handshake.
-/// @param hint the session id, which a host tells before anything is encrypted; empty at a client
+/// TLS 1.2 for transferring a set: ECDHE-PSK-CHACHA20-POLY1305 only, without certificates or
+/// session tickets.
+/// @param hint PSK identity hint: the session id, sent by a host before encryption; empty at a
+///        client
 [[nodiscard]] QSslConfiguration tlsConfiguration(const QByteArray& hint);
 
 } // namespace carina::carriage

@@ -5,8 +5,7 @@
 namespace carina
 {
 
-/// Where a participant finds the host of its session over TCP, and what it proves itself with
-/// there.
+/// Where a participant reaches the host of its session over TCP, and the key it authenticates with.
 struct HostDoor {
     std::string address; ///< IPv4 or IPv6
     std::uint16_t port = 0;

@@ -15,41 +15,43 @@ namespace carina
 
 class SetReceiver;
 
-/// How far a set has come.
+/// Progress of a transfer.
 struct FetchStatus {
     enum class State : std::uint8_t {
-        Asking,    ///< on the way to the host, or between two tries
-        Receiving, ///< bytes come
-        Here,      ///< it lies among the carried sets, whole and as promised
-        Failed,    ///< it will not come
+        Asking,    ///< connecting to the host, or between two attempts
+        Receiving, ///< bytes arrive
+        Here,      ///< complete and verified, among the carried sets
+        Failed,    ///< given up
     };
     State state = State::Asking;
-    std::uint64_t received = 0;   ///< bytes, those of earlier tries included
-    CarriedSet set{};             ///< once the host has offered it
-    std::optional<Error> fault{}; ///< why it failed, or why the last try did
+    std::uint64_t received = 0;   ///< bytes, including those of earlier attempts
+    CarriedSet set{};             ///< set once the host has offered it
+    std::optional<Error> fault{}; ///< why it failed, or why the last attempt did
 };
 
-/// Fetches an anatomy set from the host of a session, on a thread of its own. A connection that
-/// breaks is tried again, and goes on where it broke off; so does the next run of a program that
-/// was killed. A set that is among the carried ones already is not sent again, but the host still
-/// says which it is.
+/// Fetches an anatomy set from the host of a session, on its own thread. After a broken connection
+/// it tries again and resumes the transfer; so does the next run of a program that was killed. A
+/// set that is already among the carried ones is not sent again, but the host is still asked which
+/// one it is.
 ///
 /// Fails with SetNotNamed, SetWithdrawn or VersionMismatch when the host refuses; OutOfRange for a
-/// set that is too long; WrongCode when the key is turned down three times; FileUnwritable on a
-/// full disk; FileMalformed when what came is not what was promised; PacketMalformed. A host that
-/// does not answer is the fault HostSilent, and asked again.
+/// set that is too large; WrongCode when the key is rejected three times; FileUnwritable on a full
+/// disk; FileMalformed when the received set does not match its offer; PacketMalformed. A host that
+/// does not answer gives the fault HostSilent, and is tried again.
 class SetFetch
 {
 public:
-    static constexpr Duration kFirstPause = std::chrono::milliseconds{100}; ///< doubled each time
+    /// Pause between attempts, doubled each time up to kLongestPause.
+    static constexpr Duration kFirstPause = std::chrono::milliseconds{100};
     static constexpr Duration kLongestPause = std::chrono::seconds{4};
-    /// Without a byte for so long a try is given up.
+    /// An attempt ends when no byte arrives for this long.
     static constexpr Duration kPatience = std::chrono::seconds{10};
+    /// Rejections of the key after which the fetch fails.
     static constexpr int kRejectionsBelieved = 3;
 
     /// @param cacheFolder usually AnatomyCache::defaultFolder()
     SetFetch(HostDoor door, std::string contentHash, std::filesystem::path cacheFolder);
-    /// Stops it; what is there stays for the next time.
+    /// Stops the transfer; the part received so far is kept.
     ~SetFetch();
     SetFetch(const SetFetch&) = delete;
     SetFetch& operator=(const SetFetch&) = delete;

@@ -15,7 +15,7 @@
 namespace carina
 {
 
-/// What SetServer runs on its thread: accepts, asks for keys, and knows which set is meant.
+/// The part of SetServer on its thread: accepts connections, authenticates clients and finds sets.
 class SetListener : public QSslServer
 {
 public:
@@ -32,7 +32,7 @@ public:
     {
         return m_sets.file(set.digest);
     }
-    /// Lets it send when its turn comes, until it has nothing left.
+    /// Lets a sender send in round-robin turns until it has nothing left.
     void giveTurns(SetSender& sender);
 
 private:
@@ -46,7 +46,7 @@ private:
     std::map<std::string, CarriedSet> m_prepared; // by content hash
     HelloLimiter m_limiter;
     std::size_t m_transfers = 0;
-    std::deque<QPointer<SetSender>> m_turns; // whose turn it is to the front
+    std::deque<QPointer<SetSender>> m_turns; // the next one first
     QTimer m_pace{this};
 };
 

@@ -13,7 +13,7 @@ namespace carina
 namespace
 {
 
-/// Held here while the disk is written; the rest waits at the host.
+/// Bytes buffered here while the disk is written; flow control holds the rest at the host.
 constexpr qint64 kMostUnread = qint64{256} << 10U;
 constexpr auto kLongestFrame = static_cast<qsizetype>(carriage::kHeaderBytes + carriage::kMostBody);
 

@@ -9,7 +9,7 @@
 namespace carina
 {
 
-/// What SetFetch runs on its thread.
+/// The part of SetFetch on its thread.
 class SetReceiver : public QObject
 {
 public:

@@ -8,7 +8,7 @@ namespace carina
 namespace
 {
 
-/// Nothing that a client says is longer.
+/// The longest frame of a client.
 constexpr qint64 kLongestQuestion = 1024;
 /// Of one transfer, not yet handed to the system.
 constexpr qint64 kMostWaiting = qint64{64} << 10U;

@@ -11,18 +11,18 @@ namespace carina
 
 class SetListener;
 
-/// The host's end of one connection: answers Want with an Offer and Get with the bytes, when it is
-/// its turn and no faster than they leave. A child of the socket.
+/// The host's end of one connection: answers Want with an Offer, and Get with the bytes of the set,
+/// in turns and no faster than the connection transmits them. A child of the socket.
 class SetSender : public QObject
 {
 public:
     SetSender(QSslSocket& socket, SetListener& listener);
 
-    /// Says why, and ends the connection.
+    /// Sends a Refusal and ends the connection.
     void refuse(carriage::Reason reason);
 
     [[nodiscard]] bool hasMore() const { return m_left > 0; }
-    /// @returns false while what was sent before has not left.
+    /// @returns false while earlier bytes are not transmitted yet.
     bool sendChunk();
 
 private:

@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// A session and the address that its host answered from.
+/// A session and the address from which its host answered.
 struct FoundSession {
     SessionNotice notice;
     std::string address; ///< IPv4, as JoinSettings takes it
@@ -18,20 +18,22 @@ struct FoundSession {
     friend auto operator<=>(const FoundSession&, const FoundSession&) = default;
 };
 
-/// The sessions that answered lately. A host that is heard at several addresses of one computer is
-/// one session: this computer's own address counts before the others, then the one heard first.
+/// The sessions that answered recently. A session that answers from several addresses is listed
+/// once: with the loopback address if there is one, else with the first one heard.
 class FoundSessions
 {
 public:
+    /// A session that has not answered for this long is removed.
     static constexpr Duration kForgottenAfter = std::chrono::milliseconds{3500};
-    /// Whoever answers cannot fill the memory.
+    /// Most sessions stored, so that forged answers cannot exhaust the memory.
     static constexpr std::size_t kMost = 64;
 
-    /// @returns whether list() changed.
+    /// Notes an answer. @returns whether list() changed.
     bool heard(const FoundSession& found, LocalTime now);
-    /// Drops those that have not answered for kForgottenAfter. @returns whether list() changed.
+    /// Removes sessions that have not answered for kForgottenAfter. @returns whether list()
+    /// changed.
     bool forget(LocalTime now);
-    /// By name, then by session.
+    /// Sorted by name, then by session id.
     [[nodiscard]] std::vector<FoundSession> list() const;
 
 private:

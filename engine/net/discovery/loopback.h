@@ -5,7 +5,8 @@
 namespace carina
 {
 
-/// Where every program of this computer hears, and no other computer's.
+/// The broadcast address of the loopback network: reaches every program of this computer and no
+/// other.
 [[nodiscard]] inline QHostAddress loopbackBroadcast()
 {
     return QHostAddress{QStringLiteral("127.255.255.255")};

@@ -10,14 +10,14 @@
 namespace carina
 {
 
-/// Answers those who look for sessions on behalf of one that is hosted here. Lives on a thread with
-/// an event loop.
+/// Answers discovery questions for a session that is hosted here. Needs a thread with an event
+/// loop.
 class SessionBeacon
 {
 public:
-    /// @param open answers other computers too; else it hears this one only.
-    /// @returns AddressInUse where the discovery port belongs to another program: the session can
-    ///          then be joined by its address only.
+    /// @param open answers other computers too; else only this one.
+    /// @returns AddressInUse where another program has the discovery port: the session can then be
+    ///          joined by its address only.
     [[nodiscard]] static Result<std::unique_ptr<SessionBeacon>>
     open(const SessionNotice& notice, bool open, std::uint16_t port = kDiscoveryPort);
 

@@ -10,8 +10,8 @@
 namespace carina
 {
 
-/// Looks for sessions on this computer and on the networks it is in (IPv4), once a second. Lives on
-/// a thread with an event loop.
+/// Searches for sessions on this computer and on its IPv4 networks, once a second. Needs a thread
+/// with an event loop.
 class SessionFinder
 {
 public:
@@ -28,7 +28,7 @@ private:
 
     std::function<void()> m_onChange;
     std::uint16_t m_port;
-    std::uint32_t m_nonce; ///< answers to others' questions are not heard
+    std::uint32_t m_nonce; ///< answers with another nonce are ignored
     FoundSessions m_found;
     QUdpSocket m_socket;
     QTimer m_timer;

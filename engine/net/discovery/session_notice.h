@@ -11,10 +11,10 @@
 namespace carina
 {
 
-/// The UDP port at which hosts answer who looks for sessions.
+/// The UDP port at which hosts answer discovery questions.
 inline constexpr std::uint16_t kDiscoveryPort = 47604;
 
-/// What everybody on the network may know of a session; nobody comes in by it without a code.
+/// What is public about a session on the network; joining it still requires a code.
 struct SessionNotice {
     SessionKey session{};   ///< the session id
     std::string name;       ///< 1 to 64 bytes of UTF-8
@@ -23,15 +23,15 @@ struct SessionNotice {
     friend auto operator<=>(const SessionNotice&, const SessionNotice&) = default;
 };
 
-/// What looks for sessions sends, docs/protocol.md "Discovery". Longer than any answer, so that
-/// nobody floods others by asking in their name.
+/// The discovery question (docs/protocol.md, "Discovery"). It is longer than any answer, so that
+/// questions with a forged source address cannot amplify traffic.
 [[nodiscard]] std::vector<std::byte> encodeQuestion(std::uint32_t nonce);
 /// The nonce; nothing for any other bytes.
 [[nodiscard]] std::optional<std::uint32_t> decodeQuestion(std::span<const std::byte> bytes);
 
-/// @pre the notice is within what SessionNotice says.
+/// @pre the notice is within the limits of SessionNotice.
 [[nodiscard]] std::vector<std::byte> encodeAnswer(std::uint32_t nonce, const SessionNotice& notice);
-/// Nothing for bytes that are no answer to the question with this nonce.
+/// Nothing for bytes that do not answer the question with this nonce.
 [[nodiscard]] std::optional<SessionNotice> decodeAnswer(std::span<const std::byte> bytes,
                                                         std::uint32_t nonce);
 

@@ -14,20 +14,20 @@ namespace carina
 
 class JoinCode;
 
-/// 256 bits that two ends of a connection share: derived from a join code, or a token.
+/// A pre-shared key of 256 bits: derived from a join code, or a token.
 using AccessKey = std::array<std::byte, 32>;
 
-/// From the system's generator for secrets.
+/// A key from the system's cryptographic random number generator.
 [[nodiscard]] AccessKey randomKey();
 
 [[nodiscard]] std::string toHex(const AccessKey& key);
 [[nodiscard]] std::optional<AccessKey> keyFromHex(const std::string& hex);
 
-/// Makes the key of a code in a session. Slow on purpose; called on a thread of its own.
+/// Derives the key of a code in a session. Slow on purpose; called on its own thread.
 using DeriveKey = std::function<Result<AccessKey>(const JoinCode&, const SessionKey&)>;
 
 /// Argon2id (RFC 9106) of the code's ten characters with the session's 128 bits as salt and the
-/// limits that libsodium calls moderate: 256 MiB and 3 passes, about a second.
+/// "moderate" limits of libsodium: 256 MiB and 3 passes, about a second.
 /// @returns NotEnoughMemory
 [[nodiscard]] Result<AccessKey> deriveByArgon2id(const JoinCode& code, const SessionKey& session);
 

@@ -15,7 +15,7 @@ namespace carina
 namespace
 {
 
-/// A certificate for all hosts of a domain is for this one, too.
+/// Host name that guests are to expect in a wildcard certificate, in place of the asterisk.
 const QString kAnyHost = QStringLiteral("carina");
 
 Result<QByteArray> pemIn(const std::filesystem::path& file)

@@ -13,34 +13,35 @@
 namespace carina
 {
 
-/// By what a host proves itself, where it has a certificate.
+/// The certificate by which a host authenticates, where it has one.
 struct HostCertificate {
-    QList<QSslCertificate> chain; ///< its own first, then those that lead to an authority
+    QList<QSslCertificate> chain; ///< the host's own first, then the intermediate ones
     QSslKey key;
-    std::string name; ///< that guests are told to expect: a host name or an address it is for
+    std::string name; ///< host name or address of the certificate that guests are to expect
 
-    /// From PEM files. @returns what reading a file does; FileMalformed for what holds no
-    /// certificate or no key in the clear, or a certificate for no host; CertificateExpired, also
-    /// before its time; KeyDoesNotFit.
+    /// Reads PEM files. @returns the errors of reading a file; FileMalformed for a file without
+    /// certificate or without an unencrypted key, or a certificate not for a host;
+    /// CertificateExpired, also before its validity begins; KeyDoesNotFit.
     [[nodiscard]] static Result<HostCertificate> read(const std::filesystem::path& certificate,
                                                       const std::filesystem::path& privateKey);
 };
 
-/// What a client wants of the host's certificate.
+/// What a client requires of the host's certificate.
 struct ExpectedCertificate {
     QString name; ///< a host name or an address
     QList<QSslCertificate> authorities;
 
     /// @param authorities a PEM file; empty: those that the system trusts
-    /// @returns what reading the file does; FileMalformed for one without a certificate.
+    /// @returns the errors of reading the file; FileMalformed for one without a certificate.
     [[nodiscard]] static Result<ExpectedCertificate> read(const std::string& name,
                                                           const std::filesystem::path& authorities);
 };
 
+/// SHA-256 of a certificate in DER.
 [[nodiscard]] CertificateDigest digestOf(const QSslCertificate& certificate);
 
-/// What is wrong with a certificate that did not do, the gravest first: CertificateUntrusted,
-/// CertificateExpired or CertificateOfAnother.
+/// The most serious fault of a certificate that was not accepted: CertificateUntrusted,
+/// CertificateExpired or CertificateOfAnother, in this order.
 [[nodiscard]] Error certificateFault(const QList<QSslError>& errors, const QString& expectedName);
 
 } // namespace carina

@@ -7,39 +7,39 @@
 namespace carina
 {
 
-/// What a client may prove itself with: the token of the session it was in before, else the key of
-/// the code that its person typed, derived once for each session. Lives on the node's thread.
+/// The keys that a client can authenticate with: the token of an earlier admission to the session,
+/// else the key of the typed code, derived once for each session. Used on the node's thread.
 class ClientCredentials
 {
 public:
-    /// So often must a host turn an offer down before it is believed: the first may be a stranger's
-    /// word.
+    /// Rejections of an offer after which it is given up: a single one may be forged, as it is not
+    /// authenticated.
     static constexpr int kRejectionsBelieved = 3;
 
     ClientCredentials(Role role, std::optional<JoinCode> code, TokenFolder tokens,
                       DeriveKey derive);
 
-    /// For this session. Nothing while the key is being derived, or when refused.
-    /// @param hint what the host calls itself; anything but a session id gets no offer
+    /// The key to offer to a session. Nothing while the key is being derived, or after a refusal.
+    /// @param hint PSK identity hint of the host; nothing is offered unless it is a session id
     [[nodiscard]] std::optional<KeyOffer> offerFor(const std::string& hint);
-    /// For the session that took the last offer, likewise.
+    /// As offerFor, for the session that accepted the last offer.
     [[nodiscard]] std::optional<KeyOffer> offerAgain();
-    /// The host does not take this offer.
+    /// The host rejected this offer.
     void rejected(const KeyOffer& offer);
-    /// The host cannot be come to, or not be trusted; believed as often as it is said of an offer.
+    /// The host cannot be joined or trusted; given up after kRejectionsBelieved, as for an offer.
     void turnedAway(const Error& why);
-    /// The host took this offer.
+    /// The host accepted this offer.
     void accepted(const KeyOffer& offer);
-    /// A token for the session that took the last offer.
+    /// Stores a token for the session that accepted the last offer.
     void keepToken(const TokenFolder::Token& token);
-    /// The session that took the last offer has a token for us.
+    /// Whether there is a token for the session that accepted the last offer.
     [[nodiscard]] bool hasToken() const;
 
-    /// There may be an offer now.
+    /// Whether offerFor can return an offer: no key is being derived, and nothing was refused.
     [[nodiscard]] bool mayTry() const { return !m_deriving && !m_refusal; }
-    /// Why there will be none any more.
+    /// Why no further offer is made.
     [[nodiscard]] const std::optional<Error>& refusal() const { return m_refusal; }
-    /// Called when mayTry() or refusal() changed by itself.
+    /// Sets a callback for changes of mayTry() or refusal() after a key derivation.
     void onChange(std::function<void()> callback) { m_onChange = std::move(callback); }
 
 private:
@@ -53,12 +53,12 @@ private:
     Role m_role;
     std::optional<JoinCode> m_code;
     TokenFolder m_tokens;
-    std::string m_tokenTurnedDown; // the session that does not take our token
+    std::string m_tokenTurnedDown; // the session that rejected the token
     std::optional<CodeKey> m_codeKey;
     bool m_deriving = false;
     std::optional<Error> m_refusal;
     int m_rejections = 0;
-    std::string m_session; // that took the last offer
+    std::string m_session; // that accepted the last offer
     std::function<void()> m_onChange;
     KeyDeriver m_deriver;
 };

@@ -9,27 +9,26 @@
 namespace carina
 {
 
-/// Where datagrams come from as far as it can be told apart from its neighbours: an IPv4 address or
-/// the first 64 bits of an IPv6 address.
+/// Source of datagrams for rate limiting: an IPv4 address or the first 64 bits of an IPv6 address.
 using SourcePrefix = std::array<std::uint8_t, 16>;
 
-/// Lets each source greet only so often, for each ClientHello costs the host more than its sender:
-/// a burst of 128, then 50 a second, for a whole course may sit behind one address.
+/// Rate limit of ClientHellos for each source, because each costs the host more than its sender: a
+/// burst of 128, then 50 a second, as a whole class may share one address.
 class HelloLimiter
 {
 public:
     static constexpr int kBurst = 128;
     static constexpr Duration kInterval = std::chrono::milliseconds{20};
-    /// Sources known at once; beyond that all others share one allowance.
+    /// Most sources stored; all others share one limit.
     static constexpr std::size_t kMostSources = 1024;
 
-    /// Whether a ClientHello that came just now is to be looked at.
+    /// Whether a ClientHello that arrives at `now` is within the limit; counts it if so.
     [[nodiscard]] bool admits(const SourcePrefix& source, LocalTime now);
 
 private:
     void forgetQuietSources(LocalTime now);
 
-    // When the whole burst is allowed again; a burst before that none is.
+    // When the full burst is available again (token bucket); kBurst intervals before, nothing is.
     std::map<SourcePrefix, LocalTime> m_fullAgain;
     LocalTime m_othersFullAgain{};
 };

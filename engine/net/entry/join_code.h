@@ -10,21 +10,22 @@
 namespace carina
 {
 
-/// What a person types to come into a session in one role: 50 random bits as ten characters of
-/// base32 without lookalikes (no I, L, O or U).
+/// The code that a person types to join a session in one role: 50 random bits as ten characters of
+/// base32 without I, L, O and U, which are easily confused.
 class JoinCode
 {
 public:
     static constexpr std::size_t kCharacters = 10;
 
     [[nodiscard]] static JoinCode random();
-    /// In any case, with or without the dash or blanks; I and L are taken for 1, O for 0.
-    /// @returns WrongCode for anything but ten of the alphabet's characters.
+    /// Accepts upper and lower case, with or without the dash or blanks; I and L are read as 1, O
+    /// as 0.
+    /// @returns WrongCode for anything but ten characters of the alphabet.
     [[nodiscard]] static Result<JoinCode> parse(std::string_view typed);
 
-    /// As it is shown: XXXXX-XXXXX.
+    /// The code as it is shown: XXXXX-XXXXX.
     [[nodiscard]] std::string text() const;
-    /// The ten characters, as keys are derived from them.
+    /// The ten characters, from which keys are derived.
     [[nodiscard]] const std::string& characters() const { return m_characters; }
 
     friend bool operator==(const JoinCode&, const JoinCode&) = default;
@@ -35,7 +36,7 @@ private:
     std::string m_characters;
 };
 
-/// One for each role, independent of each other.
+/// One code for each role, chosen independently.
 using JoinCodes = std::map<Role, JoinCode>;
 
 } // namespace carina

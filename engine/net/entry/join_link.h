@@ -7,19 +7,19 @@
 namespace carina
 {
 
-/// What leads a guest into a session: where its host is, and the code of the role to come in as. As
-/// text it is a link that a person passes on, shows as a QR code, or opens:
+/// An invitation to a session: the address of its host, and the code of a role. As text it is a
+/// link that a person forwards, shows as a QR code, or opens:
 ///
 ///     carina:join?address=192.168.1.20&port=45000&role=trainee&code=7K3QM-XW2PD
 ///
-/// and for a host that proves itself by a certificate `&certificate=` and the name to expect in it.
+/// and for a host with a certificate `&certificate=` and the name to expect in it.
 struct JoinLink {
     static constexpr std::string_view kScheme = "carina:";
     static constexpr std::size_t kLongest = 400; ///< characters
 
     std::string address; ///< IPv4 or IPv6
     std::uint16_t port = 0;
-    Role role = Role::Trainee; ///< never an instructor, who is not invited by a picture on a wall
+    Role role = Role::Trainee; ///< never Instructor, whose code must not be in a picture on a wall
     JoinCode code;
     std::string certificate{}; ///< a host name or an address; empty: the host has none
 
@@ -28,12 +28,12 @@ struct JoinLink {
 
 [[nodiscard]] std::string toText(const JoinLink& link);
 
-/// Whether a text is meant as a link, right or wrong. Blanks around it do not matter.
+/// Whether a text is intended as a link, valid or not. Blanks around it are ignored.
 [[nodiscard]] bool isMeantAsLink(std::string_view text);
 
-/// Reads a link; its parts may come in any order, each once, and no others. Only the certificate
-/// may be missing.
-/// @returns WrongLink with what is wrong, in words that repeat nothing of the text.
+/// Parses a link; its parts may be in any order, each once, and no others. Only the certificate is
+/// optional.
+/// @returns WrongLink with the fault; the detail quotes nothing of the text.
 [[nodiscard]] Result<JoinLink> joinLink(std::string_view text);
 
 } // namespace carina

@@ -9,7 +9,7 @@
 namespace carina
 {
 
-/// Derives keys one after another on a thread of its own, for derivation takes a second and 256
+/// Derives keys one after another on its own thread, because a derivation takes a second and 256
 /// MiB.
 class KeyDeriver : public QObject
 {
@@ -17,10 +17,10 @@ public:
     using Done = std::function<void(const Result<AccessKey>&)>;
 
     explicit KeyDeriver(DeriveKey derive);
-    /// Waits for the derivation under way.
+    /// Waits for the derivation in progress.
     ~KeyDeriver() override;
 
-    /// @param done called on the thread this lives on
+    /// @param done called on the thread of this object
     void derive(const JoinCode& code, const SessionKey& session, Done done);
 
 private:

@@ -6,7 +6,7 @@
 namespace carina
 {
 
-/// What a client proves itself with.
+/// The pre-shared key that a client authenticates with, and its identity.
 struct KeyOffer {
     PskIdentity identity;
     AccessKey key{};

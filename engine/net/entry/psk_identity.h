@@ -10,7 +10,7 @@
 namespace carina
 {
 
-/// Who a peer has proved to be: the holder of a role's code, or of one participant's token.
+/// What a peer's key authenticates it as: holder of a role's code, or of one participant's token.
 struct Credential {
     Role role = Role::Observer;
     std::optional<ParticipantId> participant;
@@ -18,7 +18,7 @@ struct Credential {
     friend bool operator==(const Credential&, const Credential&) = default;
 };
 
-/// Under which name a peer offers its key. It travels in the clear.
+/// The PSK identity under which a peer offers its key. It is sent unencrypted.
 struct PskIdentity {
     Credential who;
     std::string sessionId;
@@ -26,16 +26,16 @@ struct PskIdentity {
     friend bool operator==(const PskIdentity&, const PskIdentity&) = default;
 };
 
-/// "trainee:<session id>:7"; "new" stands for the number of one who comes with a code.
+/// "trainee:<session id>:7"; "new" in place of the number for a peer with a code.
 [[nodiscard]] std::string toText(const PskIdentity& identity);
-/// Nothing for a text that toText does not make.
+/// Inverse of toText; nothing for other texts.
 [[nodiscard]] std::optional<PskIdentity> pskIdentity(std::string_view text);
 
 /// "instructor", "trainee" or "observer".
 [[nodiscard]] std::string_view roleWord(Role role);
 [[nodiscard]] std::optional<Role> roleOfWord(std::string_view word);
 
-/// 32 lower-case hexadecimal digits.
+/// Whether the text is 32 lower-case hexadecimal digits.
 [[nodiscard]] bool isSessionId(std::string_view text);
 
 } // namespace carina

@@ -7,10 +7,11 @@
 namespace carina
 {
 
-/// 128 random bits in hex, for a new session.
+/// 128 random bits in hexadecimal, for a new session.
 [[nodiscard]] std::string newSessionId();
 
-/// The same bits as they travel. Of a text that is not one of newSessionId, what of it is hex.
+/// The same bits in binary form. Other characters than hexadecimal digits are skipped, missing
+/// bytes are zero.
 [[nodiscard]] SessionKey sessionKey(const std::string& sessionId);
 
 } // namespace carina

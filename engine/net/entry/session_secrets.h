@@ -9,14 +9,14 @@
 namespace carina
 {
 
-/// What opens a session, kept by its host as long as the session: a code for each role with the
-/// key derived from it, and a token for each participant. On disk before it is used, in a file
-/// that only its owner may read, so that all of it outlives a crash.
+/// The secrets of a session, stored by its host: a code for each role with the key derived from it,
+/// and a token for each participant. They are written before use, to a file that only its owner may
+/// read, so that they survive a crash.
 class SessionSecrets
 {
 public:
-    /// Those in the file, or new ones where there is none.
-    /// @param file empty: kept in memory only
+    /// Reads the secrets from the file, or creates new ones where there is none.
+    /// @param file empty: in memory only
     /// @returns FileMalformed for a damaged file, or one of another session; FileUnwritable.
     [[nodiscard]] static Result<SessionSecrets> open(std::filesystem::path file,
                                                      std::string sessionId);
@@ -24,14 +24,15 @@ public:
     [[nodiscard]] const std::string& sessionId() const { return m_sessionId; }
     [[nodiscard]] const JoinCodes& codes() const { return m_codes; }
 
-    /// The key of a role's code; nothing until it was derived.
+    /// The key of a role's code; nothing until it is derived.
     [[nodiscard]] std::optional<AccessKey> codeKey(Role role) const;
-    /// @returns FileUnwritable; the key is used all the same, and derived again after a restart.
+    /// @returns FileUnwritable; the key is used nevertheless, and derived again after a restart.
     Result<void> setCodeKey(Role role, const AccessKey& key);
 
-    /// The token of a participant who has one, in this role and no other.
+    /// The token of a participant in this role; nothing where none was issued.
     [[nodiscard]] std::optional<AccessKey> token(Role role, ParticipantId participant) const;
-    /// The same one each time. @returns FileUnwritable, and then there is none.
+    /// The token of a participant, created on the first call. @returns FileUnwritable; then no
+    /// token exists.
     [[nodiscard]] Result<AccessKey> issueToken(Role role, ParticipantId participant);
 
 private:

@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// The tokens that a program was issued, by which it comes back into a session without its code: a
-/// file for each session, role and name, which only its owner may read.
+/// The tokens issued to a program, with which it joins a session again without its code: one file
+/// for each session, role and name, which only its owner may read.
 class TokenFolder
 {
 public:
@@ -22,15 +22,15 @@ public:
     /// @param folder empty: tokens are kept in memory only
     TokenFolder(std::filesystem::path folder, Role role, std::string name);
 
-    /// Nothing where none was kept, or what was kept cannot be read.
+    /// Nothing where no token is stored, or it cannot be read.
     [[nodiscard]] std::optional<Token> find(const std::string& sessionId) const;
-    /// Whether one was kept for this role and name, of whichever session.
+    /// Whether a token of any session is stored for this role and name.
     [[nodiscard]] bool hasAny() const;
-    /// @returns FileUnwritable; it is known until the program ends all the same.
+    /// Stores a token. @returns FileUnwritable; the token is then kept in memory.
     Result<void> keep(const std::string& sessionId, const Token& token);
 
 private:
-    /// What its files' names end with, after the session.
+    /// The end of the file names, after the session id.
     [[nodiscard]] std::string ending() const;
     [[nodiscard]] std::filesystem::path fileOf(const std::string& sessionId) const;
 

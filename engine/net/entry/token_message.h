@@ -11,8 +11,9 @@ namespace carina
 /// Datagrams about tokens, inside the encrypted path. They begin with "CT" where those of
 /// engine/sync begin with "CA".
 
-/// A client that was let in wants its token; asked again until it came.
+/// Request of an admitted client for its token; repeated until the token arrives.
 [[nodiscard]] std::vector<std::byte> encodeTokenRequest();
+/// Whether a datagram is a token request.
 [[nodiscard]] bool isTokenRequest(std::span<const std::byte> bytes);
 
 /// The host's answer.

@@ -21,7 +21,7 @@ ProposalRecord newProposal(StationId station, FactBody body)
     return toRecord(Proposal{id, kNobody, station, std::move(body)});
 }
 
-/// A person waits for it, or has to know that nothing is kept.
+/// Whether a refusal is shown: a person waits for the result, or facts can no longer be stored.
 bool isTold(const RefusedProposal& refused)
 {
     const auto proposal = fromRecord(refused.proposal);

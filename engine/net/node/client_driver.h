@@ -9,14 +9,14 @@
 namespace carina
 {
 
-/// A participant's part: applies the facts that come and shares its own objects.
+/// A participant's driver: applies the facts that arrive and shares its own objects.
 class ClientDriver : public NodeDriver
 {
 public:
     /// @param board outlives the driver
     ClientDriver(const JoinSettings& settings, NodeBoard& board, LocalTime now);
 
-    /// What it proves itself with; its transport offers them.
+    /// The keys that the transport authenticates with.
     [[nodiscard]] ClientCredentials& credentials() { return m_credentials; }
 
     void connected(PeerAddress host, const Credential& who, LocalTime now) override;
@@ -34,7 +34,7 @@ private:
     void showDoor();
     void sendOwnStreams(LocalTime now);
     void startAfresh();
-    /// @returns false for a fact that nobody can follow; this node then leaves.
+    /// @returns false for an invalid fact (see fromRecord); the node then leaves the session.
     [[nodiscard]] bool apply(const FactRecord& record, LocalTime now);
     void share(const SharedObject& object);
     [[nodiscard]] Datagrams addressed(std::vector<std::vector<std::byte>> datagrams) const;
@@ -43,7 +43,7 @@ private:
     void show(LocalTime now);
 
     ClientCredentials m_credentials;
-    HostDoor m_door; // but for the key
+    HostDoor m_door; // without the key
     bool m_expectsCertificate;
     PeerAddress m_host = 0; // the path to it
     LocalTime m_nextTokenRequest{};

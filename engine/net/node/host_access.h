@@ -9,30 +9,29 @@
 namespace carina
 {
 
-/// Who may come into a session and as whom: holds the session's secrets against what peers prove.
-/// Lives on the node's thread, but for keyOf; the codes' keys are derived on another one, each
-/// once.
+/// Access control of a session: checks what peers prove against the session's secrets. Used on the
+/// node's thread, except keyOf. The keys of the codes are derived once each, on another thread.
 class HostAccess
 {
 public:
-    /// @param secrets the file, empty for none @returns what SessionSecrets::open does.
+    /// @param secrets file; empty: in memory only @returns the errors of SessionSecrets::open.
     [[nodiscard]] static Result<std::unique_ptr<HostAccess>>
     open(const std::filesystem::path& secrets, const std::string& sessionId, DeriveKey derive);
 
     [[nodiscard]] const std::string& sessionId() const { return m_secrets.sessionId(); }
     [[nodiscard]] const JoinCodes& codes() const { return m_secrets.codes(); }
-    /// Why a code opens nothing.
+    /// Why a code cannot be used.
     [[nodiscard]] const std::optional<Error>& fault() const { return m_fault; }
-    /// The key that a peer with this identity must have. May be asked from any thread.
+    /// The key that a peer with this identity must have. May be called from any thread.
     [[nodiscard]] HostTransport::KeyAnswer keyOf(const PskIdentity& identity) const;
 
-    /// What a peer proved to be, for as long as it is connected.
+    /// Stores what a peer proved, as long as it is connected.
     void connected(PeerAddress peer, const Credential& who);
     void disconnected(PeerAddress peer);
-    /// @returns NotPermitted for a peer that proved another role, or to be somebody else.
+    /// @returns NotPermitted for a peer that proved another role, or another participant.
     [[nodiscard]] Result<void> check(PeerAddress peer, Role role, ParticipantId participant) const;
 
-    /// The key by which this participant, who was let in, may come back. @returns FileUnwritable.
+    /// The token with which an admitted participant can join again. @returns FileUnwritable.
     [[nodiscard]] Result<AccessKey> issueToken(PeerAddress peer, ParticipantId participant);
 
 private:

@@ -9,17 +9,17 @@
 namespace carina
 {
 
-/// Names this run of the machine, within which CLOCK_MONOTONIC goes on; empty where the system does
-/// not tell.
+/// Identifies the boot of the machine, within which CLOCK_MONOTONIC is comparable; empty where the
+/// system does not provide it.
 [[nodiscard]] std::string readBootId();
 
-/// What a session host adds to its local time, so that session time begins at an arbitrary moment,
-/// goes on across a crash of the host as if nothing had been, and after a reboot goes on from the
-/// last thing that happened.
+/// Session time less local time at a host. A new session begins at a random session time. After a
+/// restart of the host within one boot, session time continues as if there had been none; after a
+/// reboot it continues from the last committed fact.
 ///
-/// @param anchor kept by the last run of this session's host
-/// @param lastCommitted of the log; nothing for a new session
-/// @param random for the epoch of a new session
+/// @param anchor stored by the last run of this session's host
+/// @param lastCommitted time of the last fact of the log; nothing for a new session
+/// @param random chooses the start time of a new session
 [[nodiscard]] Duration sessionClockOffset(const std::optional<ClockAnchor>& anchor,
                                           const std::string& bootId,
                                           std::optional<SessionTime> lastCommitted, LocalTime now,

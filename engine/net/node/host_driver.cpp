@@ -17,7 +17,7 @@ namespace
 
 constexpr ParticipantId kSelf{0};
 constexpr StationId kFirstStation{0};
-/// Whoever acts quickly does not keep the host at its disk.
+/// Shortest interval of storing actions, so that rapid actions do not keep the disk busy.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
 constexpr const char* kFirstStationName = "Station 1";
 

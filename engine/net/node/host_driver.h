@@ -9,11 +9,11 @@
 namespace carina
 {
 
-/// The host's part: judges what is proposed, has it on disk and then hands it to everyone.
+/// The host's driver: judges proposals, stores each fact on disk and then distributes it.
 class HostDriver : public NodeDriver
 {
 public:
-    /// Opens the session of the store, or a new one. @param board outlives the driver.
+    /// Opens the session in the store, or creates one. @param board outlives the driver.
     [[nodiscard]] static Result<std::unique_ptr<HostDriver>> open(const HostSettings& settings,
                                                                   std::unique_ptr<FactStore> store,
                                                                   NodeBoard& board, LocalTime now);
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] Result<ParticipantId> identify(const ProposalRecord& join, LocalTime now) const;
     [[nodiscard]] Result<Admission> admit(const ProposalRecord& join, LocalTime now);
     void left(ParticipantId participant, LocalTime now);
-    /// Those of the last run who did not come back.
+    /// Enters that participants of the last run who did not return have left.
     void dropAbsent(LocalTime now);
 
     [[nodiscard]] Result<void> resumeActions(LocalTime now);
@@ -61,13 +61,13 @@ private:
     NodeBoard& m_board;
     std::unique_ptr<SyncHost> m_core;
     std::unique_ptr<HostAccess> m_access;
-    PeerAddress m_speaker = 0; // whose datagram is being received
+    PeerAddress m_speaker = 0; // sender of the datagram being handled
     Datagrams m_tokens;        // to be sent
     Publications m_publications;
     std::uint16_t m_epoch = 0;
-    std::map<ObjectId, EventCpo> m_unkept; // not on disk yet
+    std::map<ObjectId, EventCpo> m_unkept; // not stored on disk yet
     LocalTime m_nextKeep{};
-    LocalTime m_returnsEnd; // until then those of the last run may come back
+    LocalTime m_returnsEnd; // until then participants of the last run may return
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;
 };

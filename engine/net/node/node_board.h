@@ -11,12 +11,12 @@
 namespace carina
 {
 
-/// What a node shows to the other threads: its own thread writes, any thread reads.
+/// State of a node for other threads: its own thread writes, any thread reads.
 class NodeBoard
 {
 public:
     struct Link {
-        LinkReport report; ///< but for sinceLastDatagram
+        LinkReport report; ///< without sinceLastDatagram
         LocalTime lastHeard{};
     };
     struct View {
@@ -38,7 +38,7 @@ public:
         const std::scoped_lock lock{m_mutex};
         return m_view;
     }
-    /// Parts of it, for those who ask at every frame.
+    /// Parts of the view, for callers that read at every frame.
     [[nodiscard]] std::optional<ClockMapping> clock() const
     {
         const std::scoped_lock lock{m_mutex};
@@ -54,14 +54,14 @@ public:
         const std::scoped_lock lock{m_mutex};
         return m_view.actions;
     }
-    /// Of all objects of which anything came, at session time now.
+    /// Reports on all objects with samples or actions, at session time `now`.
     [[nodiscard]] std::vector<ObjectReport> objectReports(SessionTime now) const;
-    /// The node's actions in a view: what is shown already, where it is the same.
+    /// Puts the node's actions into a view; the shown copy is reused where nothing changed.
     void showActions(View& view, const SharedActions& actions) const;
-    /// The node's paths in a view, measured where what is shown is too old.
+    /// Puts the path reports into a view; they are measured again where the shown ones are too old.
     void showPaths(View& view, LocalTime now,
                    const std::function<std::vector<PathReport>()>& measure) const;
-    /// @returns whether what onChange announces is another than before.
+    /// Replaces the view. @returns whether anything changed that onChange announces.
     bool show(View view);
 
     void setJoinCodes(JoinCodes codes)
@@ -99,7 +99,7 @@ private:
     std::function<void()> m_callback;
 };
 
-/// The link to a peer as it was measured.
+/// The measured link to a peer, without sinceLastDatagram.
 [[nodiscard]] NodeBoard::Link linkReport(ParticipantId peer, LinkState state, const PeerLink& link);
 
 } // namespace carina

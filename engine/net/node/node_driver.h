@@ -6,8 +6,8 @@
 namespace carina
 {
 
-/// One role's part of a node: joins a core of engine/sync to the session behind it. Lives on the
-/// node's thread; whoever runs that thread brings datagrams and time.
+/// One role's part of a node: connects a core of engine/sync with the session. Runs on the node's
+/// thread; the caller passes in datagrams and time.
 class NodeDriver : public TransportListener
 {
 public:
@@ -17,10 +17,11 @@ public:
     virtual void publish(StationId station, ObjectKind kind, std::string name,
                          PoseSource newest) = 0;
     virtual void act(ObjectId object, const ObjectAction& action, LocalTime now) = 0;
-    /// Does what is due, after everything else and at nextWake(). @returns what is to be sent.
+    /// Does what is due. To be called after every other call, and at nextWake(). @returns datagrams
+    /// to send.
     [[nodiscard]] virtual Datagrams advance(LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const = 0;
-    /// The last datagrams.
+    /// Ends the session at this node. @returns the last datagrams to send.
     [[nodiscard]] virtual Datagrams close(LocalTime now) = 0;
 };
 

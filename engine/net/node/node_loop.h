@@ -8,20 +8,20 @@
 namespace carina
 {
 
-/// Serves a driver on the thread it lives on: its transport and one timer.
+/// Runs a driver on its thread, with a transport and one timer.
 class NodeLoop : public QObject
 {
 public:
-    /// From now on.
+    /// Sets driver and transport, from now on.
     void drive(std::unique_ptr<NodeDriver> driver, std::unique_ptr<SecureTransport> transport);
     [[nodiscard]] NodeDriver& driver() { return *m_driver; }
-    /// Reads, lets the driver advance, sends and sleeps until there is more.
+    /// Reads datagrams, advances the driver, sends, and sets the timer for the next wake-up.
     void serve();
-    /// Sends the driver's last words and ends it.
+    /// Sends the driver's last datagrams and ends it.
     void close();
 
 private:
-    /// @param made when, as their headers say
+    /// @param made time in the headers of the datagrams
     void send(NodeDriver::Datagrams datagrams, LocalTime made);
     void sleepUntil(LocalTime wake, LocalTime now);
 

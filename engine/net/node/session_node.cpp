@@ -15,7 +15,7 @@ namespace carina
 namespace
 {
 
-/// Where any port will do: one that is free for UDP may be taken for TCP.
+/// Attempts to find a free port: one that is free for UDP may be in use for TCP.
 constexpr int kPortTries = 16;
 
 /// The two ports of a host, of the same number.

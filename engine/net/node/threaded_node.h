@@ -9,21 +9,21 @@
 namespace carina
 {
 
-/// A node with its thread. Reads come from the board; what changes something is done on the thread.
+/// A node with its thread. Reads are served from the board; changes are made on the thread.
 class ThreadedNode : public SessionNode
 {
 public:
-    /// Made on the node's thread, for what it opens may be tied to it.
+    /// Created on the node's thread, because sockets and timers belong to a thread.
     struct Parts {
         std::unique_ptr<NodeDriver> driver;
-        std::unique_ptr<SecureTransport> transport; ///< ends before the driver
+        std::unique_ptr<SecureTransport> transport; ///< destroyed before the driver
         bool open = false;
-        std::unique_ptr<SetServer> sets{}; ///< ends first; none at a client
+        std::unique_ptr<SetServer> sets{}; ///< destroyed first; null at a client
         std::string certificateName{};
     };
     using MakeParts = std::function<Result<Parts>(NodeBoard& board, LocalTime now)>;
 
-    /// @returns what the making fails with.
+    /// @returns the errors of makeParts.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>> start(const MakeParts& makeParts);
     ~ThreadedNode() override;
     ThreadedNode(const ThreadedNode&) = delete;
@@ -56,7 +56,7 @@ private:
     ThreadedNode() = default;
 
     [[nodiscard]] Result<void> open(const MakeParts& makeParts);
-    /// Runs on the node's thread, before this returns.
+    /// Runs the task on the node's thread and waits for it.
     void runThere(const std::function<void()>& task);
 
     NodeBoard m_board;

@@ -6,7 +6,7 @@
 namespace carina
 {
 
-/// A sample X_A<object> as it is sent; object and sequence are the sender's to fill in.
+/// A sample X_A<object> in the form in which it is sent; the caller sets object and sequence.
 [[nodiscard]] StreamCpo toStream(const PoseSample& sample);
 [[nodiscard]] PoseSample fromStream(const StreamCpo& cpo);
 

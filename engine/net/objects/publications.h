@@ -7,8 +7,7 @@
 namespace carina
 {
 
-/// The local objects that a node shares, asked for their poses at each tick. Lives on the node's
-/// thread.
+/// The local objects that a node shares; samples them at each tick. Used on the node's thread.
 class Publications
 {
 public:
@@ -16,20 +15,21 @@ public:
         StationId station;
         StreamCpo cpo;
     };
+    /// An object to be proposed to the host.
     struct Wanted {
         StationId station;
-        fact::ObjectShared object; ///< with id 0, for the host to fill in
+        fact::ObjectShared object; ///< with id 0; the host assigns it
     };
 
     void add(StationId station, ObjectKind kind, std::string name, PoseSource newest);
 
-    /// Objects that the session does not know as this participant's yet, each told of once.
+    /// Objects that the session does not list as this participant's yet; each is returned once.
     [[nodiscard]] std::vector<Wanted> takeUnknown(const SessionState& state, ParticipantId self);
-    /// Another session: none of them is known there.
+    /// Resets for another session: no object is known there.
     void forget();
 
     [[nodiscard]] LocalTime nextTick() const;
-    /// The samples that are new since the last tick, of objects that the session knows.
+    /// At a tick, the samples newer than the last sent, of objects that the session lists.
     [[nodiscard]] std::vector<Outgoing> sample(const SessionState& state, ParticipantId self,
                                                LocalTime now);
 

@@ -9,22 +9,23 @@ namespace carina
 {
 
 /// An object O that another participant shares, as this node draws it in the anatomy frame A of its
-/// station. The node's thread takes samples in, any thread asks.
+/// station. The node's thread adds samples, any thread reads.
 ///
-/// Up to the newest sample it is what was measured (PoseHistory). Beyond that it is carried on for
-/// 150 ms, with a velocity that then fades, and each next sample is blended to (StreamView).
+/// Up to the newest sample the pose is that of the measured samples (PoseHistory). Beyond it the
+/// pose is extrapolated for 150 ms, with a velocity that then fades, and blended to each next
+/// sample (StreamView).
 class RemoteObject
 {
 public:
-    /// The next sample, newer than the last, while session time `drawn` is being drawn.
-    /// @returns how far it moves what is drawn; nothing where one of the two is lost.
+    /// Adds the next sample, newer than the last; `drawn` is the session time being drawn.
+    /// @returns how far it moves the drawn object; nothing where one of the two poses is lost.
     std::optional<Drift> take(const StreamCpo& cpo, SessionTime drawn);
 
-    /// X_AO at session time t; nothing before the first sample. Lost where it was not seen, and
-    /// beyond the newest sample by more than StreamView::kStaleAfter. Has no motion once the
+    /// X_AO at session time t; nothing before the first sample. Lost where it was not tracked, and
+    /// more than StreamView::kStaleAfter after the newest sample. Without velocity once the
     /// velocity fades.
     [[nodiscard]] std::optional<PoseSample> at(SessionTime t) const;
-    /// The newest sample as it came.
+    /// The newest sample as received.
     [[nodiscard]] std::optional<PoseSample> newest() const;
 
 private:

@@ -9,17 +9,17 @@
 namespace carina
 {
 
-/// The objects that others share, as their samples arrive. The node's thread adds, any thread asks.
+/// The objects that other participants share. The node's thread adds samples, any thread reads.
 class RemoteObjects
 {
 public:
-    /// An object of another participant; nothing changes for one that is known.
+    /// Adds an object of another participant; has no effect for a known one.
     void add(ObjectId object);
-    /// It is this node's own now, or gone.
+    /// Removes an object that this node owns now, or that is no longer shared.
     void remove(ObjectId object);
     void clear();
 
-    /// Takes a sample in while session time `drawn` is drawn, and measures how far it moves that.
+    /// Adds a sample while session time `drawn` is being drawn, and measures the drift.
     void take(const StreamCpo& cpo, SessionTime drawn);
 
     [[nodiscard]] std::shared_ptr<const RemoteObject> find(ObjectId object) const;

@@ -7,22 +7,23 @@
 namespace carina
 {
 
-/// One path of a client to its host: a UDP socket on a local port of its own and the DTLS
-/// association over it, from the first hello on. Where a certificate is expected, it is checked
-/// first and the client's role proved after it, inside the association; without one the role's key
-/// is the association's own.
+/// One path of a client to its host: a UDP socket with its own local port and the DTLS association
+/// over it, from the first ClientHello on. Where a certificate is expected, it is checked in the
+/// handshake and the client then proves its role inside the association; otherwise the role's key
+/// is the pre-shared key of the handshake.
 class ClientPath
 {
 public:
     enum class State : std::uint8_t { Opening, Encrypted, Failed };
 
-    /// Sends the first hello. @param expected of the host; outlives the path
-    /// @param onReadable called when something came
+    /// Sends the first ClientHello. @param expected of the host; outlives the path
+    /// @param onReadable called when a datagram arrived
     ClientPath(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
                const std::optional<ExpectedCertificate>& expected, std::function<void()> onReadable,
                LocalTime now);
 
-    /// Reads what came. @param plain is handed what was in it for this node, and when it came
+    /// Reads the datagrams that arrived. @param plain receives each decrypted datagram and its time
+    /// of arrival
     void serve(const std::function<void(std::span<const std::byte>, LocalTime)>& plain);
     void send(std::span<const std::byte> bytes);
     void close();
@@ -31,14 +32,14 @@ public:
     [[nodiscard]] bool hasMore() const { return m_socket->hasPendingDatagrams(); }
     [[nodiscard]] LocalTime opened() const { return m_opened; }
     [[nodiscard]] LocalTime lastHeard() const { return m_lastHeard; }
-    /// Until the first answer came.
+    /// Of the first exchange; nothing before the first answer.
     [[nodiscard]] std::optional<Duration> roundTrip() const { return m_roundTrip; }
-    /// What the host took, or is asked to take.
+    /// The key that the host accepted, or is being offered.
     [[nodiscard]] const std::optional<KeyOffer>& offer() const { return m_offer; }
 
 private:
     void shakeHands(const QByteArray& datagram, LocalTime now);
-    /// Why the handshake failed, as far as it means that no other can succeed.
+    /// The reason why the handshake failed, where it means that no other attempt can succeed.
     [[nodiscard]] std::optional<Error> handshakeFault(const QByteArray& datagram) const;
     void proveItself(std::span<const std::byte> asked, LocalTime now);
     void admitted(LocalTime now);
@@ -47,7 +48,7 @@ private:
     std::uint16_t m_port;
     ClientCredentials& m_credentials;
     const std::optional<ExpectedCertificate>& m_expected;
-    /// Serving may end a path that its own socket told of.
+    /// Defers deletion: serving may end a path within a signal of its own socket.
     struct DeleteLater {
         void operator()(QUdpSocket* socket) const;
     };

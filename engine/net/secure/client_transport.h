@@ -8,13 +8,13 @@
 namespace carina
 {
 
-/// A client's end: the encrypted path to the host, and whoever watches over it.
+/// A client's transport: the encrypted path to the host, and its supervision.
 ///
-/// DTLS waits a second before it repeats a lost part of a handshake, so it is not left to: each try
-/// that is not through after max(250 ms, 4 round trips) gets another beside it, with a port of its
-/// own, up to three at once, and the first that is encrypted wins. The same begins when a path has
-/// been silent for 750 ms (the host's keep-alive is 250 ms), while the old one is still used: so a
-/// client that roams, or whose host was restarted, finds back by itself.
+/// DTLS retransmits a lost part of a handshake only after a second, which is too slow. Therefore,
+/// while an attempt is not complete after max(250 ms, 4 round trips), another is started beside it
+/// from another port, up to three at once; the first that completes is used. The same happens when
+/// a path is silent for 750 ms (the host's keep-alive is 250 ms), while the old path remains in
+/// use: a client that roams, or whose host was restarted, reconnects without help.
 class ClientTransport : public SecureTransport
 {
 public:
@@ -24,7 +24,7 @@ public:
     static constexpr Duration kSilence = std::chrono::milliseconds{750};
 
     /// @param credentials outlive the transport
-    /// @param expected what the host must prove first, where it has to
+    /// @param expected the certificate that the host must have, if any
     ClientTransport(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
                     LocalTime now, std::optional<ExpectedCertificate> expected = {});
     ~ClientTransport() override;
@@ -35,7 +35,7 @@ public:
     void close() override;
     [[nodiscard]] std::uint16_t port() const override { return 0; }
 
-    /// How many tries were begun.
+    /// Number of attempts started.
     [[nodiscard]] int tries() const { return m_tries; }
 
 private:
@@ -50,7 +50,7 @@ private:
     ClientCredentials& m_credentials;
     std::optional<ExpectedCertificate> m_expected; // the paths refer to it
     std::unique_ptr<ClientPath> m_path;
-    PeerAddress m_address = 0; // of the path; one more for each
+    PeerAddress m_address = 0; // of the path; incremented for each
     std::vector<std::unique_ptr<ClientPath>> m_opening;
     LocalTime m_nextTry;
     Duration m_roundTrip{};

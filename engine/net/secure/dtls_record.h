@@ -7,7 +7,7 @@
 namespace carina
 {
 
-/// What a DTLS 1.2 record (RFC 6347, 4.1) tells without being decrypted.
+/// The unencrypted header of a DTLS 1.2 record (RFC 6347, 4.1).
 struct DtlsRecord {
     enum class Type : std::uint8_t {
         ChangeCipherSpec = 20,
@@ -16,24 +16,23 @@ struct DtlsRecord {
         ApplicationData = 23
     };
     Type type = Type::ApplicationData;
-    std::uint16_t epoch = 0; ///< 0 until the keys are agreed on
-    std::size_t size = 0;    ///< with its header
+    std::uint16_t epoch = 0; ///< 0 until the keys are agreed
+    std::size_t size = 0;    ///< including the header
 };
 
-/// The record at the beginning; nothing where there is none whole.
+/// The first record of a datagram; nothing where it is not complete.
 [[nodiscard]] std::optional<DtlsRecord> firstRecord(std::span<const std::uint8_t> datagram);
 
-/// A datagram that begins with a ClientHello in the clear: a client that starts.
+/// Whether a datagram begins with an unencrypted ClientHello, the start of a handshake.
 [[nodiscard]] bool isClientHello(std::span<const std::uint8_t> datagram);
-/// One of its records belongs to a handshake and is encrypted: it ends a client's part of one.
+/// Whether a datagram contains an encrypted handshake record: the end of a client's part of it.
 [[nodiscard]] bool holdsFinished(std::span<const std::uint8_t> datagram);
 
-/// The alert in the clear, "decrypt_error", by which a host says that a client has another key.
+/// The unencrypted alert "decrypt_error", by which a host reports that a client's key is wrong.
 [[nodiscard]] std::span<const std::uint8_t> wrongKeyAlert();
 [[nodiscard]] bool isWrongKeyAlert(std::span<const std::uint8_t> datagram);
-/// The alert in the clear, "handshake_failure", by which a host says that it speaks none of the
-/// ciphers offered: it has a certificate and was greeted without one in mind, or the other way
-/// round.
+/// Whether a datagram is the unencrypted alert "handshake_failure", by which a host reports that it
+/// supports none of the offered ciphers: only one of host and client uses a certificate.
 [[nodiscard]] bool isNoCipherAlert(std::span<const std::uint8_t> datagram);
 
 } // namespace carina

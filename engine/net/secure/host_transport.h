@@ -9,39 +9,41 @@
 namespace carina
 {
 
-/// The host's end: one UDP socket, and a DTLS association for each peer that proved its key.
+/// The host's transport: one UDP socket, and a DTLS association for each authenticated peer.
 ///
-/// A stranger's ClientHello costs it a cookie first, and no state is held for it; how often each
-/// source may greet is limited. A path is replaced only by one that is proved: a hello with
-/// somebody's address changes nothing for them. With a wrong key the last word of the handshake
-/// cannot be decrypted; the client is then told so, in the clear, and forgotten. A host that
-/// presents a certificate asks for the proof of a role inside the association instead, and the
-/// handshake lasts until it came.
+/// A ClientHello from an unknown source is answered with a cookie, and no state is stored for it;
+/// the rate of ClientHellos of each source is limited. An existing path is replaced only by an
+/// authenticated one: a ClientHello with a forged source address does not affect its owner. With a
+/// wrong key the last message of the handshake cannot be decrypted; the client is then sent an
+/// unencrypted alert, and its handshake is dropped. A host with a certificate requires the proof of
+/// a role inside the association instead, and the handshake lasts until it arrives.
 class HostTransport : public SecureTransport
 {
 public:
     struct KeyAnswer {
-        enum class State : std::uint8_t { Known, NotYet, Unknown };
+        enum class State : std::uint8_t { Known, NotYet, Unknown }; ///< NotYet: still being derived
         State state = State::Unknown;
-        AccessKey key{}; ///< of one who is known
+        AccessKey key{}; ///< valid if Known
     };
     using KeyOf = std::function<KeyAnswer(const PskIdentity&)>;
 
     static constexpr std::size_t kDatagramsPerTurn = 256;
-    static constexpr std::size_t kMostHandshakes = 64; ///< at once; the oldest makes room
+    /// At once; the oldest is dropped for a new one.
+    static constexpr std::size_t kMostHandshakes = 64;
     static constexpr std::size_t kMostPaths = 256;
     static constexpr Duration kHandshakeTimeout = std::chrono::seconds{5};
     static constexpr Duration kPathTimeout = std::chrono::seconds{10}; ///< without a datagram
 
-    /// Binds the port, on loopback or on all of the computer's addresses, and listens from admit
-    /// on.
+    /// Binds the port, on loopback or on all addresses of the computer; datagrams are handled from
+    /// admit() on.
     /// @returns AddressInUse with the port.
     [[nodiscard]] static Result<std::unique_ptr<HostTransport>> bind(std::uint16_t port, bool open);
     ~HostTransport() override;
 
-    /// From now on handshakes are made under this certificate and in no other way.
+    /// Requires that all handshakes from now on use this certificate.
     void present(HostCertificate certificate);
-    /// Lets those in whose keys are known. @param sessionId told to everyone who asks
+    /// Starts to accept peers whose keys are known. @param sessionId sent to every peer,
+    /// unencrypted
     void admit(const std::string& sessionId, KeyOf keyOf);
 
     void serve(TransportListener& listener, LocalTime now) override;

@@ -9,41 +9,42 @@
 namespace carina
 {
 
-/// Hears what a SecureTransport brings.
+/// Receives the events of a SecureTransport.
 class TransportListener
 {
 public:
     virtual ~TransportListener() = default;
 
-    /// There is a new encrypted path, to somebody who proved to be this.
+    /// There is a new encrypted path to a peer that authenticated as `who`.
     virtual void connected(PeerAddress peer, const Credential& who, LocalTime now) = 0;
-    /// A datagram over a path that is connected, decrypted.
+    /// A datagram that arrived over a connected path, decrypted.
     virtual void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) = 0;
-    /// This path is no more.
+    /// This path has ended.
     virtual void disconnected(PeerAddress peer, LocalTime now) = 0;
-    /// There is no way in, and no more tries are made.
+    /// The host cannot be joined, and no further attempt is made.
     virtual void refused(const Error& why, LocalTime now) = 0;
 };
 
-/// Carries a node's datagrams in DTLS 1.2 with keys that both ends knew before (ECDHE-PSK), and
-/// nothing else. A path is one association with its keys and has an address of its own, which is
-/// never used again. Lives on the node's thread.
+/// Transports a node's datagrams in DTLS 1.2: with pre-shared keys (ECDHE-PSK), or with a
+/// certificate of the host. A path is one association with its keys; its address is never reused.
+/// Used on the node's thread.
 class SecureTransport
 {
 public:
     virtual ~SecureTransport() = default;
 
-    /// Reads what came and does what is due; called at nextWake() and upon news.
+    /// Handles the datagrams that arrived and what is due; to be called at nextWake() and when
+    /// onNews calls.
     virtual void serve(TransportListener& listener, LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const = 0;
-    /// Dropped where there is no such path any more.
+    /// Sends a datagram; it is dropped where the path has ended.
     virtual void send(PeerAddress to, std::span<const std::byte> bytes) = 0;
-    /// Tells the peers that their paths end.
+    /// Informs the peers that their paths end.
     virtual void close() = 0;
-    /// The UDP port that peers come to; 0 for one who only goes to others.
+    /// The local UDP port for peers; 0 at a client.
     [[nodiscard]] virtual std::uint16_t port() const = 0;
 
-    /// Called when there is something to serve; must return at once.
+    /// Sets a callback for when there is something to serve; it must not block.
     void onNews(std::function<void()> callback) { m_onNews = std::move(callback); }
 
 protected:

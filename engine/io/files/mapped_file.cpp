@@ -11,7 +11,7 @@ namespace carina
 namespace
 {
 
-/// Closed when it goes; a mapping outlives it.
+/// Closes the file on destruction; a mapping outlives it.
 class OpenFile
 {
 public:

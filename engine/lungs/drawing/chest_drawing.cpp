@@ -13,7 +13,7 @@ constexpr LungPose kRibs{0.0, 1.0, 0.0, 0.0};
 constexpr LungPose kCollapse{0.0, 0.0, 0.0, 1.0};
 constexpr double kUnseen_ml = 0.01;
 constexpr int kHalvings = 20;
-/// Beside one of the diaphragm, whatever a surface of odd shape would have.
+/// Upper limit of the ribs' amplitude for a diaphragm of 1, for surfaces of unusual shape.
 constexpr double kMostRibs = 2.0;
 
 /// One lung in a level of detail, leant on by the mediastinum.

@@ -8,8 +8,8 @@ namespace carina
 namespace
 {
 
-/// Mean alveolar pressure, each lung counting by its bronchi: what the airway comes to when closed.
-/// One that leads nowhere keeps its own.
+/// Mean alveolar pressure, weighted by bronchial conductance: the pressure of the occluded airway.
+/// With both bronchi closed it is the pressure at the opening.
 Pressure occluded(const RespiratorySystem& system, const ChestMoment& moment)
 {
     const double right = system.lungs[0].bronchi.si;

@@ -19,7 +19,7 @@ std::int64_t steps(double seconds, double step)
     return std::max<std::int64_t>(1, std::llround(seconds / step));
 }
 
-/// What holds a volume without flow and loops.
+/// The muscle pressure that holds a volume without flow and hysteresis.
 Pressure elasticEffort(const RespiratorySystem& system, Volume volume)
 {
     double compliance = 0.0;
@@ -31,7 +31,7 @@ Pressure elasticEffort(const RespiratorySystem& system, Volume volume)
 
 Volume gasIn(const ChestContent& content) { return content[0].gas + content[1].gas; }
 
-/// What the lungs gain and lose in a breath when each is like the last.
+/// Tidal volume of steady breathing.
 Volume breathed(const RespiratorySystem& system, ChestContent content,
                 const BreathingPattern& pattern, Pressure effort)
 {

@@ -21,7 +21,7 @@ RespirationFollower::Place RespirationFollower::begun(const RespirationTimeline&
     return {RespirationRun{timeline, t}, checkpointTime(timeline, t), timeline.decisions().size()};
 }
 
-/// It can go on from where it stands, and nothing that was decided since is from before.
+/// Whether the run can continue to t: no decision since then has an earlier effect time.
 bool RespirationFollower::holds(const Place& place, const RespirationTimeline& timeline,
                                 SessionTime t)
 {

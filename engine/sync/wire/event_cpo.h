@@ -41,7 +41,7 @@ struct ActedPose {
 struct ShownObject {
     ActedPose acted;
     bool isStale = false; ///< no update arrived for longer than expected
-    // What goes on with it, as in EventCpo:
+    // The action in force, as in EventCpo:
     ActionKind kind = ActionKind::Rotation;
     Vec3 axis_A = Vec3::UnitX();
     double rate = 0.0;

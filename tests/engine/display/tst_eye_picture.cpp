@@ -4,7 +4,6 @@
 namespace carina::eye_picture_test
 {
 
-
 namespace
 {
 

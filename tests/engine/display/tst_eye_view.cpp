@@ -33,7 +33,6 @@ bool isNear(const Frustum& f, const Frustum& truth)
 
 } // namespace
 
-
 class TestEyeView : public QObject
 {
     Q_OBJECT

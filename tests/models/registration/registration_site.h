@@ -169,8 +169,8 @@ public:
     QDateTime m_today{{2004, 3, 27}, {10, 15}, Qt::UTC};
 
 private:
-    /// Making the patient takes seconds: where a run of tests has a cache of its own, the first test
-    /// leaves the patient there.
+    /// Making the patient takes seconds: where a run of tests has a cache of its own, the first
+    /// test leaves the patient there.
     static Result<Anatomy> madeChild()
     {
         return qEnvironmentVariableIsSet("XDG_CACHE_HOME")

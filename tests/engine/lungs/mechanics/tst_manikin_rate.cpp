@@ -11,7 +11,6 @@ namespace carina::manikin_rate_test
 
 using namespace carina::test;
 
-
 /// What the clock makes of a manikin whose breaths are missed, or that changes its rate.
 class TestManikinRate : public QObject
 {

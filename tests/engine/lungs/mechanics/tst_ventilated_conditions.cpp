@@ -7,7 +7,6 @@ namespace carina::ventilated_conditions_test
 
 using namespace carina::test;
 
-
 /// What clinicians see at the ventilator, as directions.
 class TestVentilatedConditions : public QObject
 {

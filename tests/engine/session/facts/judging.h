@@ -6,7 +6,6 @@
 #include <QMetaType>
 #include <map>
 
-
 namespace carina::test
 {
 

@@ -31,7 +31,6 @@ private Q_SLOTS:
 
 } // namespace carina::fact_codec_test
 
-
 namespace carina::fact_codec_test
 {
 

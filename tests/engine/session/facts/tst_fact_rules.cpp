@@ -21,7 +21,6 @@ private Q_SLOTS:
 
 } // namespace carina::fact_rules_test
 
-
 namespace carina::fact_rules_test
 {
 

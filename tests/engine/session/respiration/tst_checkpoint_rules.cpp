@@ -27,7 +27,6 @@ private Q_SLOTS:
 
 } // namespace carina::checkpoint_rules_test
 
-
 namespace carina::checkpoint_rules_test
 {
 

@@ -29,7 +29,6 @@ private Q_SLOTS:
 
 } // namespace carina::respiration_facts_test
 
-
 namespace carina::respiration_facts_test
 {
 

@@ -25,7 +25,6 @@ private Q_SLOTS:
 
 } // namespace carina::respiration_rules_test
 
-
 namespace carina::respiration_rules_test
 {
 

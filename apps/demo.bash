@@ -126,7 +126,10 @@ demo() {
     [ -n "$out" ] || [ -n "${DISPLAY:-}" ] ||
         die "there is no display here; './carina demo --headless DIR' works without"
     install_packages
-    build_targets release carina-lab carina-instructor carina-trainee carina-registration
+    local programs=(carina-surface-reader carina-instructor carina-trainee)
+    [ $register = no ] || programs+=(carina-registration)
+    [ -z "$out$anatomy" ] || programs+=(carina-lab) # imports the set, and writes the summary
+    build_targets release "${programs[@]}"
     if [ -n "$anatomy" ]; then
         say "importing $anatomy"
         lab anatomy import "$anatomy" > /dev/null

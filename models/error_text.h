@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// What went wrong and what to do next, in one sentence or two, in the user's language, with the
-/// error's particulars woven in.
+/// One or two translated sentences for an error: what went wrong, with the error's detail, and what
+/// to do next.
 [[nodiscard]] QString errorText(const Error& error);
 
 } // namespace carina

@@ -11,40 +11,42 @@
 namespace carina
 {
 
-/// What the network does to one shared object; what is not known yet is nothing.
+/// The drift that the network causes on one shared object. A figure is empty while it is unknown.
 ///
-/// The limit is speed x delay: when an object begins or ceases to move so fast, nobody elsewhere
-/// can know before one one-way delay is over, and is off by so much until then. Of an object that
-/// is acted on it is that of the last action (ActionMeter).
+/// The limit is speed x one-way delay from the owner: when an object starts or stops to move at
+/// that speed, no other participant can be informed before one delay has passed, and its view is
+/// wrong by up to that much. For an object moved by actions it is the limit of the last action
+/// (ActionMeter).
 struct ObjectFigures {
     QString name;
     std::optional<double> drift_deg{};
     std::optional<double> limit_deg{};
     std::optional<double> drift_mm{};
     std::optional<double> limit_mm{};
-    std::optional<double> actions_per_s{}; ///< v_k
-    std::optional<double> upshot_per_s{};  ///< v0 of the longest way from its owner to anybody
+    std::optional<double> actions_per_s{}; ///< v_k, the action frequency
+    std::optional<double> upshot_per_s{};  ///< v0 = 1 / delay, for the longest path from its owner
 };
 
-/// The network between this program and one participant; what is not known yet is nothing.
+/// Figures of the network between this program and one participant. A figure is empty while it is
+/// unknown.
 struct NetworkFigures {
     ParticipantId id;
     QString name;
     std::optional<double> roundTrip_ms{};
-    std::vector<double> delays_ms{}; ///< H_p: one way, the newest last
+    std::vector<double> delays_ms{}; ///< H_p: one-way delays, newest last
     std::optional<double> meanDelay_ms{};
     std::optional<double> sigma_ms{};
-    std::optional<double> probes_per_s{}; ///< gamma_0
+    std::optional<double> probes_per_s{}; ///< gamma_0 (adaptive probe rate)
     std::optional<double> clockOffset_s{};
     std::optional<double> clockError_ms{};
-    std::optional<double> clockChange_ms{}; ///< of the offset since it was first known
+    std::optional<double> clockChange_ms{}; ///< of the offset, since its first estimate
     std::optional<double> clockChangeError_ms{};
     std::optional<double> clockErrorBound_ms{};
     std::optional<double> loss_percent{};
     std::vector<ObjectFigures> objects{};
 };
 
-/// Of everybody whom this node measures a path to, in the order of their ids.
+/// The figures of all participants to whom this node measures a path, in the order of their ids.
 [[nodiscard]] std::vector<NetworkFigures> networkFigures(const SessionNode& node);
 
 } // namespace carina

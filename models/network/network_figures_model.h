@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// The figures of the network to one participant as a table of two columns: what, and how much with
-/// its unit. What is not known yet says so.
+/// The network figures of one participant as a table of two columns: quantity, and value with its
+/// unit. An unknown value is shown as unknown.
 class NetworkFiguresModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -18,7 +18,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// No rows for nobody.
+    /// std::nullopt empties the table.
     void show(const std::optional<NetworkFigures>& figures);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -41,7 +41,7 @@ private:
     static void addClock(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addObject(const ObjectFigures& object, std::vector<Row>& rows);
 
-    /// A row as a screen reader says it: without a shape.
+    /// The text of a row for a screen reader: without the state mark.
     [[nodiscard]] static QString spoken(const Row& row);
 
     std::vector<Row> m_rows;

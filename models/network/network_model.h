@@ -10,8 +10,8 @@
 namespace carina
 {
 
-/// Everybody whom this program measures a path to, by name, each with the figures of the network
-/// between.
+/// The participants to whom this program measures a network path, by name, with the figures of each
+/// path.
 class NetworkModel : public QAbstractListModel
 {
     Q_OBJECT
@@ -25,15 +25,15 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-    /// Nothing for a row that is none.
+    /// std::nullopt for a row that does not exist.
     [[nodiscard]] std::optional<NetworkFigures> figures(int row) const;
 
 Q_SIGNALS:
-    /// There are newer figures, of the same or of other participants.
+    /// The figures, or the list of participants, were updated.
     void measured();
 
 private:
-    /// An offset when it was first known.
+    /// The first estimate of a clock offset.
     struct FirstOffset {
         double offset_s = 0.0;
         double error_ms = 0.0;
@@ -43,7 +43,7 @@ private:
     [[nodiscard]] std::vector<NetworkFigures> measure();
 
     SessionModel& m_session;
-    std::map<ParticipantId, FirstOffset> m_firstOffsets; ///< of those who are here
+    std::map<ParticipantId, FirstOffset> m_firstOffsets; ///< of the participants listed now
     std::vector<NetworkFigures> m_figures;
 };
 

@@ -7,17 +7,17 @@
 namespace carina
 {
 
-/// What a person does to the chosen shared object: turn it about, move it along one of the axes of
-/// the anatomy frame, or scale it, at a steady speed until they stop; and bring it back to its
-/// place. What goes on is shown whoever began it.
+/// The actions of a person on the chosen shared object: rotate it about or translate it along an
+/// axis of the anatomy frame A, or scale it, at constant speed until stopped; and reset it to its
+/// original pose. Motion started by other participants is shown as well.
 class ObjectActionModel : public QObject
 {
     Q_OBJECT
 
 public:
-    /// How fast an action may be made to go, and in which unit.
+    /// The range of an action's speed, and its unit.
     struct SpeedScale {
-        double largest = 0.0; ///< in either direction
+        double largest = 0.0; ///< largest magnitude, in either direction
         QString unit;         ///< "°/s"
     };
     enum class Axis : std::uint8_t { X, Y, Z };
@@ -27,24 +27,24 @@ public:
 
     [[nodiscard]] SharedObjectModel& object() const { return m_object; }
 
-    // The action that start() takes.
+    // The settings of the action that start() begins.
     [[nodiscard]] ActionKind kind() const { return m_kind; }
     void setKind(ActionKind kind);
     [[nodiscard]] Axis axis() const { return m_axis; }
     void setAxis(Axis axis);
     [[nodiscard]] bool hasAxis() const { return m_kind != ActionKind::Scaling; }
-    /// Of the kind, in its unit; each kind keeps its own.
+    /// In the unit of the present kind; each kind keeps its own speed.
     [[nodiscard]] double speed() const { return m_speeds[std::size_t(m_kind)]; }
     void setSpeed(double speed);
     [[nodiscard]] static SpeedScale speedScale(ActionKind kind);
 
-    [[nodiscard]] bool canStart() const; ///< not where just this goes on already
+    [[nodiscard]] bool canStart() const; ///< false while this same action is already running
     [[nodiscard]] bool canStop() const;
     [[nodiscard]] bool canReset() const;
 
-    /// What goes on, with a shape: "● Turns about z at 100.0 °/s".
+    /// The present motion, after its state mark: "● Turns about z at 100.0 °/s".
     [[nodiscard]] QString motionText() const;
-    /// Where it is against its place: "Turned 42.0°, moved 0.0 mm, size 100.0 %".
+    /// The displacement from its original pose: "Turned 42.0°, moved 0.0 mm, size 100.0 %".
     [[nodiscard]] QString placeText() const;
     [[nodiscard]] bool isInPlace() const;
 
@@ -68,8 +68,8 @@ private:
     SharedObjectModel& m_object;
     ActionKind m_kind = ActionKind::Rotation;
     Axis m_axis = Axis::Z;
-    std::array<double, 3> m_speeds{30.0, 10.0, 10.0}; ///< per kind, in its unit
-    Shown m_told;                                     ///< at the latest signal
+    std::array<double, 3> m_speeds{30.0, 10.0, 10.0}; ///< by ActionKind, each in its unit
+    Shown m_told;                                     ///< at the latest changed()
 };
 
 } // namespace carina

@@ -9,10 +9,11 @@
 namespace carina
 {
 
-/// Which of a station's shared objects a person acts on, whose it is, and how it changes hands.
+/// Which shared object of a station a person acts on, who owns it, and how its ownership is
+/// transferred.
 ///
-/// Whoever owns an object may hand it on, an instructor may take it or give it to anybody, and a
-/// trainee asks for it. What the host would refuse is not offered.
+/// The owner may hand an object over, an instructor may take it or give it to any participant, and
+/// a trainee may ask for it. Operations that the host would refuse are not offered.
 class SharedObjectModel : public QObject
 {
     Q_OBJECT
@@ -30,31 +31,32 @@ public:
 
     [[nodiscard]] SessionModel& session() const { return m_session; }
 
-    /// Those that actions move, in the order in which they were shared.
+    /// The objects that can be moved by actions, in the order in which they were shared.
     [[nodiscard]] std::vector<Named<ObjectId>> objects() const;
-    /// The first until another is chosen; nothing where there is none.
+    /// The first object until another is chosen; std::nullopt if there is none.
     [[nodiscard]] std::optional<SharedObject> chosen() const;
     void choose(ObjectId object);
 
-    /// Why the person here can do nothing at all, as a sentence; empty where they can.
+    /// Why this person cannot act on any object, as a sentence; empty if they can.
     [[nodiscard]] QString obstacle() const;
-    [[nodiscard]] bool isInstructor() const; ///< so may take what is not theirs
+    [[nodiscard]] bool isInstructor() const; ///< who may take objects of others
     [[nodiscard]] bool isOwn() const;
-    /// Whose it is, with a shape: "◆ Tom".
+    /// The owner's name after its state mark: "◆ Tom".
     [[nodiscard]] QString ownerText() const;
-    /// Who asks for it: "Tom asks for it"; empty when nobody does.
+    /// Who asks for it: "Asking for it: Tom"; empty if nobody does.
     [[nodiscard]] QString wishText() const;
 
     [[nodiscard]] bool isAsking() const;
-    [[nodiscard]] bool canAsk() const; ///< or take the wish back, while asking
+    [[nodiscard]] bool canAsk() const; ///< or withdraw the request, while isAsking()
     [[nodiscard]] bool canTakeOver() const;
-    /// To whom the person here may hand it, those who ask for it first; empty where they may not.
+    /// The participants to whom this person may hand it, those who asked for it first; empty if
+    /// this person may not.
     [[nodiscard]] std::vector<Named<ParticipantId>> heirs() const;
 
     void handOver(ParticipantId heir);
 
 public Q_SLOTS:
-    void ask(); ///< or takes the wish back
+    void ask(); ///< or withdraws the request
     void takeOver();
 
 Q_SIGNALS:
@@ -63,13 +65,13 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] const Participant* self(const SessionState& state) const;
-    /// What was proposed about the object and is not decided yet.
+    /// The fact about the object that was proposed and not yet confirmed.
     [[nodiscard]] std::optional<FactBody> underWay(ObjectId object) const;
     [[nodiscard]] bool mayGive(const SharedObject& object) const;
 
     SessionModel& m_session;
     StationId m_station;
-    std::optional<ObjectId> m_wanted; ///< that was chosen
+    std::optional<ObjectId> m_wanted; ///< the object chosen last
 };
 
 } // namespace carina

@@ -13,10 +13,10 @@
 namespace carina
 {
 
-/// What a surface of a patient is fixed to.
+/// The body that a surface of a patient moves with.
 enum class SurfaceBody : std::uint8_t {
     Anatomy,  ///< frame A, at rest or breathing
-    Mandible, ///< the frame that coincides with A while the jaw is where the surfaces have it
+    Mandible, ///< frame J, which coincides with A while the jaw is as in the surfaces
     Tube,     ///< the connector's frame E
 };
 
@@ -25,17 +25,18 @@ struct PatientSurface {
     std::string name;
     AnatomyPart description; ///< without meshes
     SurfaceBody body = SurfaceBody::Anatomy;
-    /// Finest first. Shared with the lungs, whose volumes are those of these very meshes.
+    /// Levels of detail, finest first. Shared with the lungs, whose volumes are computed from these
+    /// same meshes.
     std::vector<std::shared_ptr<const TriangleMesh>> levels;
 };
 
-/// A patient ready to be drawn: the surfaces, the lungs that move some of them, and the tube.
+/// A patient ready to be drawn: surfaces, lungs (which move some of the surfaces) and tube.
 class PatientModel
 {
 public:
-    /// @param innerDiameter of the tube that goes with this patient
-    /// @returns MeshNotClosed with the name of a lung's part that encloses no volume; what makeTube
-    ///          fails with.
+    /// @param innerDiameter of this patient's tube
+    /// @returns MeshNotClosed with the name of a part of a lung that encloses no volume; the errors
+    ///          of makeTube.
     [[nodiscard]] static Result<PatientModel> of(Anatomy anatomy, Length innerDiameter);
 
     [[nodiscard]] const std::string& name() const { return m_name; }
@@ -44,17 +45,17 @@ public:
     [[nodiscard]] const std::vector<std::string>& attributions() const { return m_attributions; }
     [[nodiscard]] const std::vector<PatientSurface>& surfaces() const { return m_surfaces; }
     [[nodiscard]] const LungPair& lungs() const { return *m_lungs; }
-    /// How what lies between jaw and carina follows the jaw.
-    /// @param X_AJ of the mandible, the identity with the mouth shut; nothing: as the surfaces have
-    ///        it
+    /// The deformation of the throat, between jaw and carina, that follows the jaw.
+    /// @param X_AJ pose of the mandible, the identity with the mouth closed; std::nullopt: as in
+    ///             the surfaces
     [[nodiscard]] FollowingThroat throat(const std::optional<RigidTransform>& X_AJ) const;
-    /// The finest mesh of a surface as it is with the mouth shut, on which a manikin is touched.
+    /// The finest mesh of a surface with the mouth closed, as for landmarks touched on a manikin.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
-    /// What the lungs take up, in A, as they are drawn at the end of a breath in severe COPD, and
-    /// up to the top of the head: a view that holds it cuts off neither. Empty without lungs.
+    /// The box in A of the lungs as drawn at end-inspiration in severe COPD, extended up to the top
+    /// of the head, for a view that shows both whole. Empty for a patient without lungs.
     [[nodiscard]] Box reach() const;
-    /// How high the patient reaches along +z of A, m.
+    /// The largest z in A of the patient's surfaces, metres.
     [[nodiscard]] double top() const;
 
 private:
@@ -69,7 +70,7 @@ private:
     std::vector<PatientSurface> m_surfaces;
     std::shared_ptr<const LungPair> m_lungs; // owned with the surfaces that alias its meshes
     ThroatField m_throat;
-    RigidTransform m_heldJaw; ///< X_AJ as the surfaces have it
+    RigidTransform m_heldJaw; ///< X_AJ in the surfaces
     TubeShape m_tube;
 };
 

@@ -8,22 +8,23 @@
 namespace carina
 {
 
-/// Shared: a scene goes on drawing one patient while the next is made on another thread.
+/// Shared, because a scene draws one patient while the next is built on another thread.
 using SharedPatientModel = std::shared_ptr<const PatientModel>;
 
-/// A patient with the tube that goes with it: of the figures that a patient was made from, or,
-/// for an imported one, of an adult. @returns what PatientModel::of does.
+/// A patient with its tube, whose size follows from the dimensions of a generated patient; an
+/// imported patient gets an adult's. @returns the errors of PatientModel::of.
 [[nodiscard]] Result<SharedPatientModel> patientOf(Anatomy anatomy);
 
-/// The patient with this content hash that is built in, or was imported on this computer. Takes a
-/// second; may be called from any thread.
-/// @param name that the session gives it @param cacheFolder usually AnatomyCache::defaultFolder()
-/// @returns FileNotFound where there is none; what reading or building it fails with.
+/// The built-in, or previously imported, patient with this content hash. Takes about a second; may
+/// be called from any thread.
+/// @param its name in the session
+/// @param cacheFolder usually AnatomyCache::defaultFolder()
+/// @returns FileNotFound if there is none; the errors of reading and building it.
 [[nodiscard]] Result<SharedPatientModel> patientHere(const std::string& contentHash,
                                                      const std::string& name,
                                                      const std::filesystem::path& cacheFolder);
 
-/// The patient of a set that came from the host, likewise.
+/// The same for a set received from the host.
 [[nodiscard]] Result<SharedPatientModel> patientCarried(const std::string& digest,
                                                         const std::string& contentHash,
                                                         const std::string& name,

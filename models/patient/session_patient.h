@@ -11,22 +11,22 @@
 namespace carina
 {
 
-/// Which patient a program draws at a station: the session's, as soon as it is here, and until then
-/// the one that the program began with.
+/// The patient that a program draws at a station: the session's patient as soon as it is available,
+/// until then the one that the program started with.
 ///
-/// The session names its patient by content hash. One that is built in or was imported here is
-/// taken from this computer; any other is fetched from the host. What goes on is said in words, for
-/// some seconds with the licence of what comes, and a person can stop it.
+/// The session identifies its patient by content hash. A built-in or previously imported patient is
+/// taken from this computer; any other is fetched from the host. The progress is described in
+/// words, for some seconds with the licence of the set, and a person can stop the transfer.
 class SessionPatient : public QObject
 {
     Q_OBJECT
 
 public:
     static constexpr int kInterval_ms = 200;
-    /// Once it is known, and again when the set has come; it hides the patient meanwhile.
+    /// When it becomes known, and again when the set has arrived; it covers the patient meanwhile.
     static constexpr int kLicenceShown_ms = 15'000;
 
-    /// Draws another patient from now on. @returns why it cannot; the one before is kept then.
+    /// Draws another patient from now on. @returns why it cannot; then the former patient stays.
     using Lay = std::function<Result<void>(const SharedPatientModel&)>;
 
     /// @param cacheFolder usually AnatomyCache::defaultFolder() @pre `node` outlives this.
@@ -34,30 +34,31 @@ public:
                    std::filesystem::path cacheFolder, int licenceShown_ms = kLicenceShown_ms);
     ~SessionPatient() override;
 
-    /// From now on patients are laid by this, which is called on the thread this lives on.
+    /// Starts to follow the session; `lay` is called, on this object's thread, for each new
+    /// patient.
     void follow(Lay lay);
 
     [[nodiscard]] const SharedPatientModel& patient() const { return m_patient; }
-    /// What a person has to know of it, one or more translated lines; empty when the session's
-    /// patient is drawn.
+    /// One or more translated lines on the state of the patient; empty when the session's patient
+    /// is drawn and no licence has to be shown.
     [[nodiscard]] QString notice() const;
 
-    /// Something comes that stop() stops.
+    /// Whether a transfer is running that stop() ends.
     [[nodiscard]] bool canStop() const { return m_fetch != nullptr; }
     void stop();
-    /// It was stopped, or has failed.
+    /// Whether the transfer was stopped or has failed.
     [[nodiscard]] bool canFetchAgain() const { return m_step == Step::Without; }
     void fetchAgain();
 
 private:
     enum class Step : std::uint8_t {
-        Settled, ///< nothing else is to be drawn
-        Making,  ///< on the other thread
-        Waiting, ///< for the host to let us in
+        Settled, ///< the session's patient is drawn, or none is named
+        Making,  ///< being built on the other thread
+        Waiting, ///< for the host to admit this program
         Fetching,
-        Without, ///< the session's patient is not to be had
+        Without, ///< the session's patient is not available
     };
-    /// What is being made, and from what.
+    /// Builds a patient.
     using Make = std::function<Result<SharedPatientModel>()>;
 
     void look();

@@ -13,8 +13,8 @@
 namespace carina
 {
 
-/// The import of one anatomy set while a person looks on: it runs on a thread of its own, says how
-/// far it is, waits for the person's word on what was read, and can be stopped at any time.
+/// The interactive import of one anatomy set: it runs on its own thread, reports its progress,
+/// waits for a person to confirm or correct what was read, and can be cancelled at any time.
 class SetImport : public QObject
 {
     Q_OBJECT
@@ -23,23 +23,24 @@ public:
     /// @param cacheFolder usually AnatomyCache::defaultFolder()
     SetImport(std::filesystem::path folder, std::filesystem::path cacheFolder,
               CacheUse use = CacheUse::Allowed);
-    /// Stops it and waits.
+    /// Cancels the import and waits for its thread.
     ~SetImport() override;
 
     void start();
-    /// Ends as soon as it can, with Cancelled.
+    /// Ends the import as soon as possible; the result is then Cancelled.
     void cancel();
-    /// Goes on after reviewed(), with these corrections.
+    /// Continues after reviewed(), with these corrections.
     void accept(const SetCorrections& corrections);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
-    /// After finished(): the set, or why there is none.
+    /// After finished(): the set, or the error.
     [[nodiscard]] const Result<LoadedSet>& result() const { return m_result; }
     [[nodiscard]] Result<LoadedSet> takeResult() { return std::move(m_result); }
 
 Q_SIGNALS:
     void progressed(double share);
-    /// Something was read, and waits for accept() or cancel(). Not where the set is in the cache.
+    /// The files were read, and the import waits for accept() or cancel(). Emitted from the
+    /// import's thread; not emitted if the set is in the cache.
     void reviewed(const carina::SetDraft& draft);
     void finished();
 

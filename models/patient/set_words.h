@@ -9,25 +9,25 @@
 namespace carina
 {
 
-/// What a role is called: "Right upper lobe".
+/// The name of a role: "Right upper lobe".
 [[nodiscard]] QString roleWord(PartRole role);
 
 /// All roles, in their order.
 [[nodiscard]] std::vector<PartRole> allRoles();
 
-/// A unit that files may have, and what it is called.
+/// A length unit of files, and its name.
 struct UnitChoice {
     double metresPerUnit;
     QString word;
 };
 [[nodiscard]] std::vector<UnitChoice> unitChoices();
 
-/// A way that the axes of files may point, and what it is called.
+/// An orientation of the axes of the frame F of files, and its name.
 struct AxesChoice {
     Mat3 R_AF;
     QString word; ///< "x left, y posterior, z superior"
 };
-/// All 24 that are right-handed, those most used first.
+/// All 24 right-handed orientations, the most common ones first.
 [[nodiscard]] std::vector<AxesChoice> axesChoices();
 
 /// "x left, y posterior, z superior"

@@ -10,47 +10,53 @@
 namespace carina
 {
 
-/// Fits the anatomy to the touched landmarks, says what the touches tell about themselves, predicts
-/// the error where it counts, and refines the fit on a surface that the stylus slides over.
+/// Fits the anatomy to the touched landmarks, checks the touches for exchanged or wrong landmarks,
+/// predicts the TRE at the targets (registrationTargets), and refines the fit with points swabbed
+/// on a surface.
 class FitTask
 {
 public:
-    /// Of a swab.
+    /// The least number of points of a swab.
     static constexpr std::size_t kFewestPoints = kFewestSwabPoints;
 
     /// @pre all outlive this.
     FitTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& patient,
             const SurfaceFinder& surfaces);
 
-    /// Landmarks that were exchanged get each its own touch.
+    /// Fits X_AM to the fresh touches. Touches of exchanged landmarks are reassigned first. The
+    /// site stays as it is, and SiteEditor::problem() says why, if the manikin was re-registered
+    /// after the touches or if the fit fails.
     void fit();
 
-    /// Whether the touches belong to other landmarks than it was thought, or show a mirror image.
+    /// Whether the touches match the landmarks as given, in another order, or as a mirror image.
     [[nodiscard]] TouchOrder order() const;
 
-    /// What a technician should know of the fit, each a sentence: the most pressing first.
+    /// Warnings about the fit, one sentence each, the most important first.
     [[nodiscard]] QStringList findings() const;
-    /// By the registration's own error; empty before there is one.
+    /// The expected TRE at each target, from the covariance of the registration; empty before the
+    /// fit.
     [[nodiscard]] std::vector<ExpectedError> expected() const;
 
-    /// What its residuals tell of the touches: root mean square error of one (FLE), and the limit
-    /// that the true one is below with 95 %.
+    /// The FLE estimated from the residuals: RMS error of one touch, and the 95 % upper confidence
+    /// limit of the true one.
     struct Localisation {
         Length rms;
         Length limit;
     };
     [[nodiscard]] std::optional<Localisation> localisation() const;
 
-    /// Its mean squared error at p in A: [p 1] Q [p 1]^T, m^2; nothing before there is one.
+    /// Q such that [p 1] Q [p 1]^T is the mean squared TRE in m^2 at p in A, metres; std::nullopt
+    /// before the fit.
     [[nodiscard]] std::optional<Mat4> errorQuadric() const;
 
-    /// Surfaces that a stylus can slide over on a manikin.
+    /// The surfaces that can be swabbed on a manikin: ribs and mandible, which lie under thin skin.
     [[nodiscard]] QStringList swabSurfaces() const;
     void startSwab();
     [[nodiscard]] bool isSwabbing() const { return m_watch.use() == StylusUse::Swab; }
     [[nodiscard]] std::size_t swabPoints() const { return m_watch.swab().size(); }
     void cancelSwab();
-    /// Refines the registration by what was swabbed. @param surface one of swabSurfaces()
+    /// Refines the registration with the swabbed points (refineOnSurface).
+    /// @param surface one of swabSurfaces()
     void refine(const QString& surface);
 
 private:

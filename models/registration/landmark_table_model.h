@@ -9,8 +9,9 @@
 namespace carina
 {
 
-/// The landmarks of a registration: which, how still the stylus was when it touched them, how far
-/// they stay from their places after the fit, and how far from where all others put them.
+/// The landmarks of a registration as a table: name, spread of the stylus tip during the touch,
+/// residual after the fit (FRE of that landmark), and distance from the fit of all other landmarks
+/// (leave-one-out).
 class LandmarkTableModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -28,7 +29,7 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                       int role) const override;
 
-    /// What the numbers of a column are; empty where its name says it.
+    /// A sentence that explains the numbers of a column; empty if its name is enough.
     [[nodiscard]] static QString explanation(int column);
 
     [[nodiscard]] int touchedCount() const;
@@ -38,7 +39,7 @@ public:
 private:
     void refresh();
     [[nodiscard]] static QString cell(const LandmarkRow& row, int column);
-    /// A cell as a screen reader says it: with its column, and without a shape.
+    /// The text of a cell for a screen reader: with its column name, without the state mark.
     [[nodiscard]] QString spoken(const LandmarkRow& row, int column) const;
 
     const RegistrationModel& m_registration;

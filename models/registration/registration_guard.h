@@ -13,28 +13,28 @@
 namespace carina
 {
 
-/// What a registration is watched by.
+/// What is needed to monitor a registration.
 struct GuardedRegistration {
     std::vector<StylusTip> styluses; ///< of the site
     std::vector<Landmark> landmarks;
     Mat6 covariance_A = Mat6::Zero(); ///< of X_AM
-    Length fle;                       ///< of a touch
+    Length fle;                       ///< RMS error of one touch
 };
 
-/// Watches during a session whether the manikin still lies where it was registered: whenever the
-/// stylus rests on a landmark, its tip has to be where the landmark is drawn.
+/// Checks during a session whether the manikin is still where it was registered: when the stylus
+/// rests on a landmark, its tip must be where the landmark is drawn.
 class RegistrationGuard
 {
 public:
-    /// Nothing is watched without the tip of the stylus that is tracked.
+    /// Without a calibrated tip of the tracked stylus nothing is checked.
     /// @pre tracking outlives this; the covariance is positive definite.
     RegistrationGuard(const StationTracking& tracking, GuardedRegistration registration);
 
-    /// Takes in where the stylus is now; to be called some twenty times a second.
+    /// Reads the present pose of the stylus; to be called about 20 times a second.
     void look();
 
     [[nodiscard]] const WatchReport& report() const { return m_watch.report(); }
-    /// That the registration has drifted, and by how much, in a sentence; empty while it has not.
+    /// A sentence that the registration has drifted, and by how much; empty while it has not.
     [[nodiscard]] QString notice() const;
 
 private:

@@ -23,15 +23,15 @@
 namespace carina
 {
 
-/// A landmark as a technician follows it.
+/// A landmark and the state of its registration.
 struct LandmarkRow {
     QString name;
     Vec3 p_AQ = Vec3::Zero();
-    std::optional<double> spread_mm{};   ///< of the stylus while it was touched; none before
+    std::optional<double> spread_mm{};   ///< of the stylus tip during the touch; empty before
     std::optional<double> residual_mm{}; ///< after the fit
-    std::optional<double> leftOut_mm{};  ///< from the fit of all others
-    bool isStale = false;                ///< touched, but something beneath has changed since
-    bool isNext = false;                 ///< the one to touch, or to pick on the model
+    std::optional<double> leftOut_mm{};  ///< distance from the fit of all others
+    bool isStale = false; ///< touched, but something that it depends on was changed since
+    bool isNext = false;  ///< the one to touch, or to pick on the model
 };
 
 /// Where the stylus is on the registered anatomy.
@@ -45,31 +45,32 @@ struct StylusOnAnatomy {
 };
 
 /// Registers a patient's anatomy to a manikin: the logic of the wizard. Its pages can be entered in
-/// any order; a task that waits for another says so. Everything a person achieves is in the site
-/// file before it is shown as done; a new model on the same file goes on where the last one stood.
+/// any order; a task that depends on an unfinished one has the state Waits. A result is written to
+/// the site file before it is shown as done; a new model on the same file continues from there.
 class RegistrationModel : public QObject
 {
     Q_OBJECT
 
 public:
-    /// The site as the file has it, or a new one where there is no file.
-    /// @returns what readSiteFile refuses, other than FileNotFound; OtherPatient where the file
-    ///          holds landmarks of another one.
+    /// The site in a file, or a new one if there is no such file.
+    /// @returns the errors of readSiteFile, except FileNotFound; OtherPatient if the file has the
+    ///          landmarks of another patient.
     [[nodiscard]] static Result<Site> siteOf(const std::filesystem::path& file,
                                              const PatientModel& patient);
 
-    /// What a registration is made with.
+    /// The tracker, file and landmarks of a registration.
     struct Workplace {
-        std::filesystem::path file;               ///< of the site
-        const Tracker* tracker = nullptr;         ///< started and stopped by its owner
-        QString trackerName;                      ///< as shown
-        ReadSessionClock clock;                   ///< the clock of the tracker's samples
-        std::vector<LandmarkCatalogue> landmarks; ///< sets of this patient, the recommended first
-        std::vector<Landmark> checks{};           ///< places to check a registration at
+        std::filesystem::path file;       ///< of the site
+        const Tracker* tracker = nullptr; ///< started and stopped by its owner
+        QString trackerName;              ///< as shown
+        ReadSessionClock clock;           ///< the clock of the tracker's samples
+        std::vector<LandmarkCatalogue>
+            landmarks;                  ///< this patient's sets, the recommended one first
+        std::vector<Landmark> checks{}; ///< places to check a registration at
         SiteEditor::Today today = &QDateTime::currentDateTimeUtc;
     };
 
-    /// @param site as siteOf gave it
+    /// @param site returned by siteOf
     /// @pre patient and tracker outlive this.
     RegistrationModel(Workplace workplace, Site site, const PatientModel& patient,
                       QObject* parent = nullptr);
@@ -82,15 +83,15 @@ public:
 
     [[nodiscard]] SiteStep step() const { return site().step; }
     [[nodiscard]] SiteTask task(SiteStep step) const;
-    /// The first page whose task is not done; Overview where all are.
+    /// The first page whose task is not done; Overview if all are.
     [[nodiscard]] SiteStep nextStep() const;
     [[nodiscard]] QStringList health() const;
 
-    /// What to do now, in a sentence.
+    /// One sentence: what to do now.
     [[nodiscard]] QString instruction() const;
-    /// What went wrong last, in a sentence; empty since something went right.
+    /// One sentence: the last failure; empty after a success.
     [[nodiscard]] QString problem() const { return m_editor.problem(); }
-    /// What was written where, in a sentence; empty since something else happened.
+    /// One sentence: which file was written; empty after any other event.
     [[nodiscard]] QString notice() const { return m_editor.notice(); }
 
     [[nodiscard]] StylusTask& stylus() { return m_stylusTask; }
@@ -108,44 +109,45 @@ public:
     [[nodiscard]] std::vector<ToolStatus> tools() const;
 
     [[nodiscard]] std::vector<LandmarkRow> landmarks() const;
-    /// What is marked on the model: the landmarks, or the places to check while these are.
+    /// The points marked on the model: the landmarks or, on the Verify page, the check points.
     [[nodiscard]] std::vector<LandmarkRow> places() const;
-    /// Index of the landmark that is touched or picked next; nothing where none is.
+    /// Index of the landmark to touch or pick next; std::nullopt if there is none.
     [[nodiscard]] std::optional<std::size_t> nextLandmark() const;
-    /// How much of the present task's hold or swing is done, 0 to 1.
+    /// Progress of the present dwell, pivot or spin, 0 to 1.
     [[nodiscard]] double progress() const;
 
-    /// The tip on the anatomy, once it is registered and while the stylus is seen.
+    /// Where the stylus is on the anatomy; std::nullopt before the fit and while the stylus is not
+    /// seen.
     [[nodiscard]] std::optional<StylusOnAnatomy> stylusOnAnatomy() const;
 
     [[nodiscard]] bool canUndo() const;
 
 public Q_SLOTS:
-    /// Takes in what the tracker saw since the last look; happens by itself 30 times a second.
+    /// Processes the tracker's samples since the last call; a timer calls it 30 times a second.
     void look();
     void enter(carina::SiteStep step);
     void setOperator(const QString& name);
     void useTracker();
-    /// A click on the model: moves a landmark, or names a place to check.
+    /// A click on the model: moves a landmark, or adds a check point.
     void pick(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
-    /// Takes the point that the tip is at, for a key or a foot switch.
+    /// Takes the point at the tip now, for a key or a foot switch.
     void takeNow();
     void undo();
-    /// Puts this site's file beside another name, whole.
+    /// Writes a complete copy of the site to another file.
     void exportSite(const QString& file);
-    /// Takes over what another file has of this patient; can be undone.
+    /// Replaces this site by that of another file for this patient; can be undone.
     void importSite(const QString& file);
 
 Q_SIGNALS:
     /// The site, the step or a problem changed.
     void changed();
-    /// Something was achieved by hand, away from the screen: to be heard.
+    /// Something was done with the stylus, away from the screen: to be spoken aloud.
     void told(const QString& words);
 
 private:
     void followStep();
     void forgetChoices();
-    /// What the stylus is watched for on this page.
+    /// What the stylus is used for on this page.
     [[nodiscard]] StylusUse use() const;
     /// Whether the page asks for one more point.
     [[nodiscard]] bool awaitsTouch() const;
@@ -161,7 +163,7 @@ private:
     TouchTask m_touchTask;
     FitTask m_fitTask;
     VerifyTask m_verifyTask;
-    std::optional<SiteStep> m_followed; ///< the page that the stylus is watched for
+    std::optional<SiteStep> m_followed; ///< the page that the present stylus use belongs to
     std::optional<Vec3> m_followedTip;
     QTimer m_timer;
 };

@@ -7,7 +7,7 @@ namespace carina
 
 class RegistrationModel;
 
-/// What the technician has to do now, in a sentence.
+/// One sentence: what the technician has to do now.
 [[nodiscard]] QString registrationInstruction(const RegistrationModel& model);
 
 } // namespace carina

@@ -6,23 +6,24 @@
 namespace carina
 {
 
-/// Finds the tip of the stylus, which begins and ends by itself, and the axis of its shaft.
+/// Calibrates the stylus: its tip by pivoting, which starts and ends automatically, and the axis of
+/// its shaft by spinning.
 class StylusTask
 {
 public:
     /// @pre both outlive this.
     StylusTask(SiteEditor& editor, StylusWatch& watch);
 
-    /// The calibration of the stylus in hand; null before there is one.
+    /// The calibration of the tracked stylus; null before there is one.
     [[nodiscard]] const StylusTip* tip() const;
 
     [[nodiscard]] bool isLookingForTip() const { return m_watch.use() == StylusUse::Pivot; }
     [[nodiscard]] bool isSpinning() const { return m_watch.use() == StylusUse::Spin; }
     [[nodiscard]] const PivotProgress& pivot() const { return m_watch.pivot(); }
 
-    /// Waits for the stylus to be swung; a calibration from before stays until then.
+    /// Waits for the stylus to be pivoted; an earlier calibration stays until the new one is found.
     void findTip();
-    /// Takes the poses of the next seconds, in which the stylus is spun about its shaft.
+    /// Collects poses for some seconds, while the stylus is spun about its shaft.
     /// @pre its tip is known.
     void findAxis();
     void stop();

@@ -13,68 +13,68 @@
 namespace carina
 {
 
-/// What the stylus is watched for.
+/// What the poses of the stylus are used for.
 enum class StylusUse : std::uint8_t {
     Nothing,
-    Pivot, ///< its tip: swung with the tip in a divot
-    Spin,  ///< its axis: spun about the shaft
-    Touch, ///< points that it is held at
-    Swab,  ///< a surface that it slides over
+    Pivot, ///< tip calibration: pivoted with the tip in a divot
+    Spin,  ///< axis calibration: spun about the shaft
+    Touch, ///< points at which the tip is held still
+    Swab,  ///< points while the tip slides over a surface
 };
 
-/// A point that was touched, and how the stylus was held.
+/// A touched point, and the orientation of the stylus.
 struct StylusTouch {
     DwellPoint point; ///< in T
     Quat q_TS = Quat::Identity();
 };
 
-/// What came of the samples since the last look.
+/// The results from the samples since the last look().
 struct StylusNews {
     std::optional<PivotCalibration> tip{};
     std::optional<Result<SpinCalibration>> axis{};
     std::optional<StylusTouch> touch{};
 };
 
-/// A tracker's stylus, and the probes on chin and body beside it, as a technician works with them.
+/// Evaluates the poses of a tracker's stylus during registration, and returns those of the probes
+/// on chin and body.
 class StylusWatch
 {
 public:
     /// @pre tracker outlives this.
     StylusWatch(const Tracker& tracker, ReadSessionClock clock);
 
-    /// The tracker's name of the stylus; empty for a tracker without one.
+    /// The tracker's name for the stylus; empty if it has none.
     [[nodiscard]] std::string tool() const;
     /// Whether the tracker has such a tool, seen or not.
     [[nodiscard]] bool has(ToolRole role) const;
 
-    /// Watches for something else from now on.
+    /// Changes the use from now on, and discards what was collected.
     void watchFor(StylusUse use);
-    /// Watches for the same anew.
+    /// Starts the present use again.
     void restart() { watchFor(m_use); }
     [[nodiscard]] StylusUse use() const { return m_use; }
 
-    /// Where its tip is, metres; nothing is spun, touched or swabbed while that is not known.
+    /// Sets the tip in the stylus frame S, metres; without it Spin, Touch and Swab give no result.
     void setTip(const std::optional<Vec3>& p_SQ) { m_p_SQ = p_SQ; }
 
     [[nodiscard]] StylusNews look();
 
     [[nodiscard]] const PivotProgress& pivot() const { return m_pivot.progress(); }
-    /// How much of what is watched for is done, 0 to 1; always 0 for a swab, which has no end.
+    /// Progress of the present use, 0 to 1; always 0 for a swab, which has no fixed end.
     [[nodiscard]] double progress() const;
-    /// p_TQ on the surface so far, at least kSwabStep apart.
+    /// The swabbed points p_TQ so far, each at least kSwabStep from the one before.
     [[nodiscard]] const std::vector<Vec3>& swab() const { return m_swab; }
 
-    /// Takes the point that the tip is at, so that it is not taken again by resting there: the
-    /// mean of its latest quarter of a second; nothing while the stylus is not seen or its tip not
-    /// known.
+    /// Takes the point at the tip now: the mean over the last 250 ms. Resting there afterwards does
+    /// not take it again. std::nullopt if the stylus is not seen or its tip is unknown.
     std::optional<StylusTouch> takePoint();
     /// Whether the tip is still where the last point was taken.
     [[nodiscard]] bool restsWhereTaken() const;
 
-    /// X_TS now; nothing while the stylus is not seen.
+    /// X_TS now; std::nullopt while the stylus is not seen.
     [[nodiscard]] std::optional<RigidTransform> stylus() const;
 
-    /// X_T<probe>, the mean of its latest second; nothing while it is not seen.
+    /// X_T<probe>, the mean over the last second; std::nullopt while the probe is not seen.
     [[nodiscard]] std::optional<RigidTransform> probe(ToolRole role) const;
 
     static constexpr Length kSwabStep = millimetres(1.5);
@@ -87,21 +87,21 @@ private:
     void takeSpun(const RigidTransform& X_TS, StylusNews& news);
     void takeSwabbed(const Vec3& p_TQ);
     [[nodiscard]] std::optional<StylusTouch> pointNow() const;
-    /// The samples of a tool, if it is seen now.
+    /// The samples of a tool; empty if it has delivered none lately.
     [[nodiscard]] std::vector<PoseSample> seen(ToolRole role) const;
-    /// Those of its latest time that were not lost.
+    /// The samples of the last `time` that are not lost.
     [[nodiscard]] std::vector<PoseSample> latest(ToolRole role, Duration time) const;
 
     std::vector<TrackedTool> m_tools;
     ReadSessionClock m_clock;
-    std::optional<SessionTime> m_looked; ///< what was seen until then does not count any more
+    std::optional<SessionTime> m_looked; ///< samples up to this time were processed
     StylusUse m_use = StylusUse::Nothing;
     std::optional<Vec3> m_p_SQ;
     PivotCollector m_pivot;
     std::vector<RigidTransform> m_spun; ///< X_TS
     DwellDetector m_dwell;
-    bool m_leavesFirst = true;        ///< the tip was not seen yet since it is watched for this
-    std::optional<Vec3> m_p_TQ_taken; ///< the last point, since it is watched for this
+    bool m_leavesFirst = true;        ///< the tip was not seen yet since watchFor()
+    std::optional<Vec3> m_p_TQ_taken; ///< the last point since watchFor()
     std::vector<Vec3> m_swab;
 };
 

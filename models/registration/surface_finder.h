@@ -10,12 +10,12 @@
 namespace carina
 {
 
-/// Where a patient's surfaces are, at rest and with the mouth closed. The skin is looked through,
-/// for landmarks are told by what it covers.
+/// Finds points on a patient's surfaces, at rest and with the mouth closed. The skin and the tube
+/// are ignored: landmarks are defined on the structures under the skin.
 class SurfaceFinder
 {
 public:
-    /// A surface, and how far away it is.
+    /// A surface and its distance.
     struct Found {
         std::string name;
         double distance = 0.0; ///< metres
@@ -24,18 +24,18 @@ public:
     /// @pre patient outlives this.
     explicit SurfaceFinder(const PatientModel& patient);
 
-    /// The surface nearest to a point; nothing for a patient without surfaces.
+    /// The surface nearest to a point; std::nullopt for a patient without surfaces.
     [[nodiscard]] std::optional<Found> nearest(const Vec3& p_AQ) const;
 
-    /// The first surface along a ray, its distance in metres; nothing where the ray meets none.
+    /// The first surface along a ray; std::nullopt if the ray meets none.
     [[nodiscard]] std::optional<Found> along(const Vec3& p_A_eye, const Vec3& dir_A) const;
 
-    /// The place that a click means: where the ray first meets a surface, or of this surface the
-    /// nearest tip, or else ridge, that a finger finds there.
+    /// The point selected by a click: where the ray first meets a surface or, if `snaps`, the
+    /// nearest tip, or else ridge, of that surface.
     [[nodiscard]] std::optional<Vec3> picked(const Vec3& p_A_eye, const Vec3& dir_A,
                                              bool snaps) const;
 
-    /// The surface of a name; nothing where there is none.
+    /// The surface of this name; null if there is none.
     [[nodiscard]] const SurfaceTree* surface(const std::string& name) const;
 
 private:
@@ -43,7 +43,7 @@ private:
         const std::string* name;
         std::shared_ptr<const TriangleMesh> mesh;
         Box bounds;
-        mutable std::optional<SurfaceTree> tree; ///< once it was asked for the first time
+        mutable std::optional<SurfaceTree> tree; ///< built at first use
     };
 
     [[nodiscard]] const SurfaceTree& treeOf(const Surface& surface) const;

@@ -8,33 +8,36 @@
 namespace carina
 {
 
-/// Takes the landmarks on the manikin: by holding the stylus still, or by a key or foot switch. In
-/// any order: the geometry tells which one was touched. The same lays a manikin anew that was moved
-/// after its registration, by three of its landmarks.
+/// Records the touches of the landmarks on the manikin: the stylus is held still, or a key or foot
+/// switch is pressed. They may be touched in any order: the landmark is recognised by its position
+/// relative to the other touches (recogniseTouch). Also re-registers a manikin that was moved after
+/// its registration ("laid anew" on screen), from three or more of its landmarks.
 class TouchTask
 {
 public:
-    /// How far touches stray, at most, of a hand that takes care.
+    /// The largest FLE expected of careful touches.
     static constexpr Length kHandFle = millimetres(2.0);
 
     /// @pre all outlive this.
     TouchTask(SiteEditor& editor, StylusWatch& watch, const LandmarkTask& landmarks);
 
-    /// The landmark that is asked for: the chosen one, or the first that has no fresh touch.
+    /// The landmark to touch next: the chosen one, or else the first without a fresh touch;
+    /// std::nullopt if all are touched.
     [[nodiscard]] std::optional<std::size_t> next() const;
-    /// The landmark that shall be touched now, whatever the geometry says.
+    /// The next touch is taken for this landmark, without recognition; std::nullopt to recognise
+    /// it.
     void choose(std::optional<std::size_t> landmark);
 
-    /// The touch of a landmark that counts; null where there is none.
+    /// The fresh touch of a landmark; null if there is none.
     [[nodiscard]] const TouchedPoint* touchOf(const Landmark& landmark) const;
 
-    /// Does nothing where no landmark is asked for.
+    /// Records a touch. Does nothing if next() is empty.
     void take(const StylusTouch& touch);
 
-    /// Why a manikin that was moved cannot be laid anew, in a sentence; empty where it can be.
+    /// One sentence: why a moved manikin cannot be re-registered now; empty if it can.
     [[nodiscard]] QString whyNoRelay() const;
-    /// The manikin was moved: its landmarks are touched again, until they tell where it lies.
-    /// Refused where whyNoRelay() says why.
+    /// The manikin was moved: its landmarks are touched again until they determine its pose.
+    /// Refused if whyNoRelay() is not empty.
     void beginRelay();
     void cancelRelay();
     [[nodiscard]] bool isRelaying() const { return m_editor.site().relay.has_value(); }

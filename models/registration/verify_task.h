@@ -10,69 +10,73 @@
 namespace carina
 {
 
-/// A place to check the registration at, and how it did.
+/// A point at which the registration is checked, and the result.
 struct CheckPoint {
     QString name{};
     Vec3 p_AQ = Vec3::Zero();
     std::optional<double> error_mm{}; ///< once it was touched
-    double bound_mm = 0.0;            ///< that 95 % of such errors stay below
+    double bound_mm = 0.0;            ///< 95 % bound expected for error_mm
     [[nodiscard]] bool isWithin() const { return error_mm && *error_mm <= bound_mm; }
 };
 
-/// Checks a registration at places that were not used in its fit, and keeps the verdict.
+/// Verifies a registration at points that were not used in its fit, and records the verdict.
 class VerifyTask
 {
 public:
-    /// Fewer tell nothing. A manikin that hides one of the places can be judged by the others.
+    /// The least number of touched points for a verdict; not all proposed points need be
+    /// accessible.
     static constexpr std::size_t kFewestPoints = 2;
-    /// What is farther from a place was not meant for it.
+    /// A touch farther from a check point than this is refused.
     static constexpr Length kFarthestCheck = millimetres(40.0);
 
-    /// @param places to check at besides; those that the fit uses are left out
+    /// @param further check points; landmarks used in the fit are left out
     /// @pre the references outlive this.
     VerifyTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& patient,
                const SurfaceFinder& surfaces, std::vector<Landmark> places);
 
-    /// All with their bounds. The upper incisors' edge, places that the fit did not use, and those
-    /// that were picked.
+    /// All check points with their bounds: the edge of the upper incisors, the given places that
+    /// the fit did not use, and the picked ones.
     [[nodiscard]] std::vector<CheckPoint> points() const;
-    /// The place that is checked by the next touch.
+    /// The point that the next touch is for; std::nullopt if all were touched.
     [[nodiscard]] std::optional<std::size_t> next() const;
     void choose(std::optional<std::size_t> point);
 
-    /// Adds the place that a ray first meets.
+    /// Adds the point where a ray first meets a surface, snapped to its nearest tip or ridge.
     void pick(const Vec3& p_A_eye, const Vec3& dir_A);
-    /// Whether a place was added that is not touched yet; and takes the latest back.
+    /// Whether the point picked last is not touched yet; dropPicked() removes it.
     [[nodiscard]] bool hasPicked() const;
     void dropPicked();
 
-    /// Does nothing where no place is left to check.
+    /// Records a touch; does nothing if next() is empty.
     void take(const StylusTouch& touch);
 
-    /// Whether the fit tells how large an error may be: one of an older site file does not, and
-    /// has no places to check.
+    /// Whether the registration has an error estimate. One from an older site file has none, and
+    /// then points() is empty.
     [[nodiscard]] bool canJudge() const;
-    /// Whether each place that is proposed was touched.
+    /// Whether all points were touched.
     [[nodiscard]] bool isComplete() const;
-    /// What the points touched so far say; Open while they are too few.
+    /// The verdict from the points touched so far, jointly at 95 %; Open while there are fewer than
+    /// kFewestPoints.
     [[nodiscard]] Verdict suggestion() const;
-    /// Whether the verdict is recorded, and no place was touched since.
+    /// Whether a verdict is recorded and no point was touched after it.
     [[nodiscard]] bool isRecorded() const;
     /// @pre at least kFewestPoints were touched.
     void record(Verdict verdict);
 
 private:
     [[nodiscard]] bool isTouched(const CheckPoint& point) const;
-    /// As points(), without their bounds, which take some milliseconds.
+    /// As points(), without the bounds, whose computation takes some milliseconds.
     [[nodiscard]] std::vector<CheckPoint> places() const;
-    /// Of 95 % at a place, for a touch as uncertain as those of the fit. @pre canJudge()
+    /// The bound in metres that this share of the errors stays below at a point, for a touch with
+    /// the FLE of the fit.
+    /// @pre canJudge()
     [[nodiscard]] double boundAt(const Vec3& p_AQ, double share) const;
 
     SiteEditor& m_editor;
     StylusWatch& m_watch;
     const PatientModel& m_patient;
     const SurfaceFinder& m_surfaces;
-    std::vector<Landmark> m_places;   ///< of this patient, to be checked at
+    std::vector<Landmark> m_places;   ///< given check points of this patient
     std::vector<CheckPoint> m_picked; ///< touched or not
     std::optional<std::size_t> m_chosen;
 };

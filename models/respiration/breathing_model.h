@@ -14,16 +14,16 @@ namespace carina
 enum class BreathingParameter : std::uint8_t {
     Rate,        ///< breaths per minute
     TidalVolume, ///< millilitres
-    Expiration,  ///< expiratory time for one part of inspiratory time: 1.44 of an I:E of 1:1.44
+    Expiration,  ///< expiratory / inspiratory time: 1.44 for an I:E ratio of 1:1.44
 };
 inline constexpr std::array kBreathingParameters{
     BreathingParameter::Rate, BreathingParameter::TidalVolume, BreathingParameter::Expiration};
 
 /// How one station's patient breathes, as an instructor sees and changes it.
 ///
-/// A change travels to every site before it takes effect; until then `pending` tells it. While one
-/// change of a parameter is under way only the latest further one is kept, so that dragging a
-/// slider never piles up facts.
+/// A change is sent to every site before it takes effect; until then `pending` returns it. While
+/// one change of a parameter is pending, only the latest further one is kept, so that dragging a
+/// slider does not flood the session with facts.
 class BreathingModel : public QObject
 {
     Q_OBJECT
@@ -34,11 +34,11 @@ public:
 
     /// The value in force now.
     [[nodiscard]] double value(BreathingParameter parameter) const;
-    /// The value asked for that is not in force yet.
+    /// The value that was requested and is not in force yet.
     [[nodiscard]] std::optional<double> pending(BreathingParameter parameter) const;
-    /// The most that this patient's breaths may be set to, whole millilitres.
+    /// The largest tidal volume that can be set for this patient, whole millilitres.
     [[nodiscard]] int largestTidalVolume_ml() const;
-    /// The changes that travel, one a line: "Breathing rate → 24 /min"; empty when none does.
+    /// The pending changes, one per line: "Breathing rate → 24 /min"; empty if there are none.
     [[nodiscard]] QString travellingText() const;
 
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
@@ -56,10 +56,10 @@ private:
         BreathingParameter parameter;
         double before = 0.0;
     };
-    /// What is asked for of one parameter.
+    /// The requested values of one parameter.
     struct Wish {
         std::optional<double> sent;   ///< proposed, not in force yet
-        std::optional<double> latest; ///< to be proposed when that is in force
+        std::optional<double> latest; ///< to be proposed once `sent` is in force
     };
 
     struct Shown {
@@ -78,7 +78,7 @@ private:
     StationId m_station;
     std::array<Wish, kBreathingParameters.size()> m_wishes;
     std::vector<Change> m_undo;
-    Shown m_shown; ///< at the latest signal
+    Shown m_shown; ///< at the latest changed()
 };
 
 } // namespace carina

@@ -11,8 +11,9 @@
 namespace carina
 {
 
-/// At the host: leaves a checkpoint of every station's breathing in the log, for those who join
-/// late and for those who would drift, every kCheckpointEvery while the session runs.
+/// At the host: writes a checkpoint of every station's breathing to the fact log every
+/// kCheckpointEvery while the session runs. Participants who join late start from it, and all
+/// others continue from it, so that no program drifts.
 class CheckpointKeeper : public QObject
 {
     Q_OBJECT
@@ -21,7 +22,7 @@ public:
     /// @pre node is the host's, and outlives this.
     explicit CheckpointKeeper(SessionNode& node, QObject* parent = nullptr);
 
-    /// One of each station, now.
+    /// Writes one for each station now.
     void keep();
 
 private:

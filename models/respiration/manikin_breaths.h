@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// Tells the session when the manikin of a station breathes, as a marker on its chest shows it, so
-/// that the virtual patient breathes with it.
+/// Detects the breaths of a station's manikin from a marker on its chest and reports them to the
+/// session, so that the virtual patient breathes in synchrony.
 class ManikinBreaths : public QObject
 {
     Q_OBJECT
@@ -18,12 +18,12 @@ class ManikinBreaths : public QObject
 public:
     static constexpr int kInterval_ms = 15; ///< no sample of a tracker at 60 Hz is missed
 
-    /// @param marker the newest sample of the marker in A; nothing where there is none
+    /// @param marker returns the newest sample of the marker in A; std::nullopt if there is none
     /// @pre node outlives this.
     ManikinBreaths(SessionNode& node, StationId station, PoseSource marker,
                    QObject* parent = nullptr);
 
-    /// Takes the newest sample.
+    /// Processes the newest sample; a timer calls it every kInterval_ms.
     void look();
 
 private:

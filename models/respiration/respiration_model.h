@@ -15,13 +15,13 @@
 namespace carina
 {
 
-/// What ails one station's patient, how it lies, who breathes it and through what, as an instructor
-/// sees and changes it.
+/// The lung disease, body position, ventilator and tube of one station's patient, as an instructor
+/// sees and changes them.
 ///
-/// A change travels to every site before it takes effect; until then `shown` already has it and
-/// `travellingText` tells it. While one change of a thing is under way only the latest further one
-/// is kept, so that dragging a severity never piles up facts. Others than instructors see what
-/// there is; what they set goes nowhere.
+/// A change is sent to every site before it takes effect; until then the getters already return it
+/// and `travellingText` lists it. While one change of a quantity is pending, only the latest
+/// further one is kept, so that dragging a severity does not flood the session with facts. Only
+/// instructors can change anything; what others set is ignored.
 class RespirationModel : public QObject
 {
     Q_OBJECT
@@ -30,32 +30,33 @@ public:
     /// @pre session outlives this.
     RespirationModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
-    // Asked for, or where nothing is, in force.
+    // The value requested or, if no change is pending, in force.
     [[nodiscard]] LungCondition condition() const;
     [[nodiscard]] VentilatorSettings ventilator() const;
     [[nodiscard]] Length tube() const; ///< inner diameter; 0 without one
     [[nodiscard]] BodyPosition position() const;
 
-    /// With the severity there was, or half of it; of one lung where it usually is of one, the one
-    /// there was or the right.
+    /// Sets a disease, with the present severity, or 0.5 if that is 0. A disease that is usually
+    /// one-sided gets the present side, or the right one if both were affected; any other, both
+    /// sides.
     void choose(ConditionKind kind);
-    /// A tube in a main bronchus is in one of them: the right one, unless a side is said.
+    /// Sets a disease. A mainstem intubation of both sides is taken as one of the right side.
     void setCondition(LungCondition condition);
     void setVentilator(const VentilatorSettings& settings) { set(settings); }
     void setTube(Length innerDiameter) { set(innerDiameter); }
     void setPosition(BodyPosition position) { set(position); }
 
-    /// What ails the patient now and, unless on the back, how it lies: "COPD, severity 0.60, both
-    /// lungs; prone".
+    /// The disease in force and, unless supine, the position: "COPD, severity 0.60, both lungs;
+    /// prone".
     [[nodiscard]] QString inForceText() const;
-    /// The changes that travel, one a line: "Condition → COPD, severity 0.60, both lungs"; empty
-    /// when none does.
+    /// The pending changes, one per line: "Condition → COPD, severity 0.60, both lungs"; empty if
+    /// there are none.
     [[nodiscard]] QString travellingText() const;
-    /// Why the person here can change nothing, as a sentence; empty where they can.
+    /// One sentence: why this person cannot change anything; empty if they can.
     [[nodiscard]] QString obstacle() const;
 
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
-    /// Sets what was changed last back to what it was before.
+    /// Reverts the last change.
     void undo();
 
 Q_SIGNALS:
@@ -63,14 +64,14 @@ Q_SIGNALS:
     void changed();
 
 private:
-    /// One of the things that are decided; its place in the variant says which.
+    /// One of the quantities; its index in the variant says which.
     using Decision = std::variant<LungCondition, VentilatorSettings, Length, BodyPosition>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
 
-    /// What is asked for of one thing.
+    /// The requested values of one quantity.
     struct Wish {
         std::optional<Decision> sent;   ///< proposed, not in force yet
-        std::optional<Decision> latest; ///< to be proposed when that is in force
+        std::optional<Decision> latest; ///< to be proposed once `sent` is in force
     };
     struct Shown {
         std::array<Decision, kThings> decisions{LungCondition{}, VentilatorSettings{}, Length{},
@@ -94,8 +95,8 @@ private:
     SessionModel& m_session;
     StationId m_station;
     std::array<Wish, kThings> m_wishes;
-    std::vector<Decision> m_undo; ///< what was before each change
-    Shown m_shown;                ///< at the latest signal
+    std::vector<Decision> m_undo; ///< the value before each change
+    Shown m_shown;                ///< at the latest changed()
 };
 
 } // namespace carina

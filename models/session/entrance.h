@@ -8,8 +8,8 @@
 namespace carina
 {
 
-/// A person's way into a session: tries what they typed until the host has let them in, or says
-/// what they have to mend. Lives on the GUI thread.
+/// Joins a session with what a person typed: tries until the host admits them, or reports what they
+/// have to correct. Lives on the GUI thread.
 class Entrance : public QObject
 {
     Q_OBJECT
@@ -17,31 +17,31 @@ class Entrance : public QObject
 public:
     using Join = std::function<Result<std::unique_ptr<SessionNode>>(const JoinSettings& settings)>;
     static constexpr int kInterval_ms = 50;
-    /// After so many looks in vain the person is told where to look, too.
+    /// After this many unsuccessful polls progress() also advises to check address and port.
     static constexpr int kPatience = 100;
-    /// After so many a name is believed to be taken: that of a program which was just killed is
-    /// free again after 600 ms, and whoever started it anew need not touch anything.
+    /// NameTaken is accepted as final only after this many polls: the name of a program that was
+    /// just killed becomes free after 600 ms, so that a restarted program joins by itself.
     static constexpr int kTakenBelieved = 20;
 
-    /// @param known what no form asks for
+    /// @param known settings that are not in the form
     explicit Entrance(JoinSettings known, Join join = SessionNode::join);
 
-    /// @pre nothing is missing in the form.
+    /// @pre whatIsMissing() finds nothing in the form.
     void enter(const JoinForm& form);
-    /// Stops trying.
+    /// Stops joining.
     void stop();
-    /// Looks how far it is; called by itself.
+    /// Polls the state of the connection; a timer calls it every kInterval_ms.
     void look();
 
     [[nodiscard]] bool isTrying() const { return m_node && !isIn(); }
     [[nodiscard]] bool isIn() const;
-    /// What it waits for, while it is trying.
+    /// A sentence on what it waits for while isTrying(); else empty.
     [[nodiscard]] QString progress() const;
-    /// Why it was not let in, until the next try.
+    /// Why the host refused, until the next enter().
     [[nodiscard]] const std::optional<JoinGap>& refusal() const { return m_refusal; }
-    /// As they were tried last.
+    /// The settings tried last.
     [[nodiscard]] const JoinSettings& settings() const { return m_settings; }
-    /// The way in, which is the caller's from now on. @pre isIn()
+    /// The joined node; the caller owns it from now on. @pre isIn()
     [[nodiscard]] std::unique_ptr<SessionNode> take();
 
 Q_SIGNALS:

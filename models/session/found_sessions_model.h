@@ -7,7 +7,7 @@
 namespace carina
 {
 
-/// The sessions that can be joined from here, looked for as long as this lives.
+/// The sessions that can be joined from this computer; searched for as long as this exists.
 class FoundSessionsModel : public QAbstractListModel
 {
     Q_OBJECT

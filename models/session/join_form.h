@@ -9,51 +9,51 @@
 namespace carina
 {
 
-/// What a person types to come into a session.
+/// The fields that a person fills in to join a session.
 struct JoinForm {
     QString address{};
     QString port{};
     QString code{};
     QString name{};
     Role role = Role::Trainee;
-    QString certificate{}; ///< the name in the host's, where it has one
+    QString certificate{}; ///< the name in the host's certificate, if it has one
 };
 
 enum class JoinField : std::uint8_t { Address, Port, Code, Name, Certificate };
 
-/// What is to be mended in a form before it opens a session, and where.
+/// What has to be corrected in a form, and in which field.
 struct JoinGap {
     JoinField field = JoinField::Address;
     QString sentence{};
 };
 
-/// The form with what a join link says that stands in the place of the address; as it is where none
-/// stands there, or a wrong one.
+/// If the address field holds a valid join link, the form with the fields that the link contains;
+/// else the form as it is.
 [[nodiscard]] JoinForm withLinkRead(JoinForm form);
 
-/// What is still to be mended; nothing when the form can be used. A code may be missing only where
-/// a token of an earlier visit under this name and role was kept.
+/// What still has to be corrected; std::nullopt if the form can be used. The code may be missing
+/// only if a token of an earlier visit with this name and role was kept.
 /// @param tokens the folder that keeps them
 [[nodiscard]] std::optional<JoinGap> whatIsMissing(const JoinForm& form,
                                                    const std::filesystem::path& tokens);
 
-/// What is to be mended in the form after the session was tried with it and refused it.
+/// What has to be corrected after a session refused this form.
 [[nodiscard]] JoinGap gapOf(const Error& refusal, const JoinForm& form);
 
-/// What settings say already, as a person would have typed it.
+/// A form filled in from settings.
 [[nodiscard]] JoinForm formOf(const JoinSettings& settings);
 
-/// Takes over what the form says. @pre nothing is missing but a code.
+/// Copies the form into the settings. @pre nothing but a code is missing.
 void fillIn(JoinSettings& settings, const JoinForm& form);
 
-/// The link that leads a guest in this role into a session that is hosted here: at the first of
-/// this computer's addresses, or on this computer alone where it is not open to others.
+/// The join link for a guest in this role to a session hosted here: with the first address of this
+/// computer, or with its loopback address if the session is not open to other computers.
 [[nodiscard]] QString joinLinkText(const SessionNode& host, Role role);
 
-/// Which name guests are to expect in the host's certificate; empty where it has none.
+/// A text with the name that guests must find in the host's certificate; empty if it has none.
 [[nodiscard]] QString certificateText(const SessionNode& host);
 
-/// How others come into a session that is hosted here, with a shape before the words.
+/// A text, after its state mark, on who can reach a session hosted here.
 [[nodiscard]] QString reachText(const SessionNode& host);
 
 } // namespace carina

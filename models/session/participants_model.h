@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// Everybody in the session: who, in which role, whether their program answers, how old their
-/// newest sample is, and how far their objects jumped when it came.
+/// The participants of the session as a table: name, role, connection state, age of the newest pose
+/// sample, and drift: how far their objects jumped when that sample arrived.
 class ParticipantsModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -21,8 +21,8 @@ public:
     /// @pre session outlives this.
     explicit ParticipantsModel(SessionModel& session, QObject* parent = nullptr);
 
-    /// Of the newest samples of everybody who is here, in milliseconds; nothing while nobody
-    /// tracks.
+    /// The age of the oldest of all participants' newest samples, in milliseconds; std::nullopt
+    /// while nobody sends poses.
     [[nodiscard]] std::optional<double> oldestSample_ms() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -32,7 +32,7 @@ public:
                                       int role) const override;
 
 private:
-    /// One participant; of its objects the oldest and the one that drifted most count.
+    /// One participant, with the largest age and the largest drift of its objects.
     struct Row {
         ParticipantId id;
         QString name;
@@ -50,7 +50,7 @@ private:
     [[nodiscard]] std::optional<LinkReport> linkTo(ParticipantId id) const;
     [[nodiscard]] QString stateText(const Participant& participant) const;
     [[nodiscard]] static QString cell(const Row& row, int column);
-    /// A cell as a screen reader says it: with its column, and without a shape.
+    /// The text of a cell for a screen reader: with its column name, without the state mark.
     [[nodiscard]] QString spoken(const Row& row, int column) const;
 
     SessionModel& m_session;

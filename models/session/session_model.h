@@ -11,13 +11,14 @@
 namespace carina
 {
 
-/// The session as a person starts, pauses and ends it. Lives on the GUI thread.
+/// The phase and running time of a session, and the commands to start, pause and end it. Lives on
+/// the GUI thread.
 class SessionModel : public QObject
 {
     Q_OBJECT
 
 public:
-    /// @pre node outlives this; it is the only one to listen to its changes.
+    /// @pre node outlives this; nobody else listens to its changes.
     explicit SessionModel(SessionNode& node, QObject* parent = nullptr);
     ~SessionModel() override;
 
@@ -27,11 +28,11 @@ public:
     [[nodiscard]] SessionPhase phase() const;
     /// The phase as a word: "Running".
     [[nodiscard]] QString phaseText() const;
-    /// Time spent running, pauses left out, as minutes and seconds: "04:12".
+    /// Running time without pauses, in minutes and seconds: "04:12".
     [[nodiscard]] QString runningTimeText() const;
 
     /// What may be done next.
-    [[nodiscard]] bool canStart() const; ///< also: may go on after a pause
+    [[nodiscard]] bool canStart() const; ///< or resume after a pause
     [[nodiscard]] bool canPause() const;
     [[nodiscard]] bool canEnd() const;
 
@@ -41,7 +42,8 @@ public Q_SLOTS:
     void end();
 
 Q_SIGNALS:
-    /// The facts, the links or what is under way changed; at most once per turn of the event loop.
+    /// The facts, the links or the pending proposals changed; at most once per event loop
+    /// iteration.
     void changed();
 
 private:

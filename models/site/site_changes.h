@@ -11,53 +11,54 @@
 namespace carina
 {
 
-/// How each thing that a technician achieves changes a site. What rests on it stays, and is marked
-/// as stale with what was changed beneath: touched points rest on tracker, stylus and the places of
-/// their landmarks, the registration on the touched points, its verification on the registration.
+/// Functions that return a site after one change. Results that depend on the changed item are kept,
+/// but marked as stale with the cause: touched points depend on tracker, stylus and landmark
+/// positions, the registration on the touched points, its verification on the registration.
 
 [[nodiscard]] Site withTracker(Site site, std::string tracker);
 
-/// Takes the place of the tool's calibration from before.
+/// Replaces the tool's earlier calibration.
 [[nodiscard]] Site withStylus(Site site, StylusTip stylus);
 
-/// The axis of a tool whose tip is known.
+/// Sets the axis of a tool whose tip is known.
 [[nodiscard]] Site withStylusAxis(Site site, const std::string& tool, StylusAxis axis);
 
-/// Landmarks that keep their place keep their touch as it is.
+/// Replaces the landmarks. A touch stays fresh if its landmark keeps its position.
 [[nodiscard]] Site withLandmarks(Site site, LandmarkCatalogue catalogue);
 
-/// Whether the manikin was laid anew since what counts of it was touched: how it was laid anew is
-/// not in these touches, so that no fit of them knows its error.
+/// Whether the manikin was re-registered after its landmarks were touched. The motion between is
+/// not in these touches, so the covariance of a new fit would not include its error.
 [[nodiscard]] bool isLaidAnew(const Site& site);
 
-/// The landmark was touched; a touch from before is replaced.
+/// Adds a touch of a landmark, or replaces its earlier one.
 [[nodiscard]] Site withTouch(Site site, const std::string& landmark, const StylusTouch& touch);
 
-/// The fresh touches given to other landmarks. @param touchOf as OrderFinding has it, of
-/// touchedPairs
+/// Reassigns the fresh touches to other landmarks.
+/// @param touchOf as in OrderFinding, for touchedPairs()
 [[nodiscard]] Site withOrder(Site site, const std::vector<std::size_t>& touchOf);
 
-/// One more landmark touched since the manikin was moved; a touch from before is replaced.
-/// @pre it is being laid anew.
+/// Adds a touch made after the manikin was moved, or replaces the landmark's earlier one.
+/// @pre it is being re-registered.
 [[nodiscard]] Site withRelayTouch(Site site, const std::string& landmark, const StylusTouch& touch);
 
-/// A point that was touched to check the registration; one of the same name is replaced.
+/// Adds a check point of the verification, or replaces the one of the same name; resets the
+/// verdict.
 /// @pre it is registered.
 [[nodiscard]] Site withVerified(Site site, VerifiedPoint point);
 
-/// Marks what rests on something that was changed. The deepest cause stays: a result from before
-/// the tracker was changed is of no use whatever else has changed since.
+/// Marks a result as stale. Of several causes the one first in StaleCause is kept: a changed
+/// tracker invalidates a result whatever else has changed.
 void makeStale(std::optional<StaleCause>& stale, StaleCause cause);
 
 [[nodiscard]] Site withVerdict(Site site, Verdict verdict, std::string at);
 
-/// The touch of a landmark; null where it was not touched.
+/// The touch of a landmark; null if it was not touched.
 [[nodiscard]] const TouchedPoint* touchOf(const Site& site, const std::string& landmark);
 
-/// Touches that are not stale, in the catalogue's order. @pre the site outlives them.
+/// The touches that are not stale, in the catalogue's order. @pre the site outlives them.
 [[nodiscard]] std::vector<const TouchedPoint*> freshTouches(const Site& site);
 
-/// The same with their landmarks. Places in M are left out: p_MQ is in T.
+/// The fresh touches with their landmarks. The points are in the tracker frame T: p_MQ holds p_TQ.
 [[nodiscard]] std::vector<LandmarkPair> touchedPairs(const Site& site);
 
 } // namespace carina

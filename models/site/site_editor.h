@@ -14,8 +14,8 @@
 namespace carina
 {
 
-/// A site and its file. What is shown is what is in the file: a change counts once it is kept
-/// there, and each can be undone as a whole.
+/// A site and its file. A change takes effect only after it was written to the file, and each can
+/// be undone as a whole.
 class SiteEditor : public QObject
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ class SiteEditor : public QObject
 public:
     using Today = std::function<QDateTime()>;
 
-    /// @param site as the file has it
+    /// @param site as read from the file
     SiteEditor(std::filesystem::path file, Site site, Today today);
 
     [[nodiscard]] const Site& site() const { return m_site; }
@@ -31,25 +31,26 @@ public:
     /// ISO 8601, in UTC.
     [[nodiscard]] std::string now() const;
 
-    /// Takes a change over, which can then be undone.
-    /// @returns false where it cannot be kept: the site stays as it is, and problem() says why.
+    /// Writes the changed site to the file and adopts it; can be undone.
+    /// @returns false if it cannot be written: the site stays as it is, and problem() says why.
     bool become(Site next);
-    /// Shows a page, whatever the disk says. No change that undo knows.
+    /// Goes to a page, even if that cannot be written to the file. Not a change for undo().
     void enter(SiteStep step);
 
     [[nodiscard]] bool canUndo() const { return !m_past.empty(); }
     void undo();
 
-    /// What went wrong last, in a sentence; empty since something went right.
+    /// One sentence: the last failure; empty after a success.
     [[nodiscard]] QString problem() const { return m_problem; }
     void refuse(const Error& error);
     void refuse(const QString& sentence);
 
-    /// What was done last beside the site, in a sentence; empty since something else happened.
+    /// One sentence: the last action outside the site, such as an export; empty after any other
+    /// event.
     [[nodiscard]] QString notice() const { return m_notice; }
     void confirm(const QString& sentence);
 
-    /// Something was achieved by hand, away from the screen: to be heard.
+    /// Something was done with the stylus, away from the screen: to be spoken aloud.
     void tell(const QString& words) { Q_EMIT told(words); }
 
 Q_SIGNALS:
@@ -63,7 +64,7 @@ private:
     std::filesystem::path m_file;
     Site m_site;
     Today m_today;
-    std::vector<Site> m_past; ///< what undo goes back to
+    std::vector<Site> m_past; ///< earlier sites, for undo()
     QString m_problem;
     QString m_notice;
 };

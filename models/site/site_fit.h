@@ -11,30 +11,30 @@
 namespace carina
 {
 
-/// How fitting the anatomy to what was touched changes a site.
+/// Functions that return a site after a fit.
 
-/// What a fit, or laying a manikin anew, is made with besides the touches.
+/// Inputs of a fit or re-registration besides the touches.
 struct FitInputs {
-    std::string tool;                     ///< whose tip they were touched with
-    std::optional<RigidTransform> X_TJ{}; ///< the chin probe, the mouth closed
+    std::string tool;                     ///< the stylus that touched the landmarks
+    std::optional<RigidTransform> X_TJ{}; ///< the chin probe with the mouth closed
     std::optional<RigidTransform> X_TB{}; ///< the body probe
     std::string at;                       ///< ISO 8601
 };
 
-/// As the stylus and the probes are seen now.
+/// The inputs from the tools that the tracker sees now.
 [[nodiscard]] FitInputs fitInputs(const StylusWatch& watch, std::string at);
 
 /// The anatomy fitted to the touched landmarks that are not stale.
-/// @returns TooFewLandmarks without a catalogue; what fitManikin returns.
+/// @returns TooFewLandmarks without a catalogue; the errors of fitManikin.
 [[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
 
-/// The registration refined on a surface that was swabbed with a tool.
+/// The registration refined with points swabbed on a surface with a tool.
 /// @pre it is registered.
 [[nodiscard]] Site withSwab(Site site, const std::string& tool, const std::string& surface,
                             std::size_t points, const SurfaceRefinement& refinement);
 
-/// The manikin laid anew, with all that was touched on it.
-/// @pre it is registered and being laid anew.
+/// The re-registered manikin, with all touches transformed to its new pose.
+/// @pre it is registered and being re-registered.
 [[nodiscard]] Site withRelay(Site site, const ReRegistration& relay, const FitInputs& inputs);
 
 } // namespace carina

@@ -8,25 +8,25 @@
 namespace carina
 {
 
-/// What a station takes from its site file.
+/// The settings of a station from its site file.
 struct SiteSetup {
     StationRegistration registration;
-    /// What to watch it by; nothing where its error is not known.
+    /// For monitoring the registration; std::nullopt if its error is unknown.
     std::optional<GuardedRegistration> guard{};
     std::optional<DisplayGeometry> display{}; ///< of the headset, if it was measured
 };
 
-/// Whether both lay the anatomy alike: a site is also written for other things.
+/// Whether both place the anatomy alike; a site file also changes for other reasons.
 [[nodiscard]] bool isSamePlace(const SiteSetup& a, const SiteSetup& b);
 
-/// Whether both are watched by the same.
+/// Whether both have the same data for monitoring.
 [[nodiscard]] bool isSameGuard(const SiteSetup& a, const SiteSetup& b);
 
-/// Whether a site is of this patient, or of none yet.
-/// @returns OtherPatient; the detail names both, where the site names its own.
+/// Checks that a site is for this patient, or for none yet.
+/// @returns OtherPatient; the detail names both patients if the site names its own.
 [[nodiscard]] Result<void> checkPatient(const Site& site, const PatientModel& patient);
 
-/// @returns NotRegistered before the site's anatomy was fitted; what checkPatient returns.
+/// @returns NotRegistered before the fit; the error of checkPatient.
 [[nodiscard]] Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient);
 
 } // namespace carina

@@ -16,36 +16,35 @@ enum class TaskState : std::uint8_t {
     Waits, ///< for another task
     Begun,
     Done,
-    Stale, ///< done, and something beneath it has changed since
+    Stale, ///< done, but something that it depends on was changed since
 };
 
-/// How far a page's task is, and why it is no further: a sentence, empty where there is nothing to
-/// say.
+/// The state of a page's task, and one sentence on why it is not done, which may be empty.
 struct SiteTask {
     TaskState state = TaskState::Open;
     QString why{};
 };
 
-/// What of a site is done, stale or missing. Overview is done when everything is.
-/// @param tool    the stylus in hand, as its tracker names it
-/// @param tracker the tracker that is there, in words
-/// @param today   when this is asked: what was verified long ago is to be verified again
+/// The state of the task of a step. Overview is done when all other tasks are.
+/// @param tool    the tracker's name for the stylus
+/// @param tracker the name of the present tracker
+/// @param today   the present time: an old verification has to be repeated
 [[nodiscard]] SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool,
                                 const QString& tracker, const QDateTime& today);
 
 /// The title of a page.
 [[nodiscard]] QString stepTitle(SiteStep step);
 
-/// Whether a verdict says that this registration is not good enough.
+/// Whether the verdict on the present registration is that it is not good enough.
 [[nodiscard]] bool isNotGood(const Site& site);
 
-/// The first page of which the task is not done; Overview where all are, and Touch after a verdict
-/// that the registration is not good enough.
+/// The first page whose task is not done; Overview if all are, and Touch if the verdict is that the
+/// registration is not good enough.
 [[nodiscard]] SiteStep nextTask(const Site& site, const std::string& tool, const QString& tracker,
                                 const QDateTime& today);
 
-/// The site in a few sentences: when it was registered, what error is expected first and where it
-/// is worst, what was verified, what is old or stale, and what to do.
+/// The state of the site in a few sentences: when it was registered, the expected error at the
+/// first and at the worst target, what was verified, what is old or stale, and what to do.
 /// @param expected of the registration at its targets, the glottis first; may be empty
 [[nodiscard]] QStringList siteHealth(const Site& site, const std::string& tool,
                                      const QString& tracker, const QDateTime& today,

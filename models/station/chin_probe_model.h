@@ -10,27 +10,28 @@
 namespace carina
 {
 
-/// By what a station knows where its patient is, in words; and what the motion of its chin probe is
-/// taken for, as a person chooses it.
+/// Describes in words which probe gives the pose of a station's patient, and lets a person choose
+/// how motion of the chin probe is interpreted: as jaw opening or as motion of the manikin.
 class ChinProbeModel
 {
 public:
     using Guard = std::unique_ptr<RegistrationGuard>;
 
-    /// @param tracking outlives this; null for a program that only watches
-    /// @param guard    of the registration, as its owner has it now; outlives this, null for none
+    /// @param tracking outlives this; null for a program without a tracker
+    /// @param guard    pointer to the owner's present guard of the registration; outlives this;
+    ///                 null for none
     explicit ChinProbeModel(StationTracking* tracking, const Guard* guard = nullptr)
         : m_tracking{tracking}, m_guard{guard}
     {
     }
 
-    /// Whether there is anything to choose: a body probe leaves nothing to assume.
+    /// Whether there is a choice: with a body probe no assumption is needed.
     [[nodiscard]] bool isThere() const
     {
         return m_tracking && m_tracking->hasChinProbe() && !m_tracking->hasBodyProbe();
     }
 
-    /// The manikin is moved with its mouth closed; else it lies still and its jaw opens.
+    /// True: the manikin is moved with its mouth closed; false: it lies still and its jaw opens.
     [[nodiscard]] bool movesManikin() const
     {
         return isThere() && m_tracking->chinMotion() == ChinMotion::OfManikin;
@@ -41,11 +42,11 @@ public:
             m_tracking->takeChinMotion(moves ? ChinMotion::OfManikin : ChinMotion::OfJaw);
     }
 
-    /// The assumption in force, as a translated sentence; empty for a program that only watches.
+    /// The assumption in force, as a translated sentence; empty for a program without a tracker.
     [[nodiscard]] QString assumption() const;
 
-    /// What has to be known all the time: that the registration has drifted, or which probe the
-    /// patient follows; else empty.
+    /// A permanent notice: that the registration has drifted, or which probe the patient follows;
+    /// else empty.
     [[nodiscard]] QString notice() const;
 
 private:

@@ -8,10 +8,10 @@
 namespace carina
 {
 
-/// What a person at a station has to know now, as translated lines; empty when all is well. One
-/// line of what goes on, in order of weight: what the host refused, no host, session not running,
-/// headset (where there is one) or tube out of the tracker's view. And one whenever the patient was
-/// moved away from its place.
+/// The notice shown at a station, as translated lines; empty if there is no problem. The first line
+/// is the most important of: refusal by the host, no host, session not running, headset (if there
+/// is one) or tube out of the tracker's view. A second line is added while the patient is displaced
+/// from its original pose.
 [[nodiscard]] QString stationNotice(const SessionNode& node, const StationMoment& moment,
                                     ViewOutput output);
 

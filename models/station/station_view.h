@@ -11,39 +11,40 @@
 namespace carina
 {
 
-/// Where a viewer of a station takes its objects' poses from, in A.
+/// The source of the poses of a station's objects, in A.
 struct ObjectPoses {
-    /// The pose at a time; nothing for an object never seen.
+    /// The pose at a time; std::nullopt for an object never seen.
     std::function<std::optional<PoseSample>(ObjectKind, SessionTime)> at;
-    /// When the newest sample was true.
+    /// The time of the newest sample.
     std::function<std::optional<SessionTime>(ObjectKind)> newest;
 };
 
-/// The objects of the tracker here. @pre `tracking` outlives what is returned.
+/// The objects of the local tracker. @pre `tracking` outlives what is returned.
 [[nodiscard]] ObjectPoses posesOf(const StationTracking& tracking);
 
-/// The objects that others share at a station. @pre `node` outlives what is returned.
+/// The objects shared by others at a station. @pre `node` outlives what is returned.
 [[nodiscard]] ObjectPoses posesOf(const SessionNode& node, StationId station);
 
-/// Everything of a station that moves, at one session time.
+/// The state of everything that moves at a station, at one session time.
 struct StationMoment {
     SessionTime time{};
-    ChestShape breathing;               ///< as the mechanics have it
-    ChestPose pose;                     ///< of the chest, which shows that
-    Volume notDrawn{};                  ///< of the lungs, beyond what can be shown
-    double exaggeration = 1.0;          ///< of the pose: at any other it shows more than is true
-    std::optional<PoseSample> tube;     ///< X_AE; nothing while never seen
+    ChestShape breathing; ///< from the respiratory mechanics
+    ChestPose pose;       ///< the pose of the chest that shows `breathing`
+    Volume notDrawn{};    ///< volume of the lungs that the pose cannot show
+    double exaggeration =
+        1.0; ///< of the pose; at any value but 1 the drawn volumes are not the patient's
+    std::optional<PoseSample> tube;     ///< X_AE; empty if never seen
     std::optional<PoseSample> jaw;      ///< X_AJ
     std::optional<PoseSample> head;     ///< X_AH
-    std::optional<ShownObject> patient; ///< X_AV; nothing while nobody acted on the patient
-    std::optional<Duration> sampleAge;  ///< of the newest sample of the tube, at that time
+    std::optional<ShownObject> patient; ///< X_AV; empty before any action on the patient
+    std::optional<Duration> sampleAge;  ///< of the tube's newest sample at `time`
 };
 
-/// Whether the virtual patient is drawn away from where it belongs.
+/// Whether the virtual patient is displaced from its original pose.
 [[nodiscard]] bool isAway(const StationMoment& moment);
 
-/// One station as a viewer draws it: a pure function of the facts, the poses, the actions and a
-/// time. All calls come from one thread.
+/// The state of a station as drawn by a viewer: a pure function of facts, poses, actions and time.
+/// Must be called from one thread only.
 class StationView
 {
 public:
@@ -51,15 +52,15 @@ public:
     StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                 ObjectPoses poses);
 
-    /// Draws every departure of the chest from rest this many times as large, as far as it goes.
-    /// 1 unless somebody asks; whoever shows it has to say so.
+    /// Multiplies the motion of the chest from rest, within its range; 1 by default. The drawn
+    /// volumes are then not the patient's, and the view must say so.
     void exaggerate(double factor) { m_exaggeration = factor; }
 
     /// The station at a time, with the pose of the chest for one level of detail.
     [[nodiscard]] StationMoment at(SessionTime t, std::size_t level) const;
 
-    /// The station when a frame is lit, told on this machine's clock; before the session clock is
-    /// set, the patient at rest and no objects.
+    /// The station at the time a frame is lit, on this machine's clock. Before the session clock is
+    /// synchronised: the patient at rest and no objects.
     [[nodiscard]] StationMoment litAt(LocalTime lit, std::size_t level) const;
 
 private:
@@ -68,7 +69,7 @@ private:
     const LungPair& m_lungs;
     ObjectPoses m_poses;
     double m_exaggeration = 1.0;
-    mutable RespirationFollower m_breathing; ///< what it keeps only makes it quick
+    mutable RespirationFollower m_breathing; ///< a cache
 };
 
 } // namespace carina

@@ -9,15 +9,15 @@
 namespace carina
 {
 
-/// How a tracker sees one of its tools now.
+/// The visibility of one tool of a tracker.
 struct ToolStatus {
     ToolRole role = ToolRole::Other;
     QString name{};         ///< as shown: "Stylus"
-    bool isVisible = false; ///< tracked, and not silent
-    QString text{};         ///< "out of view", or how often and how well it is seen
+    bool isVisible = false; ///< tracked, with recent samples
+    QString text{};         ///< "out of view", or sample rate and quality
 };
 
-/// The tools of a tracker at a time on its clock.
+/// The status of a tracker's tools at a time on its clock.
 [[nodiscard]] std::vector<ToolStatus> toolStatus(const Tracker& tracker, SessionTime now);
 
 } // namespace carina

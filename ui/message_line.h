@@ -5,8 +5,7 @@
 namespace carina
 {
 
-/// What went wrong last, or was done last beside what is shown: to be seen, and to be heard once by
-/// what reads the screen aloud.
+/// A line with the last error or notice, which is also announced once to screen readers.
 class MessageLine : public QLabel
 {
     Q_OBJECT
@@ -14,7 +13,7 @@ class MessageLine : public QLabel
 public:
     using QLabel::QLabel;
 
-    /// Nothing where there is no problem.
+    /// Shows a problem; an empty text clears it.
     void warn(const QString& problem);
     void confirm(const QString& notice);
 

@@ -14,9 +14,9 @@ class QTableWidget;
 namespace carina
 {
 
-/// An anatomy set on its way into the program: how far reading it is; then what each of its
-/// surfaces was taken for, the unit and the axes, for a person to correct; then how far building it
-/// is. It can be stopped at any time. Files that could not be used are named.
+/// The import of an anatomy set: progress of reading; then the recognised role of each surface, the
+/// unit and the axes, which a person can correct; then progress of building. It can be cancelled at
+/// any time. Files that could not be used are listed.
 class ImportDialog : public QDialog
 {
     Q_OBJECT

@@ -22,9 +22,8 @@ class InstructorWindow;
 namespace carina
 {
 
-/// The instructor's console: the session and how it runs, how the patient breathes and what ails
-/// it, the curves of its breath, who takes part,
-/// what is done to shared objects, and the patient in three dimensions.
+/// The instructor's console: session control, breathing and disease of the patient, respiratory
+/// waveforms, participants, network, actions on shared objects, and a 3-D view of the patient.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT

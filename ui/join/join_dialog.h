@@ -14,10 +14,10 @@ class QPushButton;
 namespace carina
 {
 
-/// Asks a person which session to come into, with which code, name and role. A join link in the
-/// place of the address fills in what it says. What is missing is said in words, and Join can be
-/// pressed once nothing is. It is accepted once the session has let them in; a session that refuses
-/// leads back to the field that is wrong, with what was typed.
+/// Asks a person which session to join, with which code, name and role. A join link pasted into the
+/// address field fills in the fields that it contains. Missing fields are named, and Join is
+/// enabled once none is missing. The dialog is accepted when the host admits the person; after a
+/// refusal the wrong field gets the focus and all input is kept.
 class JoinDialog : public QDialog
 {
     Q_OBJECT
@@ -31,7 +31,7 @@ public:
 
     /// Joins, if nothing is missing.
     void accept() override;
-    /// Stops joining; leaves where nothing is under way.
+    /// Stops joining; closes the dialog if no attempt is running.
     void reject() override;
 
 private:
@@ -53,7 +53,7 @@ private:
     QLineEdit* m_name;
     QComboBox* m_role;
     QLineEdit* m_certificate;
-    QWidget* m_typed; ///< all of the above that a person types or chooses
+    QWidget* m_typed; ///< parent of all input fields above
     QLabel* m_missing;
     QPushButton* m_join;
 };

@@ -16,8 +16,8 @@ class ActionsPanel;
 namespace carina
 {
 
-/// Whose a shared object is, and what is done to it: turned, moved or scaled until it is stopped.
-/// To those who may do nothing it says so.
+/// The owner of a shared object, and the actions on it: rotate, translate or scale until stopped.
+/// For a person without permission the panel states the reason.
 class ActionsPanel : public QWidget
 {
     Q_OBJECT

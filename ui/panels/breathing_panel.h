@@ -16,8 +16,8 @@ class BreathingPanel;
 namespace carina
 {
 
-/// How the patient breathes, to see and to change. A control shows the value in force or, while a
-/// change travels, the value asked for; what travels is told beneath.
+/// Shows and sets the patient's breathing. A control shows the value in force or, while a change is
+/// pending, the requested value; pending changes are listed below.
 class BreathingPanel : public QWidget
 {
     Q_OBJECT

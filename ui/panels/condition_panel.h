@@ -14,9 +14,9 @@ class QSlider;
 namespace carina
 {
 
-/// How the patient lies, what ails it and who breathes it, to see and to change. A control shows
-/// the value in force or, while a change travels, the value asked for; what travels is told
-/// beneath. To those who may change nothing it says so.
+/// Shows and sets the patient's position, disease, ventilator and tube. A control shows the value
+/// in force or, while a change is pending, the requested value; pending changes are listed below.
+/// For a person without permission the panel states the reason.
 class ConditionPanel : public QWidget
 {
     Q_OBJECT

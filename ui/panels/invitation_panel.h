@@ -16,9 +16,9 @@ namespace carina
 
 class QrCode;
 
-/// By which codes others come into the session, large enough to be read across a room, who can
-/// reach the session at all, and, where a person wants to see it, the link of the role that is
-/// chosen as a QR code. It grows with the panel, up to a screen of its own.
+/// The join codes of the session, large enough to be read across a room, who can reach the session,
+/// and, on request, the join link of the chosen role as a QR code. The QR code grows with the
+/// panel, up to a full screen.
 class InvitationPanel : public QWidget
 {
     Q_OBJECT
@@ -27,7 +27,7 @@ public:
     explicit InvitationPanel(QWidget* parent = nullptr);
 
     using QWidget::show;
-    /// The codes of a node that hosts.
+    /// Shows the codes of a hosting node.
     void show(const SessionNode& host);
 
 private:
@@ -44,7 +44,7 @@ private:
     Role m_chosen = Role::Trainee;
     QrCode* m_picture;
     QLabel* m_reach;
-    QLabel* m_certificate; ///< hidden where the host has none
+    QLabel* m_certificate; ///< hidden if the host has none
     QPushButton* m_showPicture;
     QPushButton* m_copy;
 };

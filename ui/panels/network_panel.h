@@ -13,7 +13,7 @@ namespace carina
 
 class HistoryPlot;
 
-/// The network to one participant at a time: the delays as a curve, and every figure with its unit.
+/// The network path to one participant: the delays as a curve, and all figures with their units.
 class NetworkPanel : public QWidget
 {
     Q_OBJECT
@@ -26,7 +26,7 @@ public:
 
 private:
     void layOut();
-    /// Goes back to the participant who was shown before others came or went.
+    /// Selects the participant shown before the list changed.
     void findShown();
     void refresh();
     void plot(const NetworkFigures& figures);

@@ -14,7 +14,7 @@ class ParticipantsPanel;
 namespace carina
 {
 
-/// Everybody in the session as a table.
+/// The participants of the session as a table.
 class ParticipantsPanel : public QWidget
 {
     Q_OBJECT

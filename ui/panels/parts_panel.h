@@ -16,9 +16,9 @@ namespace carina
 
 class SceneView;
 
-/// Which parts of the patient a view shows, and how: solid, as a ghost, hidden, highlighted, with
-/// its name beside it, in a plain colour. What is chosen in the list, by mouse or keyboard, is what
-/// the buttons are about; the words typed above it leave out all other parts.
+/// Which parts of the patient a view shows, and how: solid, ghost, hidden, highlighted, labelled,
+/// in a plain colour. The buttons apply to the parts selected in the list, by mouse or keyboard;
+/// the text field above filters the list.
 class PartsPanel : public QWidget
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ private:
     void layOut();
     [[nodiscard]] QPushButton* styleButton(const QString& text, const QString& toolTip,
                                            PartStyle style);
-    /// A button and what of a look it switches on and off.
+    /// A button and the member of PartLook that it toggles.
     struct Switch {
         QPushButton* button;
         bool PartLook::*which;
@@ -53,7 +53,7 @@ private:
     std::vector<QPushButton*> m_styles;
     Switch m_highlight;
     Switch m_label;
-    Switch m_plain; ///< shown only where a part came with colours
+    Switch m_plain; ///< shown only if a part has vertex colours
     QPushButton* m_showAll;
 };
 

@@ -16,8 +16,8 @@ namespace carina
 
 class SceneView;
 
-/// Cuts the patient of a view open: what is cut, from which side, and how deep; and whether the
-/// view may leave out detail.
+/// Controls the section plane of a view: what is cut, from which side, and how deep; and whether
+/// the view chooses the level of detail.
 class SectionPanel : public QWidget
 {
     Q_OBJECT
@@ -25,10 +25,10 @@ class SectionPanel : public QWidget
 public:
     explicit SectionPanel(QWidget* parent = nullptr);
 
-    /// Works on what the view shows now. @pre the view outlives the panel.
+    /// Controls this view, with the bounds of its present parts. @pre the view outlives the panel.
     void setScene(SceneView& scene);
 
-    /// The plane chosen; nothing while nothing is to be cut.
+    /// The chosen plane; std::nullopt while nothing is cut.
     [[nodiscard]] std::optional<Section> section() const;
 
 private:
@@ -38,7 +38,7 @@ private:
     void choose();
 
     SceneView* m_scene = nullptr;
-    Box m_bounds_A; ///< of all that is in the patient
+    Box m_bounds_A; ///< of all parts of the patient
     QComboBox* m_what;
     QComboBox* m_side;
     QSlider* m_slider;

@@ -9,8 +9,7 @@
 namespace carina
 {
 
-/// What error is expected where: target, RMS, the bound that 95 % stay below, and the direction in
-/// which it is largest.
+/// The expected TRE as a table: target, RMS, 95 % bound, and the direction in which it is largest.
 class ErrorTable : public QTableWidget
 {
     Q_OBJECT
@@ -18,17 +17,18 @@ class ErrorTable : public QTableWidget
 public:
     explicit ErrorTable(QWidget* parent = nullptr);
 
-    /// Hidden while there is nothing to tell.
+    /// Hidden if `errors` is empty.
     void show(const std::vector<ExpectedError>& errors);
 
 private:
     void explain(int column, const QString& explanation);
 };
 
-/// A table to be read: no edges, no editing, whole rows, as high as its rows are.
+/// Makes a table read-only, without grid lines, with selection by row, and with rows as high as
+/// their content.
 void makeReadable(QTableView& table);
 
-/// As high as its rows, so that it needs no scroll bar.
+/// Makes a table as high as its rows, so that it needs no scroll bar.
 void fitHeight(QTableView& table);
 
 } // namespace carina

@@ -12,8 +12,8 @@ namespace carina
 class ErrorTable;
 class LandmarkList;
 
-/// The fit: what the touches tell of themselves, the error that is expected where it counts, and
-/// the refinement on a surface.
+/// The fit: residuals and warnings, the expected TRE at the targets, and the refinement on a
+/// surface.
 class FitPage : public RegistrationPage
 {
     Q_OBJECT

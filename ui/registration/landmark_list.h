@@ -20,7 +20,7 @@ public:
     /// @pre registration outlives it.
     explicit LandmarkList(const RegistrationModel& registration, QWidget* parent = nullptr);
 
-    /// Which columns are of use.
+    /// Shows only these columns.
     void showColumns(std::initializer_list<LandmarkTableModel::Column> columns);
     void refresh();
 

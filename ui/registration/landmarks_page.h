@@ -12,7 +12,7 @@ namespace carina
 class ErrorTable;
 class LandmarkList;
 
-/// Chooses the landmarks and their places, and tells what they will be good for.
+/// Chooses the landmarks and their positions, and shows the TRE predicted for them.
 class LandmarksPage : public RegistrationPage
 {
     Q_OBJECT

@@ -8,7 +8,8 @@
 namespace carina
 {
 
-/// A time of a site file, ISO 8601, as people here read it; what is no time stays as it is.
+/// Converts an ISO 8601 time of a site file to local time, "yyyy-MM-dd HH:mm"; a text that is no
+/// time is returned as it is.
 inline QString localTime(const std::string& time)
 {
     const auto at = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);

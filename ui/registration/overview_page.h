@@ -9,7 +9,7 @@ class QPushButton;
 namespace carina
 {
 
-/// The state of the site on one page, who works on it, and its file.
+/// Summary of the site: its state, its operator, and import and export of its file.
 class OverviewPage : public RegistrationPage
 {
     Q_OBJECT
@@ -22,7 +22,7 @@ public:
     void act() override;
 
 Q_SIGNALS:
-    /// Everything is done, and the person goes.
+    /// Everything is done, and the person closes the wizard.
     void finished();
     void reportWanted();
 

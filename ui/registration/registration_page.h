@@ -7,22 +7,23 @@
 namespace carina
 {
 
-/// The right-hand side of the wizard for one step, and what its main button does.
+/// The page of one step at the right of the wizard, and the action of its main button.
 class RegistrationPage : public QWidget
 {
 public:
     /// @pre registration outlives the page.
     explicit RegistrationPage(RegistrationModel& registration) : m_registration{registration} {}
 
-    /// Takes in that the registration changed.
+    /// Updates the page after RegistrationModel::changed().
     virtual void refresh() {}
-    /// Takes in what moves by itself, a few times a second.
+    /// Updates live values, a few times a second.
     virtual void refreshLive() {}
 
-    /// What the main button says; empty where the page needs none.
+    /// The text of the main button; empty if the page needs none.
     [[nodiscard]] virtual QString actionText() const = 0;
     [[nodiscard]] virtual bool canAct() const { return true; }
-    /// Whether that is what to do next: then the button is in colour, and Return presses it.
+    /// Whether this action is the next thing to do: then the button is highlighted, and Return
+    /// presses it.
     [[nodiscard]] virtual bool isReady() const { return true; }
     virtual void act() = 0;
 

@@ -8,8 +8,8 @@
 namespace carina
 {
 
-/// A registration as it is reported. @param picture of the anatomy with the expected error on it;
-/// may be null
+/// The report of a registration.
+/// @param picture of the anatomy with the map of the expected error; may be null
 [[nodiscard]] RegistrationReport reportOf(const RegistrationModel& registration, QImage picture);
 
 } // namespace carina

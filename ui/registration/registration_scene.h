@@ -11,28 +11,28 @@ class SceneView;
 
 /// Shows a registration in three dimensions: the patient at rest, the landmarks on it, and the
 /// stylus once the patient is registered. Open landmarks are balls, touched ones diamonds, and the
-/// one that is next is a ball that swells and shrinks. A dark rim sets each off from what is
-/// behind.
+/// next one is a pulsating ball. A dark rim separates each from the background.
 class RegistrationScene
 {
 public:
     /// @pre all outlive this.
     RegistrationScene(SceneView& scene, const RegistrationModel& registration);
 
-    /// Takes in that the registration changed, and turns to the landmark that is next.
+    /// Updates the scene after RegistrationModel::changed(), and turns the view to the next
+    /// landmark.
     void refresh();
 
-    /// What an error on the patient is drawn with.
+    /// The colour bands and the range of a drawn error map.
     struct ShownError {
         ErrorBands bands;
         ErrorRange range;
     };
 
-    /// Draws the error that is expected everywhere on the patient, or no more.
-    /// @returns nothing where none is drawn
+    /// Shows or hides the map of the expected error on the patient.
+    /// @returns std::nullopt if no map is drawn
     std::optional<ShownError> showError(bool shown);
 
-    /// What is drawn at a time.
+    /// The frame to draw at a time.
     [[nodiscard]] SceneFrame frameAt(LocalTime time) const;
 
 private:
@@ -40,9 +40,9 @@ private:
 
     SceneView& m_scene;
     const RegistrationModel& m_registration;
-    std::vector<LandmarkRow> m_landmarks; ///< or places to check
-    std::size_t m_marked = 0;             ///< landmarks that there are markers for
-    QString m_next;                       ///< name of the place that is next
+    std::vector<LandmarkRow> m_landmarks; ///< or check points
+    std::size_t m_marked = 0;             ///< number of markers in the scene
+    QString m_next;                       ///< name of the next point
 };
 
 } // namespace carina

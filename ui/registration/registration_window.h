@@ -20,10 +20,10 @@ namespace carina
 
 class RegistrationPage;
 
-/// The wizard that registers a patient's anatomy to a manikin: the steps and how far each is, the
-/// patient in three dimensions, the page of the present step, what the tracker sees, and one
-/// sentence that says what to do now. Return presses the button that goes on; Page Down, or a foot
-/// switch that sends it, takes a point.
+/// The wizard that registers a patient's anatomy to a manikin: the steps and their states, a 3-D
+/// view of the patient, the page of the present step, the visibility of the tools, and one sentence
+/// that says what to do now. Return presses the main button; Page Down, or a foot switch that sends
+/// it, takes a point.
 class RegistrationWindow : public QWidget
 {
     Q_OBJECT
@@ -33,7 +33,8 @@ public:
     explicit RegistrationWindow(RegistrationModel& registration);
     ~RegistrationWindow() override;
 
-    /// The registration as PDF. @returns what writeRegistrationReport does.
+    /// Writes the report of the registration as PDF. @returns the errors of
+    /// writeRegistrationReport.
     [[nodiscard]] Result<void> writeReport(const QString& file);
 
 private:
@@ -51,7 +52,8 @@ private:
     void hear(const QString& words);
     void enterNext();
     [[nodiscard]] RegistrationPage& page() const;
-    /// The button that goes on.
+    /// The button for the next thing to do: the action of the present page or, if that is done or
+    /// not possible, the button to the next page.
     [[nodiscard]] QPushButton& mainButton() const;
 
     std::unique_ptr<Ui::RegistrationWindow> m_ui;

@@ -8,7 +8,7 @@ class QPushButton;
 namespace carina
 {
 
-/// Finds the tip of the stylus and the axis of its shaft, and tells how well.
+/// Calibrates the tip of the stylus and the axis of its shaft, and shows the accuracy.
 class StylusPage : public RegistrationPage
 {
     Q_OBJECT

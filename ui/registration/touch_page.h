@@ -9,7 +9,7 @@ namespace carina
 
 class LandmarkList;
 
-/// The landmarks as they are touched on the manikin, one by one.
+/// Records the touches of the landmarks on the manikin, and re-registers a moved manikin.
 class TouchPage : public RegistrationPage
 {
     Q_OBJECT

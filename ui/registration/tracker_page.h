@@ -5,7 +5,7 @@
 namespace carina
 {
 
-/// Takes the tracker that is there.
+/// Chooses the present tracker for the site.
 class TrackerPage : public RegistrationPage
 {
     Q_OBJECT

@@ -9,7 +9,7 @@ class QTableWidget;
 namespace carina
 {
 
-/// Checks the registration at places that its fit did not use, and keeps the verdict.
+/// Verifies the registration at points that its fit did not use, and records the verdict.
 class VerifyPage : public RegistrationPage
 {
     Q_OBJECT

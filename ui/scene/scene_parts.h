@@ -10,16 +10,16 @@
 namespace carina
 {
 
-/// The surfaces of a patient as parts of a scene, in their order; a part's id is its place + 1.
+/// The surfaces of a patient as parts of a scene, in their order; a part's id is its index + 1.
 [[nodiscard]] std::vector<ScenePart> sceneParts(const PatientModel& patient);
 
-/// Where the jaw takes a patient's throat at a moment; without a chin probe in view the mouth is
-/// drawn as the surfaces have it.
+/// The deformation of a patient's throat by the jaw at a moment; while the chin probe is not seen,
+/// the mouth is drawn as in the surfaces.
 [[nodiscard]] FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient);
 
-/// A station's moment as a frame of that scene, in which the patient's chest moves by `chest` and
-/// what hangs from the jaw by `throat`, without which it stays. What is lost is not drawn; tools
-/// stay where they are while the patient is moved by an action.
+/// The frame of that scene for a station's moment: the patient's chest is deformed by `chest`, the
+/// tissue around the jaw by `throat` (by default not at all). A lost body is not drawn. An action
+/// that moves the patient does not move the tools.
 [[nodiscard]] SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
                                     const FollowingThroat& throat = {});
 

@@ -13,21 +13,21 @@ namespace carina
 
 class SceneView;
 
-/// Ties a scene to a station: gives it the patient's surfaces once and, before each frame, the
-/// station's moment at the time that the frame will be lit.
+/// Connects a scene to a station: gives it the patient's surfaces once and, before each frame, the
+/// station's moment at the time when the frame will be lit.
 class StationScene
 {
 public:
-    /// A frame that was drawn, and the moment it shows.
+    /// Called with a drawn frame and the moment it shows.
     using Listener = std::function<void(const DrawnFrame&, const StationMoment&)>;
 
     /// @pre all outlive this.
     StationScene(SceneView& scene, const PatientModel& patient, const StationView& view);
 
-    /// Draws another patient from now on. @pre both outlive this, or their successors.
+    /// Draws another patient from now on. @pre both outlive this, or live until the next show().
     void show(const PatientModel& patient, const StationView& view);
 
-    /// Shows it to the eyes of a headset, or on a screen again.
+    /// Selects the output: the eyes of a headset, or a screen.
     void showTo(const HeadsetView& headset, ViewOutput output);
     [[nodiscard]] ViewOutput output() const { return m_output; }
 

@@ -19,11 +19,11 @@ namespace carina
 class PartsPanel;
 class SectionPanel;
 
-/// What a trainee sees: the anatomy over black and nothing else, on a screen or before the eyes.
-/// What has to be known appears over its lower edge, to each eye that has a picture of its own, and
-/// leaves by itself; the picture stays where it is meanwhile. Esc opens a menu; from there the
-/// actions on shared objects, and the parts of the patient, come beside the picture, before a
-/// headset in a window of their own.
+/// The trainee's window: only the anatomy on black, on a screen or in a headset. Notices appear
+/// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
+/// picture does not move. Esc opens a menu, from which panels for the actions on shared objects and
+/// for the parts of the patient open: beside the picture on a screen, in a separate window with a
+/// headset.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -34,8 +34,9 @@ public:
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
                   ObjectActionModel& actions);
 
-    /// Draws another patient from now on. @param chinProbe of the tracking that goes with it
-    /// @pre all outlive the window, or their successors.
+    /// Draws another patient from now on.
+    /// @param chinProbe of the patient's tracking
+    /// @pre all outlive the window, or live until the next show().
     void show(const PatientModel& patient, const StationView& view, ChinProbeModel chinProbe);
     using QMainWindow::show;
 
@@ -67,7 +68,7 @@ private:
     QDockWidget* m_parts;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
-    std::array<QLabel*, 2> m_notices; ///< all the window, or its left half; and its right half
+    std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
     HeadsetView m_headset;
     ChinProbeModel m_chinProbe;
     StationScene m_stationScene;

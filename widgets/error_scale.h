@@ -10,8 +10,8 @@
 namespace carina
 {
 
-/// What the bands of an error map mean: each in its colour, with millimetres where they meet, and
-/// in words between which values the error lies. Empty until there is a map.
+/// The legend of an error map: the colour bands with millimetres at their edges, and the range of
+/// the error in words. Empty until setScale().
 class ErrorScale : public QWidget
 {
     Q_OBJECT
@@ -20,23 +20,23 @@ public:
     /// What is drawn, in pixels.
     struct Drawing {
         struct Number {
-            double x = 0.0; ///< of the edge that it stands below
+            double x = 0.0; ///< of the edge above it
             QRectF words;
             QString text;
         };
         QString caption;
         QRectF strip;
-        std::vector<QRectF> bands; ///< that make up the strip, the smallest error first
+        std::vector<QRectF> bands; ///< of the strip, the smallest error first
         std::vector<Number> numbers;
     };
 
     explicit ErrorScale(QWidget* parent = nullptr);
 
-    /// @param range of the error where it is drawn
+    /// @param range of the error on the drawn surfaces
     void setScale(const ErrorBands& bands, const ErrorRange& range);
     void clear();
 
-    /// Nothing while it is empty.
+    /// std::nullopt while it is empty.
     [[nodiscard]] std::optional<Drawing> drawing() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;

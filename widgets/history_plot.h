@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// The last values of a quantity that is never negative as a curve, the newest at the right edge,
-/// over the band from mean - sigma to mean + sigma, from zero up to a round number.
+/// The latest values of a non-negative quantity as a curve, the newest at the right edge, over the
+/// band from mean - sigma to mean + sigma. The scale runs from zero to a round number.
 class HistoryPlot : public QWidget
 {
     Q_OBJECT
@@ -31,9 +31,9 @@ public:
 
     explicit HistoryPlot(QWidget* parent = nullptr);
 
-    /// @param capacity how many values are as wide as the plot; at least 2
+    /// @param capacity how many values fill the width of the plot; at least 2
     /// @param unit written behind numbers
-    /// @param whenEmpty written where there is no value
+    /// @param whenEmpty written if there is no value
     void setUp(std::size_t capacity, const QString& unit, const QString& whenEmpty);
     /// @pre all values are finite
     void setHistory(std::vector<double> values, const std::optional<Band>& band);
@@ -55,8 +55,7 @@ private:
     std::optional<Band> m_band;
 };
 
-/// The smallest 1, 2 or 5 times a power of ten that is not below a value; 1 for a value that is not
-/// above zero.
+/// The smallest number >= value of the form 1, 2 or 5 times a power of ten; 1 for a value <= 0.
 [[nodiscard]] double roundUpTo125(double value);
 
 } // namespace carina

@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// Draws a number of a table as a bar with the number and its unit beside it. Cells without a
-/// number in kValueRole are drawn as usual.
+/// A delegate that draws a number of a table as a bar, with the number and its unit beside it.
+/// Cells without a number in kValueRole are drawn as usual.
 class ResidualBar : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ class ResidualBar : public QStyledItemDelegate
 public:
     static constexpr int kValueRole = Qt::UserRole;
 
-    /// What is drawn of one number.
+    /// The layout of one cell, in pixels.
     struct Bar {
         QRect frame;  ///< of a bar at full scale
         QRect filled; ///< from the left of the frame
@@ -26,7 +26,7 @@ public:
 
     explicit ResidualBar(QString unit, QObject* parent = nullptr);
 
-    /// The number that fills the frame; larger ones fill it, too.
+    /// The number at which the bar fills the frame; larger ones fill it, too.
     /// @pre above zero
     void setFullScale(double value);
 

@@ -14,9 +14,8 @@ namespace carina
 
 enum class StepState : std::uint8_t { Open, Waits, Begun, Done, Stale };
 
-/// The steps of a task as a column of buttons, each with its number, its state as shape and word,
-/// Alt and its number as shortcut, and a line beneath that says why it is no further. All can be
-/// entered.
+/// The steps of a task as a column of buttons, each with its number, its state as mark and word,
+/// the shortcut Alt + number, and a line below that says why it is not done. All can be entered.
 class StepList : public QWidget
 {
     Q_OBJECT
@@ -25,7 +24,7 @@ public:
     struct Step {
         QString title;
         StepState state = StepState::Open;
-        bool isHere = false; ///< the one that is entered
+        bool isHere = false; ///< the step shown now
         QString why{};       ///< why it waits or is stale; may be empty
     };
 

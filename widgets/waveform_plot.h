@@ -9,10 +9,10 @@
 namespace carina
 {
 
-/// A quantity over time as monitors draw it: a point sweeps from left to right and begins again at
-/// the left; what is ahead of it is from the sweep before, behind a gap. Nothing that is drawn
-/// moves. The scale holds zero and both extremes, between round numbers; it grows when a value
-/// needs it and shrinks only as a sweep begins.
+/// A waveform drawn as on patient monitors: the newest point sweeps from left to right and starts
+/// again at the left; to its right, after a gap, is the previous sweep. Curves already drawn do not
+/// move. The scale has round ends and covers zero and both extremes; it grows as needed and shrinks
+/// only at the start of a sweep.
 class WaveformPlot : public QWidget
 {
     Q_OBJECT
@@ -22,7 +22,7 @@ public:
     struct Drawing {
         QRectF frame;
         double bottom = 0.0; ///< the value at the bottom of the frame
-        double top = 1.0;    ///< and at its top
+        double top = 1.0;    ///< the value at the top of the frame
         double zero = 0.0;   ///< y of the value 0
         std::vector<QPolygonF> curves;
         double now = 0.0; ///< x of the newest value
@@ -30,13 +30,14 @@ public:
 
     explicit WaveformPlot(QWidget* parent = nullptr);
 
-    /// @param name of the quantity, and `unit`, written at its axis
-    /// @param span_s how long a sweep takes
-    /// @param least the scale is never smaller, in either direction that has values
-    /// @param timeUnit written behind the time at the right end; empty: no times are
+    /// @param name of the quantity, written at its axis with `unit`
+    /// @param span_s duration of a sweep
+    /// @param least least extent of the scale in each direction that has values
+    /// @param timeUnit written after the time at the right end; empty: no times are written
     void setUp(const QString& name, const QString& unit, double span_s, double least,
                const QString& timeUnit);
-    /// The next value. A time that is not later than the last, or a sweep later, starts afresh.
+    /// Adds the next value. A time not later than the last one, or later by a sweep or more,
+    /// restarts the plot.
     /// @pre both are finite
     void add(double time_s, double value);
 

@@ -11,29 +11,29 @@
 namespace carina
 {
 
-/// A table that is a bar chart as well: each row ends in a bar, and where there is one in a mark
-/// that the bar is held against, over an axis which all rows share and which begins at 0.
+/// A table with a bar chart: each row ends with a bar and, if given, a mark to compare it with, on
+/// an axis that starts at 0 and is common to all rows.
 struct BarTable {
     struct Column {
         QString header{};
         double width_mm = 0.0;
-        bool isNumber = false; ///< to the right
+        bool isNumber = false; ///< aligned right
     };
     struct Row {
-        QStringList cells{}; ///< as many as there are columns
+        QStringList cells{}; ///< one per column
         std::optional<double> bar{};
         std::optional<double> mark{};
     };
 
     std::vector<Column> columns{};
-    QString barLabel{};  ///< what a bar shows
-    QString markLabel{}; ///< and a mark
+    QString barLabel{};  ///< the quantity of the bars
+    QString markLabel{}; ///< the quantity of the marks
     QString unit{};      ///< of both
     std::vector<Row> rows{};
 };
 
-/// Adds it row by row. On every page that it reaches it has its headers and its axis. Without one
-/// bar it has no chart.
+/// Adds the table row by row. Headers and axis are repeated on each page. A table without any bar
+/// has no chart.
 void addTable(PageFlow& flow, const BarTable& table);
 
 } // namespace carina

@@ -19,12 +19,12 @@ inline const PageTextStyle kBodyText{};
 inline const PageTextStyle kPaleText{.ink = {80, 80, 80}};
 inline const PageTextStyle kSmallText{.points = 7.5, .ink = {80, 80, 80}};
 
-/// Words in lines that are no wider than a width. Widths and places are in dots of the device.
+/// Text broken into lines of at most a given width. Widths and positions are in dots of the device.
 class PageText
 {
 public:
-    /// A word that is wider is broken.
-    /// @param device on which it will be drawn, for its fonts
+    /// A word wider than `width` is broken.
+    /// @param device for its font metrics
     PageText(const QString& words, const PageTextStyle& style, double width,
              const QPaintDevice& device);
 
@@ -34,7 +34,7 @@ public:
     {
         return m_lineHeight * static_cast<double>(m_lines.size());
     }
-    /// Of the widest line.
+    /// The width of the widest line.
     [[nodiscard]] double width() const { return m_width; }
 
     /// @param place of the first line; the others follow below

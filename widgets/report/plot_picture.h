@@ -6,9 +6,9 @@
 namespace carina
 {
 
-/// A PNG file of a figure's SVG at twice its pixels, with a description in it. Its letters are of
-/// the fonts there are.
-/// @pre svg is svgOf() a plot, and there is a QGuiApplication, for its fonts.
+/// A figure's SVG rendered to PNG at twice its size in pixels, with a description as metadata. The
+/// text depends on the installed fonts.
+/// @pre svg is a result of svgOf(); there is a QGuiApplication, for its fonts.
 [[nodiscard]] QByteArray pngOf(const QByteArray& svg, const QString& description);
 
 } // namespace carina

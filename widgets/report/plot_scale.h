@@ -7,7 +7,7 @@
 namespace carina
 {
 
-/// One axis of a plot: which numbers it shows, and where.
+/// The scale of one axis of a plot: its range, its ticks, and the mapping of values to positions.
 class PlotScale
 {
 public:
@@ -16,20 +16,20 @@ public:
         QString label; ///< empty for a minor one
     };
 
-    /// Round ends around least and greatest, and around 0 where it is less than a quarter of their
-    /// distance away. @pre both are finite
+    /// A linear scale with round ends that covers least and greatest, and 0 if it is nearer than a
+    /// quarter of their difference. @pre both are finite
     [[nodiscard]] static PlotScale linear(double least, double greatest);
-    /// Whole decades around both. @pre 0 < least <= greatest
+    /// A logarithmic scale of whole decades that covers both. @pre 0 < least <= greatest
     [[nodiscard]] static PlotScale logarithmic(double least, double greatest);
 
     [[nodiscard]] double least() const { return m_least; }
     [[nodiscard]] double greatest() const { return m_greatest; }
-    /// Where a number lies on the axis: 0 at its beginning, 1 at its end.
+    /// The position of a number on the axis: 0 at its start, 1 at its end.
     [[nodiscard]] double placeOf(double value) const;
-    /// False for what a logarithmic axis cannot show.
+    /// False for numbers that a logarithmic axis cannot show.
     [[nodiscard]] bool shows(double value) const;
-    /// Linear: at multiples of 1, 2 or 5 times a power of ten. Logarithmic: a decade each, and
-    /// minor ones between where there are few decades.
+    /// Linear: at multiples of 1, 2 or 5 times a power of ten. Logarithmic: at each decade, with
+    /// minor ticks between if there are few decades.
     [[nodiscard]] std::vector<Tick> ticks() const;
 
 private:

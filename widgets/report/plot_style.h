@@ -6,14 +6,14 @@
 namespace carina
 {
 
-/// How a series' line is drawn: colours that the colour-blind tell apart, and dashes for print in
-/// grey.
+/// The stroke of a series' line: colours that colour-blind people can distinguish, and dashes for
+/// print in grey.
 [[nodiscard]] SvgStroke lineStroke(const Plot& plot, std::size_t series);
 
-/// What fills a series' marks: its colour for the first five series, white for the next five.
+/// The fill of a series' marks: its colour for the first five series, white for the next five.
 [[nodiscard]] QString markFill(const Plot& plot, std::size_t series);
 
-/// The outline of a series' mark at a place of the page, one of five, as SVG path data.
+/// The outline of a series' mark, one of five shapes, at a position in pixels, as SVG path data.
 [[nodiscard]] QString markOutline(std::size_t series, const QPointF& at);
 
 } // namespace carina

@@ -12,9 +12,9 @@ inline constexpr int kFigureWidth = 960;
 inline constexpr int kFigureHeight = 600;
 inline constexpr int kFigurePixelsPerInch = 96;
 
-/// A plot as an SVG file: each series' line one polyline, its marks one path. The title and the
-/// stamp are its title and its description as well. The same plot gives the same bytes, whatever
-/// fonts there are.
+/// A plot as an SVG file: each series' line is one polyline, its marks one path. The plot's title
+/// and stamp are also the SVG title and description. The same plot gives the same bytes,
+/// independent of installed fonts.
 [[nodiscard]] QByteArray svgOf(const Plot& plot);
 
 } // namespace carina

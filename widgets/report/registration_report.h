@@ -14,36 +14,36 @@
 namespace carina
 {
 
-/// What a registration is reported to be: by whom, how it was made, how wrong it may be, and what
-/// was found at points that had no part in the fit. Words come translated; what is empty or not
-/// known is left out, and so is a section without content.
+/// The content of the report of a registration: operator, method, expected error, and errors
+/// measured at points that were not used in the fit. Texts are translated; empty or unknown values
+/// are left out, and so is a section without content.
 struct RegistrationReport {
     enum class Verdict : std::uint8_t { NotVerified, NotGoodEnough, Verified };
 
     /// The tip of the stylus, from pivot calibration.
     struct Stylus {
-        double rms_mm = 0.0;         ///< of the tip's distances from the divot
+        double rms_mm = 0.0;         ///< RMS distance of the tip from the divot
         double uncertainty_mm = 0.0; ///< RMS error of the tip
         int poses = 0;
-        QString coverage{}; ///< how far it was turned, in words
+        QString coverage{}; ///< range of rotation, in words
         QString date{};     ///< ISO 8601
     };
 
     struct Landmark {
         QString name{};
-        std::optional<double> spread_mm{};   ///< of the tip while it touched
+        std::optional<double> spread_mm{};   ///< of the tip during the touch
         std::optional<double> residual_mm{}; ///< after the fit
-        std::optional<double> expected_mm{}; ///< what the residual is expected to be (RMS)
+        std::optional<double> expected_mm{}; ///< RMS expected of the residual
         std::optional<double> leftOut_mm{};  ///< its distance from the fit of all others
     };
 
-    /// The FLE, which the residuals tell.
+    /// The FLE estimated from the residuals.
     struct Localisation {
         double rms_mm = 0.0;
-        double limit_mm = 0.0; ///< what the true one is below with 95 %
+        double limit_mm = 0.0; ///< 95 % upper confidence limit
     };
 
-    /// The TRE that is expected at a place that matters.
+    /// The TRE expected at a target.
     struct Target {
         QString name{};
         double rms_mm = 0.0;
@@ -51,7 +51,7 @@ struct RegistrationReport {
         QString weakestDirection{}; ///< in words
     };
 
-    /// A point that had no part in the fit, touched to see how wrong the registration is.
+    /// A point that was not used in the fit, touched to measure the TRE.
     struct CheckedPoint {
         QString name{};
         double error_mm = 0.0; ///< measured
@@ -68,22 +68,23 @@ struct RegistrationReport {
     QString date{}; ///< ISO 8601
     Verdict verdict = Verdict::NotVerified;
     QString judged{};                 ///< when the verdict was recorded, and by whom
-    std::optional<double> bound_mm{}; ///< of 95 %, expected at the worst target
-    QStringList notes{};              ///< what a reader is warned of
+    std::optional<double> bound_mm{}; ///< 95 % bound expected at the worst target
+    QStringList notes{};              ///< warnings to the reader
     std::vector<CheckedPoint> checked{};
     std::vector<Target> targets{};
     std::vector<Landmark> landmarks{};
     std::optional<double> fre_mm{}; ///< RMS of the residuals
     std::optional<Localisation> fle{};
     std::optional<Stylus> stylus{};
-    QImage picture{}; ///< of the anatomy with the expected error on it; may be null
+    QImage picture{}; ///< of the anatomy with the map of the expected error; may be null
     QString caption{};
 };
 
-/// Writes it as a PDF on A4, to be read in grey as well: numbers in tables, and beside them bars.
-/// Whenever the program is killed, the file is whole: the old or the new one.
+/// Writes the report as an A4 PDF that is readable in grey: numbers in tables with bars beside
+/// them. The file is replaced atomically: if the program is killed, the old or the new file is
+/// complete.
 ///
-/// @returns FileUnwritable, which leaves a file that is there as it was; the detail names it.
+/// @returns FileUnwritable with the path; an existing file is then unchanged.
 /// @pre there is a QGuiApplication, for its fonts.
 [[nodiscard]] Result<void> writeRegistrationReport(const std::filesystem::path& file,
                                                    const RegistrationReport& report);

@@ -15,7 +15,7 @@ namespace carina
 struct SvgStroke {
     QString colour{};
     double width = 1.0; ///< pixels
-    QString dashes{};   ///< lengths of dashes and gaps in turn, pixels; empty for a plain line
+    QString dashes{};   ///< alternating lengths of dashes and gaps, pixels; empty for a solid line
 };
 
 struct SvgText {
@@ -24,14 +24,14 @@ struct SvgText {
     double pixels = 16.0;
     QString colour{};
     Anchor anchor = Anchor::Start;
-    bool isUpwards = false; ///< read from below
+    bool isUpwards = false; ///< rotated to read upwards
 };
 
-/// A coordinate pair as SVG writes it, in hundredths of a pixel.
+/// A coordinate pair in SVG syntax, rounded to hundredths of a pixel.
 [[nodiscard]] QString svgPoint(const QPointF& point);
 
-/// Writes one SVG 1.1 drawing from back to front. No font is asked for anything: a text is placed
-/// by its anchor, so that the same calls give the same bytes everywhere.
+/// Writes one SVG 1.1 drawing from back to front. It uses no font metrics: a text is placed by its
+/// anchor, so that the same calls give the same bytes on every system.
 class SvgWriter
 {
 public:
@@ -41,7 +41,7 @@ public:
     void polyline(const std::vector<QPointF>& points, const SvgStroke& stroke);
     /// @param outline path data of SVG
     void path(const QString& outline, const QString& fill, const SvgStroke& stroke);
-    /// @param at the anchor, on the middle of the line in height
+    /// @param at the anchor, vertically in the middle of the line
     void text(const QPointF& at, const QString& words, const SvgText& style);
 
     /// Ends the drawing. @returns its bytes, in UTF-8.

@@ -5,8 +5,9 @@ class QApplication;
 namespace carina
 {
 
-/// Gives a program the calm dark look of all of Carina: Fusion, one palette with one accent colour,
-/// 12 points at least, and resources/styles/dark.qss. Widgets take their colours from the palette.
+/// Sets the common dark theme of the programs: Fusion style, one palette with one accent colour,
+/// fonts of at least 12 points, and resources/styles/dark.qss. Widgets take their colours from the
+/// palette.
 void applyDarkTheme(QApplication& application);
 
 } // namespace carina

@@ -8,13 +8,13 @@
 namespace carina
 {
 
-/// Shapes that mark places in a scene, closed and with normals, in a frame F of their own.
+/// Closed meshes with normals that mark points in a scene, each in its own frame F, metres.
 
 /// A ball about the origin.
 [[nodiscard]] std::shared_ptr<const TriangleMesh> ballMarker(Length radius);
-/// Two cones base to base about the origin, their tips along z, as high as they are wide.
+/// Two cones joined at their bases in the plane z = 0, their tips on the z axis, as high as wide.
 [[nodiscard]] std::shared_ptr<const TriangleMesh> diamondMarker(Length radius);
-/// A slim cone with its tip at the origin, that widens along +z.
+/// A slim cone with its tip at the origin, widening along +z.
 [[nodiscard]] std::shared_ptr<const TriangleMesh> pointerMarker(Length length, Length radius);
 
 } // namespace carina

@@ -17,25 +17,25 @@ namespace carina
 
 struct CameraPose;
 
-/// Where a camera sees a point.
+/// The position of a point in the picture of a camera.
 ///
-/// @returns right and down of the picture's upper left corner, as shares of its width and height;
-///          nothing for a point that is not in the picture.
+/// @returns right and down from the upper left corner of the picture, as fractions of its width and
+///          height; std::nullopt for a point outside the picture.
 [[nodiscard]] std::optional<QPointF> seenAt(const Vec3& p_A, const CameraPose& pose,
                                             const Frustum& frustum);
 
-/// The names of labelled parts, over a picture: each beside a point of its surface near the middle
-/// of the part, and no two one over the other.
+/// Draws the names of labelled parts over a picture: each beside a point of the part's surface near
+/// its centre, without overlap.
 class PartLabels
 {
 public:
     /// @pre `over` outlives this.
     explicit PartLabels(QWidget& over) : m_over{over} {}
 
-    /// Labels these of the parts, and no others.
+    /// Labels those of these parts whose look is `labelled`, and no others.
     void setParts(std::span<const ScenePart> parts, const PartLooks& looks);
 
-    /// Puts the labels where a camera sees their parts in a frame.
+    /// Moves the labels to where a camera sees their parts in a frame.
     void place(const SceneFrame& frame, const CameraPose& pose, const Frustum& frustum);
     void hide();
 
@@ -43,7 +43,7 @@ private:
     struct Label {
         QLabel* shown; ///< owned by m_over
         std::string body;
-        Vec3 p_F; ///< what it stands beside
+        Vec3 p_F; ///< the labelled point
     };
 
     void clear();

@@ -8,11 +8,11 @@ class QWidget;
 namespace carina
 {
 
-/// A word over a picture that has a window of its own, for which mouse and keys are.
-/// @returns hidden, owned by `over`
+/// Makes a label over a picture that is a native window; the label does not receive mouse or keys.
+/// @returns the label, hidden and owned by `over`
 [[nodiscard]] QLabel* pictureLabel(QWidget& over, const QString& word);
 
-/// Before the picture, which covers what was there first.
+/// Raises a label above the picture, whose native window covers earlier widgets.
 void raiseLabel(QLabel& label);
 
 } // namespace carina

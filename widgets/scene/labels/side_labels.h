@@ -17,12 +17,13 @@ namespace carina
 
 struct CameraPose;
 
-/// Where a direction of A points to in a picture, from its middle to the rim of a rectangle.
-/// @returns nothing where the camera looks nearly along it
+/// The point on the rim of a rectangle in the picture to which a direction of A points from its
+/// centre.
+/// @returns std::nullopt if the camera looks nearly along the direction
 [[nodiscard]] std::optional<QPointF> pointedAt(const Vec3& dir_A, const CameraPose& pose,
                                                const QRectF& rim);
 
-/// The patient's right and left in words, at the edges of a picture that these are nearest to.
+/// Labels the patient's right and left at the matching edges of a picture.
 class SideLabels
 {
     Q_DECLARE_TR_FUNCTIONS(SideLabels)
@@ -31,7 +32,7 @@ public:
     /// @pre `over` outlives this.
     explicit SideLabels(QWidget& over);
 
-    /// Puts the words where a camera has these sides.
+    /// Moves the labels to the edges for a camera pose.
     void place(const CameraPose& pose);
     void hide();
 

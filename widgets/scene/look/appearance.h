@@ -14,8 +14,9 @@ struct Appearance {
 };
 
 /// The usual colours of anatomical atlases, muted: bones ivory, cartilage pale blue, lungs pink and
-/// each lobe different, arteries red, veins blue. Vessels are told apart by name. What lies side by
-/// side differs for people with any of the three dichromacies, too, by 14 in CIELAB.
+/// each lobe different, arteries red, veins blue. Arteries and veins are distinguished by name. The
+/// colours of adjacent parts differ by at least 14 in CIELAB, also for people with any of the three
+/// dichromacies.
 [[nodiscard]] Appearance appearanceOf(const AnatomyPart& part);
 
 } // namespace carina

@@ -8,20 +8,19 @@
 namespace carina
 {
 
-/// Puts triangles into the order in which they are blended: the farthest from an eye first.
+/// Sorts triangles for blending: the farthest from an eye first.
 ///
-/// Blended one over the other in that order, translucent surfaces come out as seen by light that
-/// passes through all of them, wherever no two triangles that cover a pixel lie closer to each
-/// other than they are long (the painter's algorithm; Newell, Newell and Sancha 1972). Depth is
-/// measured along the line of sight, in steps of kStep: what lies within one step keeps the order
-/// it was given in, so that neighbours, which share corners, mostly stay neighbours.
+/// Blending in that order gives correct translucency in each pixel whose triangles are farther
+/// apart in depth than they are long (the painter's algorithm; Newell, Newell and Sancha 1972).
+/// Depth is measured along the line of sight, in steps of kStep: triangles within one step keep
+/// their given order, so that neighbours, which share corners, mostly stay neighbours.
 class DrawOrder
 {
 public:
     static constexpr float kStep = 1e-3F; ///< metres
 
     DrawOrder() = default;
-    /// @param positions of the vertices that the corners of triangles count, metres
+    /// @param positions of the vertices that the triangles index, metres
     DrawOrder(std::vector<Triangle> triangles, std::span<const Vec3f> positions);
 
     /// All triangles, farthest along `forward` (of length 1) first.

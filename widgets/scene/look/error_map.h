@@ -11,18 +11,18 @@
 namespace carina
 {
 
-/// How far off what is drawn may be, as bands of colour with lines between them in place of the
-/// parts' own colours. Each place has the error of where it is drawn, breathing or moved or not;
-/// tools look as ever.
+/// The expected TRE, drawn as colour bands with isolines between them in place of the parts' own
+/// colours. Each point has the error at the position where it is drawn, including breathing and
+/// motion; tools keep their colours.
 struct ErrorMap {
-    Mat4 quadric_A = Mat4::Zero(); ///< [p 1] Q [p 1]^T is the mean squared error at p, m^2
-    ErrorBands bands;              ///< of its root
+    Mat4 quadric_A = Mat4::Zero(); ///< [p 1] Q [p 1]^T is the mean squared TRE at p, m^2
+    ErrorBands bands;              ///< of the RMS error, its square root
 };
 
-/// Between which values the root of the mean squared error lies on the parts that a view frames,
-/// where the frame has their bodies, at rest. On flat triangles the largest is at a vertex, for the
-/// quadric is convex.
-/// @returns nothing where the frame draws none of them.
+/// The range of the RMS error on the parts with `framed` set, at rest, with their bodies placed as
+/// in the frame. On a flat triangle the largest value is at a vertex, because the quadric is
+/// convex.
+/// @returns std::nullopt if the frame draws none of them.
 [[nodiscard]] std::optional<ErrorRange>
 errorRange(const Mat4& quadric_A, std::span<const ScenePart> parts, const SceneFrame& frame);
 

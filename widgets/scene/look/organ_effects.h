@@ -23,19 +23,19 @@ class QShaderProgram;
 namespace carina
 {
 
-/// The keys by which the frame graph picks a render pass; their values are draw layers.
-inline constexpr auto kSurfacePass = "surface"; ///< organ.frag or error_map.frag: what is seen,
-                                                ///< blended where translucent
-inline constexpr auto kIdPass = "id";           ///< id.frag: which part
-inline constexpr auto kComingPass = "coming";   ///< never picked: its program is made ready
+/// Filter keys with which the frame graph selects a render pass; their values are draw layers.
+inline constexpr auto kSurfacePass =
+    "surface"; ///< organ.frag or error_map.frag: the picture, translucent parts blended
+inline constexpr auto kIdPass = "id";         ///< id.frag: the id of the part
+inline constexpr auto kComingPass = "coming"; ///< never selected; compiles its program
 
-/// Of which parts are cut away.
+/// Parameters of the section plane and of the parts that it cuts.
 struct SectionUniforms {
     Qt3DRender::QParameter* section;
     Qt3DRender::QParameter* cutAway;
 };
 
-/// Of where which error is drawn in which colour.
+/// Parameters of the error map.
 struct ErrorUniforms {
     Qt3DRender::QParameter* quadric;
     Qt3DRender::QParameter* firstBand;
@@ -43,8 +43,8 @@ struct ErrorUniforms {
     Qt3DRender::QParameter* bandColors;
 };
 
-/// One effect per draw layer, each with a surface pass and an id pass, and what cuts and colours
-/// all of them. They belong to the parent.
+/// One effect per draw layer, each with a surface pass and an id pass, and the parameters common to
+/// all. The parent owns the nodes.
 class OrganEffects
 {
 public:
@@ -53,12 +53,12 @@ public:
     [[nodiscard]] Qt3DRender::QEffect* of(DrawLayer layer) const;
     [[nodiscard]] const SectionUniforms& cut() const { return m_cut; }
 
-    /// Colours all surfaces by their error from now on, or no more.
+    /// Colours all surfaces by their error; std::nullopt ends this.
     void setErrorMap(const std::optional<ErrorMap>& map);
-    /// From now on the jaw moves; until then it is left out of the shader.
+    /// Enables the motion of the jaw, which the shaders leave out before.
     void letJawMove();
-    /// One more frame is drawn. What was asked for is drawn with when its programs are compiled, a
-    /// frame or two later: Qt 3D leaves out what has no such program yet.
+    /// To be called once per frame. A newly requested program is used only when it is compiled, one
+    /// or two frames later, because Qt 3D does not draw an entity whose program is not ready.
     void countFrame();
 
 private:
@@ -70,8 +70,8 @@ private:
         Qt3DRender::QEffect* effect = nullptr;
         Pass surface;
         Pass id;
-        bool hasManyRegions = false; ///< as OrganShader says
-        /// By whether the jaw moves, and by whether the error is drawn.
+        bool hasManyRegions = false; ///< see OrganShader
+        /// [jaw moves][error map is drawn]
         std::array<std::array<Qt3DRender::QShaderProgram*, 2>, 2> surfacePrograms{};
         std::array<Qt3DRender::QShaderProgram*, 2> idPrograms{};
     };
@@ -83,7 +83,7 @@ private:
     ErrorUniforms m_error{};
     bool m_movesJaw = false;
     bool m_isMapped = false;
-    int m_framesToCome = 0; ///< until other programs are drawn with; 0 where none are asked for
+    int m_framesToCome = 0; ///< until the requested programs are used; 0 if none are requested
 };
 
 } // namespace carina

@@ -5,12 +5,12 @@
 namespace carina
 {
 
-/// What one draw needs of resources/shaders/organ.vert. A processor that draws works out both sides
-/// of a condition and fetches what has an index for each vertex alone; so what a draw does not need
-/// is left out.
+/// The features of resources/shaders/organ.vert that one draw call needs. Others are compiled out:
+/// a software renderer evaluates both sides of a branch and reads indexed uniforms for each vertex
+/// separately.
 struct OrganShader {
-    bool hasManyRegions = true; ///< uniform motions[] by region; else one uniform motion for all
-    bool movesJaw = true; ///< uniforms throat and jaw; else the jaw stays where surfaces have it
+    bool hasManyRegions = true; ///< uniform motions[], by region; else one uniform motion
+    bool movesJaw = true;       ///< uniforms throat and jaw; else the jaw stays as in the surfaces
 };
 [[nodiscard]] QByteArray organVertexShader(const OrganShader& needs);
 

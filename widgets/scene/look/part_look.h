@@ -10,30 +10,30 @@
 namespace carina
 {
 
-/// What a person may want of a part.
+/// How a person wants a part to be drawn.
 enum class PartStyle : std::uint8_t {
-    AsUsual, ///< as its material says
+    AsUsual, ///< as its material group
     Solid,   ///< opaque
-    Ghost,   ///< hardly more than an outline
+    Ghost,   ///< nearly only an outline
     Hidden,
 };
 
-/// How a part is shown apart from the way its material says.
+/// How a part is drawn differently from its material group.
 struct PartLook {
     PartStyle style = PartStyle::AsUsual;
-    bool highlighted = false; ///< opaque, in a colour that no part has; shown even where hidden
-    bool labelled = false;    ///< its name stands beside it
-    bool plain = false;       ///< of the one colour of its kind, whatever colours it came with
+    bool highlighted = false; ///< opaque, in a colour that no part has; shown even if hidden
+    bool labelled = false;    ///< its name is shown beside it
+    bool plain = false;       ///< in the one colour of its kind, without its vertex colours
 
     friend bool operator==(const PartLook&, const PartLook&) = default;
 };
 
-/// By id; a part that is not in here is shown as usual.
+/// Looks by part id; a part that is not listed is drawn as usual.
 using PartLooks = std::map<std::uint16_t, PartLook>;
 
 inline constexpr QColor kHighlight{255, 221, 0};
 
-/// The parts as they are drawn with these looks: without those hidden.
+/// The parts as drawn with these looks, without the hidden ones.
 [[nodiscard]] std::vector<ScenePart> withLooks(std::span<const ScenePart> parts,
                                                const PartLooks& looks);
 

@@ -8,15 +8,15 @@
 namespace carina
 {
 
-/// What a section takes away.
+/// Which parts a section cuts.
 enum class Cut : std::uint8_t {
-    All,          ///< all that lies beyond the plane, but tools
-    AllButAirway, ///< the airway stays whole, too: what lies around it is cut away
+    All,          ///< all parts but tools
+    AllButAirway, ///< all parts but tools and airway
 };
 
-/// A plane that cuts a scene open: what lies at p with normal_A . p > distance is not drawn.
+/// A section plane of a scene: points p in A with normal_A . p > distance are not drawn.
 struct Section {
-    Vec3 normal_A = Vec3::UnitY(); ///< of length 1, out of what stays
+    Vec3 normal_A = Vec3::UnitY(); ///< of length 1, away from the part that stays
     double distance = 0.0;         ///< of the plane from the origin of A along it, metres
     Cut cut = Cut::All;
 };

@@ -12,24 +12,24 @@
 namespace carina
 {
 
-/// From where a scene is seen, and how large.
+/// The position of an eye and the scale of its picture.
 struct DetailEye {
     Vec3 p_A_eye = Vec3::Zero();
-    double pixelsPerTangent = 0.0; ///< what 1 m at a distance of 1 m covers
+    double pixelsPerTangent = 0.0; ///< pixels covered by 1 m at a distance of 1 m
 };
 
 /// Chooses a level of detail for each part: the coarsest whose deviation from the finest is not
-/// seen, and that this machine can draw in time.
+/// visible or, if that is too slow to draw, a coarser one.
 ///
 ///     error = deviation * pixelsPerTangent / distance to the nearest point of the part's sphere
 ///
-/// must be within the tolerance, kFinestTolerance_px where time permits. The tolerance grows when
-/// the mean of kFramesPerDecision frames, or of those that took the time of as many, is over
-/// budget: by as much as it is, but at least by kStep and at most by kLongStep. It shrinks again
-/// when the frame is then expected to take less than kComfort of the budget, by the time per
-/// triangle just measured. A part becomes coarser only well within the tolerance (kCalm of it), so
-/// that it does not change to and fro while a camera moves. Parts that share their level get the
-/// finest that any of them needs.
+/// must not exceed the tolerance, which is kFinestTolerance_px if time permits. Every
+/// kFramesPerDecision frames, or earlier if their total exceeds the budget of that many, the mean
+/// drawing time is compared with the budget. If it is larger, the tolerance is multiplied by their
+/// ratio, limited to kStep..kLongStep. The tolerance is divided by kStep if the time then expected,
+/// from the measured time per triangle, is below kComfort of the budget. A part becomes coarser
+/// only at an error below kCalm of the tolerance, so that it does not switch back and forth while a
+/// camera moves. Parts that share their level get the finest that any of them needs.
 class DetailChoice
 {
 public:
@@ -40,27 +40,27 @@ public:
     static constexpr double kLongStep = 4.0;
     static constexpr double kFinestTolerance_px = 0.5;
     static constexpr double kCoarsestTolerance_px = 64.0;
-    static constexpr std::size_t kFirstTriangles = 150'000; ///< at most, before a frame is measured
+    static constexpr std::size_t kFirstTriangles = 150'000; ///< limit before a frame was measured
 
     /// @pre each part has a level.
     DetailChoice(std::span<const ScenePart> parts, Duration budgetPerFrame);
 
-    /// Chooses for these parts from now on, with the tolerance that was found to do.
+    /// Replaces the parts, and keeps the tolerance reached so far.
     void setParts(std::span<const ScenePart> parts);
 
-    /// The level of each part, seen by these eyes; without any, those chosen last.
+    /// Chooses the level of each part for these eyes; without eyes, returns those chosen last.
     const std::vector<int>& choose(std::span<const DetailEye> eyes);
 
-    /// A level for all parts from now on, or none to choose.
+    /// Fixes the level of all parts; std::nullopt chooses automatically again.
     void fix(std::optional<int> level);
 
-    /// One frame was drawn with the levels chosen last and took this long.
+    /// Records the drawing time of a frame with the levels chosen last.
     void frameTook(Duration drawing);
 
     [[nodiscard]] const std::vector<int>& levels() const { return m_levels; }
-    /// That of the parts that share theirs; of the finest part where none does.
+    /// The common level of the parts that share theirs; the finest level in use if no part does.
     [[nodiscard]] int sharedLevel() const;
-    /// Of all parts in their levels.
+    /// The number of triangles of all parts in their levels.
     [[nodiscard]] std::size_t triangles() const { return trianglesOf(m_levels); }
     [[nodiscard]] double tolerance_px() const { return m_tolerance_px; }
 
@@ -81,7 +81,7 @@ private:
     void decide(Duration mean);
 
     std::vector<Part> m_parts;
-    std::vector<double> m_pixelsPerMetre; ///< of each part as seen last
+    std::vector<double> m_pixelsPerMetre; ///< of each part, for the latest eyes
     std::vector<int> m_levels;
     Duration m_budget;
     std::optional<int> m_fixed;

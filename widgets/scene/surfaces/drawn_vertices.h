@@ -11,18 +11,17 @@
 namespace carina
 {
 
-/// Where the graphics card puts the vertices of one mesh, to measure what is drawn.
+/// Computes the vertices of one mesh with the vertex shader on the GPU, to measure what is drawn.
 ///
-/// Runs resources/shaders/organ.vert, the shader that draws every organ, in any of its forms over
-/// the mesh's own buffers in an OpenGL 3.3 context of its own and captures its outputs by transform
-/// feedback. The
-/// model matrix is the identity, so that positions and normals come back in the frame of the mesh.
-/// The mesh is uploaded once. Leaves the OpenGL context that was current current.
+/// Runs resources/shaders/organ.vert, the shader that draws every organ, in any of its variants in
+/// an own OpenGL 3.3 context, and captures its outputs by transform feedback. The model matrix is
+/// the identity, so positions and normals are in the frame of the mesh. The mesh is uploaded once.
+/// The OpenGL context that was current stays current.
 class DrawnVertices
 {
 public:
-    /// @param region as which the mesh follows the jaw
-    /// @returns NoGraphics where there is no OpenGL 3.3 core context or the shader does not run.
+    /// @param region by which the mesh follows the jaw
+    /// @returns NoGraphics if there is no OpenGL 3.3 core context or the shader does not run.
     /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
     [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh,
                                                   ChestRegion region = ChestRegion::Still,
@@ -38,7 +37,7 @@ public:
     [[nodiscard]] Result<std::vector<Vec3f>> positions(const ChestField& field,
                                                        const ChestMotion& motion,
                                                        const FollowingThroat& throat = {});
-    /// One unit normal per vertex, likewise.
+    /// One unit normal per vertex, in the same order and with the same error.
     [[nodiscard]] Result<std::vector<Vec3f>>
     normals(const ChestField& field, const ChestMotion& motion, const FollowingThroat& throat = {});
 

@@ -13,18 +13,18 @@
 namespace carina
 {
 
-/// What can be drawn in one go.
+/// Surfaces with equal keys can be drawn by one draw call.
 struct SurfaceKey {
     DrawLayer layer = DrawLayer::Closed;
     std::string body;
-    /// How all of it breathes; nothing where that differs from corner to corner, as it does in what
-    /// is blended in one order.
+    /// The region of the whole surface; std::nullopt if it varies by vertex, as in blended
+    /// surfaces, which are sorted together.
     std::optional<ChestRegion> region;
 
     friend auto operator<=>(const SurfaceKey&, const SurfaceKey&) = default;
 };
 
-/// A corner of a surface as resources/shaders/organ.vert reads it.
+/// A vertex with the attributes of resources/shaders/organ.vert.
 struct SurfaceVertex {
     Vec3f position;
     Vec3f normal;
@@ -34,34 +34,33 @@ struct SurfaceVertex {
 
 /// One part in one level of detail.
 struct SurfacePiece {
-    std::size_t part = 0; ///< its place among the parts of the scene
+    std::size_t part = 0; ///< its index among the parts of the scene
     int level = 0;
     std::size_t firstTriangle = 0;
     std::size_t triangles = 0;
-    bool seenInto = false; ///< its inner face is drawn, too, whoever draws front faces only
+    bool seenInto = false; ///< its inner face is drawn, too, even if only front faces are drawn
 };
 
 /// Several parts, in all their levels of detail, in one pair of buffers.
 struct MergedSurface {
     SurfaceKey key;
     std::vector<SurfaceVertex> vertices;
-    std::vector<Triangle> triangles; ///< of all pieces, one after the other
+    std::vector<Triangle> triangles; ///< of all pieces in sequence
     std::vector<SurfacePiece> pieces;
 };
 
 [[nodiscard]] SurfaceKey surfaceKey(const ScenePart& part);
 
-/// How many levels of detail the scene has: those of the part that has most, at least one.
+/// The largest number of levels of detail of any part, at least 1.
 [[nodiscard]] int levelCount(std::span<const ScenePart> parts);
 
-/// The parts, merged by layer and body, what is opaque also by region.
+/// Merges the parts by layer and body, opaque ones also by region.
 ///
-/// @pre each part has a level; each mesh has normals, and colours as ScenePart says.
+/// @pre each part has a level; each mesh has normals, and colours as ScenePart requires.
 [[nodiscard]] std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts);
 
-/// The triangles of the pieces whose parts are drawn in these levels of detail, by place among the
-/// parts of the scene; where one sees into a piece, or `bothFaces` is asked for, each of them is
-/// followed by the same one turned over.
+/// The triangles of the pieces whose level is that in `levels`, which is indexed by part. For
+/// pieces with `seenInto`, or for all if `bothFaces`, each triangle is followed by its reverse.
 [[nodiscard]] std::vector<Triangle> trianglesAt(std::span<const int> levels,
                                                 std::span<const SurfacePiece> pieces,
                                                 std::span<const Triangle> triangles,

@@ -16,31 +16,32 @@
 namespace carina
 {
 
-/// What a surface is made of, as far as it is drawn differently. The first three are opaque; the
-/// others are blended, from back to front. Surfaces are closed and face outward, or are seen into
-/// where they are not; tools are drawn from both sides.
+/// The material of a surface, which determines how it is drawn. The first three are opaque; the
+/// others are blended from back to front. Surfaces are closed with outward normals, or else open
+/// and "seen into": their inner face is drawn as well. Tools are drawn from both sides.
 enum class MaterialGroup : std::uint8_t {
     Bone,
     SoftTissue, ///< tongue, epiglottis, bronchial tree
     Tool,       ///< tubes, blades, styluses
     Airway,     ///< larynx, trachea and bronchi: seen into
     Lung,       ///< seen into
-    Veil,       ///< what lies around the airway and lungs, as ribs, heart, muscles: seen through
+    Veil,       ///< structures around airway and lungs, such as ribs, heart, muscles: translucent
     Skin,       ///< a faint outline
-    Ghost,      ///< an outline of what a person wants to see through
+    Ghost,      ///< an outline of a part that a person wants to see through
 };
 
-/// The layers in which visible pixels are counted: 0 holds all opaque groups, the others one each.
+/// The number of layers in which visible pixels are counted: layer 0 has all opaque groups, each
+/// other layer one group.
 inline constexpr int kLayers = 6;
 [[nodiscard]] constexpr int layerOf(MaterialGroup group)
 {
     return std::max(0, static_cast<int>(group) - static_cast<int>(MaterialGroup::Tool));
 }
 
-/// How a surface meets the picture.
+/// How a surface is rasterised.
 enum class DrawLayer : std::uint8_t {
-    Closed,  ///< opaque, seen from outside: half of its triangles need no drawing
-    Open,    ///< opaque, seen from both sides, as tubes are
+    Closed,  ///< opaque, seen from outside: back faces are culled
+    Open,    ///< opaque, seen from both sides, such as tubes
     Blended, ///< translucent: its triangles are drawn from back to front, after all others
 };
 inline constexpr std::size_t kDrawLayers = 3;
@@ -54,27 +55,27 @@ inline constexpr std::size_t kDrawLayers = 3;
 /// One surface of a scene.
 struct ScenePart {
     std::string name;     ///< as shown: "Trachea"
-    std::uint16_t id = 0; ///< what visiblePixels() counts it under; unique in the scene
+    std::uint16_t id = 0; ///< key of visiblePixels(); unique in the scene
     MaterialGroup group = MaterialGroup::SoftTissue;
     QColor color;
     ChestRegion region = ChestRegion::Still; ///< how it breathes; for surfaces given in A
 
-    /// Empty for a part that is fixed in A, with meshes given in A; else the moving body that it is
-    /// fixed to, such as "tube" or "jaw", with meshes given in that body's frame.
+    /// Empty for a part fixed in A, with meshes in A; else the name of the moving body that it is
+    /// fixed to, such as "tube" or "jaw", with meshes in that body's frame.
     std::string body;
-    /// Whether a view preset makes sure to show it whole. Not for a body that comes and goes.
+    /// Whether view presets show it whole. Not for a body that is sometimes absent.
     bool framed = true;
 
-    /// At least one level of detail, finest first, each with normals. Shared with whoever works out
-    /// volumes from the very same meshes.
+    /// At least one level of detail, finest first, each with normals. Shared with the code that
+    /// computes volumes from the same meshes.
     std::vector<std::shared_ptr<const TriangleMesh>> levels;
-    /// How far each level departs from the finest, metres, 0 first. A level that has none here is
-    /// drawn only where it is asked for.
+    /// Deviation of each level from the finest, metres, 0 first. A level without one is drawn only
+    /// if it is set explicitly.
     std::vector<double> deviations{};
-    /// In place of `color`: one per vertex of each level, or none.
+    /// Used in place of `color`: one colour per vertex of each level, or none.
     std::vector<std::vector<Rgb>> colors{};
-    /// Drawn in the same level as all others that share it, and as the frame source is asked for:
-    /// those whose volume matters.
+    /// Whether it is drawn in the level common to all parts with this flag, which is passed to the
+    /// frame source. For parts whose volume matters.
     bool sharesLevel = false;
 };
 

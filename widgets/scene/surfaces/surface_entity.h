@@ -23,9 +23,9 @@ class QParameter;
 namespace carina
 {
 
-/// One merged surface in Qt 3D's scene: its buffers, the place of its body and how it moves within.
-/// The vertices of all levels of detail stay where they are; which triangles are drawn, and in
-/// which order, is a list of corners that is written anew when that changes.
+/// One merged surface in Qt 3D's scene: its buffers, the pose of its body and its deformation. The
+/// vertex buffer holds all levels of detail and does not change; the index buffer holds the
+/// triangles to draw, in drawing order, and is rewritten when these change.
 class SurfaceEntity
 {
 public:
@@ -35,12 +35,13 @@ public:
     SurfaceEntity(const SurfaceEntity&) = delete;
     SurfaceEntity& operator=(const SurfaceEntity&) = delete;
 
-    /// Places, breathes, shows or hides it as the frame says.
+    /// Applies the pose, deformation and visibility of a frame.
     void apply(const SceneFrame& frame);
-    /// Draws its parts in these levels, and what is blended as seen along `forward_A`.
-    /// @pre after apply(), which knows how the body is turned.
+    /// Draws its parts in these levels; a blended surface is sorted for the viewing direction
+    /// `forward_A`.
+    /// @pre apply() was called for this frame, which sets the orientation of the body.
     void show(std::span<const int> levels, const Vec3& forward_A);
-    /// Whether a section cuts it open from now on: then its inner face is drawn, too.
+    /// Whether a section cuts it: then its inner face is drawn, too.
     void setCut(bool cut);
 
 private:
@@ -50,10 +51,10 @@ private:
     SurfaceKey m_key;
     std::vector<SurfacePiece> m_pieces;
     std::vector<Triangle> m_triangles;
-    std::vector<Vec3f> m_positions; ///< of what is blended
+    std::vector<Vec3f> m_positions; ///< of a blended surface
     std::vector<int> m_levels;      ///< drawn now
     bool m_isCut = false;
-    DrawOrder m_order; ///< of what is blended, in those levels
+    DrawOrder m_order; ///< of a blended surface, in those levels
     Vec3f m_forward_F = Vec3f::Zero();
     Quat m_R_AF = Quat::Identity();
 

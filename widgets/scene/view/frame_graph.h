@@ -28,44 +28,44 @@ class QViewport;
 namespace carina
 {
 
-/// One for each view.
+/// One camera per view.
 using Cameras = std::array<Qt3DRender::QCamera*, kMostEyes>;
 
-/// What Qt 3D draws each frame, in which order and into what.
+/// The Qt 3D frame graph: the render passes of a frame, their order and their targets.
 ///
-/// The picture, in each view that is shown: what is opaque; then what is translucent, each triangle
-/// blended over what is there, in the order of its list of corners (DrawOrder), where nothing
-/// opaque is nearer.
+/// The picture, in each shown view: opaque surfaces; then translucent ones with depth test, each
+/// triangle blended in the order of the index buffer (DrawOrder).
 ///
-/// The ids, on demand, layer by layer (layerOf): what is nearest of the layer and not behind an
-/// earlier one, into a texture of the picture's size that is read back after each.
+/// The ids, on demand, layer by layer (layerOf): the nearest surface of the layer that is not
+/// behind an earlier layer, into a texture of the picture's size that is read back after each
+/// layer.
 class FrameGraph
 {
 public:
-    /// One view, of the whole window, is shown.
+    /// Starts with one shown view that fills the window.
     FrameGraph(QWindow* window, const Cameras& cameras);
     ~FrameGraph();
     FrameGraph(const FrameGraph&) = delete;
     FrameGraph& operator=(const FrameGraph&) = delete;
 
-    /// To be made the active frame graph, and thereby owned, by Qt 3D's render settings.
+    /// To be set as the active frame graph of Qt 3D's render settings, which then own it.
     [[nodiscard]] Qt3DRender::QFrameGraphNode* root() const;
 
     void setBackground(const QColor& color);
 
-    /// Whether a section cuts from now on, as the vertex shader says what lies beyond it.
+    /// Enables the clip plane of a section; the vertex shader computes the clip distance.
     void setCut(bool cut);
 
-    /// Draws what a view's camera sees into these pixels of the window, or no more.
+    /// Draws the picture of a view's camera into these pixels of the window.
     void showView(std::size_t view, const PixelRect& pixels, const QSize& window);
     void hideView(std::size_t view);
 
     /// Reads the whole picture back.
     [[nodiscard]] Qt3DRender::QRenderCapture* pictureCapture() const { return m_picture; }
 
-    /// Draws ids as well from now on, or no more.
+    /// Enables or disables the id passes.
     void setIdsDrawn(bool drawn, const QSize& pixels);
-    /// One for each layer.
+    /// One capture per layer.
     [[nodiscard]] const std::vector<Qt3DRender::QRenderCapture*>& idCaptures() const
     {
         return m_idLayers;
@@ -74,7 +74,7 @@ public:
 private:
     enum class Depth { Write, TestOnly };
 
-    /// Where the graph forks into a view.
+    /// The branch of the graph for a view.
     struct Branch {
         Qt3DRender::QSubtreeEnabler* shown;
         Qt3DRender::QViewport* part;

@@ -7,15 +7,15 @@
 namespace carina
 {
 
-/// How a view draws, over its latest frames.
+/// Frame rate and drawing times of a view, over its latest frames.
 struct FrameStatistics {
     double framesPerSecond = 0.0; ///< 0 before the second frame
-    Duration medianDrawing{};     ///< from asking for the frame to the swapped buffers
+    Duration medianDrawing{};     ///< from the request of the frame until its buffers were swapped
     Duration worstDrawing{};
-    std::size_t frames = 0; ///< drawn since the view was made
+    std::size_t frames = 0; ///< drawn since the view was created
 };
 
-/// Keeps the times of the latest kKept frames.
+/// Stores the times of the latest kKept frames.
 class FrameTimes
 {
 public:

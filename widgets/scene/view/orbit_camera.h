@@ -9,17 +9,17 @@
 namespace carina
 {
 
-/// From where a view looks at the patient, in the anatomy frame A (+x patient's left, +y posterior,
-/// +z superior).
+/// Viewpoints on the patient, in the anatomy frame A (+x patient's left, +y posterior, +z
+/// superior).
 enum class ViewPreset : std::uint8_t {
-    Front,   ///< in front of the patient, who looks back: the right lung is left in the picture
+    Front,   ///< in front of the patient: the right lung is at the left of the picture
     Right,   ///< at the patient's right side
     Left,    ///< at the patient's left side
     Back,    ///< behind the patient
-    Trainee, ///< standing behind the head of the patient, who lies: the chest is ahead
+    Trainee, ///< standing behind the head of the lying patient: the chest is ahead
 };
 
-/// Where a camera is, in A, metres.
+/// The pose and clipping planes of a camera, in A, metres.
 struct CameraPose {
     Vec3 p_A_eye = Vec3::Zero();
     Vec3 p_A_target = Vec3::Zero();
@@ -28,33 +28,35 @@ struct CameraPose {
     double farPlane = 10.0;
 };
 
-/// A perspective camera that turns about a point of interest: yaw about the patient's long axis,
-/// pitch between straight below and straight above.
+/// A perspective camera that orbits a point: yaw about the patient's long axis, pitch from straight
+/// below to straight above.
 class OrbitCamera
 {
 public:
     static constexpr double kVerticalFieldOfView = 0.5; ///< radians; narrow, for little distortion
 
-    /// What is looked at, and the picture's width over its height.
+    /// The box to look at, and the picture's width over its height.
     void setBounds(const Box& bounds_A) { m_bounds_A = bounds_A; }
     void setAspect(double widthOverHeight);
 
-    /// Looks from a preset, so near that the bounds just fit into the picture with a small margin.
+    /// Looks from a preset, at the distance where the bounds fit into the picture with a small
+    /// margin.
     void showFrom(ViewPreset preset);
 
-    /// Turns by a part of the picture's height: right and down positive, as a mouse drags.
+    /// Rotates by a mouse drag, in fractions of the picture's height: right and down positive.
     void orbit(double right, double down);
-    /// Moves what is seen by a part of the picture's height.
+    /// Shifts the scene by a mouse drag, in fractions of the picture's height.
     void pan(double right, double down);
-    /// Comes nearer by a factor (above 1), or goes away (below 1).
+    /// Moves nearer by a factor above 1, or away by a factor below 1.
     void zoom(double factor);
 
     [[nodiscard]] CameraPose pose() const;
     [[nodiscard]] Frustum frustum() const;
-    /// The way from the eye through a point of the picture, of length 1: right and up of the centre
-    /// in parts of the picture's height.
+    /// The unit direction from the eye through a point of the picture, given right and up from its
+    /// centre in fractions of the picture's height.
     [[nodiscard]] Vec3 directionThrough(double right, double up) const;
-    /// A camera in an eye D instead (+x right, +y up, along -z), with planes for the same bounds.
+    /// The camera pose of an eye D (+x right, +y up, looking along -z), with clipping planes for
+    /// the same bounds.
     [[nodiscard]] CameraPose poseOf(const RigidTransform& X_AD) const;
 
 private:
@@ -71,7 +73,7 @@ private:
     double m_level = 0.0; ///< pitch of the horizon: 0, or pi with the feet up in the picture
     double m_distance = 1.0;
     ViewPreset m_preset = ViewPreset::Front;
-    bool m_fitted = true; ///< still as the preset framed it
+    bool m_fitted = true; ///< unchanged since showFrom()
 };
 
 } // namespace carina

@@ -17,9 +17,9 @@
 namespace carina
 {
 
-inline constexpr std::size_t kMostEyes = 2; ///< that see one frame
+inline constexpr std::size_t kMostEyes = 2; ///< eyes per frame
 
-/// Where a body F is drawn, and how large: a point p_F of it at X_AF * (scale p_F).
+/// Pose and scale of a body F: its point p_F is drawn at X_AF * (scale p_F).
 struct PlacedBody {
     RigidTransform X_AF;
     double scale = 1.0;
@@ -31,8 +31,8 @@ struct PlacedBody {
     }
 };
 
-/// The chest in one pose: what moves each of its regions, for the level of detail that was asked
-/// for. Nothing moves by default.
+/// The deformation of the chest in one pose: the motion of each region, for the requested level of
+/// detail. By default nothing moves.
 struct BreathingChest {
     ChestField field;
     std::array<ChestMotion, kChestRegions> motion{}; ///< by ChestRegion
@@ -45,28 +45,28 @@ struct BreathingChest {
 
 /// Everything that moves in a scene, at one time.
 struct SceneFrame {
-    SessionTime time{}; ///< for which this holds
+    SessionTime time{}; ///< the time of this state
 
     BreathingChest chest;
     FollowingThroat throat;
 
-    /// Each moving body's place, by name. A body that is not in here is not drawn: lost
+    /// The pose of each moving body, by name. A body that is not listed is not drawn: a lost pose
     /// is never an identity.
     std::map<std::string, PlacedBody> bodies;
 
-    /// The eyes it is seen by, at most kMostEyes, in parts of the window that do not overlap; none
-    /// at all, as while a headset is lost, leave the background. Without a list the view's own
-    /// camera sees it.
+    /// The pictures of at most kMostEyes eyes, in areas of the window that do not overlap. An empty
+    /// list, as while a headset is lost, draws the background only; std::nullopt uses the view's
+    /// own camera.
     std::optional<std::vector<EyePicture>> eyes;
 };
 
 /// One frame that was drawn.
 struct DrawnFrame {
     SceneFrame frame;          ///< what was drawn
-    int level = 0;             ///< in which level of detail, of those parts that share theirs
+    int level = 0;             ///< common level of detail of the parts that share theirs
     std::size_t triangles = 0; ///< of all parts in their levels
-    LocalTime asked{};         ///< when the frame source was asked
-    LocalTime lit{};           ///< when it was expected to be lit, as the frame source was told
+    LocalTime asked{};         ///< when the frame source was called
+    LocalTime lit{};           ///< the expected time of light passed to the frame source
     LocalTime swapped{};       ///< when the buffers had been swapped
 };
 

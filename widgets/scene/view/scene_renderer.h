@@ -29,15 +29,15 @@ class QRenderCapture;
 namespace carina
 {
 
-/// From where and through what a scene is seen, and in which pixels of its window.
+/// A camera: its pose, its frustum, and its pixels in the window.
 struct SceneCamera {
     CameraPose pose;
     Frustum frustum;
     PixelRect pixels;
 };
 
-/// Draws scene parts into a window with Qt 3D, one frame per call: what was set before draw() is
-/// what that call draws and swaps, not a frame later.
+/// Draws scene parts into a window with Qt 3D, one frame per call: draw() draws and swaps the state
+/// set before it, without a frame of latency.
 class SceneRenderer
 {
 public:
@@ -50,20 +50,21 @@ public:
     void setParts(std::span<const ScenePart> parts);
     void setBackground(const QColor& color) { m_frameGraph.setBackground(color); }
 
-    /// Draws as these cameras see it from now on; the background alone without any.
-    /// @pre at most kMostEyes, whose pixels lie in the window and do not overlap.
+    /// Sets the cameras; without any, only the background is drawn.
+    /// @pre at most kMostEyes cameras, whose pixels are inside the window and do not overlap.
     void setCameras(std::span<const SceneCamera> cameras);
-    /// Draws each part, by its place among the parts, in its level of detail.
+    /// Sets the state of a frame, and the level of detail of each part, by its index.
     void apply(const SceneFrame& frame, std::span<const int> levels);
     void setSection(const std::optional<Section>& section);
-    /// Unlike all else this may be seen a frame or two later: another shader program takes over.
+    /// Unlike other settings this can take effect one or two frames later, when its shader program
+    /// is compiled.
     void setErrorMap(const std::optional<ErrorMap>& map) { m_effects.setErrorMap(map); }
     void draw();
 
-    /// The picture as it is set now; a null image where the window cannot be drawn into.
+    /// The picture of the present state; a null image if the window cannot be drawn into.
     [[nodiscard]] QImage picture();
 
-    /// Adds for each id the pixels in which it is seen now.
+    /// Adds to `pixels` the number of visible pixels of each part id in the present state.
     void countPixels(std::map<std::uint16_t, std::size_t>& pixels);
 
 private:

@@ -30,17 +30,17 @@ struct SceneCamera;
 class SceneRenderer;
 class SceneWindow;
 
-/// A 3-D view of a patient and the tools in it, about 60 times a second while it can be seen.
+/// A 3-D view of a patient and tools, redrawn about 60 times a second while it is visible.
 ///
-/// It knows surfaces, poses and amplitudes, and nothing of where they come from: right before each
-/// frame it asks a frame source, and what the source answers is what that frame shows.
+/// It does not depend on the origin of surfaces, poses and amplitudes: immediately before each
+/// frame it calls a frame source, and draws the state that this returns.
 class SceneView : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// Asked for the state of the scene when the frame will be lit; the parts that share their
-    /// level of detail will be drawn in this one.
+    /// Returns the state of the scene at the time when the frame will be lit; `level` is the level
+    /// of detail in which the parts that share theirs will be drawn.
     using FrameSource = std::function<SceneFrame(int level, LocalTime lit)>;
     using FrameListener = std::function<void(const DrawnFrame&)>;
 
@@ -48,54 +48,55 @@ public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    /// Shows these parts and no others, as usual, framed by the present preset.
-    /// @param alsoFramed what a preset makes sure to show besides them, in A
+    /// Replaces the parts, drawn as usual and framed by the present preset.
+    /// @param alsoFramed a box in A that presets show as well
     /// @pre ids are unique.
     void setParts(std::span<const ScenePart> parts, const Box& alsoFramed = {});
     [[nodiscard]] const std::vector<ScenePart>& parts() const { return m_parts; }
-    /// Shows parts apart from the usual way from now on. The camera stays where it is.
+    /// Sets how parts are drawn differently from their material group. The camera does not move.
     void setLooks(const PartLooks& looks);
     [[nodiscard]] const PartLooks& looks() const { return m_looks; }
-    /// Cuts the scene open, or no more.
+    /// Sets the section plane; std::nullopt removes it.
     void setSection(const std::optional<Section>& section);
-    /// Draws the error of a registration in place of the parts' colours, or no more.
+    /// Draws the error map of a registration in place of the parts' colours; std::nullopt ends
+    /// this.
     void setErrorMap(const std::optional<ErrorMap>& map);
 
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
-    /// Called after each frame, when its buffers were swapped.
+    /// The listener is called after each frame, when its buffers were swapped.
     void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
 
     void showFrom(ViewPreset preset);
-    /// The view's own, which shows a frame without eyes.
+    /// The view's own camera, used for frames without a list of eyes.
     [[nodiscard]] const OrbitCamera& camera() const;
-    /// Says at the edges from now on which are the patient's right and left, but to no headset.
+    /// Labels the patient's right and left at the edges, except in a headset.
     void nameSides() { m_sides.emplace(*this); }
-    /// Whether mouse and keys move the camera; they do from the start.
+    /// Whether mouse and keys move the camera; true by default.
     void setInteractive(bool interactive);
     void setBackground(const QColor& color);
 
-    /// A level of detail for all parts to stay at, or none to choose by what is seen of each part
-    /// and by the time that frames take.
+    /// Fixes the level of detail of all parts; std::nullopt chooses it by visible error and drawing
+    /// time (DetailChoice).
     void setFixedLevel(std::optional<int> level);
-    /// The level of detail that the parts which share theirs are drawn in, 0 the finest.
+    /// The common level of detail of the parts that share theirs; 0 is the finest.
     [[nodiscard]] int level() const { return m_detail.sharedLevel(); }
-    /// Drawn in the latest frame.
+    /// The number of triangles in the latest frame.
     [[nodiscard]] std::size_t triangles() const { return m_detail.triangles(); }
     [[nodiscard]] FrameStatistics statistics() const { return m_times.statistics(); }
 
-    /// What the window shows at the latest frame. Null while the view cannot be seen.
+    /// The picture of the latest frame; null while the view is not visible.
     [[nodiscard]] QImage picture();
 
-    /// In how many pixels of the latest frame, those of all eyes together, each part, by id, is
-    /// drawn: an opaque part where no opaque part is in front of it; a translucent part where it is
-    /// the nearest of its material group and nothing opaque, and no earlier translucent group, is
-    /// in front of it. Later groups are seen through and hide nothing. Zero for all while the view
-    /// cannot be seen.
+    /// The number of pixels of the latest frame, summed over all eyes, in which each part, by id,
+    /// is visible: an opaque part where no opaque part is in front of it; a translucent part where
+    /// it is the nearest of its material group and no opaque part, and no earlier translucent
+    /// group, is in front of it. Later groups hide nothing. Zero for all while the view is not
+    /// visible.
     [[nodiscard]] std::map<std::uint16_t, std::size_t> visiblePixels();
 
 Q_SIGNALS:
-    /// A place in the picture was clicked: the ray from the eye of the view's own camera through
-    /// it, in A, the direction of length 1.
+    /// A point in the picture was clicked: the ray through it from the eye of the view's own
+    /// camera, in A, with a unit direction.
     void clicked(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
 
 private:

@@ -9,9 +9,9 @@
 namespace carina
 {
 
-/// The native window that a scene is drawn into. Turns mouse and keys into motions of its camera:
-/// drag turns, Shift or the right or middle button moves, the wheel zooms, a double click shows all
-/// again; arrows turn, with Shift they move, + and - zoom, Home shows all again.
+/// The native window that a scene is drawn into. Mouse and keys move its camera: drag rotates, drag
+/// with Shift or with the right or middle button pans, the wheel zooms, a double click resets to
+/// the preset; arrow keys rotate, with Shift they pan, + and - zoom, Home resets.
 class SceneWindow : public QWindow
 {
     Q_OBJECT
@@ -22,17 +22,17 @@ public:
     [[nodiscard]] OrbitCamera& camera() { return m_camera; }
     void setInteractive(bool interactive) { m_interactive = interactive; }
 
-    /// Looks from a preset; Home comes back to it.
+    /// Looks from a preset, to which Home returns.
     void showFrom(ViewPreset preset);
 
     [[nodiscard]] double widthOverHeight() const;
-    /// All of the window, in pixels of the screen.
+    /// The whole window, in device pixels.
     [[nodiscard]] PixelRect pixels() const;
 
 Q_SIGNALS:
-    /// The person wants to leave the view for the next (or previous) control.
+    /// Tab was pressed: the focus goes to the next (or previous) control.
     void tabbed(bool forward);
-    /// The left button was pressed and let go at one place.
+    /// The left button was pressed and released at one point.
     void clicked(const QPointF& position);
 
 protected:

@@ -10,9 +10,9 @@
 namespace carina
 {
 
-/// An instructor without a person, for a measured demo: starts the session and, once it runs, sets
-/// rate and tidal volume, and when somebody else is there turns the virtual patient for a while and
-/// puts it back; all by the controls that a person would use.
+/// A scripted instructor for a measured demonstration: starts the session and, once it runs, sets
+/// rate and tidal volume; when another participant is present it rotates the virtual patient for a
+/// while and resets it. It operates the same controls as a person.
 class ScriptedConsole : public QObject
 {
     Q_OBJECT
@@ -21,10 +21,10 @@ public:
     /// @pre all outlive this.
     ScriptedConsole(QWidget& window, SessionNode& node, BreathingModel& breathing);
 
-    /// The values in force at the console, and the session time from which on every breath has
-    /// them: breathing_rate_per_min, tidal_volume_ml, steady_from_ns (as text, exact). Once the
-    /// patient was turned, "action": speed_deg_per_s, from_ns and to_ns when it was, until_ns when
-    /// it was put back (as text).
+    /// The values in force at the console, and the session time from which every breath has them:
+    /// breathing_rate_per_min, tidal_volume_ml, steady_from_ns (as text, exact). After the rotation
+    /// also "action": speed_deg_per_s, from_ns and to_ns of the rotation, and until_ns of the reset
+    /// (as text).
     [[nodiscard]] QJsonObject report() const;
 
 private:
@@ -37,7 +37,7 @@ private:
     QWidget& m_window;
     SessionNode& m_node;
     BreathingModel& m_breathing;
-    std::optional<SessionTime> m_inForce; ///< since when both are
+    std::optional<SessionTime> m_inForce; ///< since when both values are in force
     QJsonObject m_action;
 };
 

@@ -7,23 +7,23 @@
 namespace carina::program
 {
 
-/// Adds `--code CODE`, `--code-file FILE`, `--host ADDRESS` and `--data DIR`, by which a program
-/// comes into a session, `--host-name NAME` and `--authority FILE`, each of which makes it come
-/// into none without a certificate, and a join link that may stand in their place.
+/// Adds the options for joining a session: `--code CODE`, `--code-file FILE`, `--host ADDRESS`,
+/// `--data DIR`; `--host-name NAME` and `--authority FILE`, each of which requires a certificate of
+/// the host; and a positional join link instead of them.
 void addEntryOptions(QCommandLineParser& parser);
 
-/// Takes over what they say for a role. A file of codes that is not there yet is waited for, so
-/// that host and guest may be started at once.
-/// @returns WrongCode for a code that is none; FileNotFound after 30 seconds; FileMalformed for a
-///          file without a code of the role.
+/// Copies the options into the settings, with the code of settings.role. Waits up to 30 s for a
+/// file of codes that does not exist yet, so that host and guest can be started at the same time.
+/// @returns WrongCode for an invalid code; FileNotFound after 30 s; FileMalformed for a file
+///          without a code of the role.
 [[nodiscard]] Result<void> readEntryOptions(const QCommandLineParser& parser,
                                             JoinSettings& settings);
 
-/// The link that stands in the place of options; empty where none does.
-/// @returns WrongOption beside an option that says the same, or for a second word.
+/// The join link on the command line; empty if there is none.
+/// @returns WrongOption if an option is given that the link contains.
 [[nodiscard]] Result<QString> linkArgument(const QCommandLineParser& parser);
 
-/// Takes over what a link says. @returns WrongLink
+/// Copies the content of a link into the settings. @returns WrongLink
 [[nodiscard]] Result<void> readLink(const QString& link, JoinSettings& settings);
 
 /// Writes "role code" lines into a file that only its owner may read.

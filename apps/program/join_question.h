@@ -7,16 +7,16 @@
 namespace carina::program
 {
 
-/// A program's way in, and the role it came in as.
+/// The node of a joined session, and the role in it.
 struct Entered {
-    std::unique_ptr<SessionNode> node; ///< none: its person does not want to come in
+    std::unique_ptr<SessionNode> node; ///< null: the person cancelled
     Role role = Role::Trainee;
 };
 
-/// Lets a person choose a session that is found, or type its address, until they are in or leave.
-/// @param settings what is known already; what is complete is tried at once, and asked about only
-///                 if it is refused
-/// @param link leads into a session; may be empty
+/// Shows the join dialog until the person is admitted or cancels.
+/// @param settings the known settings; if isComplete, they are tried first, and the dialog is shown
+///                 only after a refusal
+/// @param link a join link to fill in; may be empty
 [[nodiscard]] Entered askHowToJoin(const JoinSettings& settings, const QString& link,
                                    bool isComplete);
 

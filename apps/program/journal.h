@@ -10,18 +10,17 @@
 namespace carina::program
 {
 
-/// What a program shows, as one JSON object a line ten times a second, for whoever has to
-/// understand later what was on which screen when. Keys: local_ns (CLOCK_MONOTONIC) and session_ns
-/// of the frame shown last, facts (number of the last), session_id, anatomy
-/// (content hash of the patient drawn), phase, breathing_rate_per_min,
-/// tidal_volume_ml, right_lung_ml and left_lung_ml (gas in each, by the mechanics); of the virtual
-/// patient patient_owner (a participant's number) and, once it was acted on, patient_rate (rad/s,
-/// m/s or 1/s of what goes on), patient_xyz_mm, patient_q_xyzw and patient_size, where and how
-/// large it is drawn against the anatomy frame.
+/// Logs the displayed state of a program, for later analysis: one JSON object per line, ten times a
+/// second. Keys: local_ns (CLOCK_MONOTONIC) and session_ns of the latest frame, facts (number of
+/// the last one), session_id, anatomy (content hash of the patient drawn), phase,
+/// breathing_rate_per_min, tidal_volume_ml, right_lung_ml and left_lung_ml (gas in each, from the
+/// mechanics); for the virtual patient patient_owner (a participant's number) and, after an action
+/// on it, patient_rate (rad/s, m/s or 1/s of the present motion), patient_xyz_mm, patient_q_xyzw
+/// and patient_size: its pose and scale in the anatomy frame.
 class Journal
 {
 public:
-    /// Appends to the file from now on. @pre all outlive this.
+    /// Starts to append to the file. @pre all outlive this.
     /// @returns FileUnwritable with the path.
     [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const QString& path,
                                                                const SessionNode& node,
@@ -42,7 +41,7 @@ private:
 /// Adds `--journal FILE`.
 void addJournalOption(QCommandLineParser& parser);
 
-/// The journal that `--journal` asks for; null without it. @returns what Journal::open does.
+/// The journal for `--journal`; null without it. @returns the errors of Journal::open.
 [[nodiscard]] Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
                                                                   const SessionNode& node,
                                                                   StationId station,

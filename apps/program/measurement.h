@@ -14,24 +14,24 @@
 namespace carina::program
 {
 
-/// What a program measured of itself while people, or a script, used it: its frames as drawn, the
-/// lung volumes of the vertices drawn, and, taken when the tube has lain in place for a second, a
-/// picture of its window and the visible pixels of each part. Read by `carina-lab summary`.
+/// Measurements of a running program: its frames as drawn, the lung volumes from the drawn
+/// vertices, and, when the tube has been in place for a second, a picture of the window and the
+/// visible pixels of each part. `carina-lab summary` reads the result.
 class Measurement
 {
 public:
     /// Logs every frame from now on. @pre window and scene outlive this.
     Measurement(QWidget& window, StationScene& scene);
 
-    /// Measures what a headset shows against the simulator's truth, too; for a headset's output it
-    /// adds "overlay" to what is written.
+    /// Also measures the overlay error in a headset against the simulator's ground truth; adds
+    /// "overlay" to the output.
     void compareWith(TrueView truth);
 
-    /// Forgets what was measured: another patient is drawn from now on.
+    /// Discards all measurements, because another patient is drawn from now on.
     void startAfresh();
 
-    /// Writes NAME.png, NAME.json (what was measured, and `extra` with it) and NAME_frames.csv.
-    /// @returns NoGraphics where vertices cannot be read back; FileUnwritable with the path.
+    /// Writes NAME.png, NAME.json (the measurements and `extra`) and NAME_frames.csv.
+    /// @returns NoGraphics if vertices cannot be read back; FileUnwritable with the path.
     [[nodiscard]] Result<void> write(const QDir& folder, const QString& name,
                                      const QJsonObject& extra);
 
@@ -44,9 +44,9 @@ private:
     QWidget& m_window;
     StationScene& m_scene;
     std::vector<LoggedFrame> m_frames;
-    std::vector<ChestPose> m_poses; ///< of the chest, as drawn in each of them
+    std::vector<ChestPose> m_poses; ///< of the chest, as drawn in each frame
     std::optional<SeenOverlay> m_overlay;
-    std::optional<LocalTime> m_inPlaceSince; ///< the tube, without a break until the latest frame
+    std::optional<LocalTime> m_inPlaceSince; ///< start of the tube's present stay in place
     bool m_pictureDue = false;               ///< of this stay in place
     QPixmap m_picture;
     QJsonObject m_visiblePixels; ///< when the picture was taken

@@ -17,15 +17,14 @@ struct ChosenPatient {
 /// Adds `--anatomy DIR` and `--patient WHO` (patientFromWords).
 void addPatientOptions(QCommandLineParser& parser);
 
-/// Whether these options name a set rather than a built-in patient.
+/// Whether these options name an anatomy set rather than a built-in patient.
 [[nodiscard]] bool importsPatient(const QCommandLineParser& parser);
 
-/// The patient that these options name; the child without them. An imported set is taken for an
-/// adult. One that is imported for the first time is shown to the person, who may correct what its
-/// surfaces are, unless the program starts or works by itself (`--start`,
-/// `--measure`, `--journal`).
+/// The patient named by these options; by default the built-in child. An imported set is taken for
+/// an adult. On its first import a dialog lets the person correct the roles of its surfaces, unless
+/// the program runs without a person (`--start`, `--measure`, `--journal`).
 ///
-/// @returns WrongOption for another patient; what importing or building it fails with.
+/// @returns WrongOption for an unknown patient; the errors of importing or building it.
 [[nodiscard]] Result<ChosenPatient> choosePatient(const QCommandLineParser& parser);
 
 } // namespace carina::program

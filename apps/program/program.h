@@ -9,56 +9,58 @@
 namespace carina::program
 {
 
-/// What makes one program with a window different from the others.
+/// The parts of a program with a window that differ between programs.
 struct Program {
-    QString name; ///< by which its folders are found, such as "carina-trainee"
-    /// Adds what it is for and its options; "--help" is added to them.
+    QString name; ///< also names its folders, such as "carina-trainee"
+    /// Adds its description and options; "--help" is added automatically.
     void (*addOptions)(QCommandLineParser& parser);
-    /// How many words without an option it takes.
+    /// The largest number of positional arguments.
     qsizetype mostWords = 0;
     /// Checks the options, makes the windows, and runs until the last of them is closed.
-    /// @returns the exit status, or why it cannot go on
+    /// @returns the exit status, or the error that ends the program
     Result<int> (*run)(const QCommandLineParser& parser);
 };
 
-/// The `main` of a program with a window: help, which needs no display; the application with theme
-/// and translations; options that are not known; and on stderr why it could not go on.
-/// @returns the exit status: 1 where it could not go on
+/// The `main` of a program with a window: shows help, which needs no display; creates the
+/// application with theme and translations; refuses unknown options; runs the program and writes
+/// its error to stderr.
+/// @returns the exit status: 1 after an error
 int runProgram(const Program& program, int argc, char** argv);
 
-/// How a program was asked to measure itself; nothing of it when a person uses it.
+/// The options for measuring a program.
 struct MeasureOptions {
     QString folder; ///< empty: do not measure
     int seconds = 20;
     QSize size{1280, 800};
 };
 
-/// What pictures are drawn with, and windows shown on. Without a display a program starts all the
-/// same, to say what is wrong with its options, or by checkGraphics that there is no display.
-/// Before the application is made.
+/// Selects OpenGL settings and the display platform; to be called before the application is
+/// created. Without a display the program still starts, to report wrong options or, by
+/// checkGraphics, that there is no display.
 void prepareDisplay();
 
-/// @returns NoGraphics where there is no display, or no OpenGL.
+/// @returns NoGraphics if there is no display or no OpenGL.
 [[nodiscard]] Result<void> checkGraphics();
 
 /// Adds `--measure DIR`, `--seconds N` and `--size WxH`.
 void addMeasureOptions(QCommandLineParser& parser);
-/// @returns WrongOption for a number or size that is none; FileUnwritable for a folder that cannot
-///          be made or written into, before anything is measured.
+/// @returns WrongOption for an invalid number or size; FileUnwritable for a folder that cannot be
+///          created or written into, before anything is measured.
 [[nodiscard]] Result<MeasureOptions> measureOptions(const QCommandLineParser& parser);
 
-/// Adds `--size WxH`, of the window; what addMeasureOptions adds, too.
+/// Adds `--size WxH`, of the window; addMeasureOptions includes it.
 void addSizeOption(QCommandLineParser& parser);
-/// The size given; 1280x800 where none is. @returns WrongOption for a size that is none.
+/// The size given with `--size`; 1280x800 where the option is absent.
+/// @returns WrongOption for an invalid size.
 [[nodiscard]] Result<QSize> sizeOption(const QCommandLineParser& parser);
 
 /// A UDP port from `--port`. @returns WrongOption for something else.
 [[nodiscard]] Result<std::uint16_t> portOption(const QCommandLineParser& parser);
 
-/// Says on stderr what does not work, though the program goes on.
+/// Writes an error to stderr; the program continues.
 void warn(const Error& error);
 
-/// Says on stderr why the program cannot go on, and returns its exit status.
+/// Writes the error that ends the program to stderr, and returns the exit status.
 int refuse(const Error& error);
 
 } // namespace carina::program

@@ -14,22 +14,23 @@
 namespace carina::program
 {
 
-/// Where the simulated manikin truly is before the simulated head: X_HA at a session time.
+/// The ground truth of the simulator: X_HA, the manikin's anatomy in the head frame, at a session
+/// time.
 using TrueView = std::function<std::optional<RigidTransform>(SessionTime)>;
 
-/// How far what a headset showed lay from the manikin behind the glass, at places of the airway:
-/// the distance, in the head's frame, between where a place was drawn and where the simulator says
-/// that it was when the frame was lit. It holds everything at once: registration, tracker noise,
-/// latency and prediction.
+/// The overlay error of a headset at points of the airway: the distance, in the head frame, between
+/// the drawn point and its true position when the frame was lit. It includes all error sources:
+/// registration, tracker noise, latency and prediction.
 class SeenOverlay
 {
 public:
     SeenOverlay(TrueView truth, const AirwayLandmarks& airway);
 
-    /// A frame that was drawn for a head at X_AH and lit at a time.
+    /// Adds a frame that was drawn for a head at X_AH and lit at a time.
     void add(const RigidTransform& X_AH, SessionTime lit);
 
-    /// Per place "mean_mm", "p95_mm" and "largest_mm"; and how many frames. Empty without frames.
+    /// Per point "mean_mm", "p95_mm" and "largest_mm"; and the number of frames. Empty without
+    /// frames.
     [[nodiscard]] QJsonObject report() const;
 
 private:

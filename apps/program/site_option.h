@@ -13,13 +13,13 @@ namespace carina::program
 /// Adds `--site FILE`.
 void addSiteOption(QCommandLineParser& parser);
 
-/// The site that `--site` names; nothing without it.
-/// @returns what readSiteFile and siteSetup refuse, with the file's name.
+/// The site named by `--site`; std::nullopt without it.
+/// @returns the errors of readSiteFile and siteSetup, with the file's name.
 [[nodiscard]] Result<std::optional<SiteSetup>> siteOption(const QCommandLineParser& parser,
                                                           const PatientModel& patient);
 
-/// Calls back whenever the file that `--site` names was written anew. @pre context outlives neither
-/// the callback nor what it uses.
+/// Calls `written` whenever the file named by `--site` was rewritten, until `context` is destroyed.
+/// @pre what the callback uses outlives `context`.
 void watchSite(const QCommandLineParser& parser, QObject& context,
                const std::function<void()>& written);
 

@@ -8,12 +8,12 @@
 namespace carina
 {
 
-/// The landmarks offered for a patient, on its bones where it has them and by the proportions of a
-/// body of its height where not: eight on rib cage and jaw, the first six of these, and the four of
-/// the rib cage.
+/// The landmark sets offered for a patient: eight on rib cage and jaw, the first six of these, and
+/// the four of the rib cage. They are on its bones or, for a patient without bones, from the body
+/// proportions for its height.
 [[nodiscard]] std::vector<LandmarkCatalogue> landmarkSetsOf(const program::ChosenPatient& patient);
 
-/// Places of its bones to check a registration at, none of them a landmark.
+/// Points on its bones for verifying a registration, none of them a landmark.
 [[nodiscard]] std::vector<Landmark> checkPlacesOf(const program::ChosenPatient& patient);
 
 } // namespace carina

@@ -8,16 +8,15 @@
 namespace carina
 {
 
-/// What the wizard shows, as one JSON object a line whenever it changes, for whoever has to
-/// understand later how far a registration had come. Keys: step, tracker, touched (how many
-/// landmarks), and, once they are known, stylus_rms_um, rms_um of the fit and checked (how many
-/// places).
+/// Logs the progress of the wizard, for later analysis: one JSON object per line at each change.
+/// Keys: step, tracker, touched (number of landmarks) and, once known, stylus_rms_um, rms_um of the
+/// fit and checked (number of points).
 class RegistrationJournal : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Appends to the file from now on. @pre registration outlives this.
+    /// Starts to append to the file. @pre registration outlives this.
     /// @returns FileUnwritable with the path.
     [[nodiscard]] static Result<std::unique_ptr<RegistrationJournal>>
     open(const QString& path, const RegistrationModel& registration);

@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// What a registration came to, against the truth of the simulator:
+/// The result of a registration, compared with the simulator's ground truth:
 ///
 ///     schema             "carina.registration/1"
 ///     landmarks          a list of name, spread_mm, residual_mm, each null where it is not there
@@ -19,7 +19,7 @@ namespace carina
 ///     localisation_error_mm_rms   asked of the hand
 ///     overlay_error_mm   a list of name and mm: carina, vocal cords, incisors, and the landmarks
 ///
-/// @param site as readSiteFile gave it back
+/// @param site returned by readSiteFile
 /// @pre it is registered.
 [[nodiscard]] QJsonObject registrationReport(const Site& site, const AirwayLandmarks& airway,
                                              const SimulatedWorkplace& workplace);

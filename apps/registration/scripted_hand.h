@@ -11,12 +11,14 @@
 namespace carina
 {
 
-/// How far from a landmark's true place somebody touches it: root mean square, in three dimensions.
+/// The FLE of the scripted hand: RMS distance of a touch from the true landmark, in three
+/// dimensions.
 inline constexpr Length kLocalisationError = millimetres(1.0);
 
-/// The hand of a technician without a person: it does with the stylus what the wizard asks for. In
-/// Stylus it swings the stylus with its tip in the divot while the wizard waits for that; in Touch
-/// and Verify it holds the tip where it takes the next place to be. Otherwise the stylus is parked.
+/// A scripted technician's hand that moves the simulated stylus as the wizard requests. In Stylus
+/// it pivots the stylus with its tip in the divot while the wizard waits for that; in Touch and
+/// Verify it holds the tip at the next point, with a localisation error. Otherwise the stylus is
+/// parked.
 class ScriptedHand : public QObject
 {
     Q_OBJECT
@@ -30,7 +32,7 @@ private:
     struct Order {
         Task task = Task::Park;
         QString place{};          ///< to hold at
-        Vec3 p_AQ = Vec3::Zero(); ///< where it is in the anatomy
+        Vec3 p_AQ = Vec3::Zero(); ///< the point in A
 
         friend bool operator==(const Order&, const Order&) = default;
     };

@@ -13,21 +13,21 @@
 namespace carina
 {
 
-/// A technician's clicks without a person, for a measured run: goes through the wizard by the
-/// buttons that a person would press, from wherever it stands, and takes a picture of each page.
+/// A scripted technician for a measured run: goes through the wizard from its present step with the
+/// same buttons as a person, and takes a picture of each page.
 class ScriptedTechnician : public QObject
 {
     Q_OBJECT
 
 public:
-    /// @param folder that the pictures go to: registration-1-tracker.png and so on
+    /// @param folder for the pictures: registration-1-tracker.png and so on
     /// @pre window and registration outlive this.
     ScriptedTechnician(QWidget& window, const RegistrationModel& registration, QDir folder);
 
 Q_SIGNALS:
     /// The anatomy was fitted and verified; the window is still open.
     void done();
-    /// The wizard refused something, or it did not get there in time.
+    /// The wizard refused something, or a step took too long.
     void stuck(const QString& where);
 
 private:

@@ -10,16 +10,16 @@
 namespace carina
 {
 
-/// A manikin with a chin probe before a simulated tracker, and a hand that holds a stylus.
+/// A manikin with a chin probe in front of a simulated tracker, and a hand that holds a stylus.
 struct SimulatedWorkplace {
-    RigidTransform X_TA;              ///< where the anatomy truly lies
+    RigidTransform X_TA;              ///< true pose of the anatomy
     Vec3 p_TQ_divot = Vec3::Zero();   ///< beside the manikin
-    std::shared_ptr<StylusHand> hand; ///< shared with the tracker's thread, which asks it
+    std::shared_ptr<StylusHand> hand; ///< shared with the tracker's thread, which reads it
     std::unique_ptr<SimulatedTracker> tracker;
     ReadSessionClock clock; ///< of the tracker's samples
 };
 
-/// @returns what ScriptedHands::make returns.
+/// @returns the errors of ScriptedHands::make.
 [[nodiscard]] Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway,
                                                             const TubeShape& tube);
 

@@ -16,18 +16,19 @@
 namespace carina
 {
 
-/// A trainee's part in a session: the node, and the patient that lies at the station now with
-/// everything that depends on it. Another patient can be laid while the session goes on.
+/// A trainee's station in a session: the node, and the present patient with all objects that depend
+/// on it. The patient can be replaced during the session.
 class TraineeStation
 {
 public:
-    /// What the site says of a patient; without it, the manikin is registered exactly.
+    /// The site's settings for a patient; std::nullopt: the simulated manikin is registered without
+    /// error.
     using Place = std::optional<SiteSetup>;
     using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
 
-    /// What stands in for hardware.
+    /// Simulated hardware.
     struct Simulation {
-        bool tracker = false;      ///< a simulated tracker and hands; without them it watches
+        bool tracker = false; ///< a simulated tracker and hands; false: the station has no tracker
         Frequency manikinBreathes; ///< 0: it lies still
     };
 
@@ -37,35 +38,36 @@ public:
     TraineeStation(const TraineeStation&) = delete;
     TraineeStation& operator=(const TraineeStation&) = delete;
 
-    /// Lays a patient in place of the one before. @param show turns to what is new here, while what
-    /// was before still is
-    /// @returns what its site, or the simulated tracker, says against it; nothing is changed then.
+    /// Replaces the patient.
+    /// @param show is called with the new patient in place, while the objects of the former one
+    ///             still exist
+    /// @returns the error of its site or of the simulated tracker; nothing is changed then.
     [[nodiscard]] Result<void> lay(const SharedPatientModel& patient,
                                    const std::function<void()>& show = {});
-    /// Takes over what the site says now; as before where it says nothing that can be used.
+    /// Applies the present settings of the site; without effect if these cannot be used.
     void takePlace();
-    /// Called after another patient was laid.
+    /// The callback is called after each successful lay().
     void onLaid(std::function<void()> callback) { m_onLaid = std::move(callback); }
 
     [[nodiscard]] SessionNode& node() { return *m_node; }
-    // @pre a patient was laid. They are good until the next one is.
+    // @pre lay() succeeded. Results are valid until the next lay().
     [[nodiscard]] const StationView& view() const { return *m_laid->view; }
     [[nodiscard]] ChinProbeModel chinProbe() const
     {
         return ChinProbeModel{m_laid->tracking.get(), &m_laid->guard};
     }
-    /// What the simulated head truly has before it; empty without one.
+    /// The true X_HA of the simulated head; empty without a simulation.
     [[nodiscard]] const program::TrueView& truth() const { return m_laid->truth; }
 
 private:
     struct Laid {
         SharedPatientModel patient;
-        /// Shared with the node's thread while it asks for poses; none where this only watches.
+        /// Shared with the node's thread, which reads poses; null without a tracker.
         std::shared_ptr<StationTracking> tracking;
         program::TrueView truth;
         std::unique_ptr<StationView> view;
-        std::unique_ptr<RegistrationGuard> guard; ///< of the tracking; none without a site
-        Place place;                              ///< as the site said last
+        std::unique_ptr<RegistrationGuard> guard; ///< of the tracking; null without a site
+        Place place;                              ///< as read from the site last
     };
 
     [[nodiscard]] Result<void> watchHands(Laid& laid);
@@ -78,8 +80,8 @@ private:
     std::function<void()> m_onLaid;
     std::unique_ptr<Laid> m_laid;
     std::atomic<std::shared_ptr<StationTracking>> m_published;
-    QTimer m_looking;                          ///< of the guard
-    std::unique_ptr<ManikinBreaths> m_manikin; ///< last: asks what is above
+    QTimer m_looking;                          ///< polls the guard
+    std::unique_ptr<ManikinBreaths> m_manikin; ///< last, because it uses the members above
 };
 
 } // namespace carina

@@ -10,9 +10,9 @@
 namespace carina
 {
 
-/// One figure of a generated patient beside the same figure of a real set, in the unit that its
-/// name ends with. A limit holds for the difference, or for its share of the set's figure where
-/// `relative`.
+/// One figure of a generated patient and of a real set, in the unit at the end of its name. The
+/// limit applies to the difference or, if `relative`, to the difference divided by the set's
+/// figure.
 struct Deviation {
     std::string name;
     double generated = 0.0;
@@ -20,34 +20,34 @@ struct Deviation {
     double limit = 0.0;
     bool relative = false;
 
-    /// Difference, or its share.
+    /// The difference or, if `relative`, its fraction of the set's figure.
     [[nodiscard]] double deviation() const;
     [[nodiscard]] bool met() const;
 };
 
-/// How far the surfaces of one organ are apart.
+/// Mean distances between the surfaces of one organ.
 struct OrganDistance {
     std::string organ;
     double toReal_mm = 0.0;   ///< from the generated surface to the real one, mean
     double fromReal_mm = 0.0; ///< and back
-    bool oneWay = false;      ///< only the first counts: the set goes on where the patient ends
+    bool oneWay = false; ///< only toReal_mm counts: the set's organ extends beyond the patient's
 
     [[nodiscard]] double mean_mm() const;
     [[nodiscard]] bool met() const;
 };
 
-/// A surface that runs through itself.
+/// A surface that intersects itself.
 struct SelfIntersection {
     std::string part;
     std::size_t level = 0;
     std::size_t pairs = 0; ///< of triangles
 };
 
-/// What a generated patient is like, beside a real one.
+/// The comparison of a generated patient with a real one.
 struct AnatomyComparison {
     double airwayScale =
-        1.0;                 ///< by which the set's head and airway are multiplied: cords to carina
-    double chestScale = 1.0; ///< and its chest: cube root of the volume of the lungs
+        1.0; ///< scale of the set's head and airway: ratio of the lengths from cords to carina
+    double chestScale = 1.0; ///< scale of its chest: cube root of the ratio of lung volumes
     std::vector<Deviation> figures;
     std::vector<OrganDistance> organs;
     std::vector<std::string> notInSet; ///< organs that only the patient has
@@ -59,15 +59,15 @@ struct AnatomyComparison {
 
 inline constexpr double kLargestMeanDistance_mm = 6.0;
 
-/// The surfaces of a patient that run through themselves, in every level of detail.
+/// The self-intersecting surfaces of a patient, in every level of detail.
 [[nodiscard]] std::vector<SelfIntersection> selfIntersectionsOf(const Anatomy& anatomy);
 
-/// Share in per cent of each lobe in the volume of all five: right upper, middle, lower, left
-/// upper, lower. Nothing where a lobe is missing.
+/// Percentage of each lobe in the volume of all five: right upper, middle, lower, left upper,
+/// lower. std::nullopt if a lobe is missing.
 [[nodiscard]] std::optional<std::array<double, 5>> lobeShares(const Anatomy& anatomy);
 
-/// Both in their frame A; scaling is about the carina.
-/// @returns NothingRecognised, naming the one of which the airway cannot be measured.
+/// Compares two patients, both in their frame A; scaling is about the carina.
+/// @returns NothingRecognised, naming the patient whose airway cannot be measured.
 [[nodiscard]] Result<AnatomyComparison> compareAnatomy(const Anatomy& generated,
                                                        const Anatomy& real);
 

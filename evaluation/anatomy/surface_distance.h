@@ -6,8 +6,8 @@
 namespace carina
 {
 
-/// Mean over the area of one surface of the distance to another. Sampled evenly: every triangle in
-/// equal pieces with edges no longer than `spacing`, each at its middle.
+/// The area-weighted mean distance from one surface to another. Every triangle is divided into
+/// equal pieces with edges no longer than `spacing`, each sampled at its centre.
 /// @pre both have an area, and spacing is above zero.
 [[nodiscard]] Length meanDistance(const TriangleMesh& from, const SurfaceTree& to, Length spacing);
 

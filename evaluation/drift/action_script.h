@@ -8,16 +8,16 @@
 namespace carina
 {
 
-/// The experiment of the 2004 paper: one object turned and another moved by successive actions,
-/// each of kActionTime at a constant rate about (and along) a new random axis. The truth of the
-/// drift measurement, in closed form: the pose at any time is the pose at the action's start and
-/// the rate times the time since then.
+/// The actions of the experiment of the 2004 paper: one object is rotated about, another translated
+/// along, a new random axis in each action, for kActionTime at constant speed. It is also the
+/// ground truth of the drift measurement, in closed form: the pose at the action's start plus speed
+/// times the time since then.
 class ActionScript
 {
 public:
     enum class Axes : std::uint8_t {
         Cartesian, ///< one of +-x, +-y, +-z
-        Random,    ///< evenly on the sphere
+        Random,    ///< uniform on the sphere
     };
     struct Settings {
         int actions = 50;
@@ -33,20 +33,21 @@ public:
     /// @pre at least one action
     ActionScript(const Settings& settings, std::uint32_t seed);
 
-    /// Virtual time 0 for the first.
+    /// Start of an action in virtual time; 0 for the first.
     [[nodiscard]] static Duration startOf(int action) { return action * kActionTime; }
     [[nodiscard]] int actions() const { return static_cast<int>(m_poses.size()); }
 
-    /// Of the object kTurned; at rest before the first action.
+    /// Orientation of the object kTurned in A; constant before the first action.
     [[nodiscard]] Quat q_AO(Duration t) const;
-    /// Of the object kMoved.
+    /// Position of the object kMoved in A, metres.
     [[nodiscard]] Vec3 p_AO(Duration t) const;
-    /// |w_k - w_(k-1)|, rad/s: what nobody elsewhere can know when action k starts.
+    /// |w_k - w_(k-1)|, rad/s: the change at the start of action k, unknown to other participants
+    /// then.
     [[nodiscard]] double changeOfAngularVelocity(int action) const;
-    /// The same of the object that is moved, m/s.
+    /// The same for the velocity of kMoved, m/s.
     [[nodiscard]] double changeOfVelocity(int action) const;
 
-    /// What the actor does at the start of an action, -1 for both objects at rest before the first.
+    /// The event that the actor sends at the start of an action; -1: the initial state, at rest.
     [[nodiscard]] EventCpo rotation(int action) const;
     [[nodiscard]] EventCpo translation(int action) const;
 

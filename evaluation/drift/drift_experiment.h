@@ -14,48 +14,50 @@ namespace carina
 /// One run of the drift experiment.
 struct DriftSettings {
     const SyncStrategy* strategy = nullptr;
-    std::uint16_t participants = 2; ///< one of them acts; the host is none of them
+    std::uint16_t participants = 2; ///< one of them acts; the host is not counted
     ActionScript::Settings script;
     DriftScenario scenario;
     VirtualStar::Legs legs = VirtualStar::Legs::HalfPath;
     std::uint32_t seed = 1;
 };
 
-/// How far the views were from the truth just before the next action, mean over the viewers.
+/// The drift just before the next action, mean over the viewers.
 struct ActionDrift {
     double angle = 0.0;    ///< radians, at most pi
-    double rawAngle = 0.0; ///< 2 acos(w), the 2004 paper's: radians, above pi where w < 0
+    double rawAngle = 0.0; ///< 2 acos(w), as in the 2004 paper: radians, above pi if w < 0
     double distance = 0.0; ///< metres
 };
 
-/// How far the viewers' views were from the truth of the same instant, over all viewers. Angles are
-/// 2 atan2(|v|, |w|) of q_s q_c^-1, radians; metres; seconds.
+/// The drift of the viewers from the ground truth at the same instant, over all viewers. Angles are
+/// 2 atan2(|v|, |w|) of q_s q_c^-1, radians; distances in metres; times in seconds.
 struct DriftFigures {
-    double atEvent = 0.0;             ///< mean, just before the next action
-    double timeAverage = 0.0;         ///< mean over time
-    double p95 = 0.0;                 ///< over time
-    double position = 0.0;            ///< mean over time
-    double limit = 0.0;               ///< no strategy's time average is below it
-    double positionLimit = 0.0;       ///< the same of the position
-    std::optional<double> clockError; ///< mean |session clock - host's|, where there is one
+    double atEvent = 0.0;       ///< mean, just before the next action
+    double timeAverage = 0.0;   ///< mean over time
+    double p95 = 0.0;           ///< over time
+    double position = 0.0;      ///< mean over time
+    double limit = 0.0;         ///< lower bound of timeAverage for any strategy
+    double positionLimit = 0.0; ///< lower bound of position
+    std::optional<double>
+        clockError; ///< mean |session clock - host's|, if the strategy has a session clock
     double bytesPerSecond = 0.0;      ///< payload sent and received by a participant
     double probesPerSecond = 0.0;     ///< of all nodes together
     std::vector<ActionDrift> actions; ///< in their order
 };
 
-/// Runs it in virtual time. The truth is the script's, in closed form, and the time is the
-/// network's: neither comes from the strategy.
+/// Runs the experiment in virtual time. Ground truth (from the script, in closed form) and time (of
+/// the virtual network) are independent of the strategy.
 ///
-/// The physical limit: that action k has begun cannot be known before the delay d of that moment
-/// has passed (VirtualStar::leastDelay), and until then the error grows as |w_k - w_(k-1)| u. So
+/// The physical limit: a viewer cannot be informed of action k before the delay d at that time has
+/// passed (VirtualStar::leastDelay); until then the error grows with the time u since its start as
+/// |w_k - w_(k-1)| u. Hence
 ///
 ///     time average >= mean over actions and viewers of |w_k - w_(k-1)| d^2 / (2 T)
 ///
-/// with T the time of an action and d at most T. That of the position has velocities in place of
-/// angular ones.
+/// with T the duration of an action and d limited to T. For the position the angular velocities are
+/// replaced by velocities.
 [[nodiscard]] DriftFigures runDrift(const DriftSettings& settings);
 
-/// The mean of runs with the seeds `seed` to seed + seeds - 1. @pre seeds >= 1
+/// The mean of the runs with the seeds settings.seed to settings.seed + seeds - 1. @pre seeds >= 1
 [[nodiscard]] DriftFigures runDrift(DriftSettings settings, int seeds);
 
 } // namespace carina

@@ -18,8 +18,8 @@ struct Polynomial {
 /// The polynomial of a degree that minimises sum_i (y_i - p(x_i))^2: Householder QR of the
 /// Vandermonde matrix in x mapped onto [-1, 1], where it is far better conditioned than in x.
 ///
-/// @returns OutOfRange where there are fewer different x than coefficients; NotFinite.
-/// @pre x and y are equally many; degree >= 0
+/// @returns OutOfRange for fewer different x than coefficients; NotFinite.
+/// @pre x and y have the same size; degree >= 0
 [[nodiscard]] Result<Polynomial> fitPolynomial(std::span<const double> x, std::span<const double> y,
                                                int degree);
 

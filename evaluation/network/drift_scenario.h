@@ -10,26 +10,26 @@
 namespace carina
 {
 
-/// A network and the clocks at its ends.
+/// A network path and the clock errors of its participants.
 struct DriftScenario {
     std::string name;
     PathProfile forward;  ///< from the actor to a viewer
     PathProfile backward; ///< from a viewer to the actor
-    /// Clocks are off the host's by up to this, drawn evenly.
+    /// Largest clock offset from the host; offsets are drawn from a uniform distribution.
     Duration clockOffset = std::chrono::milliseconds{100};
-    /// And run faster or slower by up to this.
+    /// Largest clock skew, faster or slower, drawn likewise.
     double clockSkew = 50e-6;
-    /// All clocks are off by just that much, in turn fast and slow.
+    /// All clocks have the largest offset and skew, alternately fast and slow.
     bool areClocksAtLimits = false;
 };
 
-/// The names of those that are built in.
+/// The names of the built-in scenarios.
 [[nodiscard]] std::vector<std::string_view> scenarioNames();
 
-/// A built-in scenario by its name, else the trace in a file of that name: lines "t_ms delay_ms",
-/// times rising, x for the delay of what is lost, # begins a comment. A trace is the delay of
-/// either direction and repeats.
-/// @returns FileNotFound for a name that is neither; FileEmpty; FileMalformed, naming the line.
+/// A built-in scenario by its name, else the delay trace in a file of that name: lines "t_ms
+/// delay_ms" with increasing times; a delay of "x" means lost; # starts a comment. The trace
+/// applies to both directions and repeats.
+/// @returns FileNotFound if there is neither; FileEmpty; FileMalformed, naming the line.
 [[nodiscard]] Result<DriftScenario> findScenario(const std::string& nameOrFile);
 
 } // namespace carina

@@ -12,9 +12,9 @@
 namespace carina
 {
 
-/// Stands between clients and a host on loopback and is the network between them: what a
-/// VirtualLink each way does to a datagram happens to it. Each client's come to the host from a
-/// port of their own.
+/// A UDP relay on loopback between clients and a host, which delays, drops and duplicates datagrams
+/// like a VirtualLink in each direction. Each client's datagrams reach the host from a separate
+/// port.
 class LossyRelay : public QObject
 {
 public:
@@ -22,29 +22,29 @@ public:
         PathProfile toHost;
         PathProfile toClients;
     };
-    /// One that was passed on to the host.
+    /// A datagram that was forwarded to the host.
     struct Passed {
         std::uint16_t clientPort = 0;
         QByteArray bytes;
     };
 
-    /// Of the VirtualLink each way.
+    /// The seeds of the two VirtualLinks.
     [[nodiscard]] static std::uint64_t seedToHost(std::uint64_t seed) { return seed; }
     [[nodiscard]] static std::uint64_t seedToClients(std::uint64_t seed) { return ~seed; }
 
-    /// The paths are at a time long before their 0. @pre a port is free.
+    /// Until beginAt() the paths are at a time long before their time 0. @pre a port is free.
     LossyRelay(std::uint16_t hostPort, const Paths& paths, std::uint64_t seed);
 
     [[nodiscard]] std::uint16_t port() const { return m_front.localPort(); }
-    /// Lets the paths' time 0 be then, on the machine's clock. @pre within an hour, asked once.
+    /// Sets the paths' time 0 on the machine's clock. @pre within an hour from now; called once.
     void beginAt(LocalTime machine) { m_begin = machine; }
-    /// While it is cut nothing passes.
+    /// While it is cut, all datagrams are dropped.
     void setCut(bool cut) { m_cut = cut; }
 
     [[nodiscard]] const std::vector<Passed>& toHost() const { return m_toHost; }
-    /// Bytes of all datagrams that came from either side.
+    /// Bytes of all datagrams received from either side.
     [[nodiscard]] std::uint64_t bytes() const { return m_bytes; }
-    /// Once more what was passed on before, from where it came from then.
+    /// Sends a forwarded datagram again from the port of its client.
     void replay(const Passed& passed);
 
 private:

@@ -10,18 +10,18 @@
 namespace carina
 {
 
-/// Calls from this thread's event loop when the machine's CLOCK_MONOTONIC shows a time, to some
-/// tens of microseconds. QTimer knows whole milliseconds only.
+/// A one-shot timer that calls back from this thread's event loop at a time of CLOCK_MONOTONIC,
+/// accurate to some tens of microseconds. QTimer has a resolution of 1 ms.
 class PreciseTimer
 {
 public:
-    /// @pre the process may open one more file.
+    /// @pre a file descriptor is available.
     explicit PreciseTimer(std::function<void()> onTime);
     ~PreciseTimer();
     PreciseTimer(const PreciseTimer&) = delete;
     PreciseTimer& operator=(const PreciseTimer&) = delete;
 
-    /// In place of the time it was set to before; one that is past calls at once.
+    /// Replaces the time set before; a time in the past calls back immediately.
     void setTo(LocalTime machine);
 
 private:

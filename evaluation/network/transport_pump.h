@@ -10,7 +10,7 @@
 namespace carina
 {
 
-/// Serves a transport from this thread's event loop, without a node around it.
+/// Runs a transport from this thread's event loop, without a node.
 class TransportPump
 {
 public:

@@ -12,23 +12,23 @@
 namespace carina
 {
 
-/// One delay of a trace; a datagram sent at `at` or later, up to the next point, meets it.
+/// One delay of a trace; it applies to datagrams sent from `at` until the next point.
 struct TracePoint {
     Duration at{};
-    std::optional<Duration> delay; ///< nothing where it is lost
+    std::optional<Duration> delay; ///< empty: the datagram is lost
 };
 
-/// One direction of a network path. Virtual time is 0 where the experiment's first action starts.
+/// One direction of a network path. Virtual time 0 is the start of the experiment's first action.
 struct PathProfile {
-    /// Of what a queue adds to a datagram's delay; each datagram draws its own, so that datagrams
-    /// overtake each other.
+    /// The distribution of the queueing delay added to each datagram. Delays are independent, so
+    /// that datagrams can overtake each other.
     enum class Jitter : std::uint8_t {
         None,
         Exponential, ///< of mean `jitterScale`
-        Pareto,      ///< of the second kind, shape 3, mean jitterScale / 2: a heavy tail
+        Pareto,      ///< of the second kind (Lomax), shape 3, mean jitterScale / 2: heavy-tailed
     };
-    /// Gilbert and Elliott's chain: in the bad state all is lost. It steps every 10 ms, so that
-    /// these are probabilities per datagram of a stream of 100 a second.
+    /// The Gilbert-Elliott loss model: in the bad state all datagrams are lost. The chain steps
+    /// every 10 ms, so these are probabilities per datagram of a stream of 100 per second.
     struct Burst {
         double enter = 0.0;
         double leave = 1.0;
@@ -40,39 +40,39 @@ struct PathProfile {
     double loss = 0.0;
     std::optional<Burst> burst{};
     double duplication = 0.0;
-    double reordering = 0.0; ///< share of datagrams held up by heldUp
+    double reordering = 0.0; ///< fraction of datagrams delayed further by heldUp
     Duration heldUp{};
     double bitsPerSecond = 0.0; ///< 0 for no bottleneck
     std::size_t queueBytes = 32768;
     Duration stepAt = Duration::max();
     Duration stepBy{}; ///< added to the delay from stepAt on
     Duration cutFrom = Duration::max();
-    Duration cutFor{}; ///< nothing gets through for so long
+    Duration cutFor{}; ///< duration of a total loss from cutFrom on
     std::shared_ptr<const std::vector<TracePoint>>
         trace{}; ///< repeats; shared by all links of a run
 };
 
-/// A leg that is half the way: two in a row have the path's delay, loss and so on. A bottleneck is
-/// in each of them.
+/// Half of a path: two in series have the path's delay, loss and so on. Each half has the full
+/// bottleneck.
 [[nodiscard]] PathProfile halfOf(const PathProfile& path);
 
-/// A path in virtual time. What happens to a datagram is a function of the seed, of the time at
-/// which it is sent and of how many were sent at that very time: so it can also be asked what a
-/// datagram would have met.
+/// A path in virtual time. The delay or loss of a datagram is a function of the seed, of its
+/// sending time and of the number of datagrams sent before at that same time, so it can also be
+/// evaluated for a hypothetical datagram.
 class VirtualLink
 {
 public:
     VirtualLink(PathProfile path, std::uint64_t seed);
 
-    /// When a datagram arrives: never where it is lost, twice where it is duplicated.
+    /// The arrival times of a datagram: none if it is lost, two if it is duplicated.
     struct Arrivals {
         std::size_t count = 0;
         std::array<Duration, 2> at{};
     };
     [[nodiscard]] Arrivals send(std::size_t bytes, Duration now);
 
-    /// The delay that the first datagram sent at `now` meets, but for the queue of the bottleneck;
-    /// nothing where it is lost.
+    /// The delay of the first datagram sent at `now`, without the queue of the bottleneck;
+    /// std::nullopt if it is lost.
     [[nodiscard]] std::optional<Duration> delayAt(Duration now) { return delayOf(now, 0); }
 
 private:

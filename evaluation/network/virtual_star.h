@@ -9,15 +9,17 @@
 namespace carina
 {
 
-/// A session in virtual time: a host, participants 1 to n with clocks of their own, and a link each
-/// way between them and the host, all driven by one queue of events. Participant 1 is the actor,
-/// all others are viewers; the host is none of them.
+/// A session in virtual time: a host, participants 1 to n with individual clocks, and a link in
+/// each direction between each of them and the host, driven by one event queue. Participant 1 is
+/// the actor, all others are viewers; the host is not a participant.
 class VirtualStar
 {
 public:
     enum class Legs : std::uint8_t {
-        HalfPath, ///< each leg is half the scenario's path, so that the way over the host is one
-        FullPath, ///< each leg is a whole path, as an access link: the way over the host is two
+        HalfPath, ///< each leg is half of the scenario's path, so that the route over the host is
+                  ///< one path
+        FullPath, ///< each leg is a whole path, such as an access link: the route over the host is
+                  ///< two paths
     };
 
     struct Traffic {
@@ -25,27 +27,28 @@ public:
         std::uint64_t probes = 0;
     };
 
-    /// Begins at virtual time `start`.
+    /// Starts at virtual time `start`.
     VirtualStar(const SyncStrategy& strategy, std::uint16_t participants,
                 const DriftScenario& scenario, Legs legs, std::uint64_t seed, Duration start);
 
-    /// Lets everything happen that happens up to and at t. @pre t is not before the last.
+    /// Processes all events up to and including t. @pre t is not before that of the last call.
     void runTo(Duration t);
-    /// The actor acts, at t.
+    /// The actor performs an action at t.
     void act(const EventCpo& action, Duration t);
 
     [[nodiscard]] std::uint16_t participants() const { return std::uint16_t(m_nodes.size() - 1); }
-    /// What participant `id` draws at t.
+    /// The object as drawn by participant `id` at t.
     [[nodiscard]] std::optional<ShownObject> shown(std::uint16_t id, ObjectId object,
                                                    Duration t) const;
-    /// The participant's session clock less the host's; nothing where it has none.
+    /// The participant's session clock minus the host's; std::nullopt if it has none.
     [[nodiscard]] std::optional<Duration> clockError(std::uint16_t id, Duration t) const;
     [[nodiscard]] Traffic traffic() const;
 
-    /// How long an action of time t takes to viewer `id` at least: the delays that the links have
-    /// just then, each leg tried again every kOracleRepeat until something gets through.
+    /// The least time in which an action at t can reach viewer `id`: the sum of the present delays
+    /// of both legs, where a lost datagram is repeated every kOracleRepeat until one gets through.
+    /// A leg that loses all of them for kOracleGivesUp counts as that long.
     [[nodiscard]] Duration leastDelay(std::uint16_t id, Duration t);
-    /// The same of one leg.
+    /// The same for one leg.
     [[nodiscard]] static Duration throughLeg(VirtualLink& link, Duration now);
     static constexpr Duration kOracleRepeat = std::chrono::milliseconds{10};
     static constexpr Duration kOracleGivesUp = std::chrono::seconds{10};

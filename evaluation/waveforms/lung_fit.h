@@ -8,23 +8,23 @@
 namespace carina
 {
 
-/// What was measured at the opening of a lung: pressure, flow into it, and gas that the breath has
-/// brought.
+/// Measurements at the airway opening: pressure, flow into the lung, and volume inspired since the
+/// start of the breath.
 struct LungSamples {
     std::vector<double> pressure_cmH2O;
     std::vector<double> flow_lPerS;
     std::vector<double> volume_l;
 };
 
-/// What a ventilator tells of a lung: P = P0 + R Q + V / C.
+/// The linear single-compartment model of a lung: P = P0 + R Q + V / C.
 struct LinearLung {
     Pressure baseline;     ///< P0
     Resistance resistance; ///< R
     Compliance compliance; ///< C
 };
 
-/// By least squares.
-/// @returns nothing where the samples do not tell R from C, or tell that one is not above 0.
+/// Fits the model by linear least squares.
+/// @returns std::nullopt if the samples do not determine R and C, or give one that is not above 0.
 [[nodiscard]] std::optional<LinearLung> fitLinear(const LungSamples& samples);
 
 } // namespace carina

@@ -10,13 +10,13 @@
 namespace carina
 {
 
-/// A breath of a recording and the lung that was found from it.
+/// A breath of a recording and the lung model fitted to it.
 struct FittedBreath {
     RecordedBreath samples;
     LinearLung lung;
 };
 
-/// What lets gas out of a lung: an outlet that holds a pressure, behind a resistance.
+/// An expiratory valve: constant pressure behind a resistance.
 struct ExpiratoryValve {
     Pressure pressure;
     Resistance resistance;
@@ -24,24 +24,24 @@ struct ExpiratoryValve {
     friend bool operator==(const ExpiratoryValve&, const ExpiratoryValve&) = default;
 };
 
-/// How a lung with its ventilator was found in a recording, and how well it does.
+/// Lung and ventilator identified from a recording, and the error of the model.
 struct WaveformModel {
     std::vector<FittedBreath> breaths;
-    int unfit = 0;                        ///< breaths that no lung was found from
-    std::optional<ExpiratoryValve> valve; ///< where no flow was recorded
-    LinearLung median;                    ///< the median of each figure
-    Pressure rms;        ///< modelled against recorded, each breath with its own lung
-    Pressure rmsOneLung; ///< all with the median one
+    int unfit = 0;                        ///< number of breaths that could not be fitted
+    std::optional<ExpiratoryValve> valve; ///< if no flow was recorded
+    LinearLung median;                    ///< the median of each parameter
+    Pressure rms;        ///< RMS error of the modelled pressure, each breath with its own lung
+    Pressure rmsOneLung; ///< the same, all breaths with the median lung
 };
 
-/// Finds a lung from each breath and drives the equation of motion of engine/lungs with it.
+/// Fits a lung to each breath and simulates it with the equation of motion of engine/lungs.
 ///
-/// With recorded flow both phases of a breath are fitted, and the flow drives the model. Without,
-/// the ventilator is taken to drive `inspiratoryFlow` in: the lung is found from the inspiration
-/// and the 50 ms before it, the model is driven by that flow, and empties through the valve, one
-/// for all of the recording, with which it comes nearest to it. R and 1/C are then in proportion to
-/// one over the flow assumed; R C, and how well the model does, are not.
-/// @returns NothingRecognised where no breath tells a lung.
+/// With recorded flow both phases of a breath are fitted, and the flow drives the model. Without
+/// it, a constant `inspiratoryFlow` is assumed: the lung is fitted to the inspiration and the 50 ms
+/// before it, the model is driven by that flow, and it empties through one valve for the whole
+/// recording, chosen for the smallest RMS error. R and 1/C are then inversely proportional to the
+/// assumed flow; R C and the RMS error do not depend on it.
+/// @returns NothingRecognised if no breath can be fitted.
 [[nodiscard]] Result<WaveformModel> modelOf(const RecordedWaveform& waveform,
                                             const std::vector<BreathPart>& parts,
                                             VolumeFlow inspiratoryFlow);

@@ -11,10 +11,10 @@ namespace carina
 
 inline constexpr int kRepetitions = 15;
 
-/// Measures several things in turn, kRepetitions times each and in random order, so that a busy
-/// moment strikes them all.
-/// @returns the median time of one iteration of each, nanoseconds; ends the program where one was
-///          not measured.
+/// Runs several benchmarks alternately, kRepetitions times each and in random order, so that a
+/// temporary load of the processor affects all of them.
+/// @returns the median time of one iteration of each, nanoseconds; ends the program if one was not
+///          measured.
 [[nodiscard]] std::map<std::string, double>
 medianTimes_ns(const std::map<std::string, void (*)(benchmark::State&)>& measured);
 

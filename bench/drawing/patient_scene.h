@@ -13,23 +13,23 @@ namespace carina::bench
 inline constexpr int kWidth = 1280;  ///< pixels of the picture
 inline constexpr int kHeight = 1024; ///< pixels
 
-/// The real set, as it is drawn while it breathes quietly. Nobody is connected.
+/// A real anatomy set, drawn during quiet breathing, without a session.
 class PatientScene
 {
 public:
-    /// @param fromCache whether it may only come from the cache
-    /// @returns what reading the set fails with; FileNotFound where it is not in the cache.
+    /// @param fromCache true: read it from the cache only
+    /// @returns the errors of reading the set; FileNotFound if it must be and is not in the cache.
     [[nodiscard]] static Result<PatientScene> of(const std::filesystem::path& folder,
                                                  bool fromCache);
 
     [[nodiscard]] const std::vector<ScenePart>& parts() const { return m_parts; }
-    /// What presets frame of them.
+    /// The bounds in A of the parts that presets frame.
     [[nodiscard]] Box framed() const;
-    /// Everything opaque.
+    /// Looks that make all parts opaque.
     [[nodiscard]] PartLooks solid() const;
-    /// How it is drawn so long after the beginning, its lungs in that level of detail.
+    /// The frame at a time after the start, with the lungs in this level of detail.
     [[nodiscard]] SceneFrame frameAt(double seconds, int level) const;
-    /// With the lower jaw turned open by 15 degrees.
+    /// The throat with the mandible opened by 15 degrees.
     [[nodiscard]] FollowingThroat openThroat() const;
 
 private:
@@ -38,7 +38,7 @@ private:
     SharedPatientModel m_patient;
     std::vector<ScenePart> m_parts;
     RespirationTimeline m_timeline;
-    mutable RespirationFollower m_breathing; ///< what it keeps only makes it quick
+    mutable RespirationFollower m_breathing; ///< a cache
 };
 
 } // namespace carina::bench

@@ -10,8 +10,8 @@
 namespace carina::test
 {
 
-/// Where an eye and the screen before it are, in the head frame H, metres: the screen is a
-/// rectangle about its centre, parallel to the x and y axes of H.
+/// An eye and the screen in front of it, in the head frame H, metres: the screen is a rectangle
+/// around its centre, parallel to the x and y axes of H.
 struct EyeBeforeScreen {
     Vec3 p_H_eye = Vec3::Zero();
     Vec3 p_H_centre = Vec3::Zero();
@@ -27,7 +27,7 @@ struct PixelArea {
     double height = 0.0;
 };
 
-/// The largest area of the screen's shape in the middle of another.
+/// The largest centred area with the screen's aspect ratio within another area.
 inline PixelArea screenWithin(const EyeBeforeScreen& eye, const PixelArea& area)
 {
     const double pixelsPerMetre = std::min(area.width / eye.width, area.height / eye.height);
@@ -37,19 +37,20 @@ inline PixelArea screenWithin(const EyeBeforeScreen& eye, const PixelArea& area)
             height};
 }
 
-/// A small ball as an eye sees it.
+/// The image of a small ball.
 struct SeenBall {
     double x = 0.0;     ///< of its centre, pixels from the left edge of the window
     double y = 0.0;     ///< pixels from the top edge
     double reach = 0.0; ///< pixels from there to the furthest point of its outline
 };
 
-/// Where the line from the eye to a ball's centre Q meets the screen, in pixels of the area that
-/// shows the whole screen. Nothing for a ball that is not wholly before the eye.
+/// The point where the line from the eye to a ball's centre Q meets the screen, in pixels of the
+/// area that shows the whole screen. std::nullopt for a ball that is not completely in front of the
+/// eye.
 ///
-/// The reach is that of the outline's point furthest from the line of sight: with the ball's centre
-/// seen at the angle a to it, and its radius under the angle b, tan(a + b) - tan(a) of the screen's
-/// distance.
+/// The reach is for the outline's point furthest from the axis: (tan(a + b) - tan(a)) times the
+/// distance of the screen, where a is the angle of the ball's centre from the axis and b the
+/// angular radius of the ball.
 inline std::optional<SeenBall> seenBall(const EyeBeforeScreen& eye, const PixelArea& area,
                                         const Vec3& p_HQ, double radius)
 {

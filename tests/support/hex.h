@@ -10,7 +10,7 @@
 namespace carina
 {
 
-/// The bytes of a row of hexadecimal pairs; blanks are for the reader's eye.
+/// The bytes of a row of hexadecimal pairs; blanks are ignored.
 inline std::vector<std::byte> fromHex(const QByteArray& text)
 {
     const QByteArray raw = QByteArray::fromHex(text); // which passes over blanks

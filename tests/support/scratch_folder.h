@@ -9,21 +9,21 @@
 namespace carina::test
 {
 
-/// A folder for the files that a test writes; it goes with them when the test is over.
+/// A temporary folder for the files of a test; it is deleted with them at the end.
 class ScratchFolder
 {
 public:
     [[nodiscard]] QString path() const { return m_folder.path(); }
 
-    /// Where a file is or would be.
-    /// @param name may begin with folders
+    /// The path of a file, which need not exist.
+    /// @param name relative path, may contain folders
     [[nodiscard]] QString filePath(const char* name) const
     {
         return m_folder.filePath(QString::fromLatin1(name));
     }
 
-    /// Makes a file of these bytes, and the folders it is in.
-    /// @returns where it is
+    /// Writes a file with these bytes, and creates its folders.
+    /// @returns its path
     QString write(const char* name, QByteArrayView bytes) const
     {
         const QString path = filePath(name);

@@ -15,8 +15,8 @@ namespace carina
 /// One direction of a network path, in virtual time that starts at zero.
 ///
 /// Each datagram is delayed by `delay` and an exponentially distributed queue of mean `jitter`, so
-/// that datagrams overtake each other; some are lost and some arrive twice. The same seed gives the
-/// same fate to the same sequence of datagrams.
+/// that datagrams overtake each other; some are lost and some arrive twice. The same seed and
+/// sequence of datagrams give the same delays and losses.
 class SimulatedLink
 {
 public:
@@ -42,7 +42,7 @@ public:
         }
     }
 
-    /// The next datagram that has arrived by now.
+    /// The next datagram that has arrived by now; std::nullopt if there is none.
     std::optional<std::vector<std::byte>> receive(Duration now)
     {
         if (nextArrival() > now)
@@ -56,7 +56,7 @@ public:
         return m_underWay.empty() ? Duration::max() : m_underWay.begin()->first;
     }
 
-    /// A partition: nothing that is sent gets through.
+    /// While it is cut, all datagrams are lost: a network partition.
     void setCut(bool cut) { m_cut = cut; }
     void setPath(const Path& path) { m_path = path; }
     [[nodiscard]] const Path& path() const { return m_path; }

@@ -9,9 +9,10 @@
 namespace carina::test
 {
 
-/// Runs this thread's events until it holds; false if it does not within the patience. Looks after
-/// every event and each millisecond, for what other threads do. The waiting macros of QTest sleep
-/// 10 ms between the events and look every 50 ms, so that a test of many exchanges mostly sleeps.
+/// Processes this thread's events until a condition holds; false if it does not within `patience`.
+/// The condition is evaluated after every event and each millisecond, for changes by other threads.
+/// The waiting macros of QTest sleep 10 ms between events and test every 50 ms, so that a test of
+/// many exchanges mostly sleeps.
 template <class Holds>
 [[nodiscard]] bool soon(const Holds& holds,
                         std::chrono::milliseconds patience = std::chrono::seconds{5})

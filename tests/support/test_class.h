@@ -13,19 +13,19 @@
 namespace carina::test
 {
 
-/// One thing that a test program runs when its command line begins with the name. A program holds
-/// the test classes of one folder; each call runs one of them, in a process of its own.
+/// One entry of a test program, selected by its name as the first argument. A program has the test
+/// classes of one folder; each process runs one of them.
 class TestEntry
 {
 public:
     using Run = int (*)(int& argc, char** argv); ///< argv[0] is the program, then its arguments
 
-    /// @param name what to ask for. Of a path, "tests/engine/core/tst_ids.cpp", the part that
-    ///             names the test: "ids".
+    /// @param name the name of the entry; from a path, "tests/engine/core/tst_ids.cpp", the name
+    ///             "ids" is taken.
     TestEntry(std::string_view name, Run run);
 
-    /// Runs the entry that argv[1] names on the arguments after it. Names all entries on stderr and
-    /// returns 2 where there is none of that name.
+    /// Runs the entry named by argv[1] with the arguments after it. If there is none of that name,
+    /// lists all entries on stderr and returns 2.
     static int runNamed(int argc, char** argv);
 };
 
@@ -47,13 +47,13 @@ using ScreenApplication = QGuiApplication;
 
 } // namespace carina::test
 
-/// Enters a test class into its program, under the name of its file. It runs with a
+/// Registers a test class in its program, under the name of its file. It runs with a
 /// QCoreApplication.
 #define CARINA_TEST(Class)                                                                         \
     static const carina::test::TestEntry entryOf##Class{                                           \
         __FILE__, carina::test::runTestClass<Class, QCoreApplication>};
 
-/// The same with the application that windows, or fonts and pictures, need.
+/// The same with a QApplication or QGuiApplication, for windows or for fonts and pictures.
 #define CARINA_SCREEN_TEST(Class)                                                                  \
     static const carina::test::TestEntry entryOf##Class{                                           \
         __FILE__, carina::test::runTestClass<Class, carina::test::ScreenApplication>};

@@ -10,8 +10,8 @@ namespace carina::test
 {
 
 /// A file or folder of the real data, `relative` to their root: the folder named by
-/// CARINA_TEST_DATA, else ../shared/data beside the project. Nothing where it is absent: the test
-/// that needs it then skips.
+/// CARINA_TEST_DATA, else ../shared/data beside the project. std::nullopt if it is absent: the test
+/// that needs it is then skipped.
 inline std::optional<std::filesystem::path> testData(const std::string& relative)
 {
     const char* named = std::getenv("CARINA_TEST_DATA");
@@ -25,7 +25,7 @@ inline std::optional<std::filesystem::path> testData(const std::string& relative
     return root / relative;
 }
 
-/// Of the real data: a stylus, with a reference, that was put into eight divots and swung in each.
+/// In the real data: a stylus, with a reference, pivoted in eight divots.
 inline constexpr const char* kEightDivots =
     "tracker/eight-landmarks/EightLandmarkPointsTrackedForPhantomRegistration.igs.mha";
 

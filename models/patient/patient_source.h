@@ -17,7 +17,7 @@ using SharedPatientModel = std::shared_ptr<const PatientModel>;
 
 /// The built-in, or previously imported, patient with this content hash. Takes about a second; may
 /// be called from any thread.
-/// @param its name in the session
+/// @param name in the session
 /// @param cacheFolder usually AnatomyCache::defaultFolder()
 /// @returns FileNotFound if there is none; the errors of reading and building it.
 [[nodiscard]] Result<SharedPatientModel> patientHere(const std::string& contentHash,

@@ -28,7 +28,7 @@ struct ExpectedError {
 };
 
 /// @param covariance_A of X_AM
-/// @param of freedom of the estimated FLE that scales the covariance
+/// @param degrees of freedom of the estimated FLE that scales the covariance
 [[nodiscard]] std::vector<ExpectedError>
 expectedErrors(const Mat6& covariance_A, double degrees,
                const std::vector<RegistrationTarget>& targets);

@@ -29,7 +29,7 @@ public:
     /// A touch farther from a check point than this is refused.
     static constexpr Length kFarthestCheck = millimetres(40.0);
 
-    /// @param further check points; landmarks used in the fit are left out
+    /// @param places further check points; landmarks used in the fit are left out
     /// @pre the references outlive this.
     VerifyTask(SiteEditor& editor, StylusWatch& watch, const PatientModel& patient,
                const SurfaceFinder& surfaces, std::vector<Landmark> places);

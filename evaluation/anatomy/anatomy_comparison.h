@@ -45,9 +45,8 @@ struct SelfIntersection {
 
 /// The comparison of a generated patient with a real one.
 struct AnatomyComparison {
-    double airwayScale =
-        1.0; ///< scale of the set's head and airway: ratio of the lengths from cords to carina
-    double chestScale = 1.0; ///< scale of its chest: cube root of the ratio of lung volumes
+    double airwayScale = 1.0; ///< of the set's head and airway: ratio of cords-to-carina lengths
+    double chestScale = 1.0;  ///< of its chest: cube root of the ratio of lung volumes
     std::vector<Deviation> figures;
     std::vector<OrganDistance> organs;
     std::vector<std::string> notInSet; ///< organs that only the patient has

@@ -8,10 +8,10 @@
 namespace carina
 {
 
-/// The actions of the experiment of the 2004 paper: one object is rotated about, another translated
-/// along, a new random axis in each action, for kActionTime at constant speed. It is also the
-/// ground truth of the drift measurement, in closed form: the pose at the action's start plus speed
-/// times the time since then.
+/// The actions of the experiment of Hamza-Lup et al. 2004: one object is rotated about, another
+/// translated along, a new random axis in each action, for kActionTime at constant speed. It is
+/// also the ground truth of the drift measurement, in closed form: the pose at the action's start
+/// plus speed times the time since then.
 class ActionScript
 {
 public:

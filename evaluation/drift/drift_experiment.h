@@ -24,7 +24,7 @@ struct DriftSettings {
 /// The drift just before the next action, mean over the viewers.
 struct ActionDrift {
     double angle = 0.0;    ///< radians, at most pi
-    double rawAngle = 0.0; ///< 2 acos(w), as in the 2004 paper: radians, above pi if w < 0
+    double rawAngle = 0.0; ///< 2 acos(w), as in Hamza-Lup et al. 2004: radians, above pi if w < 0
     double distance = 0.0; ///< metres
 };
 

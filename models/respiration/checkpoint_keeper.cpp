@@ -6,7 +6,7 @@ namespace carina
 CheckpointKeeper::CheckpointKeeper(SessionNode& node, QObject* parent)
     : QObject{parent}, m_node{node}
 {
-    // At once too: after a gap, everybody then stands where the host does.
+    // At once, too: after a gap all programs then continue from the host's state.
     QMetaObject::invokeMethod(this, &CheckpointKeeper::keep, Qt::QueuedConnection);
     m_timer.callOnTimeout(this, &CheckpointKeeper::keep);
     m_timer.start(std::chrono::duration_cast<std::chrono::milliseconds>(kCheckpointEvery));

@@ -24,10 +24,9 @@ namespace carina
 {
 
 /// Filter keys with which the frame graph selects a render pass; their values are draw layers.
-inline constexpr auto kSurfacePass =
-    "surface"; ///< organ.frag or error_map.frag: the picture, translucent parts blended
-inline constexpr auto kIdPass = "id";         ///< id.frag: the id of the part
-inline constexpr auto kComingPass = "coming"; ///< never selected; compiles its program
+inline constexpr auto kSurfacePass = "surface"; ///< organ.frag or error_map.frag: the picture
+inline constexpr auto kIdPass = "id";           ///< id.frag: the id of the part
+inline constexpr auto kComingPass = "coming";   ///< never selected; compiles its program
 
 /// Parameters of the section plane and of the parts that it cuts.
 struct SectionUniforms {

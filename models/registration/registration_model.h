@@ -60,13 +60,12 @@ public:
 
     /// The tracker, file and landmarks of a registration.
     struct Workplace {
-        std::filesystem::path file;       ///< of the site
-        const Tracker* tracker = nullptr; ///< started and stopped by its owner
-        QString trackerName;              ///< as shown
-        ReadSessionClock clock;           ///< the clock of the tracker's samples
-        std::vector<LandmarkCatalogue>
-            landmarks;                  ///< this patient's sets, the recommended one first
-        std::vector<Landmark> checks{}; ///< places to check a registration at
+        std::filesystem::path file;               ///< of the site
+        const Tracker* tracker = nullptr;         ///< started and stopped by its owner
+        QString trackerName;                      ///< as shown
+        ReadSessionClock clock;                   ///< the clock of the tracker's samples
+        std::vector<LandmarkCatalogue> landmarks; ///< of this patient, recommended set first
+        std::vector<Landmark> checks{};           ///< places to check a registration at
         SiteEditor::Today today = &QDateTime::currentDateTimeUtc;
     };
 

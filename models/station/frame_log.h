@@ -23,8 +23,7 @@ struct LoggedFrame {
     std::optional<RigidTransform> X_AE; ///< the tube as drawn
     std::optional<Duration> sampleAge;  ///< of the tube's newest sample
     std::array<double, 2> volume_ml{};  ///< right and left lung, from the drawn vertices
-    std::optional<RigidTransform>
-        X_AV; ///< the virtual patient as drawn; empty before any action on it
+    std::optional<RigidTransform> X_AV; ///< the patient as drawn; empty before any action on it
 };
 
 /// Writes frames as CSV with a header line, one line per frame; the columns are the members of

@@ -28,11 +28,10 @@ struct ObjectPoses {
 /// The state of everything that moves at a station, at one session time.
 struct StationMoment {
     SessionTime time{};
-    ChestShape breathing; ///< from the respiratory mechanics
-    ChestPose pose;       ///< the pose of the chest that shows `breathing`
-    Volume notDrawn{};    ///< volume of the lungs that the pose cannot show
-    double exaggeration =
-        1.0; ///< of the pose; at any value but 1 the drawn volumes are not the patient's
+    ChestShape breathing;               ///< from the respiratory mechanics
+    ChestPose pose;                     ///< the pose of the chest that shows `breathing`
+    Volume notDrawn{};                  ///< volume of the lungs that the pose cannot show
+    double exaggeration = 1.0;          ///< of the pose; unless 1, the drawn volumes are not true
     std::optional<PoseSample> tube;     ///< X_AE; empty if never seen
     std::optional<PoseSample> jaw;      ///< X_AJ
     std::optional<PoseSample> head;     ///< X_AH

@@ -83,9 +83,8 @@ Qt3DRender::QClearBuffers* clears(QFrameGraphNode* parent,
     return clear;
 }
 
-/// A branch that reads back what the branches before it drew. It clears the
-/// stencil buffer, which does not exist: Qt 3D skips a branch without any operation, together with
-/// its capture.
+/// A branch that reads back what the branches before it drew. It clears the stencil
+/// buffer, which does not exist: Qt 3D skips a branch without any operation, and its capture.
 Qt3DRender::QRenderCapture* captures(QFrameGraphNode* parent)
 {
     auto* capture = new Qt3DRender::QRenderCapture(parent);

@@ -31,14 +31,13 @@ struct ActionDrift {
 /// The drift of the viewers from the ground truth at the same instant, over all viewers. Angles are
 /// 2 atan2(|v|, |w|) of q_s q_c^-1, radians; distances in metres; times in seconds.
 struct DriftFigures {
-    double atEvent = 0.0;       ///< mean, just before the next action
-    double timeAverage = 0.0;   ///< mean over time
-    double p95 = 0.0;           ///< over time
-    double position = 0.0;      ///< mean over time
-    double limit = 0.0;         ///< lower bound of timeAverage for any strategy
-    double positionLimit = 0.0; ///< lower bound of position
-    std::optional<double>
-        clockError; ///< mean |session clock - host's|, if the strategy has a session clock
+    double atEvent = 0.0;             ///< mean, just before the next action
+    double timeAverage = 0.0;         ///< mean over time
+    double p95 = 0.0;                 ///< over time
+    double position = 0.0;            ///< mean over time
+    double limit = 0.0;               ///< lower bound of timeAverage for any strategy
+    double positionLimit = 0.0;       ///< lower bound of position
+    std::optional<double> clockError; ///< mean |session clock - host's|, if there is one
     double bytesPerSecond = 0.0;      ///< payload sent and received by a participant
     double probesPerSecond = 0.0;     ///< of all nodes together
     std::vector<ActionDrift> actions; ///< in their order

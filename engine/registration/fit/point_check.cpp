@@ -11,7 +11,7 @@ Result<void> checkPoint(const Vec3& p, const char* what)
 {
     if (!p.allFinite())
         return fail(Errc::NotFinite, std::string{what} + " has a coordinate that is no number");
-    if (!isInRoom(p))
+    if (p.cwiseAbs().maxCoeff() >= kFarthest.si)
         return fail(Errc::OutOfRange, std::string{what} + " is a kilometre away or more");
     return {};
 }

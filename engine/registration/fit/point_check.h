@@ -4,22 +4,13 @@
 #include "engine/core/units.h"
 #include "engine/geometry/vec.h"
 
-#include <cmath>
-
 namespace carina
 {
 
 /// Upper limit of the coordinates of a valid point; squares and sums of such points stay finite.
 inline constexpr Length kFarthest = metres(1e3);
 
-/// Whether all coordinates are below kFarthest in absolute value, metres; false for NaN.
-[[nodiscard]] inline bool isInRoom(const Vec3& p)
-{
-    return std::abs(p.x()) < kFarthest.si && std::abs(p.y()) < kFarthest.si
-           && std::abs(p.z()) < kFarthest.si;
-}
-
-/// The same check as a Result.
+/// Whether a point is finite and its coordinates are below kFarthest.
 ///
 /// @param what name of the point, with which the detail begins
 /// @returns NotFinite for NaN or infinity, OutOfRange where a coordinate is a kilometre or more.

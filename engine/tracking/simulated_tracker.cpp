@@ -84,7 +84,7 @@ void SimulatedTracker::expose(Probe& probe, SessionTime t)
         return;
     PoseSample sample{.time = t, .X_FO = *probe.lastX_TO};
     if (seen)
-        sample.error = std::sqrt(1.0 - 2.0 / kMarkersPerTool) * noiseAlong(-Vec3::UnitZ()).norm();
+        sample.error = std::sqrt(kMarkersPerTool - 2.0) * noiseAlong(-Vec3::UnitZ()).norm();
     else
         sample.validity = Validity::Lost;
     m_underway.push_back({&probe, sample});

@@ -46,9 +46,10 @@ struct SimulatedTrackerSettings {
 ///
 /// Every sample has the time of its exposure and is delivered `latency` later, with the velocity
 /// that a MotionFilter estimates. The fit error is drawn independently of the error of the pose, as
-/// the two are independent; its RMS is sqrt(1 - 2/N) times the position noise (Fitzpatrick 1998)
-/// for tools of N = 4 markers. A lost sample holds the last pose measured; a tool not seen yet has
-/// no samples.
+/// the two are independent. For tools of N = 4 markers the noise of one marker is sqrt(N) times
+/// that of their mean, the position noise, and a fit leaves sqrt(1 - 2/N) of it (Fitzpatrick, West,
+/// Maurer 1998): the RMS of the fit error is sqrt(N - 2) times the position noise. A lost sample
+/// holds the last pose measured; a tool not seen yet has no samples.
 class SimulatedTracker : public Tracker
 {
 public:

@@ -1,7 +1,9 @@
 #include "engine/io/anatomy_set/set_frame.h"
 
 #include "engine/anatomy/role_recognition.h"
+#include "engine/io/mesh/surface_format.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -25,6 +27,7 @@ constexpr SizeRange kTracheaSize{0.03, 0.25};
 constexpr SizeRange kLungSize{0.04, 0.4};
 constexpr SizeRange kMandibleSize{0.04, 0.2};
 constexpr SizeRange kWholeSize{0.2, 2.0};
+constexpr double kLargestScene = 10.0; ///< of glTF without evidence, metres
 
 std::optional<double> unitFor(double size, SizeRange range)
 {
@@ -53,6 +56,14 @@ double sizeOfWhole(std::span<const RecognisedSurface> surfaces)
     return box.empty() ? 0.0 : box.size().maxCoeff();
 }
 
+bool isGltf(std::span<const RecognisedSurface> surfaces)
+{
+    return std::ranges::all_of(surfaces, [](const RecognisedSurface& surface) {
+        const auto format = surfaceFormat(surface.file);
+        return format == SurfaceFormat::Gltf || format == SurfaceFormat::Glb;
+    });
+}
+
 std::optional<double> findUnit(std::span<const RecognisedSurface> surfaces)
 {
     const auto is = [](PartRole wanted) { return [wanted](PartRole r) { return r == wanted; }; };
@@ -63,7 +74,12 @@ std::optional<double> findUnit(std::span<const RecognisedSurface> surfaces)
         return unit;
     if (const auto unit = unitFor(largestSize(surfaces, is(PartRole::Mandible)), kMandibleSize))
         return unit;
-    return unitFor(sizeOfWhole(surfaces), kWholeSize);
+    const double whole = sizeOfWhole(surfaces);
+    if (const auto unit = unitFor(whole, kWholeSize))
+        return unit;
+    if (isGltf(surfaces) && whole > 0.0 && whole < kLargestScene)
+        return 1.0;
+    return std::nullopt;
 }
 
 /// The mean of the middles of the boxes of some parts.
@@ -144,12 +160,13 @@ Vec3 nearestAxis(const Vec3& v, const Vec3& across)
     return length == 0.0 ? Vec3::Zero() : Vec3{Vec3::Unit(axis) * std::copysign(1.0, rest[axis])};
 }
 
-Mat3 findAxes(const Evidence& evidence, double size)
+/// @param defaultUp used where no part tells
+Mat3 findAxes(const Evidence& evidence, double size, const Vec3& defaultUp)
 {
     auto up = evidence.head.from(evidence.thorax);
     up = up ? up : evidence.neck.from(evidence.thorax);
     up = up ? up : evidence.head.from(evidence.neck);
-    const Vec3 s_F = nearestAxis(up.value_or(Vec3::UnitZ()), Vec3::Zero());
+    const Vec3 s_F = nearestAxis(up.value_or(defaultUp), Vec3::Zero());
     const std::optional<Vec3> back = evidence.back.from(evidence.front);
     const std::optional<Vec3> left = evidence.left.from(evidence.right);
     Vec3 l_F = nearestAxis(left.value_or(Vec3::Zero()), s_F);
@@ -186,7 +203,8 @@ Result<SetFrame> findSetFrame(std::span<const RecognisedSurface> surfaces)
     if (!unit)
         return fail(Errc::OutOfRange, "no person in metres, centimetres or millimetres: "
                                           + std::to_string(sizeOfWhole(surfaces)) + " units high");
-    return SetFrame{*unit, findAxes(evidenceIn(surfaces), sizeOfWhole(surfaces))};
+    const Vec3 up = isGltf(surfaces) ? Vec3::UnitY() : Vec3::UnitZ();
+    return SetFrame{*unit, findAxes(evidenceIn(surfaces), sizeOfWhole(surfaces), up)};
 }
 
 } // namespace carina

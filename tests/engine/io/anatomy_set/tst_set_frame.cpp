@@ -134,6 +134,38 @@ private Q_SLOTS:
         QVERIFY(findSetFrame(surfaces)->R_AF == Mat3::Identity());
     }
 
+    void assumesTheAxesAndMetresOfGltfWhereNothingTells_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::newRow("text") << QStringLiteral(".gltf");
+        QTest::newRow("binary") << QStringLiteral(".GLB");
+    }
+
+    void assumesTheAxesAndMetresOfGltfWhereNothingTells()
+    {
+        QFETCH(QString, ending);
+        std::vector surfaces{surface("Axis", PartRole::Spine, {-0.02, 0.05, 0.1}, 0.04)};
+        QVERIFY(!findSetFrame(surfaces)); // 4 cm: no person
+        surfaces.front().file = "axis" + ending.toStdString();
+        const auto frame = findSetFrame(surfaces);
+        QVERIFY(frame);
+        QCOMPARE(frame->metresPerUnit, 1.0);
+        QVERIFY(axisWords(*frame) == std::vector<std::string>({"left", "superior", "anterior"}));
+        QCOMPARE(frame->R_AF.determinant(), 1.0);
+    }
+
+    void believesPartsMoreThanTheFormat()
+    {
+        std::vector surfaces = patient();
+        place(surfaces, Mat3::Identity(), 1e3);
+        for (RecognisedSurface& s : surfaces)
+            s.file += ".glb";
+        const auto frame = findSetFrame(surfaces);
+        QVERIFY(frame);
+        QCOMPARE(frame->metresPerUnit, 1e-3);
+        QVERIFY(frame->R_AF.isIdentity());
+    }
+
     void tellsLeftFromBackAndUp()
     {
         std::vector<RecognisedSurface> surfaces = patient();

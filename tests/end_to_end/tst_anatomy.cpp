@@ -46,7 +46,7 @@ private Q_SLOTS:
     {
         m_set = carina::test::testData("anatomy/bodyparts3d");
         if (!m_set)
-            QSKIP("anatomy/bodyparts3d is not here");
+            return;
         m_hostFolder = std::make_unique<QTemporaryDir>();
         m_port = portOfThisTest();
         m_instructor = std::make_unique<Program>(
@@ -61,7 +61,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!drawn(*m_instructor).isEmpty(), kPatience_ms);
     }
 
-    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void init()
+    {
+        if (!m_set)
+            QSKIP("anatomy/bodyparts3d is not here");
+        m_folder = std::make_unique<QTemporaryDir>();
+    }
     void cleanup() { m_trainee.reset(); }
     void cleanupTestCase() { m_instructor.reset(); }
 

@@ -78,7 +78,7 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase()
+    void init()
     {
         if (!graphicsDriver())
             QSKIP("no OpenGL 3.3");

@@ -43,7 +43,7 @@ class RegistrationReportTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase()
+    void init()
     {
         if (!test::hasPdfReader())
             QSKIP("pdftotext of the Debian package poppler-utils is not installed");

@@ -42,7 +42,7 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void drawsFourSides();
     void growsWithTheErrorOfATouch();
     void shrinksWithMoreLandmarks();
@@ -50,7 +50,7 @@ private Q_SLOTS:
     void refusesWhatIsNoRegistration();
 };
 
-void TestErrorPictures::initTestCase()
+void TestErrorPictures::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

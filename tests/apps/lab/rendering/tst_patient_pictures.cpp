@@ -40,6 +40,7 @@ public:
 
 private Q_SLOTS:
     void initTestCase();
+    void init();
     void drawsBothEndsOfABreathFromThreeSides();
     void drawsTheVolumesOfARestingBreath();
     void drawsACollapsedLungOnItsSide();
@@ -68,13 +69,19 @@ double TestPatientPictures::figure(int i, const char* name, const char* side) co
 void TestPatientPictures::initTestCase()
 {
     if (!graphicsDriver())
-        QSKIP("no OpenGL 3.3");
+        return;
     const auto object = lab::renderCommand().run(
         {QStringLiteral("--pictures"), m_folder.filePath(QStringLiteral("new")),
          QStringLiteral("--size"), QStringLiteral("320x200")});
     QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
     m_pictures = object.value()[QStringLiteral("pictures")].toArray();
     QCOMPARE(m_pictures.size(), 3 * kPerCondition);
+}
+
+void TestPatientPictures::init()
+{
+    if (!graphicsDriver())
+        QSKIP("no OpenGL 3.3");
 }
 
 void TestPatientPictures::drawsBothEndsOfABreathFromThreeSides()

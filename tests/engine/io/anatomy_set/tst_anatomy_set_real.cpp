@@ -42,7 +42,7 @@ private Q_SLOTS:
     {
         const auto folder = test::testData("anatomy");
         if (!folder)
-            QSKIP("the real anatomy is not here");
+            return;
         QElapsedTimer timer;
         timer.start();
         auto loaded = loadAnatomySet(*folder, m_cache.path().toStdString());
@@ -53,6 +53,12 @@ private Q_SLOTS:
         qInfo() << "loaded from the cache in" << timer.elapsed() << "ms";
         QVERIFY(again->fromCache);
         QCOMPARE(again->set.anatomy.parts.size(), m_loaded->set.anatomy.parts.size());
+    }
+
+    void init()
+    {
+        if (!test::testData("anatomy"))
+            QSKIP("the real anatomy is not here");
     }
 
     void readsEveryFile()

@@ -58,6 +58,7 @@ class TestRealChest : public QObject
 
 private Q_SLOTS:
     void initTestCase();
+    void init();
     void turnsNormalsAsTheSurfaceTurns_data() { poses(); }
     void turnsNormalsAsTheSurfaceTurns();
     void foldsNowhere_data() { poses(); }
@@ -75,8 +76,14 @@ void TestRealChest::initTestCase()
 {
     const auto folder = test::testData("anatomy/lungs");
     if (!folder)
-        QSKIP("the real lungs are not here");
+        return;
     m_lungs = LungPair::of(realLobes(*folder)).value();
+}
+
+void TestRealChest::init()
+{
+    if (!test::testData("anatomy/lungs"))
+        QSKIP("the real lungs are not here");
 }
 
 void TestRealChest::poses()

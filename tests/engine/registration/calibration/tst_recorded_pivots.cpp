@@ -44,7 +44,7 @@ private Q_SLOTS:
     {
         const auto path = test::testData(test::kEightDivots);
         if (!path)
-            QSKIP("tracker/eight-landmarks is not there");
+            return;
         const auto sequence = readSequenceFile(*path);
         QVERIFY(sequence.has_value());
         const auto samplesOf = [&](const char* name) {
@@ -56,6 +56,12 @@ private Q_SLOTS:
             m_samples.push_back(stylus[i]);
             m_samples.back().X_FO = reference[i].X_FO.inverse() * stylus[i].X_FO;
         }
+    }
+
+    void init()
+    {
+        if (!test::testData(test::kEightDivots))
+            QSKIP("tracker/eight-landmarks is not there");
     }
 
     void findsTheSameTipInEveryDivot()

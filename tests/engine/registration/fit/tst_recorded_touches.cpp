@@ -54,7 +54,7 @@ private Q_SLOTS:
     {
         const auto path = test::testData(test::kEightDivots);
         if (!path)
-            QSKIP("tracker/eight-landmarks is not there");
+            return;
         QFile file{QString::fromStdString(path->string())};
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString text = QString::fromLatin1(file.readAll());
@@ -70,6 +70,12 @@ private Q_SLOTS:
             if (const auto point = detector.push(time, 1e-3 * p_RQ_mm, Validity::Tracked))
                 m_points.push_back(*point);
         }
+    }
+
+    void init()
+    {
+        if (!test::testData(test::kEightDivots))
+            QSKIP("tracker/eight-landmarks is not there");
     }
 
     /// Eight divots, and the stylus at rest before and after.

@@ -105,7 +105,7 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void drawsLinesWhereTheErrorIsAMultiple_data();
     void drawsLinesWhereTheErrorIsAMultiple();
     void fillsEachBandWithItsColour();
@@ -117,7 +117,7 @@ private Q_SLOTS:
     void leavesNothingBehindWhenItGoes();
 };
 
-void TestErrorMap::initTestCase()
+void TestErrorMap::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

@@ -34,12 +34,12 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void followsAJawThatBeginsToMove_data();
     void followsAJawThatBeginsToMove();
 };
 
-void TestJawInView::initTestCase()
+void TestJawInView::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

@@ -49,7 +49,7 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void takesAwayWhatLiesBeyondThePlane();
     void showsTheInsideOfWhatIsCutOpen_data();
     void showsTheInsideOfWhatIsCutOpen();
@@ -61,7 +61,7 @@ private Q_SLOTS:
     void closesAgain();
 };
 
-void TestSection::initTestCase()
+void TestSection::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

@@ -106,14 +106,14 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void blendsOrgansInTheOrderOfTheirDepths_data();
     void blendsOrgansInTheOrderOfTheirDepths();
     void keepsWhatIsOpaqueInFront();
     void blendsFarBeforeNearFromBehindToo();
 };
 
-void TestTransparency::initTestCase()
+void TestTransparency::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

@@ -38,7 +38,7 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void countsTheDiscOfASphere_data();
     void countsTheDiscOfASphere();
     void tellsManyPartsApart();
@@ -54,7 +54,7 @@ private Q_SLOTS:
     void isZeroForAllWhileNotShown();
 };
 
-void TestVisiblePixels::initTestCase()
+void TestVisiblePixels::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

@@ -76,7 +76,7 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void showsEachEyeItsOwnPictureInItsPart();
     void looksPastTheMiddleThroughAnOffAxisFrustum();
     void letterboxesAPictureOfAnotherShape();
@@ -86,7 +86,7 @@ private Q_SLOTS:
     void tellsTheSourceWhenTheFrameWillBeLit();
 };
 
-void TestSceneEyes::initTestCase()
+void TestSceneEyes::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

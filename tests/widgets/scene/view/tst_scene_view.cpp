@@ -29,7 +29,7 @@ public:
     static void initMain() { prepareGraphics(); }
 
 private Q_SLOTS:
-    void initTestCase();
+    void init();
     void showsThePatientsRightOnTheLeftFromInFront();
     void showsTheHeadUpFromInFront();
     void looksOutOfTheEyeOfTheFrame();
@@ -44,7 +44,7 @@ private Q_SLOTS:
     void comesAndGoesTwentyTimes();
 };
 
-void TestSceneView::initTestCase()
+void TestSceneView::init()
 {
     if (!graphicsDriver())
         QSKIP("no OpenGL 3.3");

@@ -57,8 +57,12 @@ macro(carina_test_of program source class)
   if(${class} IN_LIST arg_SLOW)
     set(label slow)
   endif()
+  set(timeout 120)
+  if(CARINA_SANITIZER)
+    set(timeout 900)
+  endif()
   add_test(NAME ${test} COMMAND ${display} $<TARGET_FILE:${program}> ${class})
-  set_tests_properties(${test} PROPERTIES LABELS ${label} TIMEOUT 120
+  set_tests_properties(${test} PROPERTIES LABELS ${label} TIMEOUT ${timeout}
     SKIP_REGULAR_EXPRESSION "Totals: [12] passed, 0 failed, [1-9][0-9]* skipped"
     ENVIRONMENT "QT_QPA_PLATFORM=${platform};QT3D_RENDERER=opengl;LIBGL_ALWAYS_SOFTWARE=1")
 endmacro()

@@ -60,13 +60,6 @@ void ErrorScale::setScale(const ErrorBands& bands, const ErrorRange& range)
     update();
 }
 
-void ErrorScale::clear()
-{
-    m_scale.reset();
-    setAccessibleDescription({});
-    update();
-}
-
 std::optional<ErrorScale::Drawing> ErrorScale::drawing() const
 {
     if (!m_scale)

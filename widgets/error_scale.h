@@ -34,7 +34,6 @@ public:
 
     /// @param range of the error on the drawn surfaces
     void setScale(const ErrorBands& bands, const ErrorRange& range);
-    void clear();
 
     /// std::nullopt while it is empty.
     [[nodiscard]] std::optional<Drawing> drawing() const;

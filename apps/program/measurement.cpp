@@ -122,10 +122,10 @@ Result<void> Measurement::measureVolumes()
                     return tl::unexpected(made.error());
                 reader = readers.emplace(frame.level, std::move(*made)).first;
             }
-            auto positions = reader->second.positions(field, motionOf(region, m_poses[n], field));
-            if (!positions)
-                return tl::unexpected(positions.error());
-            const TriangleMesh drawn{std::move(*positions), {}, mesh.triangles};
+            auto vertices = reader->second.at(field, motionOf(region, m_poses[n], field));
+            if (!vertices)
+                return tl::unexpected(vertices.error());
+            const TriangleMesh drawn{std::move(vertices->positions), {}, mesh.triangles};
             frame.volume_ml[lung] += inMillilitres(cubicMetres(signedVolume(drawn)));
         }
     }

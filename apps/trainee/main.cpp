@@ -20,6 +20,8 @@ namespace
 {
 
 constexpr StationId kStation{0};
+const QString kSimulatedTracker = QStringLiteral("simulated-tracker");
+const QString kRecordedTracker = QStringLiteral("recorded-tracker");
 const QString kManikinBreathes = QStringLiteral("manikin-breathes");
 
 void addOptions(QCommandLineParser& parser)
@@ -40,10 +42,15 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption({QStringLiteral("observe"),
                       QApplication::translate("Trainee", "Join as an observer, who watches and "
                                                          "changes nothing.")});
-    parser.addOption({QStringLiteral("simulated-tracker"),
+    parser.addOption({kSimulatedTracker,
                       QApplication::translate("Trainee", "Use a simulated tracker and a scripted "
-                                                         "pair of hands; without it this program "
-                                                         "only watches.")});
+                                                         "pair of hands; without a tracker this "
+                                                         "program only watches.")});
+    parser.addOption({kRecordedTracker,
+                      QApplication::translate("Trainee", "Play the poses of tools from a recording "
+                                                         "(.igs.mha of Plus or 3D Slicer), once, "
+                                                         "on a manikin registered by --site."),
+                      QStringLiteral("FILE")});
     parser.addOption({kManikinBreathes,
                       QApplication::translate("Trainee", "Let the simulated manikin breathe so "
                                                          "many times a minute; the patient "
@@ -154,21 +161,43 @@ Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions
     return program::Entered{*std::move(node), entry.settings.role};
 }
 
-/// What stands in for hardware; nothing for who only watches.
-Result<TraineeStation::Simulation> simulation(const QCommandLineParser& parser, Role role)
+/// The recording of --recorded-tracker, if it is given.
+Result<std::optional<TrackerSequence>> recording(const QCommandLineParser& parser, bool hasSite)
 {
-    TraineeStation::Simulation simulation;
-    simulation.tracker = parser.isSet(QStringLiteral("simulated-tracker")) && role == Role::Trainee;
+    if (!parser.isSet(kRecordedTracker))
+        return std::nullopt;
+    if (parser.isSet(kSimulatedTracker))
+        return fail(Errc::WrongOption, "--recorded-tracker: not with --simulated-tracker");
+    if (!hasSite)
+        return fail(Errc::WrongOption, "--recorded-tracker: it needs --site, which says where the "
+                                       "patient lies");
+    auto sequence = readSequenceFile(parser.value(kRecordedTracker).toStdString());
+    if (!sequence)
+        return tl::unexpected(sequence.error());
+    return std::optional{*std::move(sequence)};
+}
+
+/// The tracker of a trainee; none for an observer.
+Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role role, bool hasSite)
+{
+    TraineeStation::Hardware hardware;
+    auto recorded = recording(parser, hasSite);
+    if (!recorded)
+        return tl::unexpected(recorded.error());
+    if (role == Role::Trainee) {
+        hardware.simulated = parser.isSet(kSimulatedTracker);
+        hardware.recording = *std::move(recorded);
+    }
     if (!parser.isSet(kManikinBreathes))
-        return simulation;
+        return hardware;
     bool isNumber = false;
     const double rate = parser.value(kManikinBreathes).toDouble(&isNumber);
     if (!isNumber
         || !(rate >= inPerMinute(kSlowestManikin) && rate <= inPerMinute(kFastestManikin)))
         return fail(Errc::OutOfRange,
                     "--manikin-breathes " + parser.value(kManikinBreathes).toStdString());
-    simulation.manikinBreathes = perMinute(rate);
-    return simulation;
+    hardware.manikinBreathes = perMinute(rate);
+    return hardware;
 }
 
 Result<int> run(const QCommandLineParser& parser)
@@ -200,11 +229,11 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(entered.error());
     if (!entered->node)
         return 0;
-    const auto simulated = simulation(parser, entered->role);
-    if (!simulated)
-        return tl::unexpected(simulated.error());
+    auto tracker = hardware(parser, entered->role, site->has_value());
+    if (!tracker)
+        return tl::unexpected(tracker.error());
     TraineeStation station{
-        std::move(entered->node), kStation, *simulated,
+        std::move(entered->node), kStation, *std::move(tracker),
         [&parser](const PatientModel& of) { return program::siteOption(parser, of); }};
     if (const auto laid = station.lay(patient->model); !laid)
         return tl::unexpected(laid.error());

@@ -1,6 +1,8 @@
 #include "apps/trainee/trainee_station.h"
 
+#include "engine/core/expects.h"
 #include "engine/session/simulated_station.h"
+#include "engine/tracking/recorded_tracker.h"
 
 namespace carina
 {
@@ -25,13 +27,13 @@ std::unique_ptr<RegistrationGuard> guardOf(const StationTracking& tracking,
 } // namespace
 
 TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId station,
-                               const Simulation& simulation, PlaceOf placeOf)
+                               Hardware hardware, PlaceOf placeOf)
     : m_node{std::move(node)},
       m_station{station},
-      m_simulation{simulation},
+      m_hardware{std::move(hardware)},
       m_placeOf{std::move(placeOf)}
 {
-    if (m_simulation.tracker)
+    if (m_hardware.hasTracker())
         publish();
     QObject::connect(&m_looking, &QTimer::timeout, &m_looking, [this] {
         if (m_laid && m_laid->guard)
@@ -75,9 +77,9 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                  const std::function<void()>& show)
 {
     auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr, nullptr, {}});
-    if (m_simulation.tracker)
-        if (const auto watched = watchHands(*next); !watched)
-            return watched;
+    if (m_hardware.hasTracker())
+        if (const auto tracked = track(*next); !tracked)
+            return tracked;
     next->view = std::make_unique<StationView>(*m_node, m_station, patient->lungs(),
                                                next->tracking ? posesOf(*next->tracking)
                                                               : posesOf(*m_node, m_station));
@@ -92,15 +94,34 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
     return {};
 }
 
-Result<void> TraineeStation::watchHands(Laid& laid)
+Result<void> TraineeStation::track(Laid& laid)
 {
     const auto place = m_placeOf(*laid.patient);
     if (!place)
         return tl::unexpected(place.error());
+    laid.place = *place;
+    if (m_hardware.recording)
+        replay(laid);
+    else if (const auto simulated = simulate(laid); !simulated)
+        return simulated;
+    laid.guard = guardOf(*laid.tracking, laid.place);
+    return laid.tracking->start();
+}
+
+void TraineeStation::replay(Laid& laid) const
+{
+    CARINA_EXPECTS(laid.place.has_value());
+    auto tracker = std::make_unique<RecordedTracker>(*m_hardware.recording,
+                                                     [node = m_node.get()] { return node->now(); });
+    laid.tracking = std::make_shared<StationTracking>(std::move(tracker), laid.place->registration);
+}
+
+Result<void> TraineeStation::simulate(Laid& laid) const
+{
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(),
-        [node = m_node.get()] { return node->now(); }, registrationIn(*place),
-        m_simulation.manikinBreathes);
+        [node = m_node.get()] { return node->now(); }, registrationIn(laid.place),
+        m_hardware.manikinBreathes);
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,
@@ -109,9 +130,7 @@ Result<void> TraineeStation::watchHands(Laid& laid)
         return X_TH ? std::optional{X_TH->inverse() * X_TA} : std::nullopt;
     };
     laid.tracking = std::move(simulated->tracking);
-    laid.guard = guardOf(*laid.tracking, *place);
-    laid.place = *place;
-    return laid.tracking->start();
+    return {};
 }
 
 void TraineeStation::takePlace()

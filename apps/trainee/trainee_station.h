@@ -3,6 +3,7 @@
 #include "apps/program/seen_overlay.h"
 #include "engine/net/node/session_node.h"
 #include "engine/session/station_tracking.h"
+#include "engine/tracking/sequence_file.h"
 #include "models/patient/patient_source.h"
 #include "models/respiration/manikin_breaths.h"
 #include "models/site/site_setup.h"
@@ -26,14 +27,17 @@ public:
     using Place = std::optional<SiteSetup>;
     using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
 
-    /// Simulated hardware.
-    struct Simulation {
-        bool tracker = false; ///< a simulated tracker and hands; false: the station has no tracker
-        Frequency manikinBreathes; ///< 0: it lies still
+    /// The tracker of the station; without either it has none.
+    struct Hardware {
+        bool simulated = false;                     ///< a simulated tracker and hands
+        Frequency manikinBreathes;                  ///< the simulated manikin; 0: it lies still
+        std::optional<TrackerSequence> recording{}; ///< played once for each patient; needs a Place
+
+        [[nodiscard]] bool hasTracker() const { return simulated || recording; }
     };
 
-    TraineeStation(std::unique_ptr<SessionNode> node, StationId station,
-                   const Simulation& simulation, PlaceOf placeOf);
+    TraineeStation(std::unique_ptr<SessionNode> node, StationId station, Hardware hardware,
+                   PlaceOf placeOf);
     ~TraineeStation();
     TraineeStation(const TraineeStation&) = delete;
     TraineeStation& operator=(const TraineeStation&) = delete;
@@ -41,7 +45,7 @@ public:
     /// Replaces the patient.
     /// @param show is called with the new patient in place, while the objects of the former one
     ///             still exist
-    /// @returns the error of its site or of the simulated tracker; nothing is changed then.
+    /// @returns the error of its site or of the tracker; nothing is changed then.
     [[nodiscard]] Result<void> lay(const SharedPatientModel& patient,
                                    const std::function<void()>& show = {});
     /// Applies the present settings of the site; without effect if these cannot be used.
@@ -70,12 +74,14 @@ private:
         Place place;                              ///< as read from the site last
     };
 
-    [[nodiscard]] Result<void> watchHands(Laid& laid);
+    [[nodiscard]] Result<void> track(Laid& laid);
+    [[nodiscard]] Result<void> simulate(Laid& laid) const;
+    void replay(Laid& laid) const;
     void publish();
 
     std::unique_ptr<SessionNode> m_node;
     StationId m_station;
-    Simulation m_simulation;
+    Hardware m_hardware;
     PlaceOf m_placeOf;
     std::function<void()> m_onLaid;
     std::unique_ptr<Laid> m_laid;

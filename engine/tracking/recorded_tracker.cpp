@@ -6,9 +6,8 @@
 namespace carina
 {
 
-RecordedTracker::RecordedTracker(const TrackerSequence& sequence, PlaybackPace pace,
-                                 ReadSessionClock clock)
-    : m_pace{pace}, m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
+RecordedTracker::RecordedTracker(const TrackerSequence& sequence, ReadSessionClock clock)
+    : m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
 {
     for (const RecordedTool& tool : sequence.tools) {
         Tool& played = m_played.emplace_back(tool.samples.size());
@@ -38,7 +37,7 @@ std::optional<SessionTime> RecordedTracker::advance(SessionTime now)
     for (; m_delivered < m_entries.size(); ++m_delivered) {
         Entry entry = m_entries[m_delivered];
         entry.sample.time = *m_start + (entry.sample.time - m_entries.front().sample.time);
-        if (m_pace == PlaybackPace::Recorded && entry.sample.time > now)
+        if (entry.sample.time > now)
             return entry.sample.time;
         entry.tool->history.push(entry.tool->filter.moving(entry.sample));
     }

@@ -7,19 +7,14 @@
 namespace carina
 {
 
-/// The speed of playback.
-enum class PlaybackPace : std::uint8_t {
-    Recorded,   ///< at the speed of the recording
-    AtFullSpeed ///< all samples at once
-};
-
-/// A tracker that plays a recording. At either pace the time of a sample is the session time of the
-/// start plus its time since the first sample of the recording. Each tool's history can hold the
-/// whole recording. Each sample gets the velocity that a MotionFilter estimates.
+/// A tracker that plays a recording once, at the speed of the recording: the time of a sample is
+/// the session time of the start plus its time since the first sample of the recording. Each tool's
+/// history can hold the whole recording. Each sample gets the velocity that a MotionFilter
+/// estimates.
 class RecordedTracker : public Tracker
 {
 public:
-    RecordedTracker(const TrackerSequence& sequence, PlaybackPace pace, ReadSessionClock clock);
+    RecordedTracker(const TrackerSequence& sequence, ReadSessionClock clock);
 
     /// Plays from the beginning; all histories are cleared first.
     [[nodiscard]] Result<void> start() override;
@@ -43,7 +38,6 @@ private:
         PoseSample sample;
     };
 
-    PlaybackPace m_pace;
     std::deque<Tool> m_played; // one for each of m_tools; a history cannot be moved
     std::vector<TrackedTool> m_tools;
     std::vector<Entry> m_entries; // ascending in time

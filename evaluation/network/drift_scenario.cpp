@@ -100,11 +100,20 @@ std::optional<TracePoint> tracePoint(const std::string& line)
     return point;
 }
 
+std::string allNames()
+{
+    std::string all;
+    for (const std::string_view name : scenarioNames())
+        all += (all.empty() ? "" : ", ") + std::string{name};
+    return all;
+}
+
 Result<DriftScenario> readTrace(const std::string& file)
 {
     std::ifstream in{file};
     if (!in)
-        return fail(Errc::FileNotFound, file + " is neither a scenario nor a trace file.");
+        return fail(Errc::FileNotFound,
+                    file + " is neither a trace file nor one of the scenarios " + allNames());
     std::vector<TracePoint> points;
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {

@@ -120,12 +120,6 @@ QString LandmarkTableModel::explanation(int column)
     }
 }
 
-int LandmarkTableModel::touchedCount() const
-{
-    return int(std::ranges::count_if(
-        m_rows, [](const LandmarkRow& row) { return row.spread_mm && !row.isStale; }));
-}
-
 double LandmarkTableModel::largestResidual_mm() const
 {
     double largest = 0.0;

@@ -32,7 +32,6 @@ public:
     /// A sentence that explains the numbers of a column; empty if its name is enough.
     [[nodiscard]] static QString explanation(int column);
 
-    [[nodiscard]] int touchedCount() const;
     /// The largest residual, in millimetres; 0 without any.
     [[nodiscard]] double largestResidual_mm() const;
 

@@ -4,6 +4,7 @@
 #include "apps/lab/command/words.h"
 #include "apps/lab/commands.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/anatomy/patient/patient_landmarks.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/anatomy_set/anatomy_set.h"
 #include "engine/io/anatomy_set/set_description.h"
@@ -57,7 +58,8 @@ Result<QJsonObject> reportOn(const Anatomy& patient, const QString& set)
     const auto loaded = loadAnatomySet(set.toStdString(), AnatomyCache::defaultFolder());
     if (!loaded)
         return tl::unexpected(loaded.error());
-    return compareAnatomy(patient, loaded->set.anatomy).map(reportOf);
+    return compareAnatomy(patient, loaded->set.anatomy)
+        .map([](const AnatomyComparison& comparison) { return reportOf(comparison); });
 }
 
 Result<QJsonObject> comparePatient(const Words& words)
@@ -69,8 +71,8 @@ Result<QJsonObject> comparePatient(const Words& words)
         return tl::unexpected(figures.error());
     const QString set = words.text(anatomy_option::kSet);
     const auto begin = monotonicNow();
-    const auto patient =
-        patientFor(*figures, set.isEmpty() ? Posture::Laryngoscopy : Posture::Rest);
+    const Posture posture = set.isEmpty() ? Posture::Laryngoscopy : Posture::Rest;
+    const auto patient = patientFor(*figures, posture);
     if (!patient)
         return tl::unexpected(patient.error());
     const Duration time = monotonicNow() - begin;
@@ -86,6 +88,8 @@ Result<QJsonObject> comparePatient(const Words& words)
                    words.has(kPatient) ? words.text(kPatient) : QStringLiteral("adult"));
     report->insert(anatomy_compare_key::kGenerateTime, toSeconds(time));
     report->insert(anatomy_compare_key::kTriangles, triangles);
+    report->insert(anatomy_compare_key::kLandmarks,
+                   reportOf(landmarksOf(bodyPlanOf(dimensionsFor(*figures).value(), posture))));
     return report;
 }
 
@@ -109,20 +113,43 @@ std::vector<Key> setKeys()
 
 std::vector<Key> comparisonKeys()
 {
-    return {anatomy_compare_key::kPatient,    anatomy_compare_key::kGenerateTime,
-            anatomy_compare_key::kTriangles,  anatomy_compare_key::kSelfIntersections,
-            anatomy_compare_key::kPart,       anatomy_compare_key::kLevel,
-            anatomy_compare_key::kPairs,      anatomy_compare_key::kAirwayScale,
-            anatomy_compare_key::kChestScale, anatomy_compare_key::kFigures,
-            anatomy_compare_key::kFigure,     anatomy_compare_key::kGenerated,
-            anatomy_compare_key::kReal,       anatomy_compare_key::kDeviation,
-            anatomy_compare_key::kLimit,      anatomy_compare_key::kRelative,
-            anatomy_compare_key::kFigureMet,  anatomy_compare_key::kOrgans,
-            anatomy_compare_key::kOrgan,      anatomy_compare_key::kToSet,
-            anatomy_compare_key::kFromSet,    anatomy_compare_key::kMean,
-            anatomy_compare_key::kOneWay,     anatomy_compare_key::kOrganMet,
-            anatomy_compare_key::kNotInSet,   anatomy_compare_key::kNotInPatient,
-            anatomy_compare_key::kMet,        anatomy_compare_key::kUnmet};
+    return {anatomy_compare_key::kPatient,
+            anatomy_compare_key::kGenerateTime,
+            anatomy_compare_key::kTriangles,
+            anatomy_compare_key::kLandmarks,
+            anatomy_compare_key::kIncisors,
+            anatomy_compare_key::kGlottis,
+            anatomy_compare_key::kSternalNotch,
+            anatomy_compare_key::kXiphoidTip,
+            anatomy_compare_key::kRightRibEnds,
+            anatomy_compare_key::kLeftRibEnds,
+            anatomy_compare_key::kIncisorPlane,
+            anatomy_compare_key::kTracheaAxis,
+            anatomy_compare_key::kSelfIntersections,
+            anatomy_compare_key::kPart,
+            anatomy_compare_key::kLevel,
+            anatomy_compare_key::kPairs,
+            anatomy_compare_key::kAirwayScale,
+            anatomy_compare_key::kChestScale,
+            anatomy_compare_key::kFigures,
+            anatomy_compare_key::kFigure,
+            anatomy_compare_key::kGenerated,
+            anatomy_compare_key::kReal,
+            anatomy_compare_key::kDeviation,
+            anatomy_compare_key::kLimit,
+            anatomy_compare_key::kRelative,
+            anatomy_compare_key::kFigureMet,
+            anatomy_compare_key::kOrgans,
+            anatomy_compare_key::kOrgan,
+            anatomy_compare_key::kToSet,
+            anatomy_compare_key::kFromSet,
+            anatomy_compare_key::kMean,
+            anatomy_compare_key::kOneWay,
+            anatomy_compare_key::kOrganMet,
+            anatomy_compare_key::kNotInSet,
+            anatomy_compare_key::kNotInPatient,
+            anatomy_compare_key::kMet,
+            anatomy_compare_key::kUnmet};
 }
 
 Use describeUse()

@@ -62,6 +62,20 @@ inline constexpr Key kSchema{"schema", "carina.anatomy-compare/1"};
 inline constexpr Key kPatient{"patient", "WHO as given; \"adult\" where nothing was"};
 inline constexpr Key kGenerateTime{"generate_s", "seconds that it took to make the patient"};
 inline constexpr Key kTriangles{"triangles", "of all its parts at their finest level"};
+inline constexpr Key kLandmarks{
+    "landmarks", "places of the made patient from its dimensions, about its carina:"};
+inline constexpr Key kIncisors{"incisors_mm", "edge of the upper incisors", 1};
+inline constexpr Key kGlottis{"glottis_mm", "middle of the vocal cords", 1};
+inline constexpr Key kSternalNotch{"sternal_notch_mm", "upper edge of the manubrium", 1};
+inline constexpr Key kXiphoidTip{"xiphoid_tip_mm", "tip of the xiphoid process", 1};
+inline constexpr Key kRightRibEnds{"right_rib_ends_mm",
+                                   "where each rib becomes cartilage, the first rib first", 1};
+inline constexpr Key kLeftRibEnds{"left_rib_ends_mm", "the same of the left side", 1};
+inline constexpr Key kIncisorPlane{
+    "incisor_plane_normal", "of the plane through the edges of the upper teeth, towards the head",
+    1};
+inline constexpr Key kTracheaAxis{
+    "trachea_axis", "normal of the planes of glottis and carina, towards the head", 1};
 inline constexpr Key kSelfIntersections{"self_intersections",
                                         "one object per surface that runs through itself:"};
 inline constexpr Key kPart{"part", "its name", 1};

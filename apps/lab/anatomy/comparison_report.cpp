@@ -5,6 +5,7 @@
 #include <QJsonArray>
 
 #include <cmath>
+#include <span>
 
 namespace carina::lab
 {
@@ -34,6 +35,21 @@ QJsonObject objectOf(const OrganDistance& organ)
             {anatomy_compare_key::kMean, rounded(organ.mean_mm())},
             {anatomy_compare_key::kOneWay, organ.oneWay},
             {anatomy_compare_key::kOrganMet, organ.met()}};
+}
+
+QJsonArray rounded(const Vec3& vector)
+{
+    return {rounded(vector.x()), rounded(vector.y()), rounded(vector.z())};
+}
+
+QJsonArray inMillimetres(const Vec3& p_A) { return rounded(Vec3{1e3 * p_A}); }
+
+QJsonArray inMillimetres(std::span<const Vec3> points)
+{
+    QJsonArray list;
+    for (const Vec3& p_A : points)
+        list.append(inMillimetres(p_A));
+    return list;
 }
 
 QJsonArray listOf(const std::vector<std::string>& names)
@@ -68,6 +84,18 @@ QJsonArray unmet(const AnatomyComparison& comparison)
 }
 
 } // namespace
+
+QJsonObject reportOf(const PatientLandmarks& landmarks)
+{
+    return {{anatomy_compare_key::kIncisors, inMillimetres(landmarks.airway.p_A_incisors)},
+            {anatomy_compare_key::kGlottis, inMillimetres(landmarks.airway.p_A_glottis)},
+            {anatomy_compare_key::kSternalNotch, inMillimetres(landmarks.ribs.p_A_sternalNotch)},
+            {anatomy_compare_key::kXiphoidTip, inMillimetres(landmarks.ribs.p_A_xiphoidTip)},
+            {anatomy_compare_key::kRightRibEnds, inMillimetres(landmarks.ribs.p_A_rightEnds)},
+            {anatomy_compare_key::kLeftRibEnds, inMillimetres(landmarks.ribs.p_A_leftEnds)},
+            {anatomy_compare_key::kIncisorPlane, rounded(landmarks.incisors.normal_A)},
+            {anatomy_compare_key::kTracheaAxis, rounded(landmarks.glottis.normal_A)}};
+}
 
 QJsonArray listOf(const std::vector<SelfIntersection>& found)
 {

@@ -38,11 +38,11 @@ Result<std::array<Volume, 2>> DrawnLungs::volumes(const ChestPose& pose)
 {
     std::array<Volume, 2> sums;
     for (Part& part : m_parts) {
-        const auto drawn = part.vertices.positions(m_field, motionOf(part.region, pose, m_field));
+        const auto drawn = part.vertices.at(m_field, motionOf(part.region, pose, m_field));
         if (!drawn)
             return tl::unexpected(drawn.error());
         Volume& sum = sums[indexOf(part.side)];
-        sum = sum + enclosedVolume(*drawn, *part.triangles);
+        sum = sum + enclosedVolume(drawn->positions, *part.triangles);
     }
     return sums;
 }

@@ -27,8 +27,6 @@ RigidTransform heldJaw(const BodyPlan& plan)
            * RigidTransform::translation(-hinge);
 }
 
-Vec3 withJaw(const BodyPlan& plan, const Vec3& p_A_shut) { return heldJaw(plan) * p_A_shut; }
-
 ImplicitShape onJaw(const BodyPlan& plan, ImplicitShape shut)
 {
     const RigidTransform X_AJ = heldJaw(plan);

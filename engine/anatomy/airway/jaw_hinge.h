@@ -10,9 +10,6 @@ namespace carina
 /// rotation about the line through both condyles that opens the incisors by 20 mm in an adult.
 [[nodiscard]] RigidTransform heldJaw(const BodyPlan& plan);
 
-/// Moves a point of the closed mouth with the mandible to the plan's posture; in A, metres.
-[[nodiscard]] Vec3 withJaw(const BodyPlan& plan, const Vec3& p_A_shut);
-
 /// Moves a shape, given for the closed mouth, with the mandible to the plan's posture.
 [[nodiscard]] ImplicitShape onJaw(const BodyPlan& plan, ImplicitShape shut);
 

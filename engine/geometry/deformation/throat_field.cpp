@@ -19,18 +19,6 @@ ThroatField::ThroatField(const Vec3& p_A_carina, const Vec3& p_A_glottis, const 
     m_frame.anchor = p_A_incisors + formula::kAnchor * length * Vec3::UnitY();
 }
 
-double ThroatField::share(const Vec3& p_A, ThroatTissue tissue) const
-{
-    return jawShare(m_frame, tissue, p_A).value;
-}
-
-FieldDisplacement ThroatField::at(const Vec3& p_A, const RigidTransform& X_AJ,
-                                  ThroatTissue tissue) const
-{
-    const JawPull<double> pull = jawPull(m_frame, tissue, jawShift(X_AJ), p_A);
-    return {pull.d, pull.gradient};
-}
-
 JawShift<double> jawShift(const RigidTransform& X_AJ)
 {
     return {X_AJ.rotation().toRotationMatrix() - Mat3::Identity(), X_AJ.translation()};

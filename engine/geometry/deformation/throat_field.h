@@ -40,12 +40,6 @@ public:
     /// others, S is 0 everywhere.
     ThroatField(const Vec3& p_A_carina, const Vec3& p_A_glottis, const Vec3& p_A_incisors);
 
-    /// S, from 0 to 1.
-    [[nodiscard]] double share(const Vec3& p_A, ThroatTissue tissue) const;
-    /// The displacement at p_A.
-    [[nodiscard]] FieldDisplacement at(const Vec3& p_A, const RigidTransform& X_AJ,
-                                       ThroatTissue tissue) const;
-
     [[nodiscard]] const ThroatFrame<double>& frame() const { return m_frame; }
 
     static constexpr double kLeast = 0.01; ///< metres

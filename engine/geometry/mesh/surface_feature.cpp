@@ -88,32 +88,10 @@ private:
 
 std::optional<Curvature> Patch::curvature(std::size_t i, double scale) const
 {
-    const std::vector<std::size_t> near = within(i, scale);
-    if (m_normals[i].isZero())
-        return std::nullopt;
-    const Vec3 w = m_normals[i].normalized();
-    const Vec3 u = w.unitOrthogonal();
-    const Vec3 v = w.cross(u);
-    Eigen::Matrix<double, Eigen::Dynamic, kUnknowns> terms(Eigen::Index(near.size()), kUnknowns);
-    Eigen::VectorXd heights(Eigen::Index(near.size()));
-    Eigen::Index row = 0;
-    for (const std::size_t other : near) {
-        // In units of the scale, so that all columns are of one size.
-        const Vec3 off = (m_positions[other] - m_positions[i]) / scale;
-        const double x = off.dot(u);
-        const double y = off.dot(v);
-        terms.row(row) << 1.0, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
-        heights[row++] = off.dot(w);
-    }
-    const Eigen::ColPivHouseholderQR<decltype(terms)> solver{terms};
-    if (solver.rank() < kUnknowns)
-        return std::nullopt;
-    const Eigen::Matrix<double, kUnknowns, 1> fit = solver.solve(heights);
-    Eigen::Matrix2d bends; // away from the normal where it is convex
-    bends << -fit[3], -fit[4], -fit[4], -fit[5];
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bent{bends / scale};
-    const Eigen::Vector2d most = bent.eigenvectors().col(1);
-    return Curvature{bent.eigenvalues()[0], bent.eigenvalues()[1], most[0] * u + most[1] * v};
+    std::vector<Vec3> offsets;
+    for (const std::size_t other : within(i, scale))
+        offsets.push_back(m_positions[other] - m_positions[i]);
+    return fittedCurvature(offsets, m_normals[i], metres(scale));
 }
 
 /// The curvatures of a patch, computed on first use.
@@ -167,13 +145,33 @@ private:
 
 } // namespace
 
-std::optional<Curvature> curvatureAt(const TriangleMesh& mesh, std::uint32_t vertex, Length scale)
+std::optional<Curvature> fittedCurvature(std::span<const Vec3> offsets, const Vec3& normal,
+                                         Length scale)
 {
-    const Patch patch{mesh, mesh.positions[vertex].cast<double>(), scale.si};
-    for (std::size_t i = 0; i < patch.size(); ++i)
-        if (patch.vertex(i) == vertex)
-            return patch.curvature(i, scale.si);
-    return std::nullopt;
+    if (normal.isZero())
+        return std::nullopt;
+    const Vec3 w = normal.normalized();
+    const Vec3 u = w.unitOrthogonal();
+    const Vec3 v = w.cross(u);
+    Eigen::Matrix<double, Eigen::Dynamic, kUnknowns> terms(Eigen::Index(offsets.size()), kUnknowns);
+    Eigen::VectorXd heights(Eigen::Index(offsets.size()));
+    Eigen::Index row = 0;
+    for (const Vec3& offset : offsets) {
+        // In units of the scale, so that all columns are of one size.
+        const double x = offset.dot(u) / scale.si;
+        const double y = offset.dot(v) / scale.si;
+        terms.row(row) << 1.0, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
+        heights[row++] = offset.dot(w) / scale.si;
+    }
+    const Eigen::ColPivHouseholderQR<decltype(terms)> solver{terms};
+    if (solver.rank() < kUnknowns)
+        return std::nullopt;
+    const Eigen::Matrix<double, kUnknowns, 1> fit = solver.solve(heights);
+    Eigen::Matrix2d bends; // away from the normal where it is convex
+    bends << -fit[3], -fit[4], -fit[4], -fit[5];
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bent{bends / scale.si};
+    const Eigen::Vector2d most = bent.eigenvectors().col(1);
+    return Curvature{bent.eigenvalues()[0], bent.eigenvalues()[1], most[0] * u + most[1] * v};
 }
 
 std::optional<FeaturePoint> nearestFeature(const TriangleMesh& mesh, const Vec3& p,

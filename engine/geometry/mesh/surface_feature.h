@@ -4,6 +4,7 @@
 #include "engine/geometry/mesh/triangle_mesh.h"
 
 #include <optional>
+#include <span>
 
 namespace carina
 {
@@ -35,16 +36,18 @@ struct FeatureSettings {
     Length scale = millimetres(3.0);   ///< size of the fitted patch: finer bumps are smoothed out
 };
 
-/// The principal curvatures at a vertex, from the least squares fit of
+/// The principal curvatures at a point of a surface, from the least squares fit of
 ///
 ///     w = f + d u + e v + (a u^2 + 2 b u v + c v^2) / 2
 ///
-/// to the vertices that edges reach within `scale`, with w along the vertex's normal (Goldfeather
-/// and Interrante 2004): the eigenvalues of the quadratic part, positive where convex.
-/// @returns nothing where these vertices do not determine all six coefficients.
-/// @pre the mesh's vertices are welded; `vertex` is an index of one of them.
-[[nodiscard]] std::optional<Curvature> curvatureAt(const TriangleMesh& mesh, std::uint32_t vertex,
-                                                   Length scale);
+/// to points near it, with w along its normal (Goldfeather and Interrante 2004): the eigenvalues of
+/// the quadratic part, positive where convex.
+/// @param offsets the differences of these points from it, metres
+/// @param normal  of any length
+/// @param scale   size of the patch, by which the fit is conditioned
+/// @returns nothing where the points do not determine all six coefficients, or the normal is zero.
+[[nodiscard]] std::optional<Curvature> fittedCurvature(std::span<const Vec3> offsets,
+                                                       const Vec3& normal, Length scale);
 
 /// The feature vertex nearest to a picked point p. A vertex is a feature where no other within
 /// `scale` of it has a larger curvature; for a ridge only vertices across it are compared. Ignored

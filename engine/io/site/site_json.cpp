@@ -1,7 +1,7 @@
 #include "engine/io/site/site_json.h"
 
 #include "engine/core/units.h"
-#include "engine/io/site/landmark_file.h"
+#include "engine/io/site/catalogue_json.h"
 
 namespace carina
 {

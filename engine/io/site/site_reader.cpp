@@ -1,5 +1,5 @@
 #include "engine/core/units.h"
-#include "engine/io/site/landmark_file.h"
+#include "engine/io/site/catalogue_json.h"
 #include "engine/io/site/site_json.h"
 
 #include <QDateTime>

@@ -15,12 +15,6 @@ void DelayHistory::add(Duration delay)
     m_delays.push_back(delay);
 }
 
-Duration DelayHistory::newest() const
-{
-    CARINA_EXPECTS(!m_delays.empty());
-    return m_delays.back();
-}
-
 Duration DelayHistory::mean() const
 {
     CARINA_EXPECTS(!m_delays.empty());

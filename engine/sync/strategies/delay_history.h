@@ -13,8 +13,8 @@ namespace carina
 ///
 ///     h_mean = (1/p) sum h_i        sigma = sqrt((1/p) sum (h_i - h_mean)^2)
 ///
-/// Both are over the delays stored so far, the newest delay h_0 included; sigma is the population
-/// standard deviation (eq. 4).
+/// Both are over the delays stored so far, the newest delay h_0, delays().back(), included; sigma
+/// is the population standard deviation (eq. 4).
 class DelayHistory
 {
 public:
@@ -28,8 +28,6 @@ public:
     [[nodiscard]] const std::deque<Duration>& delays() const { return m_delays; }
     [[nodiscard]] std::size_t size() const { return m_delays.size(); }
     [[nodiscard]] bool isFull() const { return m_delays.size() == kCapacity; }
-    /// h_0. @pre size() > 0
-    [[nodiscard]] Duration newest() const;
     /// h_mean, in whole nanoseconds. @pre size() > 0
     [[nodiscard]] Duration mean() const;
     /// sigma, to the nearest nanosecond. @pre size() > 0

@@ -155,6 +155,8 @@ private Q_SLOTS:
         QVERIFY(!scenario);
         QCOMPARE(scenario.error().code, Errc::FileNotFound);
         QVERIFY(scenario.error().detail.find("no such thing") != std::string::npos);
+        for (const std::string_view name : scenarioNames())
+            QVERIFY(scenario.error().detail.find(name) != std::string::npos);
     }
 };
 

@@ -1,4 +1,5 @@
 #include "tests/support/test_class.h"
+#include "tests/support/throat_motion.h"
 #include "ui/scene/scene_parts.h"
 
 #include <numbers>
@@ -25,7 +26,8 @@ private Q_SLOTS:
                                      RigidTransform::translation({0.0, -0.01, 0.0})};
         const Vec3 tongue{0.0, -0.06, 0.16};
         const auto movedBy = [&tongue](const FollowingThroat& following) {
-            return following.field.at(tongue, following.X_AJ, ThroatTissue::Airway).d_A.y();
+            return test::throatAt(following.field, tongue, following.X_AJ, ThroatTissue::Airway)
+                .d_A.y();
         };
         QVERIFY(movedBy(sceneFrame({}, {}, throat).throat) < -0.005);
         QCOMPARE(movedBy(sceneFrame({}, {}).throat), 0.0);

@@ -77,8 +77,8 @@ public:
     Q_DISABLE_COPY_MOVE(Card)
 
     Result<void> start(const TriangleMesh& mesh, ChestRegion region, const OrganShader& shader);
-    Result<std::vector<Vec3f>> draw(const ChestField& field, const ChestMotion& motion,
-                                    const FollowingThroat& throat, std::size_t captured);
+    Result<Vertices> draw(const ChestField& field, const ChestMotion& motion,
+                          const FollowingThroat& throat);
 
 private:
     struct Objects {
@@ -90,6 +90,7 @@ private:
 
     Result<void> link();
     void upload(const char* attribute, const std::vector<Vec3f>& values);
+    bool read(std::size_t captured, std::vector<Vec3f>& values);
     void runShader(const ChestField& field, const ChestMotion& motion,
                    const FollowingThroat& throat);
 
@@ -195,23 +196,29 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.release();
 }
 
-Result<std::vector<Vec3f>> DrawnVertices::Card::draw(const ChestField& field,
-                                                     const ChestMotion& motion,
-                                                     const FollowingThroat& throat,
-                                                     std::size_t captured)
+bool DrawnVertices::Card::read(std::size_t captured, std::vector<Vec3f>& values)
+{
+    values.resize(m_vertexCount);
+    QOpenGLBuffer& output = m_objects->outputs[captured];
+    output.bind();
+    const bool wasRead = output.read(0, values.data(), byteCount(m_vertexCount));
+    output.release();
+    return wasRead;
+}
+
+Result<DrawnVertices::Vertices> DrawnVertices::Card::draw(const ChestField& field,
+                                                          const ChestMotion& motion,
+                                                          const FollowingThroat& throat)
 {
     const CurrentFor current{m_context, m_surface};
     if (!current)
         return fail(Errc::NoGraphics, "the OpenGL context was lost");
     runShader(field, motion, throat);
-    std::vector<Vec3f> values(m_vertexCount);
-    QOpenGLBuffer& output = m_objects->outputs[captured];
-    output.bind();
-    const bool read = output.read(0, values.data(), byteCount(m_vertexCount));
-    output.release();
-    if (!read || m_context.functions()->glGetError() != GL_NO_ERROR)
+    Vertices drawn;
+    const bool wasRead = read(kPositions, drawn.positions) && read(kNormals, drawn.normals);
+    if (!wasRead || m_context.functions()->glGetError() != GL_NO_ERROR)
         return fail(Errc::NoGraphics, "what was drawn could not be read back");
-    return values;
+    return drawn;
 }
 
 DrawnVertices::DrawnVertices(std::unique_ptr<Card> card) : m_card{std::move(card)} {}
@@ -229,18 +236,10 @@ Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh, ChestRegion re
     return DrawnVertices{std::move(card)};
 }
 
-Result<std::vector<Vec3f>> DrawnVertices::positions(const ChestField& field,
-                                                    const ChestMotion& motion,
-                                                    const FollowingThroat& throat)
+Result<DrawnVertices::Vertices>
+DrawnVertices::at(const ChestField& field, const ChestMotion& motion, const FollowingThroat& throat)
 {
-    return m_card->draw(field, motion, throat, kPositions);
-}
-
-Result<std::vector<Vec3f>> DrawnVertices::normals(const ChestField& field,
-                                                  const ChestMotion& motion,
-                                                  const FollowingThroat& throat)
-{
-    return m_card->draw(field, motion, throat, kNormals);
+    return m_card->draw(field, motion, throat);
 }
 
 } // namespace carina

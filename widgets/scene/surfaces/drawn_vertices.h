@@ -31,15 +31,15 @@ public:
     DrawnVertices& operator=(DrawnVertices&&) noexcept;
     ~DrawnVertices();
 
-    /// One position per vertex, in the order of the mesh, metres.
-    ///
+    /// Each vertex in the order of the mesh.
+    struct Vertices {
+        std::vector<Vec3f> positions; ///< metres
+        std::vector<Vec3f> normals;   ///< unit
+    };
+
     /// @returns NoGraphics when the context is lost.
-    [[nodiscard]] Result<std::vector<Vec3f>> positions(const ChestField& field,
-                                                       const ChestMotion& motion,
-                                                       const FollowingThroat& throat = {});
-    /// One unit normal per vertex, in the same order and with the same error.
-    [[nodiscard]] Result<std::vector<Vec3f>>
-    normals(const ChestField& field, const ChestMotion& motion, const FollowingThroat& throat = {});
+    [[nodiscard]] Result<Vertices> at(const ChestField& field, const ChestMotion& motion,
+                                      const FollowingThroat& throat = {});
 
 private:
     class Card;

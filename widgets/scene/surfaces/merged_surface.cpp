@@ -76,14 +76,6 @@ SurfaceKey surfaceKey(const ScenePart& part)
     return {layer, part.body, part.region};
 }
 
-int levelCount(std::span<const ScenePart> parts)
-{
-    std::size_t count = 1;
-    for (const ScenePart& part : parts)
-        count = std::max(count, part.levels.size());
-    return static_cast<int>(count);
-}
-
 std::vector<MergedSurface> mergedSurfaces(std::span<const ScenePart> parts)
 {
     std::map<SurfaceKey, MergedSurface> merged;

@@ -51,9 +51,6 @@ struct MergedSurface {
 
 [[nodiscard]] SurfaceKey surfaceKey(const ScenePart& part);
 
-/// The largest number of levels of detail of any part, at least 1.
-[[nodiscard]] int levelCount(std::span<const ScenePart> parts);
-
 /// Merges the parts by layer and body, opaque ones also by region.
 ///
 /// @pre each part has a level; each mesh has normals, and colours as ScenePart requires.

@@ -112,8 +112,6 @@ void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
 
 void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
 
-void SceneView::setInteractive(bool interactive) { m_window->setInteractive(interactive); }
-
 void SceneView::setBackground(const QColor& color) { m_renderer->setBackground(color); }
 
 QImage SceneView::picture() { return m_window->isExposed() ? m_renderer->picture() : QImage(); }

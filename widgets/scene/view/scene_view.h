@@ -71,8 +71,6 @@ public:
     [[nodiscard]] const OrbitCamera& camera() const;
     /// Labels the patient's right and left at the edges, except in a headset.
     void nameSides() { m_sides.emplace(*this); }
-    /// Whether mouse and keys move the camera; true by default.
-    void setInteractive(bool interactive);
     void setBackground(const QColor& color);
 
     /// Fixes the level of detail of all parts; std::nullopt chooses it by visible error and drawing

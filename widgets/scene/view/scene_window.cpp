@@ -68,7 +68,7 @@ void SceneWindow::mouseReleaseEvent(QMouseEvent* event)
 
 void SceneWindow::mouseMoveEvent(QMouseEvent* event)
 {
-    if (!m_interactive || event->buttons() == Qt::NoButton)
+    if (event->buttons() == Qt::NoButton)
         return;
     const int farthest = QGuiApplication::styleHints()->startDragDistance();
     m_dragged = m_dragged || (event->position() - m_pressed).manhattanLength() >= farthest;
@@ -82,16 +82,11 @@ void SceneWindow::mouseMoveEvent(QMouseEvent* event)
         m_camera.orbit(moved.x(), moved.y());
 }
 
-void SceneWindow::mouseDoubleClickEvent(QMouseEvent*)
-{
-    if (m_interactive)
-        m_camera.showFrom(m_preset);
-}
+void SceneWindow::mouseDoubleClickEvent(QMouseEvent*) { m_camera.showFrom(m_preset); }
 
 void SceneWindow::wheelEvent(QWheelEvent* event)
 {
-    if (m_interactive)
-        m_camera.zoom(std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch));
+    m_camera.zoom(std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch));
 }
 
 void SceneWindow::keyPressEvent(QKeyEvent* event)
@@ -100,7 +95,7 @@ void SceneWindow::keyPressEvent(QKeyEvent* event)
         Q_EMIT tabbed(event->key() == Qt::Key_Tab);
         return;
     }
-    event->setAccepted(m_interactive && turnOrMove(*event));
+    event->setAccepted(turnOrMove(*event));
 }
 
 bool SceneWindow::turnOrMove(const QKeyEvent& event)

@@ -20,7 +20,6 @@ public:
     SceneWindow();
 
     [[nodiscard]] OrbitCamera& camera() { return m_camera; }
-    void setInteractive(bool interactive) { m_interactive = interactive; }
 
     /// Looks from a preset, to which Home returns.
     void showFrom(ViewPreset preset);
@@ -52,7 +51,6 @@ private:
     QPointF m_pressed;
     QPointF m_lastDrag;
     bool m_dragged = false; ///< since the button was pressed
-    bool m_interactive = true;
 };
 
 } // namespace carina

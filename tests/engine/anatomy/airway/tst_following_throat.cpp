@@ -8,6 +8,7 @@
 #include "tests/engine/geometry/mesh/plain_obj.h"
 #include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
+#include "tests/support/throat_motion.h"
 
 #include <Eigen/LU>
 
@@ -194,7 +195,7 @@ void TestFollowingThroat::foldsNowhere()
         forVertices(*somebody, [&](const Vec3& p_A, ThroatTissue tissue, const std::string& part) {
             if (somebody->held_deg > 0.0 && part == "Oral cavity")
                 return;
-            const Mat3 j = Mat3::Identity() + throat.at(p_A, X_AJ, tissue).gradient;
+            const Mat3 j = Mat3::Identity() + test::throatAt(throat, p_A, X_AJ, tissue).gradient;
             if (j.determinant() < least) {
                 least = j.determinant();
                 where = part;
@@ -229,7 +230,7 @@ void TestFollowingThroat::staysOnTheJaw()
             ++touching;
             for (const RigidTransform& X_AJ :
                  {jawOf(*somebody, kUsual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
-                const Vec3 x_A = p_A + throat.at(p_A, X_AJ, ThroatTissue::Airway).d_A;
+                const Vec3 x_A = p_A + test::throatAt(throat, p_A, X_AJ, ThroatTissue::Airway).d_A;
                 largest_mm.take(1e3 * (x_A - X_AJ * p_A).norm(), part.name);
             }
         }
@@ -255,8 +256,8 @@ void TestFollowingThroat::staysTogether()
             return;
         for (const RigidTransform& X_AJ :
              {jawOf(*somebody, kUsual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
-            const Vec3 apart = throat.at(p_A, X_AJ, ThroatTissue::Pharynx).d_A
-                               - throat.at(p_A, X_AJ, ThroatTissue::Airway).d_A;
+            const Vec3 apart = test::throatAt(throat, p_A, X_AJ, ThroatTissue::Pharynx).d_A
+                               - test::throatAt(throat, p_A, X_AJ, ThroatTissue::Airway).d_A;
             slide_mm.take(1e3 * apart.norm(), part);
         }
     });

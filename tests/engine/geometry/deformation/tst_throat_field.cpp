@@ -3,6 +3,7 @@
 #include "engine/geometry/rotation.h"
 #include "tests/engine/geometry/mesh/mesh_of_places.h"
 #include "tests/support/test_class.h"
+#include "tests/support/throat_motion.h"
 
 #include <Eigen/LU>
 
@@ -89,7 +90,7 @@ std::vector<Vec3> places()
 
 Vec3 movedTo(const Vec3& p_A, const RigidTransform& X_AJ, ThroatTissue tissue)
 {
-    return p_A + throat().at(p_A, X_AJ, tissue).d_A;
+    return p_A + test::throatAt(throat(), p_A, X_AJ, tissue).d_A;
 }
 
 /// The trachea's axis, from the carina to a share of the way to the glottis.
@@ -133,8 +134,8 @@ void TestThroatField::movesNothingWhileTheMouthIsClosed()
         mesh.positions.emplace_back(p_A.cast<float>());
         mesh.normals.emplace_back(Vec3f{1.0F, 2.0F, 3.0F});
         for (const ThroatTissue tissue : kTissues) {
-            QCOMPARE(throat().at(p_A, {}, tissue).d_A.norm(), 0.0);
-            QCOMPARE(throat().at(p_A, {}, tissue).gradient.norm(), 0.0);
+            QCOMPARE(test::throatAt(throat(), p_A, {}, tissue).d_A.norm(), 0.0);
+            QCOMPARE(test::throatAt(throat(), p_A, {}, tissue).gradient.norm(), 0.0);
         }
     }
     const TriangleMesh closed = deformed(mesh, {throat(), {}}, ThroatTissue::Airway);
@@ -147,10 +148,11 @@ void TestThroatField::movesNothingAtAndBelowTheCarina()
     for (Vec3 p_A : places()) {
         p_A.z() -= 0.24; // at most at the carina's height
         for (const ThroatTissue tissue : kTissues)
-            QCOMPARE(throat().at(p_A, X_AJ, tissue).d_A.norm(), 0.0);
+            QCOMPARE(test::throatAt(throat(), p_A, X_AJ, tissue).d_A.norm(), 0.0);
     }
-    QCOMPARE(throat().share(0.6 * kGlottis, ThroatTissue::Airway), 0.0);
-    QVERIFY(throat().share(0.9 * kGlottis, ThroatTissue::Airway) > 0.03); // the trachea's upper end
+    QCOMPARE(test::throatShare(throat(), 0.6 * kGlottis, ThroatTissue::Airway), 0.0);
+    QVERIFY(test::throatShare(throat(), 0.9 * kGlottis, ThroatTissue::Airway)
+            > 0.03); // the trachea's upper end
 }
 
 void TestThroatField::goesWithTheJawWhereItIsFixedToIt()
@@ -173,10 +175,10 @@ void TestThroatField::leavesSkullAndSpine()
     for (const Vec3& p_A :
          {Vec3{0.0, -0.008, 0.150}, Vec3{0.0, -0.007, 0.200}, Vec3{0.01, 0.0, 0.1},
           Vec3{0.0, -0.06, 0.185}, Vec3{0.0, -0.09, 0.175}, kCondyles})
-        QVERIFY(throat().share(p_A, ThroatTissue::Pharynx) < 1e-3);
+        QVERIFY(test::throatShare(throat(), p_A, ThroatTissue::Pharynx) < 1e-3);
     for (const Vec3& p_A :
          {Vec3{0.0, 0.021, 0.15}, Vec3{0.05, -0.01, 0.23}, Vec3{0.0, -0.09, 0.23}})
-        QVERIFY(throat().share(p_A, ThroatTissue::Airway) < 0.01);
+        QVERIFY(test::throatShare(throat(), p_A, ThroatTissue::Airway) < 0.01);
 }
 
 // Kuna et al 2008: 5.1 mm of 10.0.
@@ -184,7 +186,7 @@ void TestThroatField::takesTheHyoidHalfOfTheWayForward()
 {
     constexpr double kTolerance_mm = 0.7;
     const RigidTransform X_AJ = RigidTransform::translation({0.0, -0.010, 0.0});
-    const Vec3 moved_mm = 1e3 * throat().at(kHyoid, X_AJ, ThroatTissue::Airway).d_A;
+    const Vec3 moved_mm = 1e3 * test::throatAt(throat(), kHyoid, X_AJ, ThroatTissue::Airway).d_A;
     QVERIFY(std::abs(moved_mm.y() + 5.1) < kTolerance_mm);
     QVERIFY(std::abs(moved_mm.x()) + std::abs(moved_mm.z()) < 1e-9);
 }
@@ -194,7 +196,8 @@ void TestThroatField::takesTheHyoidDownAndBackAsTheMouthOpens()
 {
     for (const double angle : {10.0, 20.0, 30.0}) {
         const RigidTransform X_AJ = opened(angle, {0.0, 0.0, 0.0});
-        const Vec3 moved_mm = 1e3 * throat().at(kHyoid, X_AJ, ThroatTissue::Airway).d_A;
+        const Vec3 moved_mm =
+            1e3 * test::throatAt(throat(), kHyoid, X_AJ, ThroatTissue::Airway).d_A;
         QVERIFY(moved_mm.z() < -0.25 * angle && moved_mm.y() > 0.0);
         QVERIFY(moved_mm.y() < 0.7 * angle && moved_mm.z() > -0.7 * angle);
     }
@@ -211,7 +214,8 @@ void TestThroatField::stretchesTheUpperTracheaOnly()
         QVERIFY(1e3 * std::abs(lengthUpTo(82.0 / 136.0, X_AJ) - lengthUpTo(82.0 / 136.0, {}))
                 < 0.01);
         const double longer_mm = 1e3 * (lengthUpTo(1.0, X_AJ) - lengthUpTo(1.0, {}));
-        const Vec3 moved_mm = 1e3 * throat().at(kGlottis, X_AJ, ThroatTissue::Airway).d_A;
+        const Vec3 moved_mm =
+            1e3 * test::throatAt(throat(), kGlottis, X_AJ, ThroatTissue::Airway).d_A;
         QVERIFY(std::abs(longer_mm - moved_mm.dot(up)) < kTolerance_mm);
     }
     QVERIFY(lengthUpTo(1.0, RigidTransform::translation(0.015 * up)) > lengthUpTo(1.0, {}) + 0.002);
@@ -222,11 +226,11 @@ void TestThroatField::hasTheSlopesOfItsDisplacement()
     const RigidTransform X_AJ = opened(25.0, {4.0, -8.0, 3.0});
     for (const ThroatTissue tissue : kTissues) {
         for (const Vec3& p_A : places()) {
-            const Mat3 gradient = throat().at(p_A, X_AJ, tissue).gradient;
+            const Mat3 gradient = test::throatAt(throat(), p_A, X_AJ, tissue).gradient;
             for (int axis = 0; axis < 3; ++axis) {
                 const Vec3 step = kStep_m * Vec3::Unit(axis);
-                const Vec3 slope = (throat().at(p_A + step, X_AJ, tissue).d_A
-                                    - throat().at(p_A - step, X_AJ, tissue).d_A)
+                const Vec3 slope = (test::throatAt(throat(), p_A + step, X_AJ, tissue).d_A
+                                    - test::throatAt(throat(), p_A - step, X_AJ, tissue).d_A)
                                    / (2.0 * kStep_m);
                 QVERIFY((slope - gradient.col(axis)).cwiseAbs().maxCoeff() < kSlopeTolerance);
             }
@@ -271,7 +275,8 @@ void TestThroatField::keepsItsOrientationWhereverJawsGo()
     for (const ThroatTissue tissue : kTissues)
         for (const Vec3& p_A : gridThrough(tissue, 2e-3))
             for (const RigidTransform& X_AJ : motions) {
-                const Mat3 j = Mat3::Identity() + throat().at(p_A, X_AJ, tissue).gradient;
+                const Mat3 j =
+                    Mat3::Identity() + test::throatAt(throat(), p_A, X_AJ, tissue).gradient;
                 least = std::min(least, j.determinant());
             }
     qInfo("least determinant %.3f", least);
@@ -284,7 +289,9 @@ void TestThroatField::followsNothingWithoutLandmarks()
          {ThroatField{}, ThroatField{Vec3::Zero(), Vec3::Zero(), kIncisors},
           ThroatField{Vec3::Zero(), kGlottis, kGlottis}})
         for (const Vec3& p_A : places())
-            QCOMPARE(none.at(p_A, opened(20.0, {0, 0, 0}), ThroatTissue::Airway).d_A.norm(), 0.0);
+            QCOMPARE(
+                test::throatAt(none, p_A, opened(20.0, {0, 0, 0}), ThroatTissue::Airway).d_A.norm(),
+                0.0);
 }
 
 CARINA_TEST(TestThroatField)

@@ -51,6 +51,21 @@ TriangleMesh turnedOver(TriangleMesh mesh)
     return mesh;
 }
 
+/// The curvature that is fitted to the vertices within `scale` of one.
+std::optional<Curvature> curvatureAt(const TriangleMesh& mesh, std::uint32_t vertex, Length scale)
+{
+    const auto at = [&](std::uint32_t v) { return mesh.positions[v].cast<double>().eval(); };
+    std::vector<Vec3> offsets;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+        if (const Vec3 offset = at(v) - at(vertex); offset.norm() <= scale.si)
+            offsets.push_back(offset);
+    Vec3 normal = Vec3::Zero();
+    for (const Triangle& t : mesh.triangles)
+        if (std::ranges::find(t, vertex) != t.end())
+            normal += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
+    return fittedCurvature(offsets, normal, scale);
+}
+
 } // namespace
 
 class TestSurfaceFeature : public QObject
@@ -106,7 +121,7 @@ private Q_SLOTS:
     void knowsNoCurvatureWhereTooLittleIsSeen()
     {
         const TriangleMesh mesh = sheet([](double, double) { return 0.0; });
-        // Four neighbours lie at one step, and two more across the diagonals of the triangles.
+        // Four neighbours lie at one step, and four more across the diagonals.
         QVERIFY(!curvatureAt(mesh, middle(), metres(1.1 * kStep)));
         QVERIFY(curvatureAt(mesh, middle(), metres(1.5 * kStep)));
         const TriangleMesh corner{.positions = {{0, 0, 0}, {1e-3F, 0, 0}, {0, 1e-3F, 0}, {9, 9, 9}},

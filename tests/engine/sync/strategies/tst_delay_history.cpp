@@ -23,7 +23,7 @@ private Q_SLOTS:
             history.add(ms * 1ms);
         QCOMPARE(history.mean(), Duration{5ms});
         QCOMPARE(history.sigma(), Duration{2ms});
-        QCOMPARE(history.newest(), Duration{9ms});
+        QCOMPARE(history.delays().back(), Duration{9ms});
         QCOMPARE(history.size(), 8U);
     }
 

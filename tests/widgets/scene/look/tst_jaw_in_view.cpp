@@ -1,4 +1,5 @@
 #include "tests/support/test_class.h"
+#include "tests/support/throat_motion.h"
 #include "tests/widgets/scene/scene_fixture.h"
 #include "widgets/scene/view/graphics.h"
 
@@ -72,7 +73,7 @@ void TestJawInView::followsAJawThatBeginsToMove()
     shown.throat.X_AJ = RigidTransform::translation({kAside, 0.0, 0.0});
     QVERIFY(draws(*view, 10));
 
-    const double moved = kAside * kThroat.share(p_A_tongue, ThroatTissue::Airway);
+    const double moved = kAside * test::throatShare(kThroat, p_A_tongue, ThroatTissue::Airway);
     QVERIFY(moved > 0.1);
     QVERIFY(std::abs(seen.front() - column(0.0)) < kTolerance);
     for (std::size_t i = 0; i < seen.size(); ++i) {

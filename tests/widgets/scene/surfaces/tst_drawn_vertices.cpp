@@ -89,8 +89,7 @@ void TestDrawnVertices::drawsAsTheReferenceDeforms()
         Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
         QVERIFY2(drawn.has_value(), drawn ? "" : drawn.error().detail.c_str());
         const TriangleMesh reference = deformed(mesh, lungs.field(), motion);
-        const std::vector<Vec3f> positions = drawn->positions(lungs.field(), motion).value();
-        const std::vector<Vec3f> normals = drawn->normals(lungs.field(), motion).value();
+        const auto [positions, normals] = drawn->at(lungs.field(), motion).value();
         QCOMPARE(positions.size(), reference.positions.size());
         QCOMPARE(normals.size(), reference.normals.size());
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -122,8 +121,7 @@ void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows()
         DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
         const TriangleMesh reference =
             deformed(deformed(mesh, lungs.field(), motion), following, *tissueOf(region));
-        const auto positions = drawn.positions(lungs.field(), motion, following).value();
-        const auto normals = drawn.normals(lungs.field(), motion, following).value();
+        const auto [positions, normals] = drawn.at(lungs.field(), motion, following).value();
         float furthest = 0.0F;
         for (std::size_t i = 0; i < positions.size(); ++i) {
             QVERIFY((positions[i] - reference.positions[i]).cwiseAbs().maxCoeff()
@@ -157,12 +155,11 @@ void TestDrawnVertices::movesAlikeInEveryForm()
         DrawnVertices full = DrawnVertices::of(mesh, region).value();
         DrawnVertices form =
             DrawnVertices::of(mesh, region, {.hasManyRegions = many, .movesJaw = movesJaw}).value();
-        const auto wanted = full.positions(lungs.field(), motion, throats).value();
-        const auto drawn = form.positions(lungs.field(), motion, throats).value();
+        const auto [wanted, wantedNormals] = full.at(lungs.field(), motion, throats).value();
+        const auto [drawn, normals] = form.at(lungs.field(), motion, throats).value();
         QCOMPARE(wanted != mesh.positions, movesJaw || region == ChestRegion::RightUpperLung);
         QVERIFY(drawn == wanted);
-        QVERIFY(form.normals(lungs.field(), motion, throats).value()
-                == full.normals(lungs.field(), motion, throats).value());
+        QVERIFY(normals == wantedNormals);
     }
 }
 
@@ -172,13 +169,13 @@ void TestDrawnVertices::leavesRestExactlyAsItIs()
     const TriangleMesh& mesh = lungs.parts().front().levels.front();
     Result<DrawnVertices> drawn = DrawnVertices::of(mesh);
     QVERIFY(drawn.has_value());
-    QVERIFY(drawn->positions(lungs.field(), {}).value() == mesh.positions);
+    QVERIFY(drawn->at(lungs.field(), {}).value().positions == mesh.positions);
     for (const ChestRegion region :
          {ChestRegion::Mediastinum, ChestRegion::Throat, ChestRegion::Pharynx}) {
         DrawnVertices closed = DrawnVertices::of(mesh, region).value();
-        QVERIFY(closed.positions(lungs.field(), {}, {throat(), {}}).value() == mesh.positions);
-        QVERIFY(closed.normals(lungs.field(), {}, {throat(), {}}).value()
-                == drawn->normals(lungs.field(), {}).value());
+        QVERIFY(closed.at(lungs.field(), {}, {throat(), {}}).value().positions == mesh.positions);
+        QVERIFY(closed.at(lungs.field(), {}, {throat(), {}}).value().normals
+                == drawn->at(lungs.field(), {}).value().normals);
     }
 }
 
@@ -194,8 +191,8 @@ void TestDrawnVertices::keepsEveryOtherRegionFromTheJaw()
             continue;
         DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
         const ChestMotion motion = motionOf(region, breath, lungs.field());
-        QVERIFY(drawn.positions(lungs.field(), motion, {throat(), openJaw()}).value()
-                == drawn.positions(lungs.field(), motion).value());
+        QVERIFY(drawn.at(lungs.field(), motion, {throat(), openJaw()}).value().positions
+                == drawn.at(lungs.field(), motion).value().positions);
     }
 }
 
@@ -213,8 +210,9 @@ void TestDrawnVertices::followsTheCommandedVolume()
                 const Volume inspired = millilitres(140.0 * (1.0 - std::cos(phase)));
                 const ChestPose pose = lungs.pose(inspired, level).value();
                 surface.positions =
-                    drawn->positions(lungs.field(), motionOf(part.region, pose, lungs.field()))
-                        .value();
+                    drawn->at(lungs.field(), motionOf(part.region, pose, lungs.field()))
+                        .value()
+                        .positions;
                 const double error_ml = 1e6 * test::volumeByColumns(surface)
                                         - inMillilitres(lungs.volumeWith(inspired, part.side));
                 QVERIFY(std::abs(error_ml) < kVolumeTolerance_ml);
@@ -234,15 +232,14 @@ void TestDrawnVertices::leavesTheContextThatWasCurrent()
         Result<DrawnVertices> drawn = DrawnVertices::of(lungs.parts().front().levels.back());
         QVERIFY(drawn.has_value());
         QCOMPARE(QOpenGLContext::currentContext(), &viewer);
-        QVERIFY(drawn->positions(lungs.field(), {}).has_value());
+        QVERIFY(drawn->at(lungs.field(), {}).has_value());
         QCOMPARE(QOpenGLContext::currentContext(), &viewer);
     }
     QCOMPARE(QOpenGLContext::currentContext(), &viewer);
     viewer.doneCurrent();
     const LungPair lungs = LungPair::of(patient()).value();
-    QVERIFY(DrawnVertices::of(lungs.parts().front().levels.back())
-                ->positions(lungs.field(), {})
-                .has_value());
+    QVERIFY(
+        DrawnVertices::of(lungs.parts().front().levels.back())->at(lungs.field(), {}).has_value());
     QVERIFY(QOpenGLContext::currentContext() == nullptr);
 }
 
@@ -254,10 +251,10 @@ void TestDrawnVertices::movesWithItsUploadedMesh()
     std::vector<DrawnVertices> both;
     both.push_back(DrawnVertices::of(right).value());
     both.push_back(DrawnVertices::of(left).value());
-    QVERIFY(both[0].positions(lungs.field(), {}).value() == right.positions);
-    QVERIFY(both[1].positions(lungs.field(), {}).value() == left.positions);
+    QVERIFY(both[0].at(lungs.field(), {}).value().positions == right.positions);
+    QVERIFY(both[1].at(lungs.field(), {}).value().positions == left.positions);
     both[0] = std::move(both[1]);
-    QVERIFY(both[0].positions(lungs.field(), {}).value() == left.positions);
+    QVERIFY(both[0].at(lungs.field(), {}).value().positions == left.positions);
 }
 
 CARINA_SCREEN_TEST(TestDrawnVertices)

@@ -54,7 +54,7 @@ private Q_SLOTS:
     void keepsUnlikePartsApart();
     void drawsEachPartInItsLevel();
     void turnsOverWhatIsSeenInto();
-    void countsTheLevels();
+    void makesNoSurfaceOfNoParts();
 };
 
 void TestMergedSurface::drawsLikePartsInOneGo()
@@ -156,14 +156,7 @@ void TestMergedSurface::turnsOverWhatIsSeenInto()
             == (Triangles{{0, 1, 2}, {0, 2, 1}, {3, 4, 5}, {3, 5, 4}}));
 }
 
-void TestMergedSurface::countsTheLevels()
-{
-    QCOMPARE(levelCount({}), 1);
-    QVERIFY(mergedSurfaces({}).empty());
-    QCOMPARE(levelCount(std::vector{part(1, MaterialGroup::Bone, {triangle(0)}),
-                                    part(2, MaterialGroup::Bone, {triangle(1), triangle(2)})}),
-             2);
-}
+void TestMergedSurface::makesNoSurfaceOfNoParts() { QVERIFY(mergedSurfaces({}).empty()); }
 
 CARINA_TEST(TestMergedSurface)
 

@@ -56,7 +56,6 @@ private Q_SLOTS:
     void obeysKeys();
     void comesBackToItsPreset_data();
     void comesBackToItsPreset();
-    void staysStillWhereItMayNotMove();
     void letsTheKeyboardLeave();
 
 private:
@@ -187,17 +186,6 @@ void TestSceneWindow::comesBackToItsPreset()
         QTest::mouseDClick(m_window.get(), Qt::LeftButton, {}, QPoint(200, 200));
     else
         QTest::keyClick(m_window.get(), Qt::Key_Home);
-    QVERIFY((eye() - before).norm() < kTolerance);
-}
-
-void TestSceneWindow::staysStillWhereItMayNotMove()
-{
-    m_window->setInteractive(false);
-    const Vec3 before = eye();
-    drag(*m_window, Qt::LeftButton, {}, QPoint(50, 30));
-    turnWheel(*m_window, 1);
-    QTest::keyClick(m_window.get(), Qt::Key_Left);
-    QTest::keyClick(m_window.get(), Qt::Key_Plus);
     QVERIFY((eye() - before).norm() < kTolerance);
 }
 

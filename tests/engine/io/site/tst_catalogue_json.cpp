@@ -1,50 +1,52 @@
-#include "engine/io/site/landmark_file.h"
+#include "engine/io/site/catalogue_json.h"
 
-#include "tests/engine/io/mesh/surface_files.h"
 #include "tests/support/test_class.h"
 
-#include <QFile>
-#include <QTemporaryDir>
+#include <QJsonDocument>
 
-#include <limits>
-
-namespace carina::landmark_file_test
+namespace carina::catalogue_json_test
 {
 namespace
 {
 
 constexpr double kExact = 1e-15; // m
 
-const std::string kFile = R"({"schema": "carina.landmarks/1", "name": "Thorax", "anatomy": "ab12",
+const std::string kText = R"({"name": "Thorax", "anatomy": "ab12",
  "landmarks": [{"name": "Notch", "p_AQ_mm": [0, -60.5, 36]},
                {"name": "Côte gauche", "p_AQ_mm": [80, -123, -111]},
                {"name": "Tip", "p_AQ_mm": [0, -131.5, -131.25]}]})";
 
 std::string replaced(const std::string& from, const std::string& to)
 {
-    std::string text = kFile;
+    std::string text = kText;
     return text.replace(text.find(from), from.size(), to);
+}
+
+Result<LandmarkCatalogue> read(const QJsonObject& object)
+{
+    std::optional<Error> fault;
+    JsonFields fields{object, fault};
+    LandmarkCatalogue catalogue = readCatalogue(fields);
+    if (fault)
+        return tl::unexpected(*fault);
+    return catalogue;
+}
+
+Result<LandmarkCatalogue> readText(const std::string& text)
+{
+    return read(QJsonDocument::fromJson(QByteArray::fromStdString(text)).object());
 }
 
 } // namespace
 
-class TestLandmarkFile : public QObject
+class TestCatalogueJson : public QObject
 {
     Q_OBJECT
-
-private:
-    QTemporaryDir m_folder;
-
-    std::filesystem::path path() const
-    {
-        return (m_folder.path() + QStringLiteral("/landmarks.json")).toStdString();
-    }
 
 private Q_SLOTS:
     void readsMillimetresAsMetres()
     {
-        test::writeFile(path(), kFile);
-        const auto catalogue = readLandmarkFile(path());
+        const auto catalogue = readText(kText);
         QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().detail.c_str());
         QCOMPARE(catalogue->name, std::string{"Thorax"});
         QCOMPARE(catalogue->anatomy, std::string{"ab12"});
@@ -65,8 +67,7 @@ private Q_SLOTS:
     {
         QFETCH(std::string, anatomy);
         const LandmarkCatalogue catalogue = ribCageCatalogue(metres(1.75), anatomy);
-        QVERIFY(writeLandmarkFile(path(), catalogue));
-        const auto back = readLandmarkFile(path());
+        const auto back = read(jsonCatalogue(catalogue));
         QVERIFY(back.has_value());
         QCOMPARE(back->name, catalogue.name);
         QCOMPARE(back->anatomy, anatomy);
@@ -77,34 +78,13 @@ private Q_SLOTS:
         }
     }
 
-    void refusesToWriteACatalogueThatCannotBeUsed()
-    {
-        QFile::remove(QString::fromStdString(path().string()));
-        LandmarkCatalogue catalogue = ribCageCatalogue(metres(1.75), {});
-        catalogue.landmarks[2].p_AQ.x() = std::numeric_limits<double>::quiet_NaN();
-        const auto written = writeLandmarkFile(path(), catalogue);
-        QVERIFY(!written);
-        QCOMPARE(written.error().code, Errc::NotFinite);
-        QVERIFY(!std::filesystem::exists(path()));
-    }
-
-    void saysWhereAFileIsAtFault_data()
+    void saysWhereACatalogueIsAtFault_data()
     {
         QTest::addColumn<std::string>("text");
-        QTest::addColumn<Errc>("code");
         QTest::addColumn<QString>("fault");
-        const auto row = [](const char* name, const std::string& text, const char* fault,
-                            Errc code = Errc::FileMalformed) {
-            QTest::newRow(name) << text << code << QString::fromLatin1(fault);
+        const auto row = [](const char* name, const std::string& text, const char* fault) {
+            QTest::newRow(name) << text << QString::fromLatin1(fault);
         };
-        row("empty", "", "it is empty", Errc::FileEmpty);
-        row("cut off", kFile.substr(0, 90), "at byte");
-        row("no JSON", "Notch 0 60 36", "at byte");
-        row("a list", "[1, 2]", "schema: a text is due");
-        row("another kind", replaced("landmarks/1", "site/1"),
-            "it is carina.site/1, and carina.landmarks/1 is due", Errc::UnknownFormat);
-        row("a later version", replaced("landmarks/1", "landmarks/2"), "carina.landmarks/2",
-            Errc::UnknownFormat);
         row("no name", replaced("\"Thorax\"", "7"), "name: a text is due");
         row("an unnamed landmark", replaced("\"Notch\"", "\"\""),
             "landmarks[0].name: a text is due");
@@ -125,31 +105,20 @@ private Q_SLOTS:
         row("twice the same name", replaced("Tip", "Notch"), "landmarks: \"Notch\" is there twice");
     }
 
-    void saysWhereAFileIsAtFault()
+    void saysWhereACatalogueIsAtFault()
     {
         QFETCH(std::string, text);
-        QFETCH(Errc, code);
         QFETCH(QString, fault);
-        test::writeFile(path(), text);
-        const auto catalogue = readLandmarkFile(path());
+        const auto catalogue = readText(text);
         QVERIFY(!catalogue);
         const QString detail = QString::fromStdString(catalogue.error().detail);
-        QVERIFY2(catalogue.error().code == code, qPrintable(detail));
-        QVERIFY2(detail.startsWith(QString::fromStdString(path().string()) + QStringLiteral(": ")),
-                 qPrintable(detail));
+        QCOMPARE(catalogue.error().code, Errc::FileMalformed);
         QVERIFY2(detail.contains(fault), qPrintable(detail));
-    }
-
-    void refusesAFileThatIsNotThere()
-    {
-        const auto catalogue = readLandmarkFile(path().parent_path() / "absent.json");
-        QVERIFY(!catalogue);
-        QCOMPARE(catalogue.error().code, Errc::FileNotFound);
     }
 };
 
-CARINA_TEST(TestLandmarkFile)
+CARINA_TEST(TestCatalogueJson)
 
-} // namespace carina::landmark_file_test
+} // namespace carina::catalogue_json_test
 
-#include "tst_landmark_file.moc"
+#include "tst_catalogue_json.moc"

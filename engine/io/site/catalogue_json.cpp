@@ -1,14 +1,7 @@
-#include "engine/io/site/landmark_file.h"
+#include "engine/io/site/catalogue_json.h"
 
 namespace carina
 {
-namespace
-{
-
-const QString kLandmarkSchema = QStringLiteral("carina.landmarks/1");
-
-} // namespace
-
 QJsonObject jsonCatalogue(const LandmarkCatalogue& catalogue)
 {
     QJsonArray landmarks;
@@ -25,7 +18,7 @@ QJsonObject jsonCatalogue(const LandmarkCatalogue& catalogue)
 
 LandmarkCatalogue readCatalogue(JsonFields& fields)
 {
-    fields.allowOnly({"schema", "name", "anatomy", "landmarks"});
+    fields.allowOnly({"name", "anatomy", "landmarks"});
     LandmarkCatalogue catalogue{.name = fields.text("name"), .anatomy = {}, .landmarks = {}};
     if (fields.has("anatomy"))
         catalogue.anatomy = fields.text("anatomy");
@@ -36,29 +29,6 @@ LandmarkCatalogue readCatalogue(JsonFields& fields)
     if (const Result<void> sound = checkCatalogue(catalogue); !sound)
         fields.refuse("landmarks", sound.error().detail);
     return catalogue;
-}
-
-Result<LandmarkCatalogue> readLandmarkFile(const std::filesystem::path& file)
-{
-    const Result<QJsonObject> object = readJsonFile(file, kLandmarkSchema);
-    if (!object)
-        return tl::unexpected(object.error());
-    std::optional<Error> fault;
-    JsonFields fields{*object, fault};
-    LandmarkCatalogue catalogue = readCatalogue(fields);
-    if (fault)
-        return fail(fault->code, file.string() + ": " + fault->detail);
-    return catalogue;
-}
-
-Result<void> writeLandmarkFile(const std::filesystem::path& file,
-                               const LandmarkCatalogue& catalogue)
-{
-    if (const Result<void> sound = checkCatalogue(catalogue); !sound)
-        return sound;
-    QJsonObject object = jsonCatalogue(catalogue);
-    object.insert(QStringLiteral("schema"), kLandmarkSchema);
-    return writeJsonFile(file, object);
 }
 
 } // namespace carina

@@ -1,0 +1,95 @@
+#include "models/station/frame_log.h"
+#include "tests/end_to_end/program.h"
+#include "tests/support/test_class.h"
+
+#include <QTemporaryDir>
+
+namespace carina::recorded_tracker_test
+{
+namespace
+{
+
+constexpr int kPatience_ms = 60'000;
+constexpr double kPlace = 1e-6; ///< metres; the frames are logged in double precision
+
+/// A place registered by a pure shift: the patient lies 10, 20, 30 mm from the tracker's origin.
+const QByteArray kSite = R"({"schema": "carina.site/2", "step": "overview",
+ "catalogue": {"name": "three", "landmarks": [{"name": "a", "p_AQ_mm": [0, 0, 1]},
+  {"name": "b", "p_AQ_mm": [0, 1, 0]}, {"name": "c", "p_AQ_mm": [1, 0, 0]}]},
+ "registration": {"X_AM_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+  "X_AT_mm": [[1, 0, 0, 10], [0, 1, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]],
+  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})";
+
+/// A minute of a tube at rest, 100, 0, -50 mm from the tracker's origin, at 20 samples per second.
+QByteArray recording()
+{
+    constexpr int kFrames = 1200;
+    QByteArray text =
+        "ObjectType = Image\nNDims = 3\nDimSize = 0 0 " + QByteArray::number(kFrames) + "\n";
+    for (int i = 0; i < kFrames; ++i) {
+        const QByteArray frame = "Seq_Frame" + QByteArray::number(i).rightJustified(4, '0');
+        text += frame + "_TubeToTrackerTransform = 1 0 0 100 0 1 0 0 0 0 1 -50 0 0 0 1\n" + frame
+                + "_TubeToTrackerTransformStatus = OK\n" + frame
+                + "_Timestamp = " + QByteArray::number(5.0 + 0.05 * i, 'f', 2) + '\n';
+    }
+    return text + "ElementDataFile = LOCAL\n";
+}
+
+bool write(const QString& path, const QByteArray& text)
+{
+    QFile file{path};
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+}
+
+} // namespace
+
+/// A trainee whose tracker is a recording.
+class TestRecordedTracker : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void drawsTheRecordedTubeWhereTheSitePutsIt()
+    {
+        const QTemporaryDir folder;
+        const QString port = portOfThisTest();
+        const QString codes = folder.filePath(QStringLiteral("codes"));
+        QVERIFY(write(folder.filePath(QStringLiteral("site.json")), kSite));
+        QVERIFY(write(folder.filePath(QStringLiteral("tube.igs.mha")), recording()));
+        Program instructor{QStringLiteral(CARINA_INSTRUCTOR),
+                           {QStringLiteral("--port"), port, QStringLiteral("--data"),
+                            folder.filePath(QStringLiteral("host")), QStringLiteral("--codes"),
+                            codes, QStringLiteral("--start")},
+                           folder.filePath(QStringLiteral("instructor.jsonl"))};
+        instructor.start();
+        QTRY_VERIFY_WITH_TIMEOUT(!instructor.shown().isEmpty(), kPatience_ms);
+        Program trainee{
+            QStringLiteral(CARINA_TRAINEE),
+            {QStringLiteral("--port"), port, QStringLiteral("--as"), QStringLiteral("Trainee"),
+             QStringLiteral("--code-file"), codes, QStringLiteral("--data"),
+             folder.filePath(QStringLiteral("trainee")), QStringLiteral("--site"),
+             folder.filePath(QStringLiteral("site.json")), QStringLiteral("--recorded-tracker"),
+             folder.filePath(QStringLiteral("tube.igs.mha")), QStringLiteral("--measure"),
+             folder.path(), QStringLiteral("--seconds"), QStringLiteral("4")},
+            folder.filePath(QStringLiteral("trainee.jsonl"))};
+        trainee.start();
+        QTRY_VERIFY_WITH_TIMEOUT(trainee.hasEnded(), kPatience_ms);
+        QCOMPARE(trainee.exitCode(), 0);
+        const auto frames = readFrames(folder.filePath(QStringLiteral("trainee_frames.csv")));
+        QVERIFY2(frames.has_value(), frames ? "" : frames.error().detail.c_str());
+        int drawn = 0;
+        for (const LoggedFrame& frame : *frames) {
+            if (!frame.X_AE)
+                continue;
+            ++drawn;
+            QVERIFY((frame.X_AE->translation() - Vec3{0.110, 0.020, -0.020}).norm() < kPlace);
+        }
+        QVERIFY(drawn > 0);
+    }
+};
+
+CARINA_TEST(TestRecordedTracker)
+
+} // namespace carina::recorded_tracker_test
+
+#include "tst_recorded_tracker.moc"

@@ -3,7 +3,7 @@
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/io/anatomy_set/anatomy_set.h"
 #include "engine/io/anatomy_set/builtin_cache.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "ui/import/import_dialog.h"
 
 #include <QCoreApplication>

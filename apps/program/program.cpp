@@ -1,7 +1,7 @@
 #include "apps/program/program.h"
 
 #include "engine/io/files/whole_file.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/theme/dark_theme.h"
 

@@ -5,8 +5,8 @@
 namespace carina
 {
 
-/// What went wrong. Every code has one translated sentence in models/error_text that says what to
-/// do next; a code without a sentence does not compile there.
+/// What went wrong. Every code has one translated sentence in models/errors/error_text that says
+/// what to do next; a code without a sentence does not compile there.
 enum class Errc : std::uint8_t {
     // Numbers and geometry
     NotFinite,         ///< a NaN or an infinity where a number is needed

@@ -10,7 +10,7 @@ namespace carina
 {
 
 /// A recoverable failure: its kind, and a detail (which file, which value) for the person who
-/// corrects it. The sentence shown to the user is made in models/error_text.
+/// corrects it. The sentence shown to the user is made in models/errors/error_text.
 struct Error {
     Errc code;
     std::string detail;

@@ -149,8 +149,8 @@ void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row
 {
     rows.push_back({tr("%1: drift (limit)").arg(object.name), driftText(object),
                     tr("How far the newest sample or action moved what was drawn, the noise of its "
-                       "tracker included; in brackets the network's share, speed × delay: nobody "
-                       "elsewhere can know sooner")});
+                       "tracker included; in brackets the network's share, speed × delay: no other "
+                       "participant can know it sooner")});
     rows.push_back({tr("%1: vₖ (v₀)").arg(object.name), actionsText(object),
                     tr("How often word of it comes; in brackets how often word can reach everybody "
                        "before the next, 1 / delay. Below upshot, each action is known everywhere "

@@ -185,7 +185,7 @@ QString ObjectActionModel::motionText() const
         text = tr("● Changes its size by %1 %2").arg(number(speed), unit);
         break;
     }
-    return shown->isStale ? tr("%1 (nothing heard of its owner)").arg(text) : text;
+    return shown->isStale ? tr("%1 (no data from its owner)").arg(text) : text;
 }
 
 bool ObjectActionModel::isInPlace() const

@@ -2,7 +2,7 @@
 
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/io/anatomy_set/set_hash.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 
 namespace carina
 {

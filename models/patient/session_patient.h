@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/carriage/set_fetch.h"
+#include "engine/net/anatomy_transfer/set_fetch.h"
 #include "engine/net/node/session_node.h"
 #include "models/patient/patient_source.h"
 

@@ -74,11 +74,13 @@ void FitTask::fit()
 {
     Site site = m_editor.site();
     if (site.relay)
-        return m_editor.refuse(FitWords::tr("The manikin is being laid anew: touch its landmarks, "
-                                            "or leave it where it was."));
+        return m_editor.refuse(
+            FitWords::tr("The manikin is being registered again: touch its landmarks, "
+                         "or leave it where it was."));
     if (isLaidAnew(site))
-        return m_editor.refuse(FitWords::tr("The manikin was laid anew since its landmarks were "
-                                            "touched: touch them again for a new fit."));
+        return m_editor.refuse(
+            FitWords::tr("The manikin was registered again since its landmarks were "
+                         "touched: touch them again for a new fit."));
     // A fit that leaves exchanged landmarks so is of no use to anyone.
     if (const auto found = orderFound(); found && found->order == TouchOrder::Exchanged)
         site = withOrder(std::move(site), found->touchOf);

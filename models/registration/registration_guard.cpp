@@ -49,9 +49,9 @@ QString RegistrationGuard::notice() const
 {
     if (report().state != WatchState::Drifted)
         return {};
-    return GuardWords::tr("The manikin has moved by about %1\u00a0mm since it was registered: lay "
-                          "it anew")
-        .arg(inMillimetres(metres(report().shift_A.norm())), 0, 'f', 0);
+    return GuardWords::
+        tr("The manikin has moved by about %1\u00a0mm since it was registered: register it again")
+            .arg(inMillimetres(metres(report().shift_A.norm())), 0, 'f', 0);
 }
 
 } // namespace carina

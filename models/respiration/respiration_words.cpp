@@ -32,7 +32,7 @@ QString conditionText(ConditionKind kind)
     case ConditionKind::Atelectasis:
         return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Atelectasis"));
     case ConditionKind::MainstemIntubation:
-        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Tube in a main bronchus"));
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Mainstem intubation"));
     case ConditionKind::Obstruction:
         return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Obstruction"));
     case ConditionKind::StiffChest:
@@ -71,15 +71,15 @@ QString positionText(BodyPosition position)
 {
     switch (position) {
     case BodyPosition::Supine:
-        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "On the back"));
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Supine"));
     case BodyPosition::Sitting:
         return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Sitting"));
     case BodyPosition::Prone:
         return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Prone"));
     case BodyPosition::RightLateral:
-        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "On the right side"));
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Right lateral"));
     case BodyPosition::LeftLateral:
-        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "On the left side"));
+        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "Left lateral"));
     }
     return {};
 }

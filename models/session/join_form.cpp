@@ -5,7 +5,7 @@
 #include "engine/net/entry/join_link.h"
 #include "engine/net/entry/token_folder.h"
 #include "engine/session/facts/fact_rules.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>

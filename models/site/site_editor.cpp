@@ -1,7 +1,7 @@
 #include "models/site/site_editor.h"
 
 #include "engine/io/site/site_file.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 
 namespace carina
 {

@@ -58,7 +58,7 @@ public:
         if (!site.stylus(tool))
             return {.state = TaskState::Waits, .why = tr("Find the tip of the stylus first.")};
         if (site.relay)
-            return {.state = TaskState::Begun, .why = tr("The manikin is being laid anew.")};
+            return {.state = TaskState::Begun, .why = tr("The manikin is being registered again.")};
         const std::size_t fresh = freshTouches(site).size();
         for (const TouchedPoint& touch : site.touched)
             if (touch.stale)
@@ -73,7 +73,7 @@ public:
 
     static SiteTask relaying()
     {
-        return {.state = TaskState::Stale, .why = tr("The manikin is being laid anew.")};
+        return {.state = TaskState::Stale, .why = tr("The manikin is being registered again.")};
     }
 
     static SiteTask fit(const Site& site)
@@ -163,7 +163,7 @@ public:
 
     static QString relaid(const SiteRelay& relay, const QDateTime& today)
     {
-        return tr("The manikin was laid anew by %1 landmarks %2.")
+        return tr("The manikin was registered again by %1 landmarks %2.")
             .arg(relay.landmarks)
             .arg(howLongAgo(relay.at, today));
     }

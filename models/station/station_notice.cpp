@@ -1,6 +1,6 @@
 #include "models/station/station_notice.h"
 
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>

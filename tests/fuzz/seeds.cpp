@@ -9,7 +9,7 @@
 #include "tests/engine/io/anatomy_set/carried_set_files.h"
 #include "tests/engine/io/mesh/texture_files.h"
 #include "tests/engine/io/site/landmark_samples.h"
-#include "tests/engine/net/carriage/frame_samples.h"
+#include "tests/engine/net/anatomy_transfer/frame_samples.h"
 #include "tests/engine/sync/wire/datagram_samples.h"
 #include "tests/fuzz/set_under_seal.h"
 
@@ -130,7 +130,7 @@ int main(int argc, char** argv)
     const std::filesystem::path folder{argv[1]};
     const bool written =
         areWritten(folder / "datagram", datagrams()) && areWritten(folder / "entry", entries())
-        && areWritten(folder / "carriage", frames()) && areWritten(folder / "set", sets())
+        && areWritten(folder / "transfer", frames()) && areWritten(folder / "set", sets())
         && areWritten(folder / "landmark", landmarks())
         && areWritten(folder / "picture", pictures());
     return written ? 0 : 1;

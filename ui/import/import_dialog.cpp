@@ -1,6 +1,6 @@
 #include "ui/import/import_dialog.h"
 
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "models/patient/set_words.h"
 
 #include <QComboBox>

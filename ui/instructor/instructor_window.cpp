@@ -1,6 +1,6 @@
 #include "ui/instructor/instructor_window.h"
 
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "ui_instructor_window.h"
 
 #include <QTimer>

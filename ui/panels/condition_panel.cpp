@@ -75,17 +75,18 @@ void ConditionPanel::layOut()
         else
             rows->addRow(label, field);
     };
-    add(m_position, "position", tr("Pos&ition"), tr("How the patient lies or sits"));
+    add(m_position, "position", tr("Pos&ition"), tr("Position of the patient"));
     add(m_condition, "condition", tr("&Condition"), tr("Condition of the lungs"));
     add(m_severity, "severity", tr("Se&verity"), tr("Severity of the condition, 0 to 1"));
     add(m_severitySlider, "severitySlider", {}, tr("Severity slider"));
-    add(m_side, "side", tr("&Lung"), tr("Which lung the condition is of"));
-    add(m_mode, "mode", tr("&Breathes"), tr("Who breathes the patient"));
+    add(m_side, "side", tr("&Lung"), tr("Side of the condition"));
+    add(m_mode, "mode", tr("&Breathes"), tr("Ventilation: spontaneous, or by a ventilator"));
     const QString pressure = tr(" cmH2O");
-    m_peep = addNumber(*rows, "peep", tr("PEEP"), tr("End-expiratory pressure, cmH2O"), pressure);
+    m_peep = addNumber(*rows, "peep", tr("PEEP"),
+                       tr("Positive end-expiratory pressure (PEEP), cmH2O"), pressure);
     m_driving = addNumber(*rows, "driving", tr("&Above PEEP"),
-                          tr("Pressure of inspiration above PEEP, cmH2O"), pressure);
-    m_limit = addNumber(*rows, "limit", tr("Limi&t"), tr("Highest pressure at the airway, cmH2O"),
+                          tr("Inspiratory pressure above PEEP, cmH2O"), pressure);
+    m_limit = addNumber(*rows, "limit", tr("Limi&t"), tr("Pressure limit of the airway, cmH2O"),
                         pressure);
     m_pause = addNumber(*rows, "pause", tr("&Pause"),
                         tr("Pause at the end of inspiration, per cent of inspiration"), tr(" %"));
@@ -95,8 +96,10 @@ void ConditionPanel::layOut()
     m_ownEffort = addNumber(*rows, "ownEffort", tr("E&ffort"),
                             tr("Strength of own efforts, per cent of a quiet breath's"), tr(" %"));
     m_trigger = addNumber(*rows, "trigger", tr("Tri&gger"),
-                          tr("Flow that begins a breath of the ventilator, litres per minute"),
+                          tr("Flow trigger: inspiratory flow at which the ventilator begins a "
+                             "breath, litres per minute"),
                           tr(" L/min"));
+    explain();
     add(m_tube, "tube", tr("Tu&be"), tr("Inner diameter of the tracheal tube, millimetres"));
     m_travelling->setObjectName(QStringLiteral("travelling"));
     m_travelling->setWordWrap(true);
@@ -111,6 +114,22 @@ void ConditionPanel::layOut()
                             static_cast<QWidget*>(m_travelling), static_cast<QWidget*>(m_undo)})
         column->addWidget(widget);
     column->addStretch(1);
+}
+
+void ConditionPanel::explain()
+{
+    m_mode->setToolTip(tr("Spontaneous: the patient's own muscles. Volume control: the ventilator "
+                          "delivers the tidal volume at constant flow. Pressure control: it holds "
+                          "a pressure above PEEP during inspiration."));
+    m_peep->setToolTip(tr("PEEP: the pressure that the ventilator keeps in the airway at the end "
+                          "of expiration"));
+    m_driving->setToolTip(tr("Inspiratory pressure above PEEP, in pressure control"));
+    m_limit->setToolTip(tr("The ventilator ends inspiration at this airway pressure"));
+    m_pause->setToolTip(tr("Part of inspiration without flow, after which the plateau pressure is "
+                           "measured"));
+    m_trigger->setToolTip(tr("Inspiratory flow of the patient at which the ventilator begins a "
+                             "breath"));
+    m_severity->setToolTip(tr("0 is healthy; 0.3 mild, 0.6 moderate, 0.9 severe"));
 }
 
 QDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* objectName,

@@ -29,6 +29,7 @@ public:
 
 private:
     void layOut();
+    void explain();
     QDoubleSpinBox* addNumber(QFormLayout& rows, const char* objectName, const QString& label,
                               const QString& accessibleName, const QString& unit);
     void offerChoices();

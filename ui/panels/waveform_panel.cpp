@@ -32,9 +32,14 @@ WaveformPanel::WaveformPanel(QWidget* parent)
     m_pressure->setUp(tr("Airway pressure"), tr("cmH2O"), kSweep_s, kLeastPressure_cmH2O, {});
     m_pressure->setAccessibleName(tr("Pressure at the airway's opening, cmH2O"));
     m_volume->setUp(tr("Volume"), tr("ml"), kSweep_s, kLeastVolume_ml, tr("s"));
-    m_volume->setAccessibleName(tr("Gas breathed in since the breath began, millilitres"));
+    m_volume->setAccessibleName(tr("Volume inspired since the breath began, millilitres"));
     m_figures->setObjectName(QStringLiteral("figures"));
     m_figures->setAccessibleName(tr("Figures of the last breath"));
+    m_figures->setToolTip(
+        tr("Of the last breath: tidal volume (gas of one breath), breathing rate, peak pressure "
+           "(highest at the airway opening), plateau pressure (at the end of inspiration without "
+           "flow), auto‑PEEP (pressure of trapped gas at the end of expiration, above PEEP), "
+           "alveolar ventilation (gas that reaches the alveoli in a minute)"));
     m_figures->setWordWrap(true);
     m_figures->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_figures->setMinimumHeight(kFigureLines * m_figures->fontMetrics().lineSpacing());

@@ -16,7 +16,8 @@ constexpr int kFrame = 4;     ///< pixels around the rows
 ErrorTable::ErrorTable(QWidget* parent) : QTableWidget{0, ErrorTableColumnCount, parent}
 {
     setHorizontalHeaderLabels({tr("Expected error at"), tr("RMS"), tr("95 % below"), tr("Mostly")});
-    explain(Rms, tr("Root mean square of the errors to expect there"));
+    explain(Rms, tr("Target registration error (TRE): root mean square of the expected distance "
+                    "between the drawn anatomy and its true place there"));
     explain(Bound, tr("95 of 100 registrations are off by less there"));
     explain(Direction, tr("The direction in which the error is largest"));
     makeReadable(*this);

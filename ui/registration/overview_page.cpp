@@ -26,7 +26,7 @@ OverviewPage::OverviewPage(RegistrationModel& registration)
     connect(m_operator, &QLineEdit::editingFinished, this,
             [this] { this->registration().setOperator(m_operator->text()); });
     m_moved->setObjectName(QStringLiteral("moved"));
-    m_moved->setToolTip(tr("Lay it anew by touching three of its landmarks"));
+    m_moved->setToolTip(tr("Register it again by touching three of its landmarks"));
     connect(m_moved, &QPushButton::clicked, this,
             [this] { this->registration().touching().beginRelay(); });
     m_whyNotMoved->setObjectName(QStringLiteral("whyNotMoved"));

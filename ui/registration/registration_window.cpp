@@ -1,6 +1,6 @@
 #include "ui/registration/registration_window.h"
 
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "ui/registration/fit_page.h"
 #include "ui/registration/landmarks_page.h"
 #include "ui/registration/overview_page.h"

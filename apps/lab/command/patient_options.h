@@ -43,7 +43,7 @@ inline constexpr Option kPosition{
 /// @returns OutOfRange for a ventilator there is not.
 [[nodiscard]] Result<VentilationMode> ventilatorOption(const Words& words);
 
-/// How the patient lies or sits by kPosition.
+/// Position of the patient by kPosition.
 /// @returns OutOfRange for a word that says none.
 [[nodiscard]] Result<BodyPosition> positionOption(const Words& words);
 

@@ -3,7 +3,7 @@
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "engine/io/fact_store/sql_fact_store.h"
-#include "engine/net/carriage/set_fetch.h"
+#include "engine/net/anatomy_transfer/set_fetch.h"
 #include "engine/net/node/session_node.h"
 
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/net/carriage/host_door.h"
+#include "engine/net/anatomy_transfer/host_door.h"
 #include "engine/net/entry/access_key.h"
 #include "engine/net/entry/join_code.h"
 #include "engine/net/node/path_report.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/carriage/set_server.h"
+#include "engine/net/anatomy_transfer/set_server.h"
 #include "engine/net/node/node_board.h"
 #include "engine/net/node/node_loop.h"
 

@@ -236,7 +236,7 @@ void TestObjectActionModel::tellsWhenItsOwnerIsSilent()
     seat.node.ownerActs(kPatient, {ActionKind::Translation, Vec3::UnitX(), 0.01});
     seat.node.silence(std::chrono::milliseconds{301});
     QCOMPARE(seat.model.motionText(),
-             QStringLiteral("● Moves along x at 10.0 mm/s (nothing heard of its owner)"));
+             QStringLiteral("● Moves along x at 10.0 mm/s (no data from its owner)"));
 }
 
 void TestObjectActionModel::tellsByItselfThatSomethingMoves()

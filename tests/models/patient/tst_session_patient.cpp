@@ -1,8 +1,8 @@
 #include "models/patient/session_patient.h"
 
 #include "engine/anatomy/patient/patient_name.h"
-#include "models/error_text.h"
-#include "tests/engine/net/carriage/carriage_ends.h"
+#include "models/errors/error_text.h"
+#include "tests/engine/net/anatomy_transfer/transfer_ends.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 

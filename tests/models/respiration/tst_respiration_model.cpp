@@ -95,12 +95,12 @@ void TestRespirationModel::setsAndTellsWhatTravels()
     QCOMPARE(console.model.travellingText().section(QLatin1Char('\n'), 1),
              QStringLiteral(
                  "Ventilation → Volume control, PEEP\u00a08\u00a0cmH2O\nAirway → 6.5\u00a0mm tube\n"
-                 "Position → On the left side"));
+                 "Position → Left lateral"));
     console.settle();
     QVERIFY(console.model.travellingText().isEmpty());
     QCOMPARE(console.model.inForceText(),
              QStringLiteral("Pneumothorax, simple, severity\u00a00.40, right lung; "
-                            "on the left side"));
+                            "left lateral"));
     QVERIFY(console.decided().condition == kRightPneumothorax);
     QVERIFY(console.decided().ventilator == ventilator);
     QCOMPARE(console.decided().tube, millimetres(6.5));

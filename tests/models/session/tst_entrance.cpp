@@ -1,5 +1,5 @@
 #include "engine/net/node/session_node.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "models/session/entrance.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"

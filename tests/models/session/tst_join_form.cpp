@@ -1,5 +1,5 @@
 #include "engine/net/entry/token_folder.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "models/session/join_form.h"
 #include "tests/support/test_class.h"
 

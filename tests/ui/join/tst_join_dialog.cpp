@@ -1,5 +1,5 @@
 #include "engine/net/discovery/session_beacon.h"
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "tests/engine/net/node/free_port.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"

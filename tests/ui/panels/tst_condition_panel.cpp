@@ -86,7 +86,7 @@ struct Desk {
 void TestConditionPanel::laysThePatientByKeyboardAlone()
 {
     Desk desk;
-    QCOMPARE(desk.find<QComboBox>("position").currentText(), QStringLiteral("On the back"));
+    QCOMPARE(desk.find<QComboBox>("position").currentText(), QStringLiteral("Supine"));
     desk.choose("position", 3);
     desk.settle();
     QCOMPARE(desk.decided().position, BodyPosition::RightLateral);

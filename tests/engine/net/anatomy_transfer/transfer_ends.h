@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/net/carriage/carriage_frame.h"
-#include "engine/net/carriage/carriage_tls.h"
-#include "engine/net/carriage/set_fetch.h"
-#include "engine/net/carriage/set_server.h"
+#include "engine/net/anatomy_transfer/set_fetch.h"
+#include "engine/net/anatomy_transfer/set_server.h"
+#include "engine/net/anatomy_transfer/transfer_frame.h"
+#include "engine/net/anatomy_transfer/transfer_tls.h"
 #include "engine/net/secure/dtls.h"
 #include "tests/engine/io/anatomy_set/carried_set_files.h"
 #include "tests/support/soon.h"
@@ -21,7 +21,7 @@
 namespace carina::test
 {
 
-using namespace carriage;
+using namespace transfer;
 
 inline constexpr int kSoon_ms = 5000;
 inline const std::string kCarriedSession = "00112233445566778899aabbccddeeff";

@@ -1,11 +1,11 @@
-#include "engine/net/carriage/carriage_frame.h"
+#include "engine/net/anatomy_transfer/transfer_frame.h"
 
 #include "engine/core/expects.h"
 #include "engine/io/anatomy_set/carried_sets.h"
 #include "engine/io/anatomy_set/set_hash.h"
 #include "engine/sync/wire/byte_buffer.h"
 
-namespace carina::carriage
+namespace carina::transfer
 {
 namespace
 {
@@ -146,4 +146,4 @@ Result<std::optional<Frame>> takeFrame(std::span<const std::byte>& bytes)
     return frame;
 }
 
-} // namespace carina::carriage
+} // namespace carina::transfer

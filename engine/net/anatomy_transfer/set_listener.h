@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/io/anatomy_set/carried_sets.h"
-#include "engine/net/carriage/carriage_frame.h"
-#include "engine/net/carriage/set_sender.h"
-#include "engine/net/carriage/set_server.h"
+#include "engine/net/anatomy_transfer/set_sender.h"
+#include "engine/net/anatomy_transfer/set_server.h"
+#include "engine/net/anatomy_transfer/transfer_frame.h"
 
 #include <QPointer>
 #include <QSslServer>
@@ -27,7 +27,7 @@ public:
                SetServer::IsNamed isNamed);
 
     /// The set with this content hash, ready to be sent.
-    [[nodiscard]] tl::expected<CarriedSet, carriage::Reason> find(const std::string& contentHash);
+    [[nodiscard]] tl::expected<CarriedSet, transfer::Reason> find(const std::string& contentHash);
     [[nodiscard]] std::filesystem::path fileOf(const CarriedSet& set) const
     {
         return m_sets.file(set.digest);

@@ -1,7 +1,7 @@
-#include "engine/net/carriage/set_listener.h"
+#include "engine/net/anatomy_transfer/set_listener.h"
 
 #include "engine/core/monotonic_clock.h"
-#include "engine/net/carriage/carriage_tls.h"
+#include "engine/net/anatomy_transfer/transfer_tls.h"
 #include "engine/net/secure/dtls.h"
 #include "engine/net/secure/endpoint.h"
 
@@ -40,7 +40,7 @@ void SetListener::admit(const std::string& sessionId, HostTransport::KeyOf keyOf
 {
     m_keyOf = std::move(keyOf);
     m_isNamed = std::move(isNamed);
-    setSslConfiguration(carriage::tlsConfiguration(QByteArray::fromStdString(sessionId)));
+    setSslConfiguration(transfer::tlsConfiguration(QByteArray::fromStdString(sessionId)));
     resumeAccepting();
 }
 
@@ -62,7 +62,7 @@ void SetListener::welcome()
         connect(socket, &QSslSocket::disconnected, socket, &QObject::deleteLater);
         auto* sender = new SetSender{*socket, *this}; // Qt's: a child of the socket
         if (m_transfers > SetServer::kMostTransfers)
-            sender->refuse(carriage::Reason::Busy);
+            sender->refuse(transfer::Reason::Busy);
     }
 }
 
@@ -89,16 +89,16 @@ void SetListener::sendOneChunk()
         m_pace.stop();
 }
 
-tl::expected<CarriedSet, carriage::Reason> SetListener::find(const std::string& contentHash)
+tl::expected<CarriedSet, transfer::Reason> SetListener::find(const std::string& contentHash)
 {
     if (!m_isNamed(contentHash))
-        return tl::unexpected(carriage::Reason::NotNamed);
+        return tl::unexpected(transfer::Reason::NotNamed);
     const auto known = m_prepared.find(contentHash);
     if (known != m_prepared.end() && m_sets.has(known->second))
         return known->second;
     const auto prepared = m_sets.prepare(contentHash);
     if (!prepared)
-        return tl::unexpected(carriage::Reason::Withdrawn);
+        return tl::unexpected(transfer::Reason::Withdrawn);
     return m_prepared.insert_or_assign(contentHash, *prepared).first->second;
 }
 

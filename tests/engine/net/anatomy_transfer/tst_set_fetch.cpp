@@ -1,4 +1,4 @@
-#include "tests/engine/net/carriage/carriage_ends.h"
+#include "tests/engine/net/anatomy_transfer/transfer_ends.h"
 #include "tests/support/test_class.h"
 
 namespace carina::set_fetch_test

@@ -1,4 +1,4 @@
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 
 #include <QCoreApplication>
 
@@ -56,9 +56,9 @@ public:
             return tr("There are too few points on the surface%1: swab it for longer.");
         case Errc::NoSurfaceFit:
             return tr("What was swabbed does not fit the patient's surface%1: swab only the "
-                      "surface that is named, or touch the landmarks anew.");
+                      "surface that is named, or touch the landmarks again.");
         case Errc::NotRegistered:
-            return tr("The patient is not laid on the manikin yet%1: finish the steps of "
+            return tr("The patient is not registered to the manikin yet%1: finish the steps of "
                       "carina-registration.");
         case Errc::OtherPatient:
             return tr("This site is of another patient%1: choose the patient that it was "
@@ -90,7 +90,7 @@ public:
             return tr("This is no address of a computer%1: type the numbers that the instructor's "
                       "window shows, such as 192.168.1.20.");
         case Errc::PacketMalformed:
-            return tr("Data came that make no sense%1: make sure that only Carina uses this port.");
+            return tr("Malformed data arrived%1: make sure that only Carina uses this port.");
         case Errc::VersionMismatch:
             return tr("The other computer runs another version of Carina%1: install the same one "
                       "on both.");

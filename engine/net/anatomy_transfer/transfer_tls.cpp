@@ -1,8 +1,8 @@
-#include "engine/net/carriage/carriage_tls.h"
+#include "engine/net/anatomy_transfer/transfer_tls.h"
 
 #include <QSslSocket>
 
-namespace carina::carriage
+namespace carina::transfer
 {
 
 QSslConfiguration tlsConfiguration(const QByteArray& hint)
@@ -16,4 +16,4 @@ QSslConfiguration tlsConfiguration(const QByteArray& hint)
     return configuration;
 }
 
-} // namespace carina::carriage
+} // namespace carina::transfer

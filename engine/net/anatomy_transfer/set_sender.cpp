@@ -1,6 +1,6 @@
-#include "engine/net/carriage/set_sender.h"
+#include "engine/net/anatomy_transfer/set_sender.h"
 
-#include "engine/net/carriage/set_listener.h"
+#include "engine/net/anatomy_transfer/set_listener.h"
 #include "engine/net/secure/dtls.h"
 
 namespace carina
@@ -40,7 +40,7 @@ void SetSender::read()
     m_received += m_socket.read(kLongestQuestion - m_received.size());
     auto bytes = std::as_bytes(octets(m_received));
     while (m_socket.state() == QAbstractSocket::ConnectedState) {
-        const auto frame = carriage::takeFrame(bytes);
+        const auto frame = transfer::takeFrame(bytes);
         if (!frame)
             return m_socket.abort();
         if (!*frame)
@@ -52,27 +52,27 @@ void SetSender::read()
         m_socket.abort();
 }
 
-void SetSender::take(const carriage::Frame& frame)
+void SetSender::take(const transfer::Frame& frame)
 {
-    if (const auto* want = std::get_if<carriage::Want>(&frame); want && !m_file.isOpen())
+    if (const auto* want = std::get_if<transfer::Want>(&frame); want && !m_file.isOpen())
         offer(*want);
-    else if (const auto* get = std::get_if<carriage::Get>(&frame); get && m_left == 0)
+    else if (const auto* get = std::get_if<transfer::Get>(&frame); get && m_left == 0)
         begin(get->offset);
     else
         m_socket.abort();
 }
 
-void SetSender::offer(const carriage::Want& want)
+void SetSender::offer(const transfer::Want& want)
 {
-    if (want.version != carriage::kVersion)
-        return refuse(carriage::Reason::OtherVersion);
+    if (want.version != transfer::kVersion)
+        return refuse(transfer::Reason::OtherVersion);
     const auto set = m_listener.find(want.contentHash);
     if (!set)
         return refuse(set.error());
     m_file.setFileName(QString::fromStdString(m_listener.fileOf(*set).string()));
     if (!m_file.open(QIODevice::ReadOnly))
-        return refuse(carriage::Reason::Withdrawn);
-    write(carriage::Offer{set->bytes, set->digest, set->licence});
+        return refuse(transfer::Reason::Withdrawn);
+    write(transfer::Offer{set->bytes, set->digest, set->licence});
 }
 
 void SetSender::begin(std::uint64_t offset)
@@ -91,24 +91,24 @@ bool SetSender::sendChunk()
     const QByteArray chunk =
         m_file.read(static_cast<qint64>(std::min<std::uint64_t>(kChunk, m_left)));
     if (chunk.isEmpty()) {
-        refuse(carriage::Reason::Withdrawn);
+        refuse(transfer::Reason::Withdrawn);
         return true;
     }
     m_left -= static_cast<std::uint64_t>(chunk.size());
-    write(carriage::Chunk{std::as_bytes(octets(chunk))});
+    write(transfer::Chunk{std::as_bytes(octets(chunk))});
     return true;
 }
 
-void SetSender::refuse(carriage::Reason reason)
+void SetSender::refuse(transfer::Reason reason)
 {
     m_left = 0;
-    write(carriage::Refusal{reason});
+    write(transfer::Refusal{reason});
     m_socket.disconnectFromHost();
 }
 
-void SetSender::write(const carriage::Frame& frame)
+void SetSender::write(const transfer::Frame& frame)
 {
-    const auto bytes = carriage::encode(frame);
+    const auto bytes = transfer::encode(frame);
     m_socket.write(viewOf(bytes).constData(), static_cast<qint64>(bytes.size()));
 }
 

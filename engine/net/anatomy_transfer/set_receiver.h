@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/net/carriage/carriage_frame.h"
-#include "engine/net/carriage/set_fetch.h"
+#include "engine/net/anatomy_transfer/set_fetch.h"
+#include "engine/net/anatomy_transfer/transfer_frame.h"
 
 #include <QSslSocket>
 #include <QTimer>
@@ -28,10 +28,10 @@ private:
     void ask();
     void broken();
     void read();
-    void take(const carriage::Frame& frame);
-    void take(const carriage::Offer& offer);
-    void take(const carriage::Refusal& refusal);
-    void take(const carriage::Chunk& chunk);
+    void take(const transfer::Frame& frame);
+    void take(const transfer::Offer& offer);
+    void take(const transfer::Refusal& refusal);
+    void take(const transfer::Chunk& chunk);
     void finish();
     void arrived();
     void retry(std::optional<Error> fault);

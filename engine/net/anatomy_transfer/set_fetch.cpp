@@ -1,8 +1,8 @@
-#include "engine/net/carriage/set_fetch.h"
+#include "engine/net/anatomy_transfer/set_fetch.h"
 
 #include "engine/core/expects.h"
 #include "engine/io/anatomy_set/set_hash.h"
-#include "engine/net/carriage/set_receiver.h"
+#include "engine/net/anatomy_transfer/set_receiver.h"
 
 namespace carina
 {

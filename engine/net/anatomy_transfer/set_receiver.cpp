@@ -1,6 +1,6 @@
-#include "engine/net/carriage/set_receiver.h"
+#include "engine/net/anatomy_transfer/set_receiver.h"
 
-#include "engine/net/carriage/carriage_tls.h"
+#include "engine/net/anatomy_transfer/transfer_tls.h"
 #include "engine/net/secure/dtls.h"
 
 #include <QNetworkProxy>
@@ -15,7 +15,7 @@ namespace
 
 /// Bytes buffered here while the disk is written; flow control holds the rest at the host.
 constexpr qint64 kMostUnread = qint64{256} << 10U;
-constexpr auto kLongestFrame = static_cast<qsizetype>(carriage::kHeaderBytes + carriage::kMostBody);
+constexpr auto kLongestFrame = static_cast<qsizetype>(transfer::kHeaderBytes + transfer::kMostBody);
 
 std::chrono::milliseconds inMilliseconds(Duration d)
 {
@@ -59,7 +59,7 @@ void SetReceiver::makeSocket()
 {
     m_socket.reset(new QSslSocket);
     m_socket->setProxy(QNetworkProxy::NoProxy);
-    m_socket->setSslConfiguration(carriage::tlsConfiguration({}));
+    m_socket->setSslConfiguration(transfer::tlsConfiguration({}));
     m_socket->setReadBufferSize(kMostUnread);
     connect(m_socket.get(), &QSslSocket::preSharedKeyAuthenticationRequired, this,
             [this](QSslPreSharedKeyAuthenticator* question) { answerKey(*question); });
@@ -78,7 +78,7 @@ void SetReceiver::answerKey(QSslPreSharedKeyAuthenticator& question) const
 void SetReceiver::ask()
 {
     m_rejections = 0;
-    const auto bytes = carriage::encode(carriage::Want{carriage::kVersion, m_contentHash});
+    const auto bytes = transfer::encode(transfer::Want{transfer::kVersion, m_contentHash});
     m_socket->write(viewOf(bytes).constData(), static_cast<qint64>(bytes.size()));
 }
 
@@ -103,7 +103,7 @@ void SetReceiver::read()
         m_received += m_socket->read(kLongestFrame - m_received.size());
         auto bytes = std::as_bytes(octets(m_received));
         while (m_socket) {
-            const auto frame = carriage::takeFrame(bytes);
+            const auto frame = transfer::takeFrame(bytes);
             if (!frame)
                 return giveUp(frame.error());
             if (!*frame)
@@ -114,19 +114,19 @@ void SetReceiver::read()
     }
 }
 
-void SetReceiver::take(const carriage::Frame& frame)
+void SetReceiver::take(const transfer::Frame& frame)
 {
-    if (const auto* offer = std::get_if<carriage::Offer>(&frame))
+    if (const auto* offer = std::get_if<transfer::Offer>(&frame))
         take(*offer);
-    else if (const auto* refusal = std::get_if<carriage::Refusal>(&frame))
+    else if (const auto* refusal = std::get_if<transfer::Refusal>(&frame))
         take(*refusal);
-    else if (const auto* chunk = std::get_if<carriage::Chunk>(&frame))
+    else if (const auto* chunk = std::get_if<transfer::Chunk>(&frame))
         take(*chunk);
     else
         giveUp({Errc::PacketMalformed, "a host does not ask for sets"});
 }
 
-void SetReceiver::take(const carriage::Offer& offer)
+void SetReceiver::take(const transfer::Offer& offer)
 {
     if (m_partial)
         return giveUp({Errc::PacketMalformed, "one offer only"});
@@ -149,25 +149,25 @@ void SetReceiver::take(const carriage::Offer& offer)
     show();
     if (m_partial->bytes() == offer.bytes)
         return finish();
-    const auto bytes = carriage::encode(carriage::Get{m_partial->bytes()});
+    const auto bytes = transfer::encode(transfer::Get{m_partial->bytes()});
     m_socket->write(viewOf(bytes).constData(), static_cast<qint64>(bytes.size()));
 }
 
-void SetReceiver::take(const carriage::Refusal& refusal)
+void SetReceiver::take(const transfer::Refusal& refusal)
 {
     switch (refusal.reason) {
-    case carriage::Reason::NotNamed:
+    case transfer::Reason::NotNamed:
         return giveUp({Errc::SetNotNamed, {}});
-    case carriage::Reason::Withdrawn:
+    case transfer::Reason::Withdrawn:
         return giveUp({Errc::SetWithdrawn, {}});
-    case carriage::Reason::OtherVersion:
+    case transfer::Reason::OtherVersion:
         return giveUp({Errc::VersionMismatch, {}});
-    case carriage::Reason::Busy:
+    case transfer::Reason::Busy:
         retry(std::nullopt);
     }
 }
 
-void SetReceiver::take(const carriage::Chunk& chunk)
+void SetReceiver::take(const transfer::Chunk& chunk)
 {
     if (!m_partial || chunk.bytes.size() > m_status.set.bytes - m_partial->bytes())
         return giveUp({Errc::PacketMalformed, "more than was offered"});

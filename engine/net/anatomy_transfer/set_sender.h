@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/carriage/carriage_frame.h"
+#include "engine/net/anatomy_transfer/transfer_frame.h"
 
 #include <QFile>
 #include <QSslSocket>
@@ -19,7 +19,7 @@ public:
     SetSender(QSslSocket& socket, SetListener& listener);
 
     /// Sends a Refusal and ends the connection.
-    void refuse(carriage::Reason reason);
+    void refuse(transfer::Reason reason);
 
     [[nodiscard]] bool hasMore() const { return m_left > 0; }
     /// @returns false while earlier bytes are not transmitted yet.
@@ -27,10 +27,10 @@ public:
 
 private:
     void read();
-    void take(const carriage::Frame& frame);
-    void offer(const carriage::Want& want);
+    void take(const transfer::Frame& frame);
+    void offer(const transfer::Want& want);
     void begin(std::uint64_t offset);
-    void write(const carriage::Frame& frame);
+    void write(const transfer::Frame& frame);
 
     QSslSocket& m_socket;
     SetListener& m_listener;

@@ -1,17 +1,17 @@
-#include "engine/net/carriage/carriage_frame.h"
+#include "engine/net/anatomy_transfer/transfer_frame.h"
 
 #include "engine/io/anatomy_set/set_hash.h"
-#include "tests/engine/net/carriage/frame_samples.h"
+#include "tests/engine/net/anatomy_transfer/frame_samples.h"
 #include "tests/support/test_class.h"
 
 #include <random>
 
-namespace carina::carriage_frame_test
+namespace carina::transfer_frame_test
 {
 namespace
 {
 
-using namespace carriage;
+using namespace transfer;
 
 constexpr int kMutated = 100'000;
 
@@ -72,7 +72,7 @@ struct FrameCheck {
 
 } // namespace
 
-class TestCarriageFrame : public QObject
+class TestTransferFrame : public QObject
 {
     Q_OBJECT
 
@@ -220,8 +220,8 @@ private Q_SLOTS:
     }
 };
 
-CARINA_TEST(TestCarriageFrame)
+CARINA_TEST(TestTransferFrame)
 
-} // namespace carina::carriage_frame_test
+} // namespace carina::transfer_frame_test
 
-#include "tst_carriage_frame.moc"
+#include "tst_transfer_frame.moc"

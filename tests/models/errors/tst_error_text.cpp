@@ -1,4 +1,4 @@
-#include "models/error_text.h"
+#include "models/errors/error_text.h"
 #include "tests/support/test_class.h"
 
 #include <QSet>

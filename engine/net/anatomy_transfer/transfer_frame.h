@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace carina::carriage
+namespace carina::transfer
 {
 
 /// The messages of the connection over which an anatomy set is transferred
@@ -66,4 +66,4 @@ using Frame = std::variant<Want, Offer, Refusal, Get, Chunk>;
 /// @returns PacketMalformed
 [[nodiscard]] Result<std::optional<Frame>> takeFrame(std::span<const std::byte>& bytes);
 
-} // namespace carina::carriage
+} // namespace carina::transfer

@@ -1,6 +1,6 @@
-#include "engine/net/carriage/set_server.h"
+#include "engine/net/anatomy_transfer/set_server.h"
 
-#include "engine/net/carriage/set_listener.h"
+#include "engine/net/anatomy_transfer/set_listener.h"
 
 namespace carina
 {

@@ -1,4 +1,4 @@
-#include "engine/net/carriage/set_fetch.h"
+#include "engine/net/anatomy_transfer/set_fetch.h"
 #include "tests/engine/io/anatomy_set/carried_set_files.h"
 #include "tests/engine/net/node/nodes.h"
 #include "tests/support/test_class.h"

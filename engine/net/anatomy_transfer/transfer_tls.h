@@ -3,7 +3,7 @@
 #include <QByteArray>
 #include <QSslConfiguration>
 
-namespace carina::carriage
+namespace carina::transfer
 {
 
 /// TLS 1.2 for transferring a set: ECDHE-PSK-CHACHA20-POLY1305 only, without certificates or
@@ -12,4 +12,4 @@ namespace carina::carriage
 ///        client
 [[nodiscard]] QSslConfiguration tlsConfiguration(const QByteArray& hint);
 
-} // namespace carina::carriage
+} // namespace carina::transfer

@@ -2,7 +2,7 @@
 // apart without a fault that a sanitizer sees, and written back to the very same bytes.
 
 #include "engine/core/expects.h"
-#include "engine/net/carriage/carriage_frame.h"
+#include "engine/net/anatomy_transfer/transfer_frame.h"
 
 #include <algorithm>
 
@@ -13,13 +13,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     auto rest = std::as_bytes(std::span{data, size});
     while (true) {
         const auto before = rest;
-        const auto frame = carriage::takeFrame(rest);
+        const auto frame = transfer::takeFrame(rest);
         if (!frame || !*frame)
             return 0;
-        const auto* want = std::get_if<carriage::Want>(&**frame);
-        if (want && want->version != carriage::kVersion)
+        const auto* want = std::get_if<transfer::Want>(&**frame);
+        if (want && want->version != transfer::kVersion)
             continue; // what another version says is not kept
-        CARINA_EXPECTS(std::ranges::equal(carriage::encode(**frame),
+        CARINA_EXPECTS(std::ranges::equal(transfer::encode(**frame),
                                           before.first(before.size() - rest.size())));
     }
 }

@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/anatomy_set/carried_sets.h"
-#include "engine/net/carriage/host_door.h"
+#include "engine/net/anatomy_transfer/host_door.h"
 
 #include <QThread>
 

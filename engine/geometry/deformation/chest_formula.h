@@ -273,8 +273,7 @@ template <class T>
 
 /// The displacement at a point q and its gradient, in shares.
 /// @tparam kBothSides false where `right` and `left` are equal: fewer operations, same result
-/// @tparam kAll       false where `shrink` and `shift` are 0: likewise
-template <bool kBothSides = true, bool kAll = true, class T, class S>
+template <bool kBothSides = true, class T, class S>
 [[gnu::always_inline]] inline ChestValue<T>
 chestValue(const ChestFrame<S>& frame, const ChestCoefficients<S>& terms, const Shares<T>& q)
 {
@@ -283,10 +282,8 @@ chestValue(const ChestFrame<S>& frame, const ChestCoefficients<S>& terms, const 
     ChestTerms<T> slope;
     formula::mix<kBothSides, T>(terms, a.left, c, slope);
     ChestValue<T> sum = formula::anchored<kBothSides, T>(a, T(frame.frontShare), c, slope, q);
-    if constexpr (kAll) {
-        formula::addShift<T>(c.shift, slope.shift, q, sum);
-        formula::addShrink<T>(c.shrink, slope.shrink, a, sum);
-    }
+    formula::addShift<T>(c.shift, slope.shift, q, sum);
+    formula::addShrink<T>(c.shrink, slope.shrink, a, sum);
     return sum;
 }
 

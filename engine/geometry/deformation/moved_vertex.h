@@ -14,20 +14,20 @@ template <class T> struct MovedVertex {
     Shares<T> normal;
 };
 
-/// Moves one vertex, as used by deformed() and deformColumns(). See deformed() for the formula.
+/// Moves one vertex, as used by deformed(), which has the formula.
 /// @param metrePer 1 / frame.perMetre, component by component
 /// @param p        the vertex at rest, in A, metres
 /// @param n        its normal at rest
-template <bool kBothSides = true, bool kAll = true, class T>
+template <class T>
 [[gnu::always_inline]] inline MovedVertex<T>
 movedVertex(const ChestFrame<T>& frame, const ChestCoefficients<T>& terms,
             const Shares<T>& metrePer, const Shares<T>& p, const Shares<T>& n)
 {
     const Shares<T> fromOrigin = p - frame.origin;
-    const ChestValue<T> there = chestValue<kBothSides, kAll, T>(frame, terms,
-                                                                {fromOrigin.u * frame.perMetre.u,
-                                                                 fromOrigin.v * frame.perMetre.v,
-                                                                 fromOrigin.h * frame.perMetre.h});
+    const ChestValue<T> there =
+        chestValue<true, T>(frame, terms,
+                            {fromOrigin.u * frame.perMetre.u, fromOrigin.v * frame.perMetre.v,
+                             fromOrigin.h * frame.perMetre.h});
     const Shares<T> a{T(1) + there.slope_u.u, there.slope_u.v, there.slope_u.h};
     const Shares<T> b{there.slope_v.u, T(1) + there.slope_v.v, there.slope_v.h};
     const Shares<T> c{there.slope_h.u, there.slope_h.v, T(1) + there.slope_h.h};

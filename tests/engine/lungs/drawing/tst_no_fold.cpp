@@ -88,7 +88,7 @@ double boundOn(const ChestFrame<Interval>& frame, const Corners& corners, const 
                             Interval Place::*diagonal) {
         std::vector<Place> rows;
         for (const Terms& terms : poses) {
-            rows.push_back(chestValue<false, true, Interval>(frame, terms, cell).*row);
+            rows.push_back(chestValue<false, Interval>(frame, terms, cell).*row);
             rows.back().*diagonal = rows.back().*diagonal + Interval{1.0};
         }
         return rows;

@@ -32,8 +32,7 @@ Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway, con
     const auto hands = ScriptedHands::make({.X_TA = X_TA,
                                             .path_A = airway.path_A,
                                             .p_A_incisors = p_A_incisors,
-                                            .p_E_tip = tube.p_E_tip,
-                                            .dir_E_tip = tube.dir_E_tip,
+                                            .p_E_centre = tube.p_E_centre,
                                             .restAboveCarina = tube.tipAboveCarina});
     if (!hands)
         return tl::unexpected(hands.error());

@@ -47,8 +47,7 @@ Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const T
     auto hands = ScriptedHands::make({.X_TA = X_TA,
                                       .path_A = airway.path_A,
                                       .p_A_incisors = airway.p_A_incisors,
-                                      .p_E_tip = tube.p_E_tip,
-                                      .dir_E_tip = tube.dir_E_tip,
+                                      .p_E_centre = tube.p_E_centre,
                                       .restAboveCarina = tube.tipAboveCarina});
     if (!hands)
         return tl::unexpected(hands.error());

@@ -17,7 +17,7 @@ constexpr double kBroughtInFrom = 0.10;
 constexpr double kInPlaceFrom = 0.50;
 constexpr double kWithdrawnFrom = 0.70;
 
-constexpr double kHalfChord = 0.04;     // m
+constexpr double kChord = 0.04;         // m of path, of the tube before it is through the teeth
 constexpr double kShortestChord = 0.01; // m; a shorter one is that of a path that turns back
 constexpr int kWaypoints = 400;
 constexpr double kParallel = 1e-3; // rad, to x
@@ -67,12 +67,19 @@ RigidTransform lookingAt(const Vec3& p_A_eye, const Vec3& p_A_target)
     return {Quat{R_AV}, p_A_eye};
 }
 
+std::size_t nearestIndex(const std::vector<Vec3>& points, const Vec3& p)
+{
+    const auto nearest =
+        std::ranges::min_element(points, {}, [&p](const Vec3& q) { return (q - p).squaredNorm(); });
+    return static_cast<std::size_t>(nearest - points.begin());
+}
+
 bool allFinite(const HandScript& script)
 {
-    return script.p_A_incisors.allFinite() && script.p_E_tip.allFinite()
-           && script.dir_E_tip.allFinite() && std::isfinite(script.restAboveCarina.si)
-           && script.X_TA.translation().allFinite()
-           && std::ranges::all_of(script.path_A, [](const Vec3& p) { return p.allFinite(); });
+    const auto isFinite = [](const Vec3& p) { return p.allFinite(); };
+    return isFinite(script.p_A_incisors) && std::isfinite(script.restAboveCarina.si)
+           && isFinite(script.X_TA.translation()) && std::ranges::all_of(script.path_A, isFinite)
+           && std::ranges::all_of(script.p_E_centre, isFinite);
 }
 
 } // namespace
@@ -81,18 +88,20 @@ Result<ScriptedHands> ScriptedHands::make(HandScript script)
 {
     if (!allFinite(script))
         return fail(Errc::NotFinite, "a number of the scripted hands is not finite");
-    if (script.path_A.empty() || script.period <= Duration::zero())
-        return fail(Errc::OutOfRange, "the scripted hands have no path or no period");
+    if (script.path_A.empty() || script.p_E_centre.empty() || script.period <= Duration::zero())
+        return fail(Errc::OutOfRange, "the scripted hands have no path, no tube or no period");
     ScriptedHands hands{std::move(script)};
     const std::vector<Vec3>& path_A = hands.m_script.path_A;
     hands.m_along.push_back(0.0);
     for (std::size_t i = 1; i < path_A.size(); ++i)
         hands.m_along.push_back(hands.m_along.back() + (path_A[i] - path_A[i - 1]).norm());
+    hands.m_alongAtTeeth = hands.m_along[nearestIndex(path_A, hands.m_script.p_A_incisors)];
     const double rest = hands.m_script.restAboveCarina.si;
     if (rest < 0.0 || rest >= hands.m_along.back())
         return fail(Errc::OutOfRange, "the path of the tube is too short for its final depth");
     if (!hands.layWaypoints(hands.m_along.back() - rest))
-        return fail(Errc::OutOfRange, "the path of the tube or its tip has no direction");
+        return fail(Errc::OutOfRange,
+                    "the path of the tube has no direction or the tube is too short");
     return hands;
 }
 
@@ -147,30 +156,53 @@ double ScriptedHands::phaseAt(SessionTime t) const
     return toSeconds(positive) / toSeconds(m_script.period);
 }
 
+/// Before its first point the path goes on straight.
 Vec3 ScriptedHands::pathPoint(double along) const
 {
     const std::vector<Vec3>& path_A = m_script.path_A;
     const auto after = std::ranges::upper_bound(m_along, along);
-    if (after == m_along.begin())
-        return path_A.front();
     if (after == m_along.end())
         return path_A.back();
-    const auto i = static_cast<std::size_t>(after - m_along.begin());
+    const auto i = std::max<std::size_t>(1, static_cast<std::size_t>(after - m_along.begin()));
     const double share = (along - m_along[i - 1]) / (m_along[i] - m_along[i - 1]);
     return path_A[i - 1] + share * (path_A[i] - path_A[i - 1]);
 }
 
+/// The point of the tube's centreline nearest to the tip along it that has this distance from the
+/// tip, in E; nothing where the tube is too short.
+std::optional<Vec3> ScriptedHands::centreAtDistance(double fromTip) const
+{
+    const std::vector<Vec3>& p_E_centre = m_script.p_E_centre;
+    const Vec3& p_E_tip = p_E_centre.back();
+    for (std::size_t i = p_E_centre.size() - 1; i > 0; --i) {
+        const Vec3 a = p_E_centre[i] - p_E_tip;
+        const Vec3 step = p_E_centre[i - 1] - p_E_centre[i];
+        if ((a + step).norm() < fromTip)
+            continue;
+        // |a + share * step| = fromTip, with |a| below it
+        const double half = a.dot(step) / step.squaredNorm();
+        const double rest = (fromTip * fromTip - a.squaredNorm()) / step.squaredNorm();
+        return p_E_centre[i] + (std::sqrt(half * half + rest) - half) * step;
+    }
+    return std::nullopt;
+}
+
 std::optional<RigidTransform> ScriptedHands::tubeAlong(double along) const
 {
-    const Vec3 chord_A = pathPoint(along + kHalfChord) - pathPoint(along - kHalfChord);
+    const Vec3 p_A_tip = pathPoint(along);
+    const Vec3 chord_A = p_A_tip - pathPoint(std::min(along - kChord, m_alongAtTeeth));
     if (chord_A.norm() < kShortestChord)
         return std::nullopt;
+    const std::optional<Vec3> p_E_second = centreAtDistance(chord_A.norm());
+    if (!p_E_second)
+        return std::nullopt;
+    const Vec3& p_E_tip = m_script.p_E_centre.back();
     const std::optional<Mat3> axes_A = axesAlong(chord_A);
-    const std::optional<Mat3> axes_E = axesAlong(m_script.dir_E_tip);
+    const std::optional<Mat3> axes_E = axesAlong(p_E_tip - *p_E_second);
     if (!axes_A || !axes_E)
         return std::nullopt;
     const Quat q_AE{Mat3{*axes_A * axes_E->transpose()}};
-    return RigidTransform{q_AE, pathPoint(along) - q_AE * m_script.p_E_tip};
+    return RigidTransform{q_AE, p_A_tip - q_AE * p_E_tip};
 }
 
 std::optional<RigidTransform> ScriptedHands::tubeAt(double phase) const

@@ -13,8 +13,7 @@ struct HandScript {
     RigidTransform X_TA;      ///< pose of the patient in the tracker's frame
     std::vector<Vec3> path_A; ///< of the tip, from some 10 cm before the incisors to the carina
     Vec3 p_A_incisors = Vec3::Zero();
-    Vec3 p_E_tip = Vec3::Zero();                ///< the tube's tip in its connector's frame
-    Vec3 dir_E_tip = -Vec3::UnitZ();            ///< direction of the tip, of any length
+    std::vector<Vec3> p_E_centre;               ///< centreline of the tube, connector to tip
     Length restAboveCarina = metres(0.03);      ///< of the tip along the path, when in place
     Duration period = std::chrono::seconds{20}; ///< common period of all tools
 };
@@ -22,9 +21,11 @@ struct HandScript {
 /// A scripted intubation that repeats, for a station without a person: the true poses of the four
 /// tools, each a pure function of time with one common period.
 ///
-/// E, the tube: its tip lies on the path and points along the chord from 4 cm before to 4 cm after
-/// it, so that the direction changes smoothly; about that direction the tube is rotated so that +x
-/// of E points as far to the patient's left (+x of A) as possible. In a period the tube is held
+/// E, the tube, is rigid: its tip lies on the path, and its centreline passes through a second
+/// point of the path, 4 cm before the tip until that lies at the incisors, and from then on there.
+/// So the tube enters between the teeth, slides through the mouth as it is inserted, and lies along
+/// the path where it has the path's shape. About the line through both points it is rotated so that
+/// +x of E points as far to the patient's left (+x of A) as possible. In a period the tube is held
 /// outside (10 %), inserted (40 %), left in place (20 %) and withdrawn (30 %). It starts and stops
 /// smoothly; the faster of tip and connector determines the speed, also in bends.
 ///
@@ -42,7 +43,8 @@ public:
     /// @returns NotFinite for a number that is not finite; OutOfRange where restAboveCarina is
     ///          negative or not shorter than the path, where the path turns back sharply or runs
     ///          along x of A so that the rotation of the tube about it is undetermined, where
-    ///          dir_E_tip is zero or parallel to x of E, or where the period is not above zero.
+    ///          the tube does not reach from its tip on the path out of the mouth or runs along x
+    ///          of E, or where the period is not above zero.
     [[nodiscard]] static Result<ScriptedHands> make(HandScript script);
 
     /// X_T<tool> at time t; nothing for other tools than these four. Usable as a TrueToolPose.
@@ -63,6 +65,7 @@ private:
     [[nodiscard]] bool layWaypoints(double end);
     [[nodiscard]] double phaseAt(SessionTime t) const;
     [[nodiscard]] Vec3 pathPoint(double along) const;
+    [[nodiscard]] std::optional<Vec3> centreAtDistance(double fromTip) const;
     [[nodiscard]] std::optional<RigidTransform> tubeAlong(double along) const;
     [[nodiscard]] std::optional<RigidTransform> tubeAt(double phase) const;
     [[nodiscard]] RigidTransform jawAt(double phase) const;
@@ -70,6 +73,7 @@ private:
 
     HandScript m_script;
     std::vector<double> m_along; // arc length at each point of the path, metres
+    double m_alongAtTeeth = 0.0; // of the point of the path nearest to the incisors
     std::vector<Waypoint> m_waypoints;
 };
 

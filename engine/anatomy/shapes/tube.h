@@ -27,8 +27,7 @@ struct TubeShape {
     RigidTransform X_AE;          ///< pose at the final depth
     std::vector<Vec3> p_E_centre; ///< centreline, from the connector to the tip
     Vec3 p_E_tip = Vec3::Zero();
-    Vec3 dir_E_tip = -Vec3::UnitZ(); ///< unit direction of the tip
-    Length tipAboveCarina;           ///< along the path, at the final depth
+    Length tipAboveCarina; ///< along the path, at the final depth
     Length outerDiameter;
     std::vector<TubePiece> pieces;
 };

@@ -232,8 +232,7 @@ private Q_SLOTS:
         airway.p_A_incisors = script.p_A_incisors;
         airway.path_A = script.path_A;
         TubeShape tube;
-        tube.p_E_tip = script.p_E_tip;
-        tube.dir_E_tip = script.dir_E_tip;
+        tube.p_E_centre = script.p_E_centre;
         tube.tipAboveCarina = script.restAboveCarina;
         const auto noClock = [] { return std::optional<SessionTime>{}; };
         const auto without = simulatedStation(airway, tube, noClock);

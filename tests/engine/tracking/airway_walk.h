@@ -2,6 +2,7 @@
 
 #include "engine/tracking/scripted_hands.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace carina::test
@@ -43,17 +44,22 @@ inline AirwayWalk walkAirway()
     return walk;
 }
 
-/// The hands of that airway, with a tube of 29 cm whose tip points at right angles to its
-/// connector.
-inline HandScript scriptOfWalk()
+/// The hands of that airway, with a tube that lies along it from 5 cm in front of the incisors to
+/// `rest` above the carina. In its final place +y of E points along the trachea.
+inline HandScript scriptOfWalk(Length rest = millimetres(30.0))
 {
     const AirwayWalk walk = walkAirway();
     HandScript script;
     script.path_A = walk.path_A;
     script.p_A_incisors = walk.p_A_incisors;
     script.X_TA = patientBeforeTracker(walk.p_A_incisors);
-    script.p_E_tip = {0.0, 0.17, -0.17};
-    script.dir_E_tip = {0.0, 2.0, 0.0};
+    script.restAboveCarina = rest;
+    constexpr std::size_t kFirst = 50; // of the path's points, which are 1 mm apart
+    const auto last = walk.path_A.size() - 1 - static_cast<std::size_t>(std::lround(rest.si * 1e3));
+    Mat3 R_AE;
+    R_AE << Vec3::UnitX(), -Vec3::UnitZ(), Vec3::UnitY();
+    for (std::size_t i = kFirst; i <= last; ++i)
+        script.p_E_centre.emplace_back(R_AE.transpose() * (walk.path_A[i] - walk.path_A[kFirst]));
     return script;
 }
 

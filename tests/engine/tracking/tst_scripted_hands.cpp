@@ -51,7 +51,7 @@ public:
     }
     [[nodiscard]] Vec3 p_A_tip(Duration t) const
     {
-        return X_A(ToolRole::Tube, t) * m_script.p_E_tip;
+        return X_A(ToolRole::Tube, t) * m_script.p_E_centre.back();
     }
 
 private:
@@ -83,11 +83,9 @@ private Q_SLOTS:
     void holdsTheTubeOutsideAndThenInPlaceAboveTheCarina()
     {
         QFETCH(double, restMm);
-        HandScript script = test::scriptOfWalk();
-        script.restAboveCarina = millimetres(restMm);
-        const Hands hands{script};
+        const Hands hands{test::scriptOfWalk(millimetres(restMm))};
         for (const Duration t : {0ms, 1000ms, 2000ms})
-            QVERIFY((hands.p_A_tip(t) - script.path_A.front()).norm() < kTolerance);
+            QVERIFY((hands.p_A_tip(t) - hands.script().path_A.front()).norm() < kTolerance);
         for (const Duration t : {10'000ms, 12'000ms, 14'000ms}) {
             QVERIFY((hands.p_A_tip(t) - Vec3{0.0, 0.0, restMm * 1e-3}).norm() < kTolerance);
             const Vec3 dir_A = hands.X_A(ToolRole::Tube, t).rotation() * Vec3::UnitY();
@@ -106,6 +104,30 @@ private Q_SLOTS:
         const Vec3 outside = hands.X_A(ToolRole::Tube, 0s).rotation() * Vec3::UnitY();
         const Vec3 along{0.0, std::cos(degrees(20.0).si), std::sin(degrees(20.0).si)};
         QVERIFY((outside - along).norm() < kTolerance);
+    }
+
+    /// While the tip is in the patient, the centreline runs through the path's point at the
+    /// incisors.
+    void slidesThroughTheMouth()
+    {
+        constexpr double kBetweenPoints = 1e-4; // m, the centreline's pieces are straight
+        const Hands hands;
+        for (Duration t = 0s; t < kPeriod; t += 50ms) {
+            const RigidTransform X_AE = hands.X_A(ToolRole::Tube, t);
+            const Vec3& incisors = hands.script().p_A_incisors;
+            if ((hands.p_A_tip(t) - incisors).y() < 0.04)
+                continue; // its second point is not at the teeth yet
+            const Vec3 p_E_incisors = X_AE.inverse() * incisors;
+            QVERIFY(distanceToLine(p_E_incisors, hands.script().p_E_centre) < kBetweenPoints);
+        }
+    }
+
+    void liesAlongThePathInItsPlace()
+    {
+        const Hands hands;
+        const RigidTransform X_AE = hands.X_A(ToolRole::Tube, 12s);
+        for (const Vec3& p_E : hands.script().p_E_centre)
+            QVERIFY(distanceToLine(X_AE * p_E, hands.script().path_A) < kTolerance);
     }
 
     void repeatsItselfEveryPeriod()
@@ -241,13 +263,17 @@ private Q_SLOTS:
         });
         row("beyond the carina", OutOfRange,
             [](HandScript& s) { s.restAboveCarina = millimetres(-1.0); });
-        row("no direction", OutOfRange, [](HandScript& s) { s.dir_E_tip = Vec3::Zero(); });
-        row("tip along x", OutOfRange, [](HandScript& s) { s.dir_E_tip = Vec3::UnitX(); });
+        row("no tube", OutOfRange, [](HandScript& s) { s.p_E_centre.clear(); });
+        row("a tube too short for the mouth", OutOfRange, [](HandScript& s) {
+            s.p_E_centre.erase(s.p_E_centre.begin(), s.p_E_centre.end() - 100);
+        });
+        row("a tube along x", OutOfRange, [](HandScript& s) {
+            s.p_E_centre = {Vec3::Zero(), 0.3 * Vec3::UnitX()};
+        });
         row("no period", OutOfRange, [](HandScript& s) { s.period = 0s; });
         row("NaN in the path", NotFinite, [](HandScript& s) { s.path_A[5].y() = kNaN; });
         row("NaN incisors", NotFinite, [](HandScript& s) { s.p_A_incisors.x() = kNaN; });
-        row("NaN tip", NotFinite, [](HandScript& s) { s.p_E_tip.x() = kNaN; });
-        row("NaN direction", NotFinite, [](HandScript& s) { s.dir_E_tip.x() = kNaN; });
+        row("NaN in the tube", NotFinite, [](HandScript& s) { s.p_E_centre[5].x() = kNaN; });
         row("NaN depth", NotFinite, [](HandScript& s) { s.restAboveCarina = metres(kNaN); });
         row("NaN placement", NotFinite, [](HandScript& s) {
             s.X_TA = RigidTransform::translation({kNaN, 0.0, 0.0});

@@ -1,0 +1,119 @@
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/geometry/mesh/surface_tree.h"
+#include "engine/session/simulated_station.h"
+#include "engine/tracking/scripted_hands.h"
+
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <map>
+
+namespace carina::simulated_station_test
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+constexpr Duration kPeriod = 20s;
+constexpr Duration kStep = 100ms;
+constexpr double kIntoFloorOfMouth = 0.012; // m, of a rigid tube into the mandible
+
+/// A surface of the patient, and whether the jaw carries it.
+struct Obstacle {
+    std::string name;
+    SurfaceTree surface;
+    bool onJaw;
+};
+
+bool isOfJaw(const AnatomyPart& part)
+{
+    return part.role == PartRole::Mandible
+           || (part.role == PartRole::Tooth && part.name.find("lower") != std::string::npos);
+}
+
+std::vector<Obstacle> bonesOfMouth(const Anatomy& patient)
+{
+    std::vector<Obstacle> bones;
+    for (const AnatomyPart& part : patient.parts)
+        if (part.name == "Hard palate" || part.role == PartRole::Tooth
+            || part.role == PartRole::Mandible)
+            bones.push_back({part.name, SurfaceTree{part.levels.front()}, isOfJaw(part)});
+    return bones;
+}
+
+/// How far a ball about p reaches into a closed surface; negative where it does not touch it.
+double depthIn(const SurfaceTree& surface, const Vec3& p, double radius)
+{
+    const std::optional<SurfacePoint> nearest = surface.nearestTo(p);
+    const double distance = (nearest->p - p).norm();
+    const bool inside = nearest->normal.dot(p - nearest->p) < 0.0;
+    return radius + (inside ? distance : -distance);
+}
+
+/// The deepest that the tube reaches into each bone in a period, metres.
+std::map<std::string, double> deepest(const Anatomy& patient, const TubeShape& tube)
+{
+    const auto station =
+        simulatedStation(patient.landmarks, tube, [] { return std::optional<SessionTime>{}; });
+    const std::vector<Obstacle> bones = bonesOfMouth(patient);
+    const RigidTransform X_AT = station->X_TA.inverse();
+    const RigidTransform X_JA = heldJaw(patient.contentHash).inverse();
+    std::map<std::string, double> deepest;
+    for (Duration t = 0s; t < kPeriod; t += kStep) {
+        const RigidTransform X_AE = X_AT * station->truth(ToolRole::Tube, SessionTime{t}).value();
+        const RigidTransform X_AJ = X_AT * station->truth(ToolRole::Jaw, SessionTime{t}).value()
+                                    * station->exactly.X_JA.value() * X_JA;
+        for (const Obstacle& bone : bones)
+            for (const Vec3& p_E : tube.p_E_centre) {
+                const Vec3 p_A = X_AE * p_E;
+                const Vec3 p = bone.onJaw ? X_AJ.inverse() * p_A : p_A;
+                const double depth = depthIn(bone.surface, p, 0.5 * tube.outerDiameter.si);
+                double& most = deepest.try_emplace(bone.name, -1.0).first->second;
+                most = std::max(most, depth);
+            }
+    }
+    return deepest;
+}
+
+} // namespace
+
+class TestSimulatedStation : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void bringsTheTubeInThroughTheMouth_data()
+    {
+        QTest::addColumn<BuiltinPatient>("who");
+        QTest::newRow("the adult") << BuiltinPatient::Adult;
+        QTest::newRow("twelve years") << BuiltinPatient::TwelveYears;
+    }
+
+    /// A rigid tube with the shape of its final place cannot keep clear of both the palate and the
+    /// mandible on its way: what it does not reach into the palate it reaches into the floor of the
+    /// mouth. Along its path it touches the edge of the upper incisors, where the path begins.
+    void bringsTheTubeInThroughTheMouth()
+    {
+        QFETCH(BuiltinPatient, who);
+        const auto patient = builtinPatient(who);
+        QVERIFY(patient);
+        const auto tube = makeTube(dimensionsOf(who).tubeInnerDiameter, patient->landmarks.path_A,
+                                   patient->landmarks.p_A_incisors);
+        QVERIFY(tube);
+        const auto into = deepest(*patient, *tube);
+        QVERIFY(into.contains("Hard palate"));
+        QVERIFY(into.at("Hard palate") <= 0.0);
+        const double radius = 0.5 * tube->outerDiameter.si;
+        for (const auto& [name, depth] : into)
+            if (name.find("upper") != std::string::npos)
+                QVERIFY2(depth < radius, name.c_str()); // its centreline stays outside
+        QVERIFY(into.at("Mandible") < kIntoFloorOfMouth);
+    }
+};
+
+CARINA_TEST(TestSimulatedStation)
+
+} // namespace carina::simulated_station_test
+
+#include "tst_simulated_station.moc"

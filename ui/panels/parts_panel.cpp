@@ -7,9 +7,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 namespace carina
 {
@@ -25,10 +28,116 @@ std::uint16_t idOf(const QTreeWidgetItem& item)
     return static_cast<std::uint16_t>(item.data(kName, Qt::UserRole).toUInt());
 }
 
+/// The parts of a region that the filter leaves in the list.
+std::vector<QTreeWidgetItem*> listedParts(const QTreeWidgetItem& region)
+{
+    std::vector<QTreeWidgetItem*> parts;
+    for (int row = 0; row < region.childCount(); ++row)
+        if (!region.child(row)->isHidden())
+            parts.push_back(region.child(row));
+    return parts;
+}
+
+/// The parts that an item stands for.
+std::vector<std::uint16_t> partsOf(const QTreeWidgetItem& item)
+{
+    if (item.parent() != nullptr)
+        return {idOf(item)};
+    std::vector<std::uint16_t> ids;
+    for (const QTreeWidgetItem* part : listedParts(item))
+        ids.push_back(idOf(*part));
+    return ids;
+}
+
+bool isShown(const PartLook& look) { return look.style != PartStyle::Hidden || look.highlighted; }
+
+void setShown(PartLook& look, bool shown)
+{
+    if (shown && look.style == PartStyle::Hidden)
+        look.style = PartStyle::AsUsual;
+    if (!shown)
+        look = {.style = PartStyle::Hidden, .labelled = look.labelled, .plain = look.plain};
+}
+
+Qt::CheckState checkFor(std::size_t shown, std::size_t all)
+{
+    if (shown == 0)
+        return Qt::Unchecked;
+    return shown == all ? Qt::Checked : Qt::PartiallyChecked;
+}
+
+QString regionWord(BodyRegion region)
+{
+    switch (region) {
+    case BodyRegion::Airway:
+        return PartsPanel::tr("Airway");
+    case BodyRegion::Lungs:
+        return PartsPanel::tr("Lungs");
+    case BodyRegion::Skeleton:
+        return PartsPanel::tr("Skeleton");
+    case BodyRegion::Vessels:
+        return PartsPanel::tr("Heart and vessels");
+    case BodyRegion::Muscles:
+        return PartsPanel::tr("Muscles");
+    case BodyRegion::Tools:
+        return PartsPanel::tr("Tools");
+    case BodyRegion::Other:
+        return PartsPanel::tr("Other");
+    }
+    return {};
+}
+
+constexpr std::array kRegions{BodyRegion::Airway,  BodyRegion::Lungs,   BodyRegion::Skeleton,
+                              BodyRegion::Vessels, BodyRegion::Muscles, BodyRegion::Tools,
+                              BodyRegion::Other};
+
+QString wordsFor(const PartLook& look)
+{
+    const auto styleWord = [](PartStyle style) {
+        switch (style) {
+        case PartStyle::AsUsual:
+            return PartsPanel::tr("as usual");
+        case PartStyle::Solid:
+            return PartsPanel::tr("solid");
+        case PartStyle::Ghost:
+            return PartsPanel::tr("ghost");
+        case PartStyle::Hidden:
+            return PartsPanel::tr("hidden");
+        }
+        return QString{};
+    };
+    QString words = look.highlighted ? PartsPanel::tr("highlighted") : styleWord(look.style);
+    if (look.plain)
+        words = PartsPanel::tr("%1, plain colour").arg(words);
+    return look.labelled ? PartsPanel::tr("%1, named").arg(words) : words;
+}
+
 PartLook lookOf(const PartLooks& looks, std::uint16_t id)
 {
     const auto found = looks.find(id);
     return found == looks.end() ? PartLook{} : found->second;
+}
+
+/// A region with its parts by name; nothing where it has none.
+void listRegion(QTreeWidget& list, BodyRegion region, const std::vector<ScenePart>& parts)
+{
+    const Qt::ItemFlags checkable =
+        Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsUserCheckable;
+    QList<QTreeWidgetItem*> items;
+    for (const ScenePart& part : parts) {
+        if (part.listedUnder != region)
+            continue;
+        auto* item = new QTreeWidgetItem{{QString::fromStdString(part.name)}};
+        item->setData(kName, Qt::UserRole, part.id);
+        item->setFlags(checkable);
+        items.push_back(item);
+    }
+    if (items.isEmpty())
+        return;
+    auto* heading = new QTreeWidgetItem{&list, {regionWord(region)}};
+    heading->setFlags(checkable);
+    heading->addChildren(items);
+    heading->sortChildren(kName, Qt::AscendingOrder);
 }
 
 } // namespace
@@ -61,12 +170,12 @@ PartsPanel::PartsPanel(QWidget* parent)
     m_parts->header()->setStretchLastSection(false);
     m_parts->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
     m_parts->header()->setSectionResizeMode(kShown, QHeaderView::ResizeToContents);
-    m_parts->setRootIsDecorated(false);
     m_parts->setUniformRowHeights(true);
     m_parts->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_showAll->setObjectName(QStringLiteral("showAll"));
     connect(m_words, &QLineEdit::textChanged, this, &PartsPanel::filter);
     connect(m_parts, &QTreeWidget::itemSelectionChanged, this, &PartsPanel::refresh);
+    connect(m_parts, &QTreeWidget::itemChanged, this, &PartsPanel::showOrHide);
     connect(m_showAll, &QPushButton::clicked, this, &PartsPanel::showAll);
     layOut();
     refresh();
@@ -95,7 +204,7 @@ QPushButton* PartsPanel::styleButton(const QString& text, const QString& toolTip
     auto* button = new QPushButton{text};
     button->setToolTip(toolTip);
     connect(button, &QPushButton::clicked, this,
-            [this, style] { changeChosen([style](PartLook& look) { look.style = style; }); });
+            [this, style] { change(chosen(), [style](PartLook& look) { look.style = style; }); });
     return button;
 }
 
@@ -106,7 +215,7 @@ PartsPanel::Switch PartsPanel::switchFor(const QString& text, const QString& too
     button->setToolTip(toolTip);
     button->setCheckable(true);
     connect(button, &QPushButton::clicked, this, [this, which](bool on) {
-        changeChosen([which, on](PartLook& look) { look.*which = on; });
+        change(chosen(), [which, on](PartLook& look) { look.*which = on; });
     });
     return {button, which};
 }
@@ -114,35 +223,52 @@ PartsPanel::Switch PartsPanel::switchFor(const QString& text, const QString& too
 void PartsPanel::setScene(SceneView& scene)
 {
     m_scene = &scene;
+    const QSignalBlocker silently{m_parts};
     m_parts->clear();
-    for (const ScenePart& part : scene.parts()) {
-        auto* item = new QTreeWidgetItem{m_parts, {QString::fromStdString(part.name)}};
-        item->setData(kName, Qt::UserRole, part.id);
-    }
+    for (const BodyRegion region : kRegions)
+        listRegion(*m_parts, region, scene.parts());
     m_plain.button->setVisible(
         std::any_of(scene.parts().begin(), scene.parts().end(),
                     [](const ScenePart& part) { return !part.colors.empty(); }));
-    m_parts->sortItems(kName, Qt::AscendingOrder);
     filter(m_words->text());
     refresh();
 }
 
-std::vector<std::uint16_t> PartsPanel::chosen() const
+std::vector<QTreeWidgetItem*> PartsPanel::regions() const
 {
-    std::vector<std::uint16_t> ids;
-    for (const QTreeWidgetItem* item : m_parts->selectedItems())
-        if (!item->isHidden())
-            ids.push_back(idOf(*item));
-    return ids;
+    std::vector<QTreeWidgetItem*> all;
+    for (int row = 0; row < m_parts->topLevelItemCount(); ++row)
+        all.push_back(m_parts->topLevelItem(row));
+    return all;
 }
 
-void PartsPanel::changeChosen(const std::function<void(PartLook&)>& change)
+std::vector<std::uint16_t> PartsPanel::chosen() const
+{
+    std::set<std::uint16_t> ids;
+    for (const QTreeWidgetItem* item : m_parts->selectedItems())
+        if (!item->isHidden())
+            for (const std::uint16_t id : partsOf(*item))
+                ids.insert(id);
+    return {ids.begin(), ids.end()};
+}
+
+void PartsPanel::change(const std::vector<std::uint16_t>& ids,
+                        const std::function<void(PartLook&)>& applied)
 {
     PartLooks looks = m_scene->looks();
-    for (const std::uint16_t id : chosen())
-        change(looks[id]);
+    for (const std::uint16_t id : ids)
+        applied(looks[id]);
     m_scene->setLooks(looks);
     refresh();
+}
+
+/// After a check box was clicked.
+void PartsPanel::showOrHide(QTreeWidgetItem* item, int column)
+{
+    if (column != kName)
+        return;
+    const bool shown = item->checkState(kName) != Qt::Unchecked;
+    change(partsOf(*item), [shown](PartLook& look) { setShown(look, shown); });
 }
 
 void PartsPanel::showAll()
@@ -151,26 +277,52 @@ void PartsPanel::showAll()
     refresh();
 }
 
-/// Hides what has not all of the words in its name.
+/// Hides what has not all of the words in its name, and opens the regions of what is left.
 void PartsPanel::filter(const QString& words)
 {
     const QStringList wanted = words.split(QLatin1Char{' '}, Qt::SkipEmptyParts);
-    for (int row = 0; row < m_parts->topLevelItemCount(); ++row) {
-        QTreeWidgetItem* item = m_parts->topLevelItem(row);
-        item->setHidden(!std::all_of(wanted.begin(), wanted.end(), [item](const QString& word) {
-            return item->text(kName).contains(word, Qt::CaseInsensitive);
-        }));
+    for (QTreeWidgetItem* region : regions()) {
+        for (int row = 0; row < region->childCount(); ++row) {
+            QTreeWidgetItem* part = region->child(row);
+            part->setHidden(!std::all_of(wanted.begin(), wanted.end(), [part](const QString& word) {
+                return part->text(kName).contains(word, Qt::CaseInsensitive);
+            }));
+        }
+        region->setHidden(listedParts(*region).empty());
+        region->setExpanded(!wanted.isEmpty());
     }
     refresh();
 }
 
 void PartsPanel::refresh()
 {
+    const QSignalBlocker silently{m_parts};
     const PartLooks looks = m_scene == nullptr ? PartLooks{} : m_scene->looks();
-    for (int row = 0; row < m_parts->topLevelItemCount(); ++row) {
-        QTreeWidgetItem* item = m_parts->topLevelItem(row);
-        item->setText(kShown, wordsFor(lookOf(looks, idOf(*item))));
+    for (QTreeWidgetItem* region : regions())
+        refreshRegion(*region, looks);
+    refreshButtons(looks);
+    m_parts->viewport()->update();
+}
+
+void PartsPanel::refreshRegion(QTreeWidgetItem& region, const PartLooks& looks)
+{
+    std::size_t shown = 0;
+    const std::vector<QTreeWidgetItem*> parts = listedParts(region);
+    for (QTreeWidgetItem* part : parts) {
+        const PartLook look = lookOf(looks, idOf(*part));
+        part->setText(kShown, wordsFor(look));
+        part->setCheckState(kName, isShown(look) ? Qt::Checked : Qt::Unchecked);
+        shown += isShown(look) ? 1 : 0;
     }
+    region.setCheckState(kName, checkFor(shown, parts.size()));
+    region.setText(kShown, tr("%1 of %2").arg(shown).arg(parts.size()));
+    region.setData(
+        kName, Qt::AccessibleTextRole,
+        tr("%1, %2 of %3 parts shown").arg(region.text(kName)).arg(shown).arg(parts.size()));
+}
+
+void PartsPanel::refreshButtons(const PartLooks& looks)
+{
     const std::vector<std::uint16_t> ids = chosen();
     for (QPushButton* button : m_styles)
         button->setEnabled(!ids.empty());
@@ -182,27 +334,6 @@ void PartsPanel::refresh()
                                    }));
     }
     m_showAll->setEnabled(m_scene != nullptr);
-}
-
-QString PartsPanel::wordsFor(const PartLook& look)
-{
-    const auto styleWord = [](PartStyle style) {
-        switch (style) {
-        case PartStyle::AsUsual:
-            return tr("as usual");
-        case PartStyle::Solid:
-            return tr("solid");
-        case PartStyle::Ghost:
-            return tr("ghost");
-        case PartStyle::Hidden:
-            return tr("hidden");
-        }
-        return QString{};
-    };
-    QString words = look.highlighted ? tr("highlighted") : styleWord(look.style);
-    if (look.plain)
-        words = tr("%1, plain colour").arg(words);
-    return look.labelled ? tr("%1, named").arg(words) : words;
 }
 
 } // namespace carina

@@ -10,6 +10,7 @@
 class QLineEdit;
 class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace carina
 {
@@ -17,8 +18,10 @@ namespace carina
 class SceneView;
 
 /// Which parts of the patient a view shows, and how: solid, ghost, hidden, highlighted, labelled,
-/// in a plain colour. The buttons apply to the parts selected in the list, by mouse or keyboard;
-/// the text field above filters the list.
+/// in a plain colour. The parts are a tree by region of the body. A check box shows or hides a
+/// part, that of a region all its parts that are listed. The buttons apply to the parts selected in
+/// the list, by mouse or keyboard, a region standing for its listed parts; the text field above
+/// filters the list.
 class PartsPanel : public QWidget
 {
     Q_OBJECT
@@ -40,12 +43,16 @@ private:
     };
     [[nodiscard]] Switch switchFor(const QString& text, const QString& toolTip,
                                    bool PartLook::*which);
-    [[nodiscard]] static QString wordsFor(const PartLook& look);
+    [[nodiscard]] std::vector<QTreeWidgetItem*> regions() const;
     [[nodiscard]] std::vector<std::uint16_t> chosen() const;
-    void changeChosen(const std::function<void(PartLook&)>& change);
+    void change(const std::vector<std::uint16_t>& ids,
+                const std::function<void(PartLook&)>& applied);
+    void showOrHide(QTreeWidgetItem* item, int column);
     void showAll();
     void filter(const QString& words);
     void refresh();
+    void refreshRegion(QTreeWidgetItem& region, const PartLooks& looks);
+    void refreshButtons(const PartLooks& looks);
 
     SceneView* m_scene = nullptr;
     QLineEdit* m_words;

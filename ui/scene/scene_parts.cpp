@@ -7,7 +7,6 @@ namespace carina
 namespace
 {
 
-constexpr const char* kPatient = "patient";
 constexpr const char* kMandible = "mandible";
 constexpr const char* kTube = "tube";
 
@@ -15,7 +14,7 @@ std::string bodyName(SurfaceBody body)
 {
     switch (body) {
     case SurfaceBody::Anatomy:
-        return kPatient;
+        return kPatientBody;
     case SurfaceBody::Mandible:
         return kMandible;
     case SurfaceBody::Tube:
@@ -77,6 +76,9 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                          .id = static_cast<std::uint16_t>(parts.size() + 1),
                          .group = look.group,
                          .color = look.color,
+                         .listedUnder = surface.body == SurfaceBody::Tube
+                                            ? BodyRegion::Tools
+                                            : bodyRegionOf(surface.description.role),
                          .region = regionOf(surface.description.role),
                          .body = bodyName(surface.body),
                          .framed = isFramed(surface),
@@ -103,7 +105,7 @@ SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
     for (std::size_t region = 0; region < kChestRegions; ++region)
         frame.chest.motion[region] = motionOf(static_cast<ChestRegion>(region), moment.pose, chest);
     const ActedPose patient = moment.patient ? moment.patient->acted : ActedPose{};
-    frame.bodies[kPatient] = inPatient(patient, {});
+    frame.bodies[kPatientBody] = inPatient(patient, {});
     frame.throat = throat;
     frame.bodies[kMandible] = inPatient(patient, throat.X_AJ);
     if (moment.tube && moment.tube->validity != Validity::Lost)

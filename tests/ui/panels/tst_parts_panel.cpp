@@ -27,6 +27,7 @@ ScenePart named(std::uint16_t id, MaterialGroup group, const char* name, double 
 {
     ScenePart part = test::spherePart(id, group, {x, 0.0, 0.0}, 0.1);
     part.name = name;
+    part.listedUnder = group == MaterialGroup::Lung ? BodyRegion::Lungs : BodyRegion::Skeleton;
     return part;
 }
 
@@ -54,7 +55,7 @@ struct Shown {
     }
     [[nodiscard]] QTreeWidgetItem* item(const char* name) const
     {
-        return list->findItems(QLatin1String{name}, Qt::MatchExactly).value(0);
+        return list->findItems(QLatin1String{name}, Qt::MatchExactly | Qt::MatchRecursive).value(0);
     }
     void choose(const char* name) const
     {
@@ -84,12 +85,17 @@ private Q_SLOTS:
             QSKIP("no OpenGL 3.3");
     }
 
-    void listsThePartsByName()
+    void listsThePartsByRegionAndName()
     {
         const Shown shown;
-        QCOMPARE(shown.list->topLevelItemCount(), 3);
-        QCOMPARE(shown.list->topLevelItem(0)->text(0), QStringLiteral("First rib"));
-        QCOMPARE(shown.list->topLevelItem(2)->text(0), QStringLiteral("Upper lobe"));
+        QCOMPARE(shown.list->topLevelItemCount(), 2); // regions without parts are left out
+        QCOMPARE(shown.list->topLevelItem(0)->text(0), QStringLiteral("Lungs"));
+        const QTreeWidgetItem* skeleton = shown.list->topLevelItem(1);
+        QCOMPARE(skeleton->text(0), QStringLiteral("Skeleton"));
+        QCOMPARE(skeleton->childCount(), 2);
+        QCOMPARE(skeleton->child(0)->text(0), QStringLiteral("First rib"));
+        QCOMPARE(skeleton->child(1)->text(0), QStringLiteral("Second rib"));
+        QCOMPARE(skeleton->text(1), QStringLiteral("2 of 2"));
         QCOMPARE(shown.item("Upper lobe")->text(1), QStringLiteral("as usual"));
         for (const char* text : {"As usual", "Solid", "Ghost", "Hide", "Highlight", "Name"})
             QVERIFY(!shown.button(text)->isEnabled()); // nothing is chosen
@@ -127,6 +133,70 @@ private Q_SLOTS:
         QTEST(shown.item("Second rib")->text(1), "word");
         shown.button("Show all as usual")->click();
         QVERIFY(shown.look(kOtherRib) == PartLook{});
+    }
+
+    void showsAndHidesByCheckBox()
+    {
+        const Shown shown;
+        QTreeWidgetItem* region = shown.item("Skeleton");
+        shown.item("First rib")->setCheckState(0, Qt::Unchecked);
+        QVERIFY(shown.look(kRib).style == PartStyle::Hidden);
+        QVERIFY(shown.look(kOtherRib) == PartLook{});
+        QCOMPARE(region->checkState(0), Qt::PartiallyChecked);
+        QCOMPARE(region->text(1), QStringLiteral("1 of 2"));
+        shown.item("First rib")->setCheckState(0, Qt::Checked);
+        QVERIFY(shown.look(kRib) == PartLook{});
+        QCOMPARE(region->checkState(0), Qt::Checked);
+    }
+
+    void showsAndHidesAWholeRegion()
+    {
+        const Shown shown;
+        QTreeWidgetItem* region = shown.item("Skeleton");
+        region->setCheckState(0, Qt::Unchecked);
+        for (const std::uint16_t rib : {kRib, kOtherRib})
+            QVERIFY(shown.look(rib).style == PartStyle::Hidden);
+        QVERIFY(shown.look(kLobe) == PartLook{});
+        QCOMPARE(shown.item("First rib")->checkState(0), Qt::Unchecked);
+        region->setCheckState(0, Qt::Checked);
+        for (const std::uint16_t rib : {kRib, kOtherRib})
+            QVERIFY(shown.look(rib) == PartLook{});
+    }
+
+    void keepsHowAPartIsShownWhereItIsShown()
+    {
+        const Shown shown;
+        shown.choose("First rib");
+        shown.button("Ghost")->click();
+        shown.item("Second rib")->setCheckState(0, Qt::Unchecked);
+        shown.item("Skeleton")->setCheckState(0, Qt::Checked);
+        QVERIFY(shown.look(kRib).style == PartStyle::Ghost);
+        QVERIFY(shown.look(kOtherRib).style == PartStyle::AsUsual);
+    }
+
+    void actsOnWhatASearchLeavesOfARegion()
+    {
+        const Shown shown;
+        shown.words->setText(QStringLiteral("second"));
+        QTreeWidgetItem* region = shown.item("Skeleton");
+        QVERIFY(region->isExpanded() && !region->isHidden());
+        QVERIFY(shown.item("Lungs")->isHidden());
+        QCOMPARE(region->text(1), QStringLiteral("1 of 1"));
+        region->setCheckState(0, Qt::Unchecked);
+        QVERIFY(shown.look(kOtherRib).style == PartStyle::Hidden);
+        QVERIFY(shown.look(kRib) == PartLook{});
+        shown.words->clear();
+        QCOMPARE(region->checkState(0), Qt::PartiallyChecked);
+    }
+
+    void appliesTheButtonsToARegion()
+    {
+        const Shown shown;
+        shown.choose("Skeleton");
+        shown.button("Ghost")->click();
+        QVERIFY(shown.look(kRib).style == PartStyle::Ghost);
+        QVERIFY(shown.look(kOtherRib).style == PartStyle::Ghost);
+        QVERIFY(shown.look(kLobe) == PartLook{});
     }
 
     void drawsWhatItSays()
@@ -180,12 +250,21 @@ private Q_SLOTS:
     void worksByKeyboard()
     {
         const Shown shown;
-        QTest::keyClick(shown.list, Qt::Key_Home);
+        QTest::keyClick(shown.list, Qt::Key_End); // the last region
+        QTest::keyClick(shown.list, Qt::Key_Right);
+        QVERIFY(shown.item("Skeleton")->isExpanded());
+        QTest::keyClick(shown.list, Qt::Key_Down);
         QTest::keyClick(shown.list, Qt::Key_Down, Qt::ShiftModifier);
-        QTest::keyClick(shown.button("Hide"), Qt::Key_Space);
-        QVERIFY(shown.look(kRib).style == PartStyle::Hidden);
-        QVERIFY(shown.look(kOtherRib).style == PartStyle::Hidden);
+        QTest::keyClick(shown.button("Ghost"), Qt::Key_Space);
+        QVERIFY(shown.look(kRib).style == PartStyle::Ghost);
+        QVERIFY(shown.look(kOtherRib).style == PartStyle::Ghost);
         QVERIFY(shown.look(kLobe) == PartLook{});
+        QTest::keyClick(shown.list, Qt::Key_Home);
+        QTest::keyClick(shown.list, Qt::Key_Space); // its check box
+        QVERIFY(shown.look(kLobe).style == PartStyle::Hidden);
+        const QString spoken =
+            shown.list->topLevelItem(0)->data(0, Qt::AccessibleTextRole).toString();
+        QCOMPARE(spoken, QStringLiteral("Lungs, 0 of 1 parts shown"));
     }
 
     void givesEveryControlAName()

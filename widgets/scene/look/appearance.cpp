@@ -81,4 +81,35 @@ Appearance appearanceOf(const AnatomyPart& part)
     return {};
 }
 
+BodyRegion bodyRegionOf(PartRole role)
+{
+    if (lungSide(role))
+        return BodyRegion::Lungs;
+    switch (role) {
+    case PartRole::Trachea:
+    case PartRole::RightMainBronchus:
+    case PartRole::LeftMainBronchus:
+    case PartRole::BronchialTree:
+    case PartRole::Larynx:
+    case PartRole::Epiglottis:
+    case PartRole::Tongue:
+    case PartRole::Pharynx:
+        return BodyRegion::Airway;
+    case PartRole::Mandible:
+    case PartRole::Tooth:
+    case PartRole::Skull:
+    case PartRole::Spine:
+    case PartRole::Rib:
+        return BodyRegion::Skeleton;
+    case PartRole::Heart:
+    case PartRole::Vessel:
+        return BodyRegion::Vessels;
+    case PartRole::Diaphragm:
+    case PartRole::Muscle:
+        return BodyRegion::Muscles;
+    default:
+        return BodyRegion::Other;
+    }
+}
+
 } // namespace carina

@@ -52,12 +52,16 @@ inline constexpr std::size_t kDrawLayers = 3;
     return group == MaterialGroup::Tool ? DrawLayer::Open : DrawLayer::Closed;
 }
 
+/// The region of the body under which a list shows a part.
+enum class BodyRegion : std::uint8_t { Airway, Lungs, Skeleton, Vessels, Muscles, Tools, Other };
+
 /// One surface of a scene.
 struct ScenePart {
     std::string name;     ///< as shown: "Trachea"
     std::uint16_t id = 0; ///< key of visiblePixels(); unique in the scene
     MaterialGroup group = MaterialGroup::SoftTissue;
     QColor color;
+    BodyRegion listedUnder = BodyRegion::Other;
     ChestRegion region = ChestRegion::Still; ///< how it breathes; for surfaces given in A
 
     /// Empty for a part fixed in A, with meshes in A; else the name of the moving body that it is

@@ -29,7 +29,35 @@ private Q_SLOTS:
     void showsTheTubeThroughWhatItGoesInto();
     void tellsVeinsFromArteriesByName();
     void drawsOpaqueFirstAndSkinLast();
+    void listsEachRoleUnderARegion_data();
+    void listsEachRoleUnderARegion();
 };
+
+void TestAppearance::listsEachRoleUnderARegion_data()
+{
+    QTest::addColumn<PartRole>("role");
+    QTest::addColumn<BodyRegion>("region");
+    QTest::newRow("trachea") << PartRole::Trachea << BodyRegion::Airway;
+    QTest::newRow("bronchial tree") << PartRole::BronchialTree << BodyRegion::Airway;
+    QTest::newRow("tongue") << PartRole::Tongue << BodyRegion::Airway;
+    QTest::newRow("left lower lobe") << PartRole::LeftLowerLobe << BodyRegion::Lungs;
+    QTest::newRow("whole right lung") << PartRole::RightLung << BodyRegion::Lungs;
+    QTest::newRow("tooth") << PartRole::Tooth << BodyRegion::Skeleton;
+    QTest::newRow("rib") << PartRole::Rib << BodyRegion::Skeleton;
+    QTest::newRow("heart") << PartRole::Heart << BodyRegion::Vessels;
+    QTest::newRow("vessel") << PartRole::Vessel << BodyRegion::Vessels;
+    QTest::newRow("diaphragm") << PartRole::Diaphragm << BodyRegion::Muscles;
+    QTest::newRow("muscle") << PartRole::Muscle << BodyRegion::Muscles;
+    QTest::newRow("skin") << PartRole::Skin << BodyRegion::Other;
+    QTest::newRow("not recognised") << PartRole::Other << BodyRegion::Other;
+}
+
+void TestAppearance::listsEachRoleUnderARegion()
+{
+    QFETCH(PartRole, role);
+    QFETCH(BodyRegion, region);
+    QCOMPARE(bodyRegionOf(role), region);
+}
 
 void TestAppearance::showsLungsAsLungs_data()
 {

@@ -10,7 +10,7 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
     : m_scene{scene}, m_patient{&patient}, m_view{&view}
 {
     m_scene.setParts(sceneParts(patient), patient.reach());
-    m_scene.nameSides();
+    m_scene.nameSides(kPatientBody);
     m_scene.setFrameSource([this](int level, LocalTime lit) {
         m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
         SceneFrame frame =

@@ -59,10 +59,10 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < 4; ++i) {
             const Landmark landmark = desk.site.landmarks()[i];
             const auto seen =
-                seenAt(landmark.p_AQ, scene.camera().pose(), scene.camera().frustum());
+                seenPoint(landmark.p_AQ, {scene.camera().pose(), scene.camera().frustum()});
             QVERIFY(seen);
-            const QPoint middle{int(seen->x() * picture.width()),
-                                int(seen->y() * picture.height())};
+            const QPoint middle{int(seen->at.x() * picture.width()),
+                                int(seen->at.y() * picture.height())};
             double darkest = 1.0;
             for (int right = 0; right < kReach; ++right)
                 darkest =

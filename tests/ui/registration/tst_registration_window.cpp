@@ -290,7 +290,7 @@ void TestRegistrationWindow::showsTheWholeHead()
     auto& scene = desk.find<SceneView>("scene");
     for (const ViewPreset side : {ViewPreset::Front, ViewPreset::Left, ViewPreset::Right}) {
         scene.showFrom(side);
-        QVERIFY(seenAt(top, scene.camera().pose(), scene.camera().frustum()));
+        QVERIFY(seenPoint(top, {scene.camera().pose(), scene.camera().frustum()}));
     }
 }
 

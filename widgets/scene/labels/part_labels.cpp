@@ -1,7 +1,7 @@
 #include "widgets/scene/labels/part_labels.h"
 
+#include "widgets/scene/labels/leader_lines.h"
 #include "widgets/scene/labels/picture_label.h"
-#include "widgets/scene/view/orbit_camera.h"
 
 #include <QLabel>
 
@@ -9,94 +9,121 @@
 
 namespace carina
 {
-
 namespace
 {
 
-constexpr int kRightOfPoint = 6; ///< pixels to the right of the point
-
-/// A vertex near the middle: the middle itself of a rib lies in the air.
-Vec3 placeOn(const TriangleMesh& mesh)
+bool isSame(const std::optional<Section>& a, const std::optional<Section>& b)
 {
-    const Vec3f middle = boundsOf(mesh).centre().cast<float>();
-    const auto nearest = std::min_element(
-        mesh.positions.begin(), mesh.positions.end(), [&](const Vec3f& a, const Vec3f& b) {
-            return (a - middle).squaredNorm() < (b - middle).squaredNorm();
-        });
-    return nearest->cast<double>();
+    if (!a || !b)
+        return a.has_value() == b.has_value();
+    return a->normal_A == b->normal_A && a->distance == b->distance && a->cut == b->cut;
+}
+
+bool isSame(const CameraPose& a, const CameraPose& b)
+{
+    return a.p_A_eye == b.p_A_eye && a.p_A_target == b.p_A_target && a.up_A == b.up_A;
+}
+
+bool isSame(const Frustum& a, const Frustum& b)
+{
+    return a.left == b.left && a.right == b.right && a.bottom == b.bottom && a.top == b.top;
 }
 
 } // namespace
-
-std::optional<QPointF> seenAt(const Vec3& p_A, const CameraPose& pose, const Frustum& frustum)
-{
-    const Vec3 forward = (pose.p_A_target - pose.p_A_eye).normalized();
-    const Vec3 right = forward.cross(pose.up_A).normalized();
-    const Vec3 up = right.cross(forward);
-    const Vec3 way = p_A - pose.p_A_eye;
-    const double depth = forward.dot(way);
-    if (depth <= 0.0)
-        return std::nullopt;
-    const QPointF seen{(right.dot(way) / depth - frustum.left) / (frustum.right - frustum.left),
-                       (frustum.top - up.dot(way) / depth) / (frustum.top - frustum.bottom)};
-    if (seen.x() < 0.0 || seen.x() > 1.0 || seen.y() < 0.0 || seen.y() > 1.0)
-        return std::nullopt;
-    return seen;
-}
 
 void PartLabels::clear()
 {
     for (const Label& label : m_labels)
         delete label.shown;
     m_labels.clear();
+    hide();
+    m_sight.reset();
 }
 
 void PartLabels::setParts(std::span<const ScenePart> parts, const PartLooks& looks)
 {
     clear();
-    for (const ScenePart& part : parts) {
+    m_parts.assign(parts.begin(), parts.end());
+    for (std::size_t i = 0; i < m_parts.size(); ++i) {
+        const ScenePart& part = m_parts[i];
         const auto look = looks.find(part.id);
-        if (look == looks.end() || !look->second.labelled || part.levels.back()->empty())
-            continue;
-        m_labels.push_back({pictureLabel(m_over, QString::fromStdString(part.name)), part.body,
-                            placeOn(*part.levels.back())});
+        if (look != looks.end() && look->second.labelled)
+            m_labels.push_back({pictureLabel(m_over, QString::fromStdString(part.name)), i, {}});
     }
+    if (m_leaders == nullptr && !m_labels.empty())
+        m_leaders = new LeaderLines{m_over};
 }
 
-void PartLabels::place(const SceneFrame& frame, const CameraPose& pose, const Frustum& frustum)
+bool PartLabels::isStale(const SceneSight& sight) const
 {
-    std::vector<std::pair<QPoint, QLabel*>> places;
-    for (const Label& label : m_labels) {
-        const auto body = frame.bodies.find(label.body);
-        const bool isThere = label.body.empty() || body != frame.bodies.end();
-        Vec3 p_A = label.p_F;
-        if (body != frame.bodies.end())
-            p_A = body->second.X_AF * (body->second.scale * label.p_F);
-        const auto seen = isThere ? seenAt(p_A, pose, frustum) : std::nullopt;
-        label.shown->setVisible(seen.has_value());
-        if (seen)
-            places.emplace_back(QPoint{qRound(seen->x() * m_over.width()) + kRightOfPoint,
-                                       qRound(seen->y() * m_over.height())},
-                                label.shown);
+    return !m_sight || m_age >= kFramesAPlace || !isSame(m_sight->section, sight.section)
+           || !isSame(m_sight->pose, sight.pose) || !isSame(m_sight->frustum, sight.frustum);
+}
+
+void PartLabels::findPlaces(const SceneFrame& frame, const SceneSight& sight)
+{
+    std::vector<std::size_t> wanted;
+    for (const Label& label : m_labels)
+        wanted.push_back(label.part);
+    const auto places = visiblePlaces(m_parts, wanted, frame, sight);
+    for (std::size_t i = 0; i < m_labels.size(); ++i)
+        m_labels[i].place = places[i];
+    m_sight = sight;
+    m_age = 0;
+}
+
+void PartLabels::place(const SceneFrame& frame, const SceneSight& sight,
+                       std::span<const QRect> taken)
+{
+    if (m_labels.empty())
+        return;
+    ++m_age;
+    if (isStale(sight))
+        findPlaces(frame, sight);
+    std::vector<NameWish> wishes;
+    std::vector<std::size_t> labels; // of the wishes
+    for (std::size_t i = 0; i < m_labels.size(); ++i) {
+        const Label& label = m_labels[i];
+        const ScenePart& part = m_parts[label.part];
+        const auto p_A = label.place ? drawnAt(part, *label.place, frame) : std::nullopt;
+        const auto seen = p_A ? seenPoint(*p_A, sight) : std::nullopt;
+        if (!seen || isCutAway(part, *p_A, sight.section))
+            continue;
+        wishes.push_back({{seen->at.x() * m_over.width(), seen->at.y() * m_over.height()},
+                          seen->depth,
+                          label.shown->size()});
+        labels.push_back(i);
     }
-    std::sort(places.begin(), places.end(),
-              [](const auto& a, const auto& b) { return a.first.y() < b.first.y(); });
-    std::vector<QRect> taken;
-    for (const auto& [place, label] : places) {
-        QRect wanted{place, label->size()};
-        wanted.moveRight(std::min(wanted.right(), m_over.width() - 1));
-        for (const QRect& other : taken)
-            if (wanted.intersects(other))
-                wanted.moveTop(other.bottom() + 1);
-        taken.push_back(wanted);
-        if (label->pos() != wanted.topLeft())
-            label->move(wanted.topLeft());
-        raiseLabel(*label);
+    m_placed = layOutNames(wishes, m_over.size(), taken);
+    for (PlacedName& name : m_placed)
+        name.wish = labels[name.wish];
+    writeNames();
+}
+
+void PartLabels::writeNames()
+{
+    std::vector<QLineF> leaders;
+    std::vector<bool> isWritten(m_labels.size());
+    for (const PlacedName& name : m_placed) {
+        leaders.emplace_back(name.anchor, name.leaderEnd);
+        isWritten[name.wish] = true;
+    }
+    m_leaders->setLines(leaders);
+    for (std::size_t i = 0; i < m_labels.size(); ++i)
+        m_labels[i].shown->setVisible(isWritten[i]);
+    for (const PlacedName& name : m_placed) {
+        QLabel& label = *m_labels[name.wish].shown;
+        if (label.pos() != name.box.topLeft())
+            label.move(name.box.topLeft());
+        raiseLabel(label);
     }
 }
 
 void PartLabels::hide()
 {
+    if (m_leaders != nullptr)
+        m_leaders->setLines({});
+    m_placed.clear();
     for (const Label& label : m_labels)
         label.shown->hide();
 }

@@ -31,20 +31,25 @@ std::optional<QPointF> pointedAt(const Vec3& dir_A, const CameraPose& pose, cons
     return rim.center() + across / toRim;
 }
 
-SideLabels::SideLabels(QWidget& over)
+SideLabels::SideLabels(QWidget& over, std::string body)
     : m_over{over},
+      m_body{std::move(body)},
       m_sides{Side{pictureLabel(over, tr("Right", "the patient's")), -Vec3::UnitX()},
               Side{pictureLabel(over, tr("Left", "the patient's")), Vec3::UnitX()}}
 {
 }
 
-void SideLabels::place(const CameraPose& pose)
+void SideLabels::place(const SceneFrame& frame, const CameraPose& pose)
 {
-    for (const auto& [word, dir_A] : m_sides) {
+    const auto body = frame.bodies.find(m_body);
+    if (!m_body.empty() && body == frame.bodies.end())
+        return hide();
+    const Quat q_AF = m_body.empty() ? Quat::Identity() : body->second.X_AF.rotation();
+    for (const auto& [word, dir_F] : m_sides) {
         const QPointF half{0.5 * word->width(), 0.5 * word->height()};
         const QPointF inside = half + QPointF{kFromEdge, kFromEdge};
         const auto middle = pointedAt(
-            dir_A, pose,
+            q_AF * dir_F, pose,
             QRectF{m_over.rect()}.adjusted(inside.x(), inside.y(), -inside.x(), -inside.y()));
         word->setVisible(middle.has_value());
         if (!middle)
@@ -53,6 +58,15 @@ void SideLabels::place(const CameraPose& pose)
             word->move(corner);
         raiseLabel(*word);
     }
+}
+
+std::vector<QRect> SideLabels::boxes() const
+{
+    std::vector<QRect> boxes;
+    for (const Side& side : m_sides)
+        if (side.word->isVisible())
+            boxes.push_back(side.word->geometry());
+    return boxes;
 }
 
 void SideLabels::hide()

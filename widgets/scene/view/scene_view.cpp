@@ -103,6 +103,7 @@ const OrbitCamera& SceneView::camera() const { return m_window->camera(); }
 
 void SceneView::setSection(const std::optional<Section>& section)
 {
+    m_section = section;
     m_renderer->setSection(section);
 }
 
@@ -177,9 +178,10 @@ void SceneView::placeLabels(const SceneFrame& frame, const std::vector<SceneCame
             m_sides->hide();
         return;
     }
-    m_labels.place(frame, cameras.front().pose, cameras.front().frustum);
     if (m_sides)
-        m_sides->place(cameras.front().pose);
+        m_sides->place(frame, cameras.front().pose);
+    m_labels.place(frame, {cameras.front().pose, cameras.front().frustum, m_section},
+                   m_sides ? m_sides->boxes() : std::vector<QRect>{});
 }
 
 void SceneView::drawExposed(LocalTime asked)

@@ -66,11 +66,16 @@ public:
     /// The listener is called after each frame, when its buffers were swapped.
     void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
 
+    /// The names of parts as they were written last, in pixels of the view; `wish` counts the
+    /// labelled parts that are not hidden.
+    [[nodiscard]] const std::vector<PlacedName>& placedNames() const { return m_labels.placed(); }
+
     void showFrom(ViewPreset preset);
     /// The view's own camera, used for frames without a list of eyes.
     [[nodiscard]] const OrbitCamera& camera() const;
-    /// Labels the patient's right and left at the edges, except in a headset.
-    void nameSides() { m_sides.emplace(*this); }
+    /// Labels the right and left of a patient at the edges, except in a headset: of the body with
+    /// this name, or of a patient that is fixed in A.
+    void nameSides(std::string body = {}) { m_sides.emplace(*this, std::move(body)); }
     void setBackground(const QColor& color);
 
     /// Fixes the level of detail of all parts; std::nullopt chooses it by visible error and drawing
@@ -109,6 +114,7 @@ private:
     std::unique_ptr<SceneRenderer> m_renderer;
     std::vector<ScenePart> m_parts;
     PartLooks m_looks;
+    std::optional<Section> m_section;
     PartLabels m_labels;
     std::optional<SideLabels> m_sides;
     FrameSource m_source;

@@ -32,11 +32,11 @@ QLabel* wordOn(const SceneView& view, const char* word)
     return nullptr;
 }
 
-std::unique_ptr<SceneView> namedView(SceneView::FrameSource source)
+std::unique_ptr<SceneView> namedView(SceneView::FrameSource source, const char* body = "")
 {
     auto view =
         shownView({spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.05)}, std::move(source));
-    view->nameSides();
+    view->nameSides(body);
     return view;
 }
 
@@ -54,6 +54,9 @@ private Q_SLOTS:
     void pointsToTheRim();
     void pointsNowhereAlongTheLineOfSight();
     void followsTheView();
+    void followsThePatientAsItIsTurned_data();
+    void followsThePatientAsItIsTurned();
+    void namesNoSidesOfAPatientThatIsNotDrawn();
     void namesNoSidesToAHeadset();
 };
 
@@ -115,6 +118,51 @@ void TestSideLabels::followsTheView()
     view->showFrom(ViewPreset::Left);
     QVERIFY(draws(*view, 2));
     QVERIFY(!right->isVisible() && !left->isVisible());
+}
+
+/// Turned about the long axis, seen from the front: the patient's left lies at cos(angle) to the
+/// right, and within 30 degrees of the line of sight there is neither side.
+void TestSideLabels::followsThePatientAsItIsTurned_data()
+{
+    QTest::addColumn<double>("turnedDeg");
+    QTest::addColumn<int>("leftIs"); // at the right edge of the picture 1, at the left one -1
+    QTest::newRow("as it lay") << 0.0 << 1;
+    QTest::newRow("an eighth of a turn") << 45.0 << 1;
+    QTest::newRow("just before both vanish") << 59.0 << 1;
+    QTest::newRow("just behind that") << 61.0 << 0;
+    QTest::newRow("a quarter of a turn") << 90.0 << 0;
+    QTest::newRow("just after it") << 121.0 << -1;
+    QTest::newRow("half a turn") << 180.0 << -1;
+    QTest::newRow("three quarters") << 270.0 << 0;
+}
+
+void TestSideLabels::followsThePatientAsItIsTurned()
+{
+    QFETCH(double, turnedDeg);
+    QFETCH(int, leftIs);
+    SceneFrame frame;
+    const Quat turn{Eigen::AngleAxisd{turnedDeg * std::numbers::pi / 180.0, Vec3::UnitZ()}};
+    frame.bodies["patient"] = PlacedBody{RigidTransform{turn, {0.0, 0.0, 0.02}}, 1.3};
+    const auto view = namedView([&](int, LocalTime) { return frame; }, "patient");
+    view->showFrom(ViewPreset::Front);
+    QVERIFY(draws(*view, 3));
+    const QLabel* right = wordOn(*view, "Right");
+    const QLabel* left = wordOn(*view, "Left");
+    QCOMPARE(left->isVisible(), leftIs != 0);
+    QCOMPARE(right->isVisible(), leftIs != 0);
+    if (leftIs != 0)
+        QCOMPARE(left->x() > right->x(), leftIs > 0);
+}
+
+void TestSideLabels::namesNoSidesOfAPatientThatIsNotDrawn()
+{
+    SceneFrame frame;
+    const auto view = namedView([&](int, LocalTime) { return frame; }, "patient");
+    QVERIFY(draws(*view, 3));
+    QVERIFY(!wordOn(*view, "Right")->isVisible() && !wordOn(*view, "Left")->isVisible());
+    frame.bodies["patient"] = RigidTransform{};
+    QVERIFY(draws(*view, 2));
+    QVERIFY(wordOn(*view, "Right")->isVisible() && wordOn(*view, "Left")->isVisible());
 }
 
 void TestSideLabels::namesNoSidesToAHeadset()

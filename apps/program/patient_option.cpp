@@ -72,9 +72,11 @@ void addPatientOptions(QCommandLineParser& parser)
          QStringLiteral("DIR")});
     parser.addOption({kPatient,
                       QCoreApplication::translate(
-                          "Program", "Show the built-in patient adult or child, or one made from "
-                                     "figures, such as \"45 years, 182 cm, man, obese\". With "
-                                     "--anatomy: whose breathing the set gets."),
+                          "Program", "Show the built-in patient adult (a man of 30 years) or child "
+                                     "(a boy of 12 years; \"child, girl\" for a girl), or one made "
+                                     "from figures, such as \"45 years, 182 cm, man, obese\". "
+                                     "\"adult, airway 250 mm\" sets teeth to carina, as measured "
+                                     "on a manikin. With --anatomy: whose breathing the set gets."),
                       QStringLiteral("WHO")});
 }
 

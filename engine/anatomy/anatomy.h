@@ -76,7 +76,7 @@ struct AirwayLandmarks {
 /// A virtual patient: parts in frame A (origin at the carina, +x patient's left, +y posterior, +z
 /// superior, metres).
 struct Anatomy {
-    std::string name; ///< "Adult", "12 years, 150 cm", or the folder's name
+    std::string name; ///< "Adult", "12 years, 150 cm, boy", or the folder's name
     /// Identifies the patient: SHA-256 in hex of the files of a set; for a built-in patient its
     /// name and the version of its formulas, such as "builtin-adult-2".
     std::string contentHash;

@@ -95,6 +95,29 @@ Length teethToCarinaOf(const PatientParameters& p)
     return mix(child, grown, maturity(p));
 }
 
+constexpr double kAirwayScatter = 0.15; ///< see LengthRange
+
+LengthRange rangeAbout(Length usual)
+{
+    return {(1.0 - kAirwayScatter) * usual, (1.0 + kAirwayScatter) * usual};
+}
+
+/// Scales the lengths of the airway from the usual to the measured one.
+Result<void> setTeethToCarina(Length measured, PatientDimensions& d)
+{
+    const LengthRange range = rangeAbout(d.teethToCarina);
+    if (!(measured >= range.least && measured <= range.most))
+        return fail(Errc::OutOfRange,
+                    "teeth to carina are " + std::to_string(std::lround(inMillimetres(range.least)))
+                        + " to " + std::to_string(std::lround(inMillimetres(range.most)))
+                        + " mm in a patient of this age, height and sex");
+    const double scale = measured / d.teethToCarina;
+    for (Length* length : {&d.cordsToCarina, &d.tracheaLength, &d.rightBronchus.length,
+                           &d.leftBronchus.length, &d.teethToCarina})
+        *length = scale * *length;
+    return {};
+}
+
 /// Weight, lungs and the fat below the skin.
 void addBody(const PatientParameters& p, PatientDimensions& d)
 {
@@ -145,9 +168,9 @@ PatientParameters parametersOf(BuiltinPatient patient)
 {
     switch (patient) {
     case BuiltinPatient::Adult:
-        return {30.0, kMansHeight, Sex::Male, Habitus::Normal};
+        return {30.0, kMansHeight, Sex::Male, Habitus::Normal, {}};
     case BuiltinPatient::TwelveYears:
-        return {12.0, kChildsHeight, Sex::Female, Habitus::Normal};
+        return {12.0, kChildsHeight, Sex::Male, Habitus::Normal, {}};
     }
     CARINA_EXPECTS(false);
     return {};
@@ -173,9 +196,20 @@ Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
     d.rightBronchus = {windpipe.rightBronchus, degrees(26.9), 0.78 * trachea};
     d.leftBronchus = {2.0 * windpipe.rightBronchus, degrees(46.2), 0.68 * trachea};
     d.teethToCarina = teethToCarinaOf(p);
+    if (p.teethToCarina)
+        if (const auto set = setTeethToCarina(*p.teethToCarina, d); !set)
+            return tl::unexpected(set.error());
     addBody(p, d);
     addBreathing(p, d);
     return d;
+}
+
+Result<LengthRange> teethToCarinaRange(PatientParameters parameters)
+{
+    parameters.teethToCarina.reset();
+    return dimensionsFor(parameters).map([](const PatientDimensions& usual) {
+        return rangeAbout(usual.teethToCarina);
+    });
 }
 
 PatientDimensions dimensionsOf(BuiltinPatient patient)

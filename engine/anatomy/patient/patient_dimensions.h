@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace carina
 {
@@ -21,11 +22,14 @@ struct PatientParameters {
     Length height;            ///< 1.0 to 2.1 m
     Sex sex = Sex::Male;
     Habitus habitus = Habitus::Normal;
+    /// Teeth to carina as measured, on a manikin for instance; without it by the formulas.
+    std::optional<Length> teethToCarina{};
 
     friend bool operator==(const PatientParameters&, const PatientParameters&) = default;
 };
 
-/// Adult: a man of 30 years and 175 cm. TwelveYears: a girl of 12 years and 150 cm.
+/// Adult: a man of 30 years and 175 cm. TwelveYears: a boy of 12 years, as
+/// the manikin of 2004 (Hamza-Lup, Rolland and Hughes 2004),  and 150 cm.
 [[nodiscard]] PatientParameters parametersOf(BuiltinPatient patient);
 
 /// One main bronchus: from the carina to its first lobar branch.
@@ -72,8 +76,22 @@ struct PatientDimensions {
 /// adults (the standard patient of Pulse, 77 kg at 175 cm).
 [[nodiscard]] double usualBodyMassIndex(double ageInYears);
 
+/// The range in which teethToCarina can be set: 15 % below and above the formulas' figure, about
+/// one standard deviation of the length from cords to carina (1.6 of 12.7 cm, BJA 2006).
+struct LengthRange {
+    Length least;
+    Length most;
+};
+
+/// The range of teethToCarina for a patient of this age, height and sex.
+/// @returns OutOfRange, see dimensionsFor.
+[[nodiscard]] Result<LengthRange> teethToCarinaRange(PatientParameters parameters);
+
 /// The dimensions of a patient by published formulas; patient_dimensions.cpp gives each source.
-/// @returns OutOfRange for an age or height outside the range of the formulas.
+/// Where teethToCarina is set, the lengths of the airway (teeth to cords, cords to carina, trachea,
+/// main bronchi) are scaled alike to give it.
+/// @returns OutOfRange for an age or height outside the range of the formulas, and for a
+///          teethToCarina outside teethToCarinaRange.
 [[nodiscard]] Result<PatientDimensions> dimensionsFor(const PatientParameters& parameters);
 
 /// The dimensions of a built-in patient.

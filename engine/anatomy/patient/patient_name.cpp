@@ -16,7 +16,8 @@ constexpr std::string_view kVersion = "3";
 
 constexpr std::string_view kAsked =
     "a patient is adult, child, or age, height and sex, such as \"45 years, 182 cm, woman\", in "
-    "whole numbers, with slim or obese where that is so";
+    "whole numbers, with slim or obese where that is so, and airway 245 mm for teeth to carina";
+constexpr std::string_view kAirway = "airway ";
 constexpr double kGrownUp_years = 18.0;
 
 struct NamedSex {
@@ -58,6 +59,8 @@ struct Said {
     std::optional<int> centimetres;
     std::optional<Sex> sex;
     std::optional<Habitus> habitus;
+    std::optional<int> millimetres; ///< teeth to carina
+    std::optional<Sex> usualSex;    ///< of the built-in patient
 };
 
 /// Keeps a value that was not said before.
@@ -75,7 +78,17 @@ bool takeFigure(Said& said, std::string_view text)
     const std::string_view unit = trimmed(text.substr(std::size_t(end - text.data())));
     if (unit == "years" || unit == "year" || unit == "y")
         return keep(said.years, figure);
+    if (unit == "mm")
+        return keep(said.millimetres, figure);
     return unit == "cm" && keep(said.centimetres, figure);
+}
+
+/// Age, height and sex of a built-in patient.
+bool takeBuiltin(Said& said, const PatientParameters& patient)
+{
+    said.usualSex = patient.sex;
+    return keep(said.years, int(std::lround(patient.ageInYears)))
+           && keep(said.centimetres, int(std::lround(0.1 * inMillimetres(patient.height))));
 }
 
 bool take(Said& said, std::string_view text)
@@ -86,6 +99,12 @@ bool take(Said& said, std::string_view text)
     const auto habitus = std::ranges::find(kHabituses, text, &NamedHabitus::word);
     if (habitus != kHabituses.end())
         return keep(said.habitus, habitus->habitus);
+    if (text == "adult")
+        return takeBuiltin(said, parametersOf(BuiltinPatient::Adult));
+    if (text == "child")
+        return takeBuiltin(said, parametersOf(BuiltinPatient::TwelveYears));
+    if (text.starts_with(kAirway))
+        return text.ends_with("mm") && takeFigure(said, trimmed(text.substr(kAirway.size())));
     return takeFigure(said, text);
 }
 
@@ -110,6 +129,10 @@ std::string wholeCentimetres(const PatientParameters& p)
 {
     return std::to_string(std::lround(0.1 * inMillimetres(p.height)));
 }
+std::string wholeMillimetres(Length length)
+{
+    return std::to_string(std::lround(inMillimetres(length)));
+}
 std::string_view wordOf(Habitus habitus)
 {
     return std::ranges::find(kHabituses, habitus, &NamedHabitus::habitus)->word;
@@ -120,10 +143,6 @@ std::string_view wordOf(Habitus habitus)
 Result<PatientParameters> patientFromWords(std::string_view words)
 {
     const std::string lower = inLowerCase(words);
-    if (lower == "adult")
-        return parametersOf(BuiltinPatient::Adult);
-    if (lower == "child")
-        return parametersOf(BuiltinPatient::TwelveYears);
     Said said;
     for (std::string_view rest = lower;;) {
         const auto comma = rest.find(',');
@@ -134,12 +153,19 @@ Result<PatientParameters> patientFromWords(std::string_view words)
             break;
         rest.remove_prefix(comma + 1);
     }
+    if (!said.sex)
+        said.sex = said.usualSex;
     if (!said.years || !said.centimetres || !said.sex)
         return notSaid(!said.years ? "the age is missing"
                        : !said.sex ? "the sex is missing"
                                    : "the height is missing");
-    const PatientParameters parameters{double(*said.years), metres(*said.centimetres / 100.0),
-                                       *said.sex, said.habitus.value_or(Habitus::Normal)};
+    PatientParameters parameters{double(*said.years),
+                                 metres(*said.centimetres / 100.0),
+                                 *said.sex,
+                                 said.habitus.value_or(Habitus::Normal),
+                                 {}};
+    if (said.millimetres)
+        parameters.teethToCarina = metres(*said.millimetres / 1000.0);
     if (const auto dimensions = dimensionsFor(parameters); !dimensions)
         return tl::unexpected(dimensions.error());
     return parameters;
@@ -149,12 +175,12 @@ std::string nameOf(const PatientParameters& parameters)
 {
     if (parameters == parametersOf(BuiltinPatient::Adult))
         return "Adult";
-    std::string name = wholeYears(parameters) + " years, " + wholeCentimetres(parameters) + " cm";
-    if (parameters == parametersOf(BuiltinPatient::TwelveYears))
-        return name;
-    name += ", " + std::string{wordFor(parameters)};
+    std::string name = wholeYears(parameters) + " years, " + wholeCentimetres(parameters) + " cm, "
+                       + std::string{wordFor(parameters)};
     if (parameters.habitus != Habitus::Normal)
         name += ", " + std::string{wordOf(parameters.habitus)};
+    if (parameters.teethToCarina)
+        name += ", " + std::string{kAirway} + wholeMillimetres(*parameters.teethToCarina) + " mm";
     return name;
 }
 
@@ -167,7 +193,10 @@ std::string madeHash(const PatientParameters& parameters)
         return "builtin-twelve-years" + end;
     return "builtin-" + wholeYears(parameters) + "y-" + wholeCentimetres(parameters) + "cm-"
            + (parameters.sex == Sex::Male ? "male-" : "female-")
-           + std::string{wordOf(parameters.habitus)} + end;
+           + std::string{wordOf(parameters.habitus)}
+           + (parameters.teethToCarina ? '-' + wholeMillimetres(*parameters.teethToCarina) + "mm"
+                                       : std::string{})
+           + end;
 }
 
 std::optional<PatientParameters> parametersOfHash(std::string_view contentHash)

@@ -11,8 +11,10 @@ Result<Anatomy> cachedPatient(const PatientParameters& parameters,
                               const std::filesystem::path& cacheFolder)
 {
     const AnatomyCache cache{cacheFolder};
-    if (auto kept = cache.load(madeHash(parameters)))
+    if (auto kept = cache.load(madeHash(parameters))) {
+        kept->anatomy.name = nameOf(parameters); // the hash does not depend on it
         return std::move(kept->anatomy);
+    }
     return patientFor(parameters).map([&](Anatomy&& made) {
         ImportedSet set{.anatomy = std::move(made), .frame = {}, .faults = {}, .leftOut = {}};
         static_cast<void>(cache.store(set)); // it can be made again

@@ -73,9 +73,9 @@ void TestBreatheCommand::drawsTheVolumeOfTheMechanicsInEveryLevel_data()
     QTest::addColumn<QString>("words");
     QTest::addColumn<double>("swing_ml");
     QTest::addColumn<double>("frc_ml");
-    const PatientBuild girl{metres(1.5), 40.0, 12.0, Sex::Female};
+    const PatientBuild boy{metres(1.5), 40.0, 12.0, Sex::Male};
     QTest::newRow("child") << QStringLiteral("--rate-per-min 19 --tidal-volume-ml 280 --seconds 2")
-                           << swing_ml(breathing(girl, 19.0, 280.0), 121) << 1200.0;
+                           << swing_ml(breathing(boy, 19.0, 280.0), 121) << 1200.0;
     QTest::newRow("adult") << QStringLiteral("--patient adult --rate-per-min 30 --tidal-volume-ml "
                                              "540 --seconds 2")
                            << swing_ml(breathing({}, 30.0, 540.0), 121) << 2310.0;
@@ -90,7 +90,7 @@ void TestBreatheCommand::drawsTheVolumeOfTheMechanicsInEveryLevel_data()
     for (const auto& [name, position] : {std::pair{"sitting", BodyPosition::Sitting},
                                          {"prone", BodyPosition::Prone},
                                          {"left_lateral", BodyPosition::LeftLateral}}) {
-        RespiratorySettings turned = breathing(girl, 19.0, 280.0);
+        RespiratorySettings turned = breathing(boy, 19.0, 280.0);
         turned.position = position;
         QTest::newRow(name) << QStringLiteral("--rate-per-min 19 --tidal-volume-ml 280 --seconds 2 "
                                               "--position ")

@@ -1,3 +1,4 @@
+#include "engine/anatomy/airway/airway_measure.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/geometry/mesh/surface_tree.h"
 #include "tests/support/test_class.h"
@@ -18,6 +19,8 @@ private Q_SLOTS:
     void lungsHoldWhatFatLeavesThem();
     void skinStandsOffTheRibsByTheFat();
     void isCalledByAgeAndHeight();
+    void airwayOfEitherExtremeIsWhole_data();
+    void airwayOfEitherExtremeIsWhole();
     void isRefusedBelowSixYears();
 
 private:
@@ -43,6 +46,30 @@ void TestMadePatient::noSurfaceMeetsItself()
     for (const AnatomyPart& part : woman().parts)
         for (const TriangleMesh& level : part.levels)
             QVERIFY2(SurfaceTree{level}.selfIntersections() == 0, part.name.c_str());
+}
+
+void TestMadePatient::airwayOfEitherExtremeIsWhole_data()
+{
+    QTest::addColumn<int>("teethToCarina_mm");
+    QTest::newRow("the shortest of a man of 175 cm") << 205; // 0.85 and 1.15 of 240.1
+    QTest::newRow("the longest") << 276;
+}
+
+/// The lungs stay as they are, and no surface meets itself.
+void TestMadePatient::airwayOfEitherExtremeIsWhole()
+{
+    QFETCH(int, teethToCarina_mm);
+    const Anatomy made =
+        patientFor({30.0, metres(1.75), Sex::Male, Habitus::Normal, millimetres(teethToCarina_mm)})
+            .value();
+    QVERIFY(std::abs(inMillimetres(teethToCarina(made.landmarks)) - teethToCarina_mm) < 0.1);
+    double volume = 0.0;
+    for (const AnatomyPart& part : made.parts) {
+        QVERIFY2(SurfaceTree{part.levels.front()}.selfIntersections() == 0, part.name.c_str());
+        if (lungSide(part.role))
+            volume += signedVolume(part.levels.front());
+    }
+    QVERIFY(std::abs(volume - 30e-6 * 77.0) < 0.05e-6);
 }
 
 void TestMadePatient::lungsHoldWhatFatLeavesThem()

@@ -14,6 +14,7 @@ class TestPatientDimensions : public QObject
 private Q_SLOTS:
     void teethToCarinaFollowsHeight_data();
     void teethToCarinaFollowsHeight();
+    void airwayIsMadeToAMeasuredLength();
     void windpipeOfAnAdultIsAsPublished_data();
     void windpipeOfAnAdultIsAsPublished();
     void breathingFollowsWeightAndRate();
@@ -64,6 +65,31 @@ void TestPatientDimensions::teethToCarinaFollowsHeight()
     QFETCH(double, metres);
     const PatientDimensions d = of(age, height_cm, female ? Sex::Female : Sex::Male);
     QVERIFY(std::abs(d.teethToCarina.si - metres) < 1e-9);
+}
+
+/// All lengths from the teeth to the main bronchi by one factor; the diameters and the rest stay.
+void TestPatientDimensions::airwayIsMadeToAMeasuredLength()
+{
+    for (const BuiltinPatient patient : kPatients) {
+        PatientParameters who = parametersOf(patient);
+        const PatientDimensions usual = dimensionsFor(who).value();
+        for (const double scale : {0.851, 0.95, 1.0, 1.149}) {
+            who.teethToCarina = scale * usual.teethToCarina;
+            const PatientDimensions made = dimensionsFor(who).value();
+            QVERIFY(std::abs(made.teethToCarina / usual.teethToCarina - scale) < 1e-12);
+            QVERIFY(std::abs(made.cordsToCarina / usual.cordsToCarina - scale) < 1e-12);
+            QVERIFY(std::abs(made.tracheaLength / usual.tracheaLength - scale) < 1e-12);
+            QVERIFY(std::abs(made.leftBronchus.length / usual.leftBronchus.length - scale) < 1e-12);
+            QCOMPARE(made.tracheaSagittal, usual.tracheaSagittal);
+            QCOMPARE(made.functionalResidualCapacity, usual.functionalResidualCapacity);
+        }
+        const LengthRange range = teethToCarinaRange(who).value();
+        for (const Length beyond :
+             {range.least - millimetres(0.1), range.most + millimetres(0.1)}) {
+            who.teethToCarina = beyond;
+            QCOMPARE(dimensionsFor(who).error().code, Errc::OutOfRange);
+        }
+    }
 }
 
 void TestPatientDimensions::windpipeOfAnAdultIsAsPublished_data()

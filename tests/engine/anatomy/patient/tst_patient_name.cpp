@@ -1,6 +1,8 @@
 #include "engine/anatomy/patient/patient_name.h"
 #include "tests/support/test_class.h"
 
+#include <cmath>
+
 namespace carina::patient_name_test
 {
 
@@ -10,6 +12,8 @@ class TestPatientName : public QObject
 
 private Q_SLOTS:
     void knowsTheBuiltInPatients();
+    void aChildIsABoyUnlessAGirlIsAskedFor();
+    void anAirwayIsSaidInMillimetres();
     void readsFiguresInAnyOrder_data();
     void readsFiguresInAnyOrder();
     void refusesWhatSaysNoPatient_data();
@@ -23,13 +27,43 @@ void TestPatientName::knowsTheBuiltInPatients()
 {
     QVERIFY(patientFromWords("adult") == parametersOf(BuiltinPatient::Adult));
     QVERIFY(patientFromWords("child") == parametersOf(BuiltinPatient::TwelveYears));
+    QVERIFY(patientFromWords("child")->sex == Sex::Male); // as the manikin of 2004
     QVERIFY(patientFromWords("30 years, 175 cm, man") == parametersOf(BuiltinPatient::Adult));
     QCOMPARE(nameOf(parametersOf(BuiltinPatient::Adult)), std::string{"Adult"});
-    QCOMPARE(nameOf(parametersOf(BuiltinPatient::TwelveYears)), std::string{"12 years, 150 cm"});
-    QCOMPARE(nameOf({12.0, metres(1.5), Sex::Male, Habitus::Normal}),
+    QCOMPARE(nameOf(parametersOf(BuiltinPatient::TwelveYears)),
              std::string{"12 years, 150 cm, boy"});
+    QCOMPARE(nameOf({12.0, metres(1.5), Sex::Female, Habitus::Normal, {}}),
+             std::string{"12 years, 150 cm, girl"});
     QCOMPARE(nameOf({18.0, metres(1.7), Sex::Female, Habitus::Slim}),
              std::string{"18 years, 170 cm, woman, slim"});
+}
+
+void TestPatientName::aChildIsABoyUnlessAGirlIsAskedFor()
+{
+    const auto girl = patientFromWords("child, girl");
+    QVERIFY(girl && girl->sex == Sex::Female && girl->ageInYears == 12.0);
+    QVERIFY(patientFromWords("girl, child") == girl);
+    QVERIFY(patientFromWords("12 years, 150 cm, girl") == girl);
+    QVERIFY(patientFromWords("child, boy") == parametersOf(BuiltinPatient::TwelveYears));
+    QVERIFY(!patientFromWords("child, 13 years"));
+    QVERIFY(!patientFromWords("child, adult"));
+}
+
+void TestPatientName::anAirwayIsSaidInMillimetres()
+{
+    for (const char* words : {"adult, airway 250 mm", "30 years, 175 cm, man, 250mm"}) {
+        const auto read = patientFromWords(words);
+        QVERIFY2(read.has_value(), words);
+        QVERIFY(std::abs(read->teethToCarina->si - 0.25) < 1e-12);
+        QCOMPARE(nameOf(*read), std::string{"30 years, 175 cm, man, airway 250 mm"});
+        QVERIFY(patientFromWords(nameOf(*read)) == read);
+        QVERIFY(parametersOfHash(madeHash(*read)) == *read);
+    }
+    for (const char* words : {"adult, airway 250", "adult, airway 250 cm", "adult, airway mm",
+                              "adult, 250 mm, 250 mm", "adult, airway 30 years"})
+        QVERIFY2(!patientFromWords(words), words);
+    QVERIFY(QString::fromStdString(patientFromWords("adult, airway 300 mm").error().detail)
+                .contains(QStringLiteral("204 to 276 mm")));
 }
 
 void TestPatientName::readsFiguresInAnyOrder_data()
@@ -104,7 +138,7 @@ void TestPatientName::namesEveryPatientByAHashThatSaysHowToMakeThem()
         for (const int height_cm : {100, 150, 175, 210})
             for (const Sex sex : {Sex::Female, Sex::Male})
                 for (const Habitus habitus : {Habitus::Slim, Habitus::Normal, Habitus::Obese}) {
-                    const PatientParameters who{age, metres(height_cm / 100.0), sex, habitus};
+                    const PatientParameters who{age, metres(height_cm / 100.0), sex, habitus, {}};
                     QVERIFY(parametersOfHash(madeHash(who)) == who);
                 }
 }

@@ -56,11 +56,12 @@ private Q_SLOTS:
         const QTemporaryDir temporary;
         const std::filesystem::path folder = temporary.path().toStdString();
         ImportedSet marked;
-        marked.anatomy.name = "marked";
+        marked.anatomy.attributions = {"marked"};
         marked.anatomy.contentHash = "builtin-adult-3";
         QVERIFY(AnatomyCache{folder}.store(marked).has_value());
-        QCOMPARE(cachedPatient(parametersOf(BuiltinPatient::Adult), folder)->name,
-                 std::string{"marked"});
+        const auto taken = cachedPatient(parametersOf(BuiltinPatient::Adult), folder);
+        QCOMPARE(taken->attributions, std::vector<std::string>{"marked"});
+        QCOMPARE(taken->name, std::string{"Adult"}); // as this program calls it
     }
 
     void makesThePatientWhereNothingCanBeKept()

@@ -137,7 +137,7 @@ void TestRespiratorySystem::takesTheBuildOfABuiltinPatient()
 {
     QVERIFY(buildOf(dimensionsOf(BuiltinPatient::Adult)) == PatientBuild{});
     QVERIFY(buildOf(dimensionsOf(BuiltinPatient::TwelveYears))
-            == (PatientBuild{metres(1.5), 40.0, 12.0, Sex::Female}));
+            == (PatientBuild{metres(1.5), 40.0, 12.0, Sex::Male}));
 }
 
 /// 1.125 above the carina and 0.45 cmH2O s/L in all bronchi; each lung has its share of them.

@@ -2,6 +2,7 @@
 
 #include "engine/display/display_geometry.h"
 #include "engine/geometry/rigid_transform.h"
+#include "engine/io/site/site_manikin.h"
 #include "engine/registration/fit/uncertain_transform.h"
 #include "engine/registration/landmarks/landmark_catalogue.h"
 
@@ -132,6 +133,7 @@ struct Site {
     std::optional<std::vector<TouchedPoint>> relay{};
     std::optional<SiteVerification> verification{};
     std::optional<DisplayGeometry> display{};
+    SiteManikin manikin{};
 
     /// See tipOfTool.
     [[nodiscard]] const StylusTip* stylus(const std::string& tool) const

@@ -21,16 +21,14 @@ Result<Site> siteIn(const QJsonObject& object, const std::filesystem::path& file
 
 Result<Site> readSiteFile(const std::filesystem::path& file)
 {
-    Result<QJsonObject> object = readJsonFile(file, kSiteSchema);
-    if (!object && object.error().code == Errc::UnknownFormat) {
-        Error other = std::move(object.error());
-        object = readJsonFile(file, kFirstSiteSchema);
-        if (!object)
-            return tl::unexpected(std::move(other));
-    }
-    if (!object)
-        return tl::unexpected(object.error());
-    return siteIn(*object, file);
+    const Result<QJsonObject> object = readJsonFile(file, kSiteSchema);
+    if (object)
+        return siteIn(*object, file);
+    if (object.error().code == Errc::UnknownFormat)
+        for (const QString& schema : kEarlierSiteSchemas)
+            if (const auto earlier = readJsonFile(file, schema))
+                return siteIn(*earlier, file);
+    return tl::unexpected(object.error());
 }
 
 Result<void> writeSiteFile(const std::filesystem::path& file, const Site& site)

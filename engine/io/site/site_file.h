@@ -11,7 +11,7 @@ namespace carina
 /// Reads a site file: a JSON object with lengths in millimetres, angles in degrees, poses as four
 /// rows of four numbers and times as in ISO 8601. Unknown values are left out.
 ///
-///     schema        "carina.site/2"
+///     schema        "carina.site/3"
 ///     step          "overview", "tracker", "stylus", "landmarks", "touch", "fit" or "verify"
 ///     operator      text
 ///     tracker       text
@@ -29,10 +29,11 @@ namespace carina
 ///     verification  verdict ("open", "good", "not good"), at, operator, points: a list of name,
 ///                   p_AQ_mm, p_TQ_mm, error_mm and bound_mm; stale
 ///     display       p_HDl_mm, p_HDr_mm, p_HQ_screen_centre_mm, screen_width_mm, screen_height_mm
+///     manikin       see manikin_json.h
 ///
 /// stale is the input changed after the result: "tracker", "stylus", "landmarks", "manikin",
-/// "touches" or "fit". The earlier version "carina.site/1" is read too; it has one "stylus" and
-/// fewer fields.
+/// "touches" or "fit". The earlier versions "carina.site/2", without a manikin, and
+/// "carina.site/1", with one "stylus" and fewer fields, are read too.
 ///
 /// @returns FileNotFound, FileUnreadable, FileEmpty; UnknownFormat for another schema;
 ///          FileMalformed where a field is missing, of the wrong type, unknown, or contradicts

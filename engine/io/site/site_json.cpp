@@ -2,23 +2,17 @@
 
 #include "engine/core/units.h"
 #include "engine/io/site/catalogue_json.h"
+#include "engine/io/site/json_text.h"
+#include "engine/io/site/manikin_json.h"
 
 namespace carina
 {
 namespace
 {
 
-QString words(const std::string& text) { return QString::fromStdString(text); }
-
 double jsonLength(double length) { return inMillimetres(metres(length)); }
 
-/// Texts that are empty and causes that are none are left out.
-void insertText(QJsonObject& object, const char* key, const std::string& text)
-{
-    if (!text.empty())
-        object.insert(QLatin1StringView{key}, words(text));
-}
-
+/// A cause that is none is left out.
 void insertStale(QJsonObject& object, const std::optional<StaleCause>& stale)
 {
     if (stale)
@@ -39,7 +33,7 @@ QJsonObject jsonStylus(const StylusTip& stylus)
 {
     QJsonObject object{{QStringLiteral("p_SQ_mm"), jsonPoint(stylus.p_SQ)},
                        {QStringLiteral("rms_mm"), jsonLength(stylus.rms)},
-                       {QStringLiteral("calibrated_at"), words(stylus.calibratedAt)},
+                       {QStringLiteral("calibrated_at"), jsonWords(stylus.calibratedAt)},
                        {QStringLiteral("covariance_S_mm2"), jsonTriangle(stylus.covariance_S)},
                        {QStringLiteral("poses"), stylus.poses},
                        {QStringLiteral("outliers"), stylus.outliers}};
@@ -50,7 +44,7 @@ QJsonObject jsonStylus(const StylusTip& stylus)
             QStringLiteral("axis"),
             QJsonObject{{QStringLiteral("axis_S"), QJsonArray{axis.x(), axis.y(), axis.z()}},
                         {QStringLiteral("wobble_deg"), inDegrees(stylus.axis->wobble)},
-                        {QStringLiteral("calibrated_at"), words(stylus.axis->calibratedAt)}});
+                        {QStringLiteral("calibrated_at"), jsonWords(stylus.axis->calibratedAt)}});
     }
     return object;
 }
@@ -58,7 +52,7 @@ QJsonObject jsonStylus(const StylusTip& stylus)
 QJsonObject jsonTouch(const TouchedPoint& point)
 {
     const Quat& q = point.q_TS;
-    QJsonObject object{{QStringLiteral("landmark"), words(point.landmark)},
+    QJsonObject object{{QStringLiteral("landmark"), jsonWords(point.landmark)},
                        {QStringLiteral("p_TQ_mm"), jsonPoint(point.p_TQ)},
                        {QStringLiteral("spread_mm"), jsonLength(point.spread)},
                        {QStringLiteral("q_TS"), QJsonArray{q.x(), q.y(), q.z(), q.w()}}};
@@ -68,7 +62,7 @@ QJsonObject jsonTouch(const TouchedPoint& point)
 
 QJsonObject jsonResidual(const LandmarkResidual& residual)
 {
-    QJsonObject object{{QStringLiteral("name"), words(residual.landmark)},
+    QJsonObject object{{QStringLiteral("name"), jsonWords(residual.landmark)},
                        {QStringLiteral("mm"), jsonLength(residual.residual)}};
     if (residual.leftOut)
         object.insert(QStringLiteral("left_out_mm"), jsonLength(*residual.leftOut));
@@ -77,7 +71,7 @@ QJsonObject jsonResidual(const LandmarkResidual& residual)
 
 QJsonObject jsonSwab(const SiteSwab& swab)
 {
-    return {{QStringLiteral("surface"), words(swab.surface)},
+    return {{QStringLiteral("surface"), jsonWords(swab.surface)},
             {QStringLiteral("points"), swab.points},
             {QStringLiteral("outliers"), swab.outliers},
             {QStringLiteral("start_rms_mm"), jsonLength(swab.startRms)},
@@ -87,7 +81,7 @@ QJsonObject jsonSwab(const SiteSwab& swab)
 
 QJsonObject jsonRelay(const SiteRelay& relay)
 {
-    QJsonObject object{{QStringLiteral("at"), words(relay.at)},
+    QJsonObject object{{QStringLiteral("at"), jsonWords(relay.at)},
                        {QStringLiteral("landmarks"), relay.landmarks},
                        {QStringLiteral("rms_mm"), jsonLength(relay.rms)}};
     insertText(object, "operator", relay.operatorName);
@@ -128,7 +122,7 @@ QJsonObject jsonRegistration(const SiteRegistration& registration)
 
 QJsonObject jsonVerified(const VerifiedPoint& point)
 {
-    return {{QStringLiteral("name"), words(point.name)},
+    return {{QStringLiteral("name"), jsonWords(point.name)},
             {QStringLiteral("p_AQ_mm"), jsonPoint(point.p_AQ)},
             {QStringLiteral("p_TQ_mm"), jsonPoint(point.p_TQ)},
             {QStringLiteral("error_mm"), jsonLength(point.error)},
@@ -179,6 +173,8 @@ QJsonObject jsonSite(const Site& site)
         object.insert(QStringLiteral("verification"), jsonVerification(*site.verification));
     if (site.display)
         object.insert(QStringLiteral("display"), jsonDisplay(*site.display));
+    if (!site.manikin.isEmpty())
+        object.insert(QStringLiteral("manikin"), jsonManikin(site.manikin));
     return object;
 }
 

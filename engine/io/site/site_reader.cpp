@@ -1,5 +1,7 @@
 #include "engine/core/units.h"
 #include "engine/io/site/catalogue_json.h"
+#include "engine/io/site/json_text.h"
+#include "engine/io/site/manikin_json.h"
 #include "engine/io/site/site_json.h"
 
 #include <QDateTime>
@@ -14,11 +16,6 @@ namespace
 {
 
 constexpr double kUnitTolerance = 1e-6; ///< of a direction and a quaternion that a person wrote
-
-std::string readText(JsonFields& fields, const char* key)
-{
-    return fields.has(key) ? fields.text(key) : std::string{};
-}
 
 std::string readTime(JsonFields& fields, const char* key)
 {
@@ -249,7 +246,8 @@ DisplayGeometry readDisplay(JsonFields fields)
 Site readSite(JsonFields& fields)
 {
     fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "patient",
-                      "catalogue", "touched", "registration", "relay", "verification", "display"});
+                      "catalogue", "touched", "registration", "relay", "verification", "display",
+                      "manikin"});
     Site site{.step = static_cast<SiteStep>(fields.oneOf("step", kStepWords)),
               .operatorName = readText(fields, "operator"),
               .tracker = readText(fields, "tracker"),
@@ -273,6 +271,10 @@ Site readSite(JsonFields& fields)
         site.verification = readVerification(fields.object("verification"));
     if (fields.has("display"))
         site.display = readDisplay(fields.object("display"));
+    if (fields.has("manikin")) {
+        JsonFields object = fields.object("manikin");
+        site.manikin = readManikin(object);
+    }
     return site;
 }
 

@@ -69,6 +69,17 @@ inline SiteVerification wholeVerification()
             .stale = StaleCause::Fit};
 }
 
+inline ManikinProfile wholeManikin()
+{
+    return {.name = "Our head",
+            .note = "Bought in 2003.",
+            .landmarks = {"Sternal notch", "Xiphoid process"},
+            .landmarksSource = "its handbook",
+            .patient = "45 years, 182 cm, man",
+            .patientSource = "its maker",
+            .teethToCarina = SourcedLength{millimetres(251.0), "CT of 2003"}};
+}
+
 /// A site with everything in it, each value another.
 inline Site wholeSite()
 {
@@ -91,6 +102,11 @@ inline Site wholeSite()
     site.verification = wholeVerification();
     site.display =
         DisplayGeometry{{-0.032, 0.001, 0.0}, {0.031, 0.002, 0.0}, {0.0, -0.003, -1.0}, 0.8, 0.45};
+    site.manikin = {.profile = wholeManikin(),
+                    .measuredTeethToCarina = millimetres(247.0),
+                    .airway = {{AirwayPlace::Incisors, {0.01, -0.1, 0.2}},
+                               {AirwayPlace::Carina, {-0.01, 0.05, 0.003}}},
+                    .registeredAt = "2004-03-27T10:30:00Z"};
     return site;
 }
 

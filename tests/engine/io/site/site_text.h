@@ -14,14 +14,14 @@ inline std::string json(std::string text)
 }
 
 /// A site of the smallest kind, and other fields in it.
-inline std::string siteWith(const std::string& fields, const std::string& schema = "carina.site/2")
+inline std::string siteWith(const std::string& fields, const std::string& schema = "carina.site/3")
 {
     return json("{'schema': '" + schema + "', 'step': 'touch', " + fields + "}");
 }
 
 inline std::string siteAt(const std::string& step)
 {
-    return json("{'schema': 'carina.site/2', 'step': " + step + "}");
+    return json("{'schema': 'carina.site/3', 'step': " + step + "}");
 }
 
 inline const std::string kCatalogue = "'catalogue': {'name': 'c', 'landmarks': ["

@@ -1,5 +1,7 @@
 #include "engine/io/site/site_file.h"
 
+#include "engine/io/site/manikin_json.h"
+
 #include "tests/engine/io/mesh/surface_files.h"
 #include "tests/engine/io/site/site_sample.h"
 #include "tests/engine/io/site/site_text.h"
@@ -222,8 +224,59 @@ private Q_SLOTS:
         QVERIFY(site->registration->covariance_A.isZero());
         QVERIFY(site->registration->madeAt.empty() && !site->verification);
         QVERIFY(writeSiteFile(path(), *site));
-        QVERIFY(bytes().contains("carina.site/2"));
+        QVERIFY(bytes().contains("carina.site/3"));
         QVERIFY(readSiteFile(path()).has_value());
+    }
+
+    void readsAFileWithoutAManikin()
+    {
+        test::writeFile(path(), test::siteWith("'tracker': 'simulated'", "carina.site/2"));
+        const auto site = readSiteFile(path());
+        QVERIFY2(site.has_value(), site ? "" : site.error().detail.c_str());
+        QVERIFY(site->manikin.isEmpty());
+    }
+
+    void readsBackTheManikin()
+    {
+        const Site site = test::wholeSite();
+        const auto back = kept(site);
+        QVERIFY2(back.has_value(), back ? "" : back.error().detail.c_str());
+        QVERIFY(back->manikin.profile == site.manikin.profile);
+        QVERIFY(near(back->manikin.measuredTeethToCarina->si, 0.247));
+        QCOMPARE(back->manikin.airway.size(), 2U);
+        QVERIFY(back->manikin.airway[1].place == AirwayPlace::Carina);
+        QVERIFY(near(back->manikin.airway[0].p_MQ, site.manikin.airway[0].p_MQ));
+        QVERIFY(near(back->manikin.airway[1].p_MQ, site.manikin.airway[1].p_MQ));
+        QCOMPARE(back->manikin.registeredAt, site.manikin.registeredAt);
+    }
+
+    /// Every figure that is offered has a source, for a profile without one is refused.
+    void readsBackEveryProfileThatIsOffered()
+    {
+        QVERIFY(builtinManikins().size() >= 3);
+        for (const ManikinProfile& profile : builtinManikins()) {
+            Site site;
+            site.manikin.profile = profile;
+            const auto back = kept(site);
+            QVERIFY2(back.has_value(), back ? "" : back.error().detail.c_str());
+            QVERIFY(back->manikin.profile == profile);
+        }
+    }
+
+    void readsAProfileThatAPersonWrote()
+    {
+        test::writeFile(path(), test::json("{'schema': 'carina.manikin/1', 'name': 'Our head',"
+                                           "'teeth_to_carina': {'mm': 251, 'source': 'a tube'}}"));
+        const auto profile = readManikinFile(path());
+        QVERIFY2(profile.has_value(), profile ? "" : profile.error().detail.c_str());
+        QCOMPARE(profile->name, std::string{"Our head"});
+        QVERIFY(near(profile->teethToCarina->length.si, 0.251));
+        QCOMPARE(profile->teethToCarina->source, std::string{"a tube"});
+        test::writeFile(path(), test::json("{'schema': 'carina.manikin/2', 'name': 'x'}"));
+        QCOMPARE(readManikinFile(path()).error().code, Errc::UnknownFormat);
+        test::writeFile(path(), test::json("{'schema': 'carina.manikin/1'}"));
+        QVERIFY(QString::fromStdString(readManikinFile(path()).error().detail)
+                    .endsWith(QStringLiteral("site.json: name: a text is due")));
     }
 
     void knowsTheStylusOfATool()

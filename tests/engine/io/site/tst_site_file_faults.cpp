@@ -58,7 +58,7 @@ private Q_SLOTS:
     void saysWhatIsWrongWithASite_data()
     {
         addColumns();
-        addRow("no step", json("{'schema': 'carina.site/2'}"), "step: a text is due");
+        addRow("no step", json("{'schema': 'carina.site/3'}"), "step: a text is due");
         addRow("no such step", siteAt("'touching'"), "step: \"touching\" is none of its words");
         addRow("a number for a step", siteAt("3"), "step: a text is due");
         addRow("a key too many", siteWith("'tracking': 'x'"), "tracking: this key is not known");
@@ -192,9 +192,46 @@ private Q_SLOTS:
     }
     void saysWhatIsWrongWithAVerification() { isRefused(); }
 
+    void saysWhatIsWrongWithAManikin_data()
+    {
+        addColumns();
+        const auto manikin = [](const std::string& fields) {
+            return siteWith("'manikin': {" + fields + "}");
+        };
+        const auto profile = [&](const std::string& fields) {
+            return manikin("'profile': {" + fields + "}");
+        };
+        addRow("no object", siteWith("'manikin': 5"), "manikin: an object is due");
+        addRow("a key too many", manikin("'colour': 5"), "manikin.colour: this key is not known");
+        addRow("a profile of no name", profile(""), "manikin.profile.name: a text is due");
+        addRow("landmarks of no source", profile("'name': 'm', 'landmarks': [{'name': 'a'}]"),
+               "manikin.profile.landmarks_source: a text is due");
+        addRow("a landmark twice",
+               profile("'name': 'm', 'landmarks': [{'name': 'a'}, {'name': 'a'}]"),
+               "manikin.profile.landmarks[1].name: \"a\" is there twice");
+        addRow("a patient of no source", profile("'name': 'm', 'patient': 'child'"),
+               "manikin.profile.patient_source: a text is due");
+        addRow("a length of no source", profile("'name': 'm', 'teeth_to_carina': {'mm': 245}"),
+               "manikin.profile.teeth_to_carina.source: a text is due");
+        addRow("a length of a giant",
+               profile("'name': 'm', 'teeth_to_carina': {'mm': 351, 'source': 's'}"),
+               "manikin.profile.teeth_to_carina.mm: teeth to carina are 100 to 350 mm");
+        addRow("a short airway", manikin("'measured_teeth_to_carina_mm': 99"),
+               "manikin.measured_teeth_to_carina_mm: teeth to carina are 100 to 350 mm");
+        addRow("no such place", manikin("'airway': [{'place': 'nose', 'p_MQ_mm': [1, 2, 3]}]"),
+               "manikin.airway[0].place: \"nose\" is none of its words");
+        addRow("a place twice",
+               manikin("'airway': [{'place': 'carina', 'p_MQ_mm': [1, 2, 3]},"
+                       "{'place': 'carina', 'p_MQ_mm': [1, 2, 3]}]"),
+               "manikin.airway[1].place: it is there twice");
+        addRow("half a point", manikin("'airway': [{'place': 'carina', 'p_MQ_mm': [1, 2]}]"),
+               "manikin.airway[0].p_MQ_mm: three numbers are due");
+    }
+    void saysWhatIsWrongWithAManikin() { isRefused(); }
+
     void refusesAnotherVersion()
     {
-        writeFile(path(), json("{'schema': 'carina.site/3', 'step': 'fit'}"));
+        writeFile(path(), json("{'schema': 'carina.site/4', 'step': 'fit'}"));
         const auto site = readSiteFile(path());
         QVERIFY(!site);
         QCOMPARE(site.error().code, Errc::UnknownFormat);

@@ -32,7 +32,8 @@ ScriptedHand::Order ScriptedHand::wanted() const
     if (m_registration.stylus().isLookingForTip())
         return {.task = Task::Swing};
     const SiteStep step = m_registration.step();
-    if (step != SiteStep::Touch && step != SiteStep::Verify)
+    if (step != SiteStep::Touch && step != SiteStep::Verify
+        && !m_registration.manikin().isTouching())
         return {};
     const std::vector<LandmarkRow> places = m_registration.places();
     const auto next = std::ranges::find_if(places, &LandmarkRow::isNext);

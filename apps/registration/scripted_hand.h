@@ -17,8 +17,8 @@ inline constexpr Length kLocalisationError = millimetres(1.0);
 
 /// A scripted technician's hand that moves the simulated stylus as the wizard requests. In Stylus
 /// it pivots the stylus with its tip in the divot while the wizard waits for that; in Touch and
-/// Verify it holds the tip at the next point, with a localisation error. Otherwise the stylus is
-/// parked.
+/// Verify, and while the airway is touched, it holds the tip at the next point, with a localisation
+/// error. Otherwise the stylus is parked.
 class ScriptedHand : public QObject
 {
     Q_OBJECT

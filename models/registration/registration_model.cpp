@@ -60,7 +60,8 @@ RegistrationModel::RegistrationModel(Workplace workplace, Site site, const Patie
       m_landmarkTask{m_editor, patient, m_surfaces, m_workplace.landmarks},
       m_touchTask{m_editor, m_watch, m_landmarkTask},
       m_fitTask{m_editor, m_watch, patient, m_surfaces},
-      m_verifyTask{m_editor, m_watch, patient, m_surfaces, placesToCheck(m_workplace)}
+      m_verifyTask{m_editor, m_watch, patient, m_surfaces, placesToCheck(m_workplace)},
+      m_manikinTask{m_editor, patient, m_landmarkTask}
 {
     connect(&m_editor, &SiteEditor::changed, this, &RegistrationModel::followStep);
     connect(&m_editor, &SiteEditor::told, this, &RegistrationModel::told);
@@ -74,8 +75,10 @@ void RegistrationModel::followStep()
 {
     const StylusTip* tip = m_stylusTask.tip();
     const std::optional<Vec3> p_SQ = tip ? std::optional{tip->p_SQ} : std::nullopt;
-    if (m_followed != step() || m_followedTip != p_SQ) {
+    const bool isAirway = m_manikinTask.isTouching();
+    if (m_followed != step() || m_followedTip != p_SQ || m_followedAirway != isAirway) {
         m_followed = step();
+        m_followedAirway = isAirway;
         m_followedTip = p_SQ;
         m_watch.setTip(p_SQ);
         m_watch.watchFor(use());
@@ -85,7 +88,7 @@ void RegistrationModel::followStep()
 
 StylusUse RegistrationModel::use() const
 {
-    if (step() == SiteStep::Touch || step() == SiteStep::Verify)
+    if (step() == SiteStep::Touch || step() == SiteStep::Verify || m_manikinTask.isTouching())
         return StylusUse::Touch;
     return step() == SiteStep::Stylus && !m_stylusTask.tip() ? StylusUse::Pivot
                                                              : StylusUse::Nothing;
@@ -143,6 +146,8 @@ std::vector<LandmarkRow> RegistrationModel::landmarks() const
 
 std::vector<LandmarkRow> RegistrationModel::places() const
 {
+    if (m_manikinTask.isTouching())
+        return airwayPlaces();
     if (step() != SiteStep::Verify)
         return landmarks();
     std::vector<LandmarkRow> rows;
@@ -152,6 +157,23 @@ std::vector<LandmarkRow> RegistrationModel::places() const
                         .p_AQ = point.p_AQ,
                         .spread_mm = point.error_mm,
                         .isNext = next == rows.size()});
+    return rows;
+}
+
+/// Where the patient has the places that are touched in the manikin.
+std::vector<LandmarkRow> RegistrationModel::airwayPlaces() const
+{
+    std::vector<LandmarkRow> rows;
+    for (const AirwayPlace place : kAirwayPlaces) {
+        const auto p_AQ = m_manikinTask.placeInPatient(place);
+        if (!p_AQ)
+            continue;
+        LandmarkRow row{
+            .name = airwayPlaceName(place), .p_AQ = *p_AQ, .isNext = m_manikinTask.next() == place};
+        if (m_manikinTask.placeInManikin(place))
+            row.spread_mm = 0.0;
+        rows.push_back(std::move(row));
+    }
     return rows;
 }
 
@@ -169,6 +191,8 @@ double RegistrationModel::progress() const
 
 bool RegistrationModel::awaitsTouch() const
 {
+    if (m_manikinTask.isTouching())
+        return true;
     return step() == SiteStep::Touch ? m_touchTask.next().has_value()
                                      : step() == SiteStep::Verify && m_verifyTask.next();
 }
@@ -215,7 +239,9 @@ void RegistrationModel::takeNow()
 
 void RegistrationModel::take(const StylusTouch& touch)
 {
-    if (step() == SiteStep::Touch)
+    if (m_manikinTask.isTouching())
+        m_manikinTask.take(touch);
+    else if (step() == SiteStep::Touch)
         m_touchTask.take(touch);
     else if (step() == SiteStep::Verify)
         m_verifyTask.take(touch);
@@ -232,6 +258,7 @@ void RegistrationModel::forgetChoices()
     m_landmarkTask.choose(std::nullopt);
     m_touchTask.choose(std::nullopt);
     m_verifyTask.choose(std::nullopt);
+    m_manikinTask.endTouch();
     m_followed.reset();
 }
 

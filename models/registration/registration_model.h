@@ -3,6 +3,7 @@
 #include "models/patient/patient_model.h"
 #include "models/registration/fit_task.h"
 #include "models/registration/landmark_task.h"
+#include "models/registration/manikin_task.h"
 #include "models/registration/stylus_task.h"
 #include "models/registration/stylus_watch.h"
 #include "models/registration/surface_finder.h"
@@ -104,11 +105,15 @@ public:
     [[nodiscard]] VerifyTask& verifying() { return m_verifyTask; }
     [[nodiscard]] const VerifyTask& verifying() const { return m_verifyTask; }
 
+    [[nodiscard]] ManikinTask& manikin() { return m_manikinTask; }
+    [[nodiscard]] const ManikinTask& manikin() const { return m_manikinTask; }
+
     /// The tools that the tracker reports, and how it sees them now.
     [[nodiscard]] std::vector<ToolStatus> tools() const;
 
     [[nodiscard]] std::vector<LandmarkRow> landmarks() const;
-    /// The points marked on the model: the landmarks or, on the Verify page, the check points.
+    /// The points marked on the model: the landmarks; on the Verify page the check points; on the
+    /// Overview, while the airway is touched, its places.
     [[nodiscard]] std::vector<LandmarkRow> places() const;
     /// Index of the landmark to touch or pick next; std::nullopt if there is none.
     [[nodiscard]] std::optional<std::size_t> nextLandmark() const;
@@ -146,6 +151,7 @@ Q_SIGNALS:
 private:
     void followStep();
     void forgetChoices();
+    [[nodiscard]] std::vector<LandmarkRow> airwayPlaces() const;
     /// What the stylus is used for on this page.
     [[nodiscard]] StylusUse use() const;
     /// Whether the page asks for one more point.
@@ -162,8 +168,10 @@ private:
     TouchTask m_touchTask;
     FitTask m_fitTask;
     VerifyTask m_verifyTask;
+    ManikinTask m_manikinTask;
     std::optional<SiteStep> m_followed; ///< the page that the present stylus use belongs to
     std::optional<Vec3> m_followedTip;
+    bool m_followedAirway = false; ///< whether the airway is touched
     QTimer m_timer;
 };
 

@@ -16,6 +16,9 @@ class RegistrationWords
 public:
     static QString overview(const RegistrationModel& model)
     {
+        if (const auto place = model.manikin().next())
+            return tr("Touch this place in the manikin's airway and hold still, or skip it: %1.")
+                .arg(airwayPlaceName(*place));
         const SiteStep next = model.nextStep();
         if (next == SiteStep::Overview)
             return tr("Everything is done. The session can begin.");

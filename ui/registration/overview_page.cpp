@@ -1,5 +1,7 @@
 #include "ui/registration/overview_page.h"
 
+#include "ui/registration/manikin_box.h"
+
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
@@ -15,7 +17,8 @@ OverviewPage::OverviewPage(RegistrationModel& registration)
       m_operator{new QLineEdit{this}},
       m_moved{new QPushButton{tr("The manikin was &moved…"), this}},
       m_whyNotMoved{new QLabel{this}},
-      m_report{new QPushButton{tr("&Report as PDF…"), this}}
+      m_report{new QPushButton{tr("&Report as PDF…"), this}},
+      m_manikin{new ManikinBox{registration.manikin(), this}}
 {
     m_health->setWordWrap(true);
     m_health->setObjectName(QStringLiteral("health"));
@@ -51,6 +54,7 @@ void OverviewPage::layOut()
     column->setContentsMargins({});
     column->addWidget(m_health);
     column->addLayout(form);
+    column->addWidget(m_manikin);
     column->addWidget(m_moved);
     column->addWidget(m_whyNotMoved);
     column->addLayout(files);
@@ -70,6 +74,7 @@ void OverviewPage::refresh()
     m_moved->setAccessibleDescription(whyNot);
     m_whyNotMoved->setVisible(isRegistered && !whyNot.isEmpty());
     m_whyNotMoved->setText(whyNot);
+    m_manikin->refresh();
 }
 
 QString OverviewPage::actionText() const

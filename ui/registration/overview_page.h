@@ -9,7 +9,9 @@ class QPushButton;
 namespace carina
 {
 
-/// Summary of the site: its state, its operator, and import and export of its file.
+class ManikinBox;
+
+/// Summary of the site: its state, its operator, its manikin, and import and export of its file.
 class OverviewPage : public RegistrationPage
 {
     Q_OBJECT
@@ -36,6 +38,7 @@ private:
     QPushButton* m_moved;
     QLabel* m_whyNotMoved;
     QPushButton* m_report;
+    ManikinBox* m_manikin;
 };
 
 } // namespace carina

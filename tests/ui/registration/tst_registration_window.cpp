@@ -33,6 +33,7 @@ private Q_SLOTS:
     void leadsBackToTheTouchesWhereItIsNotGood();
     void choosesAPlaceToCheck();
     void tellsHowFarTheStylusIsFromTheAnatomy();
+    void comparesTheManikinByKeyboard();
     void showsTheWholeHead();
 };
 
@@ -276,6 +277,40 @@ void TestRegistrationWindow::tellsHowFarTheStylusIsFromTheAnatomy()
         QStringLiteral("The tip is 5.0 mm from Xiphoid process")));
     desk.site.m_now += std::chrono::seconds{1};
     QTRY_VERIFY(desk.find<QLabel>("stylus").text().contains(QStringLiteral("out of view")));
+}
+
+/// Its make, its length, and its airway touched, without a mouse.
+void TestRegistrationWindow::comparesTheManikinByKeyboard()
+{
+    RegistrationDesk desk;
+    desk.site.fitAll(*desk.model);
+    desk.model->enter(SiteStep::Overview);
+    QVERIFY(desk.tabTo("manikin"));
+    desk.press(Qt::Key_Down);
+    QCOMPARE(desk.model->manikin().chosen(), std::optional<std::size_t>{0});
+    QVERIFY(desk.find<QWidget>("manikin").hasFocus());
+    QVERIFY(desk.tabTo("teethToCarina"));
+    for (const Qt::Key key : {Qt::Key_2, Qt::Key_4, Qt::Key_5})
+        desk.press(key);
+    desk.press(Qt::Key_Tab);
+    const auto& said = desk.find<QLabel>("airways");
+    QVERIFY2(said.text().contains(QStringLiteral("tube depth differs by 13 mm")),
+             qPrintable(said.text()));
+    QVERIFY(!desk.button("skipAirway").isVisible());
+    QVERIFY(desk.tabTo("touchAirway"));
+    desk.press(Qt::Key_Space);
+    QVERIFY(desk.model->manikin().isTouching());
+    QVERIFY(desk.button("skipAirway").isVisible());
+    QVERIFY(desk.find<QLabel>("instruction").text().contains(QStringLiteral("upper incisors")));
+    desk.site.hold(*desk.model,
+                   desk.site.X_TA * RegistrationSite::patient().landmarks().p_A_incisors);
+    QVERIFY(desk.find<QLabel>("instruction").text().contains(QStringLiteral("epiglottis")));
+    QVERIFY(desk.tabTo("skipAirway"));
+    desk.press(Qt::Key_Space);
+    QVERIFY(desk.find<QLabel>("instruction").text().contains(QStringLiteral("vocal cords")));
+    QVERIFY(desk.tabTo("touchAirway"));
+    desk.press(Qt::Key_Space);
+    QVERIFY(!desk.model->manikin().isTouching());
 }
 
 void TestRegistrationWindow::showsTheWholeHead()

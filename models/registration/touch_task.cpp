@@ -75,7 +75,7 @@ const TouchedPoint* TouchTask::touchOf(const Landmark& landmark) const
     return found == touched.end() || found->stale ? nullptr : &*found;
 }
 
-/// A manikin is laid anew by what it was registered by.
+/// The manikin is registered again with the landmarks of its registration.
 bool TouchTask::canBeTouched(const Landmark& landmark) const
 {
     if (!isRelaying())
@@ -207,9 +207,10 @@ QString TouchTask::whyNoRelay() const
 {
     const Site& site = m_editor.site();
     if (!site.registration)
-        return TouchWords::tr("A manikin that was moved can be laid anew once it is registered.");
+        return TouchWords::tr(
+            "A manikin that was moved can be registered again once it is registered.");
     if (site.registration->stale || freshTouches(site).size() < kFewestToRelay)
-        return TouchWords::tr("A manikin that was moved cannot be laid anew now: what its "
+        return TouchWords::tr("A manikin that was moved cannot be registered again now: what its "
                               "registration rests on has changed since. Touch the landmarks again "
                               "and fit them.");
     return {};
@@ -234,7 +235,7 @@ void TouchTask::cancelRelay()
     m_editor.become(std::move(next));
 }
 
-/// What is laid anew, and what was touched of it since.
+/// The landmarks to be touched again, and those touched since.
 std::pair<EarlierRegistration, std::vector<Retouch>> TouchTask::touchedAgain() const
 {
     const Site& site = m_editor.site();
@@ -276,7 +277,7 @@ void TouchTask::relayIfItTells()
     if (again.size() < earlier.landmarks.size() && isLoose(*relay))
         return m_editor.refuse(TouchWords::farFromThese());
     if (m_editor.become(withRelay(site, *relay, fitInputs(m_watch, m_editor.now()))))
-        m_editor.tell(TouchWords::tr("The manikin is laid anew"));
+        m_editor.tell(TouchWords::tr("The manikin is registered again"));
 }
 
 } // namespace carina

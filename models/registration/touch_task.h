@@ -11,7 +11,7 @@ namespace carina
 /// Records the touches of the landmarks on the manikin: the stylus is held still, or a key or foot
 /// switch is pressed. They may be touched in any order: the landmark is recognised by its position
 /// relative to the other touches (recogniseTouch). Also re-registers a manikin that was moved after
-/// its registration ("laid anew" on screen), from three or more of its landmarks.
+/// its registration ("registered again" on screen), from three or more of its landmarks.
 class TouchTask
 {
 public:

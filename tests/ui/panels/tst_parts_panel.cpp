@@ -250,6 +250,7 @@ private Q_SLOTS:
     void worksByKeyboard()
     {
         const Shown shown;
+        QTest::keyClick(shown.list, Qt::Key_Home);
         QTest::keyClick(shown.list, Qt::Key_End); // the last region
         QTest::keyClick(shown.list, Qt::Key_Right);
         QVERIFY(shown.item("Skeleton")->isExpanded());

@@ -104,7 +104,7 @@ Result<void> readPlacesInto(Task& task, const Words& words)
     const bool withCovariances = words.has(tre_option::kCovariance);
     if (words.has(tre_option::kHeight)) {
         const Result<double> height = words.number(tre_option::kHeight, 1.0, 2.1);
-        const Result<double> count = words.number(tre_option::kLandmarks, 3.0, 8.0, 8.0);
+        const Result<std::int64_t> count = words.whole(tre_option::kLandmarks, 3, 8, 8);
         if (!height)
             return tl::unexpected(height.error());
         if (!count)

@@ -174,7 +174,10 @@ private Q_SLOTS:
             "--height 2.2") << QStringLiteral("tre needs --height with a number from 1 to 2.1.");
         QTest::newRow("two landmarks")
             << QStringLiteral("--height 1.7 --landmarks 2")
-            << QStringLiteral("tre needs --landmarks with a number from 3 to 8.");
+            << QStringLiteral("tre needs --landmarks with a whole number from 3 to 8.");
+        QTest::newRow("four and a half landmarks")
+            << QStringLiteral("--height 1.7 --landmarks 4.5")
+            << QStringLiteral("tre needs --landmarks with a whole number from 3 to 8.");
         QTest::newRow("no error") << QStringLiteral("--height 1.7 --fle 0")
                                   << QStringLiteral("--fle needs a number of millimetres above 0.");
         QTest::newRow("no limit") << QStringLiteral("--height 1.7 --limit x")

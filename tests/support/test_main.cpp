@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,15 @@ std::string_view nameIn(std::string_view path)
 
 } // namespace
 
-TestEntry::TestEntry(std::string_view name, Run run) { entries().push_back({nameIn(name), run}); }
+TestEntry::TestEntry(std::string_view path, Run run)
+{
+    const std::string_view name = nameIn(path);
+    if (std::ranges::find(entries(), name, &Named::name) != entries().end()) {
+        std::fprintf(stderr, "two test classes are called %s\n", std::string{name}.c_str());
+        std::abort();
+    }
+    entries().push_back({name, run});
+}
 
 int TestEntry::runNamed(int argc, char** argv)
 {

@@ -17,15 +17,17 @@ results=''; before=''
 for word; do [ "$before" = --output-junit ] && results=$word; before=$word; done
 case "$*" in
     *" -N"*) for name in a b c; do echo "  Test #1: $name"; done; exit ;;
-    *--show-only*) echo "\"$PWD/build/release/tests/engine/sync/test_engine_sync\""; exit ;;
+    *nonsense*--show-only*) echo '"tests" : []'; exit ;;
+    *--show-only*) echo "\"command\": [\"$PWD/build/release/tests/engine/sync/test_engine_sync\""; exit ;;
 esac
 for name in a b c; do echo "1/3 Test #1: $name ....   Passed    0.01 sec"; done
 cat > "$results" << END
 <testsuite><testcase name="a" status="run"><system-out>SKIP   : TestA::rows(one) no recordings
 Loc: [x]</system-out></testcase>
-<testcase name="b" status="notrun"><skipped message=""/>
+<testcase name="b" status="notrun"><skipped message="SKIP_RETURN_CODE=77"/>
 <system-out>SKIP   : TestB::all() no anatomy set</system-out></testcase>
-<testcase name="c" status="${THIRD:-run}"><system-out>FAIL!  : TestC::third() it broke</system-out></testcase></testsuite>
+<testcase name="c" status="${THIRD:-run}"><system-out>FAIL!  : TestC::third() it broke</system-out></testcase>
+$FOURTH</testsuite>
 END
 [ "${THIRD:-run}" = run ]
 """
@@ -121,6 +123,30 @@ class Launcher(unittest.TestCase):
         self.assertNotEqual(run.returncode, 0)
         self.assertIn("failed: c\nFAIL!  : TestC::third() it broke", run.stdout)
         self.assertRegex(run.stdout.splitlines()[-1], "^1 passed, 1 failed, 1 skipped, ")
+
+    def test_a_missing_program_is_a_failed_test(self):
+        run = self.carina("test", FOURTH='<testcase name="d" status="notrun">'
+                          '<skipped message="Unable to find executable"/></testcase>')
+        self.assertNotEqual(run.returncode, 0)
+        self.assertRegex(run.stdout.splitlines()[-1], "^2 passed, 1 failed, 1 skipped, ")
+
+    def test_a_class_of_which_nothing_ran_is_skipped(self):
+        run = self.carina("test", FOURTH='<testcase name="d" status="run"><system-out>SKIP   : '
+                          'TestD::one() no lungs\nTotals: 2 passed, 0 failed, 3 skipped</system-out>'
+                          '</testcase>')
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stdout.splitlines()[-1], "^2 passed, 0 failed, 2 skipped, ")
+
+    def test_the_warnings_of_lints_are_shown(self):
+        run = self.carina("test", FOURTH='<testcase name="lint.size" status="run"><system-out>'
+                          'warning: x.cpp: 401 lines</system-out></testcase>')
+        self.assertIn("lint.size: warning: x.cpp: 401 lines", run.stdout)
+
+    def test_a_pattern_without_tests_is_refused(self):
+        run = self.carina("test", "nonsense")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("no test matches nonsense", run.stderr)
+        self.assertEqual(self.called("ninja"), [])
 
     def test_a_pattern_builds_and_runs_a_part(self):
         self.assertEqual(self.carina("test", "engine.sync").returncode, 0)

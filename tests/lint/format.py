@@ -44,10 +44,11 @@ def unreadable_of(root):
     """The Python files that Python cannot read."""
     faults = []
     for path in tree.files_of(root):
-        if path.suffix != ".py":
+        text = tree.text_of(root, path) or "" if path.suffix in (".py", "") else ""
+        if path.suffix != ".py" and not text.startswith("#!/usr/bin/env python3"):
             continue
         try:
-            compile(tree.text_of(root, path) or "", str(path), "exec")
+            compile(text, str(path), "exec")
         except (SyntaxError, ValueError) as error:
             faults.append(f"{path}: Python cannot read it: {error}")
     return faults

@@ -14,7 +14,7 @@ LISTED = 10
 WARNED_LINES = 400
 WARNED_FILES = 32  # in one folder
 ROOT_ENTRIES_AT_MOST = 20
-HAND_WRITTEN_SUFFIXES = {".h", ".cpp", ".py", ".cmake", ".txt", ".md", ".vert", ".frag", ".sh", ""}
+HAND_WRITTEN_SUFFIXES = {".h", ".cpp", ".py", ".cmake", ".txt", ".md", ".vert", ".frag", ".bash", ".ui", ".qss", ""}
 WHOLE_TEXTS = {"LICENSE", "CHANGELOG.md"}
 
 

@@ -59,9 +59,8 @@ struct Command {
     Result<QJsonObject> (*experiment)(const Words& words);
 
     /// Reads the words after the name and runs the experiment.
-    /// @returns OutOfRange with a sentence about the words that are wrong; what the experiment
-    /// fails
-    ///          with
+    /// @returns OutOfRange with a sentence about the words that are wrong; the error of
+    ///          the experiment
     [[nodiscard]] Result<QJsonObject> run(const QStringList& arguments) const;
 };
 

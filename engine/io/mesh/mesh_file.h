@@ -17,7 +17,7 @@ struct NamedSurface {
     std::string name;      ///< from the file, else the file's stem
     std::string conceptId; ///< FMA id from the file's comments or names; empty without one
     TriangleMesh mesh;
-    std::vector<Rgb> colors{}; ///< one per vertex, see SurfaceColors; none where it has no texture
+    std::vector<Rgb> colors{}; ///< one per vertex; none where it has no texture
 };
 
 /// The contents of one file.

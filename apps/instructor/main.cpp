@@ -8,6 +8,7 @@
 #include "engine/io/fact_store/sql_fact_store.h"
 #include "engine/net/discovery/session_beacon.h"
 #include "engine/net/entry/session_identity.h"
+#include "engine/session/respiration/introduced_patient.h"
 #include "models/patient/shared_patient.h"
 #include "models/respiration/checkpoint_keeper.h"
 #include "ui/instructor/instructor_window.h"
@@ -92,10 +93,8 @@ void introducePatient(SessionNode& node, const program::ChosenPatient& patient)
         return;
     node.propose(kStation,
                  fact::AnatomyChosen{patient.model->contentHash(), patient.model->name()});
-    node.propose(kStation, fact::PatientBuildSet{buildOf(patient.dimensions)});
-    node.propose(kStation, fact::BreathingRateSet{patient.dimensions.breathingRate});
-    node.propose(kStation, fact::TidalVolumeSet{patient.dimensions.tidalVolume});
-    node.propose(kStation, fact::InspiratoryFractionSet{patient.dimensions.inspiratoryFraction});
+    for (const FactBody& told : introducedPatient(buildOf(patient.dimensions)))
+        node.propose(kStation, told);
 }
 
 /// Measures the window while a script works its controls, then leaves.

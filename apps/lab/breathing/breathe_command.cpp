@@ -26,13 +26,19 @@ Result<std::optional<std::size_t>> levelOption(const Words& words)
     });
 }
 
-/// What the options say but who breathes, and in which position.
-Result<BreathingTrial> trialOf(const Words& words)
+/// What the options say, but who breathes and in which position. Rate and volume are those of a
+/// quiet breath of this person unless given.
+Result<BreathingTrial> trialOf(const Words& words, const PatientBuild& build)
 {
-    const auto rate = words.number(breathe_option::kRate, 4.0, 60.0);
+    BreathingTrial trial;
+    trial.settings.build = build;
+    trial.settings.pattern = restingPattern(build);
+    const BreathingPattern& quiet = trial.settings.pattern;
+    const auto rate = words.number(breathe_option::kRate, 4.0, 60.0, inPerMinute(quiet.rate));
     if (!rate)
         return tl::unexpected(rate.error());
-    const auto tidalVolume_ml = words.number(breathe_option::kTidalVolume, 20.0, 2000.0);
+    const auto tidalVolume_ml =
+        words.number(breathe_option::kTidalVolume, 20.0, 2000.0, inMillilitres(quiet.tidalVolume));
     if (!tidalVolume_ml)
         return tl::unexpected(tidalVolume_ml.error());
     const auto seconds = words.number(breathe_option::kSeconds, 0.1, 3600.0);
@@ -44,7 +50,6 @@ Result<BreathingTrial> trialOf(const Words& words)
     const auto mode = ventilatorOption(words);
     if (!mode)
         return tl::unexpected(mode.error());
-    BreathingTrial trial;
     trial.settings.condition = *condition;
     trial.settings.pattern.rate = perMinute(*rate);
     trial.settings.pattern.tidalVolume = millilitres(*tidalVolume_ml);
@@ -132,7 +137,10 @@ Result<QJsonObject> drawnBreaths(const Words& words)
         return words.refuse(QStringLiteral("takes --every-condition with --anatomy, --patient, "
                                            "--position and --level, and nothing else."));
     // What is wrong with the rest is to be told before a set is read.
-    const auto trial = sweeps ? Result<BreathingTrial>{} : trialOf(words);
+    const auto build = buildOption(words);
+    if (!build)
+        return tl::unexpected(build.error());
+    const auto trial = sweeps ? Result<BreathingTrial>{} : trialOf(words, *build);
     if (!trial)
         return tl::unexpected(trial.error());
     auto subject = subjectOption(words);
@@ -141,7 +149,6 @@ Result<QJsonObject> drawnBreaths(const Words& words)
     if (sweeps)
         return sweepConditions(subject->anatomy, subject->build, *position, *level);
     BreathingTrial of = *trial;
-    of.settings.build = subject->build;
     of.settings.position = *position;
     return drawBreathing(subject->anatomy, {&of, 1}, *level).map([&](const DrawnBreathing& drawn) {
         return describeBreathing(subject->anatomy, of, drawn);
@@ -160,7 +167,7 @@ Result<QJsonObject> breathe(const Words& words)
 
 Use breathOfOneWay()
 {
-    return {.lines = {"--rate-per-min R --tidal-volume-ml V --seconds S [OPTION...]"},
+    return {.lines = {"--seconds S [--rate-per-min R] [--tidal-volume-ml V] [OPTION...]"},
             .text =
                 "Draws the lungs of a built-in patient (the child unless another is asked for) or "
                 "of an anatomy set, breathing at 60 frames per second as the respiratory mechanics "

@@ -9,8 +9,11 @@ namespace carina::lab
 
 namespace breathe_option
 {
-inline constexpr Option kRate{"rate-per-min", "R", "breaths per minute, 4 to 60"};
-inline constexpr Option kTidalVolume{"tidal-volume-ml", "V", "volume of a breath, 20 to 2000"};
+inline constexpr Option kRate{
+    "rate-per-min", "R",
+    "breaths per minute, 4 to 60; as many as the patient breathes at rest unless given"};
+inline constexpr Option kTidalVolume{
+    "tidal-volume-ml", "V", "volume of a breath, 20 to 2000; that of a quiet breath unless given"};
 inline constexpr Option kSeconds{"seconds", "S", "how long to breathe, 0.1 to 3600"};
 inline constexpr Option kLevel{
     "level", "N", "the one level of detail to draw, 0 being the finest; every level unless given"};
@@ -22,8 +25,8 @@ namespace breathe_key
 inline constexpr Key kSchema{"schema", "carina.breathe/1"};
 inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
 inline constexpr Key kPosition{"position", "how the patient lies"};
-inline constexpr Key kRate{"rate_per_min", "as asked for"};
-inline constexpr Key kTidalVolume{"tidal_volume_ml", "as asked for"};
+inline constexpr Key kRate{"rate_per_min", "as asked for, or of quiet breathing"};
+inline constexpr Key kTidalVolume{"tidal_volume_ml", "as asked for, or of a quiet breath"};
 inline constexpr Key kSeconds{"seconds", "as asked for"};
 inline constexpr Key kFramesPerSecond{"frames_per_second", "drawn for each of these seconds"};
 inline constexpr Key kLargestError{

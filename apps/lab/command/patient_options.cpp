@@ -12,6 +12,13 @@ namespace
 
 constexpr double kUsualSeverity = 0.6;
 
+/// Who is meant where `--anatomy` and `--patient` stand beside each other.
+Result<PatientParameters> subjectFigures(const Words& words)
+{
+    return patientOption(words,
+                         words.has(kAnatomy) ? BuiltinPatient::Adult : BuiltinPatient::TwelveYears);
+}
+
 } // namespace
 
 Result<PatientParameters> patientOption(const Words& words, BuiltinPatient otherwise)
@@ -64,10 +71,15 @@ Result<BodyPosition> positionOption(const Words& words)
         QStringLiteral("knows no --position %1.").arg(QString::fromStdString(word)));
 }
 
+Result<PatientBuild> buildOption(const Words& words)
+{
+    return subjectFigures(words).map(
+        [](const PatientParameters& figures) { return buildOf(dimensionsFor(figures).value()); });
+}
+
 Result<Subject> subjectOption(const Words& words)
 {
-    const auto figures = patientOption(words, words.has(kAnatomy) ? BuiltinPatient::Adult
-                                                                  : BuiltinPatient::TwelveYears);
+    const auto figures = subjectFigures(words);
     if (!figures)
         return tl::unexpected(figures.error());
     const PatientBuild build = buildOf(dimensionsFor(*figures).value());

@@ -47,6 +47,10 @@ inline constexpr Option kPosition{
 /// @returns OutOfRange for a word that says none.
 [[nodiscard]] Result<BodyPosition> positionOption(const Words& words);
 
+/// What size of a patient breathes in subjectOption, without making it.
+/// @returns OutOfRange for a patient there is not.
+[[nodiscard]] Result<PatientBuild> buildOption(const Words& words);
+
 /// Who is drawn, and what size of a patient breathes.
 struct Subject {
     Anatomy anatomy;

@@ -1,5 +1,6 @@
 #include "engine/anatomy/patient/patient_dimensions.h"
 
+#include "engine/anatomy/patient/patient_build.h"
 #include "engine/core/expects.h"
 
 #include <algorithm>
@@ -123,15 +124,13 @@ void addBody(const PatientParameters& p, PatientDimensions& d)
 {
     d.ageInYears = p.ageInYears;
     d.sex = p.sex;
+    d.height = p.height;
     const double usual = usualBodyMassIndex(p.ageInYears) * p.height.si * p.height.si;
     const bool obese = p.habitus == Habitus::Obese;
     // 127 kg is the obese patient of Benumof's curves, 1.65 times the standard one of that height.
     d.weightInKilograms = usual * (obese ? 1.65 : p.habitus == Habitus::Slim ? 0.8 : 1.0);
-    // 30 ml/kg (Pulse) of the usual weight; 11 ml/kg of an obese patient's own.
-    d.functionalResidualCapacity =
-        obese ? millilitres(11.0 * d.weightInKilograms) : millilitres(30.0 * usual);
-    d.tidalVolume = millilitres(10.0 * std::round(0.7 * usual)); // 7 ml/kg at every age
-    d.rightLungShare = 0.525;                                    // Pulse
+    d.functionalResidualCapacity = lungVolumesOf(buildOf(d)).functionalResidual;
+    d.rightLungShare = 0.525; // Pulse
     // CT of 32 people lying gives 17.9, 9.3, 26.5, 23.1 and 23.2 % (PMC7490509), one man's
     // published surfaces 23.4, 9.9, 21.4, 21.6 and 23.7 %. These are within 3 of both.
     d.lobes = {0.207, 0.082, 0.236, 0.237, 0.238};
@@ -140,18 +139,12 @@ void addBody(const PatientParameters& p, PatientDimensions& d)
         d.fatLayer = 0.7 * d.fatLayer;
 }
 
-void addBreathing(const PatientParameters& p, PatientDimensions& d)
+/// Cuffed: age / 4 + 3.5 mm; usual for men and for women, in steps of half a millimetre.
+Length fittingTube(const PatientParameters& p)
 {
-    // 26 at 2 and 19 at 12 years (Fleming 2011), 16 grown up (Pulse).
-    const double rate = p.ageInYears < 12.0
-                            ? mix(26.0, 19.0, shareBetween(2.0, 12.0, p.ageInYears))
-                            : mix(19.0, 16.0, shareBetween(12.0, 18.0, p.ageInYears));
-    d.breathingRate = perMinute(rate);
-    d.inspiratoryFraction = 0.0125 * (rate + 4.0) + 0.125; // Pulse
-    // Cuffed: age / 4 + 3.5 mm; usual for men and for women, in steps of half a millimetre.
     const double grown = p.sex == Sex::Male ? 8.0 : 7.0;
     const double inner = maturity(p) < 0.5 ? std::min(p.ageInYears / 4.0 + 3.5, 7.0) : grown;
-    d.tubeInnerDiameter = millimetres(0.5 * std::round(2.0 * inner));
+    return millimetres(0.5 * std::round(2.0 * inner));
 }
 
 } // namespace
@@ -183,7 +176,6 @@ Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
     if (!(p.height >= metres(1.0) && p.height <= metres(2.1)))
         return fail(Errc::OutOfRange, "a height is 100 to 210 cm");
     PatientDimensions d;
-    d.height = p.height;
     const Windpipe windpipe = windpipeOf(p);
     d.cordsToCarina = windpipe.cordsToCarina;
     d.tracheaLength = windpipe.tracheaLength;
@@ -200,7 +192,7 @@ Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
         if (const auto set = setTeethToCarina(*p.teethToCarina, d); !set)
             return tl::unexpected(set.error());
     addBody(p, d);
-    addBreathing(p, d);
+    d.tubeInnerDiameter = fittingTube(p);
     return d;
 }
 

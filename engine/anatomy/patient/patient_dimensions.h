@@ -48,7 +48,7 @@ struct LobeShares {
     double leftLower = 0.0;
 };
 
-/// The dimensions and respiratory parameters of a patient.
+/// The dimensions of a patient.
 struct PatientDimensions {
     Length height;
     double weightInKilograms = 0.0;
@@ -61,15 +61,12 @@ struct PatientDimensions {
     int tracheaRings = 0;
     MainBronchusDimensions rightBronchus;
     MainBronchusDimensions leftBronchus;
-    Length teethToCarina; ///< along the path of a tube
-    Volume functionalResidualCapacity;
-    double rightLungShare = 0.0; ///< share of the functional residual capacity
+    Length teethToCarina;              ///< along the path of a tube
+    Volume functionalResidualCapacity; ///< lungVolumesOf this build
+    double rightLungShare = 0.0;       ///< share of the functional residual capacity
     LobeShares lobes;
-    Length fatLayer; ///< thickness between skin and ribs
-    Volume tidalVolume;
-    Frequency breathingRate;
-    double inspiratoryFraction = 0.0; ///< share of inspiration in a breath, 0 to 1
-    Length tubeInnerDiameter;         ///< of a fitting tracheal tube
+    Length fatLayer;          ///< thickness between skin and ribs
+    Length tubeInnerDiameter; ///< of a fitting tracheal tube
 };
 
 /// Body mass index of Habitus::Normal, kg/m^2: 17.8 at twelve years (40 kg at 150 cm) and 25.1 in

@@ -26,20 +26,9 @@ constexpr Resistance kUpperAirway = cmH2OSecondsPerLitre(1.125);
 constexpr Resistance kBothBronchi = cmH2OSecondsPerLitre(0.45);
 constexpr double kAnatomicalDeadSpace_mlPerKg = 2.2;
 constexpr Frequency kRelief = hertz(0.5);
-/// Beyond this much of the usual weight, a body mass index of 26 in adults, there is fat.
-constexpr double kLeanShare = 26.0 / (77.0 / (1.75 * 1.75));
-/// How fast weight beyond the lean one takes the expiratory reserve: exponentially (Jones and
-/// Nzekwu, Chest 2006;130:827), so that 127 kg at 175 cm are left with 11 ml/kg (Benumof).
-constexpr double kReserveLostToFat = 3.7;
 // The mediastinum: 35 mm at the most over an area of 200 cm2, reached at 14 cmH2O.
 constexpr Volume kMediastinumMost = litres(0.7);
 constexpr Compliance kMediastinum = litresPerCmH2O(0.05);
-
-double leanWeight(const PatientBuild& build)
-{
-    const double usual = usualBodyMassIndex(build.ageInYears) * build.height.si * build.height.si;
-    return std::min(build.weightInKilograms, kLeanShare * usual);
-}
 
 /// Resistance at an age over an adult's: the total at 4 Hz falls from 13 cmH2O s/L at 2 years to 3
 /// at 18 (Pediatr Pulmonol 1985;1:134), taken as a geometric fall that goes on to the adult's.
@@ -49,6 +38,13 @@ double narrownessAt(double years)
     const Resistance atAge =
         cmH2OSecondsPerLitre(13.0 * std::pow(3.0 / 13.0, (years - 2.0) / 16.0));
     return std::max(1.0, atAge / adult);
+}
+
+double quietRate_perMin(double years)
+{
+    const double young = 19.0 + 0.7 * (12.0 - years);
+    const double grown = 16.0 + 0.5 * (18.0 - years);
+    return std::clamp(years < 12.0 ? young : grown, 16.0, 26.0);
 }
 
 LungMechanics healthyLung(const LungVolumes& both, double share, double size, double narrowness)
@@ -108,25 +104,12 @@ void eachFigure(RespiratorySystem& a, const RespiratorySystem& b, Visit visit)
 
 } // namespace
 
-PatientBuild buildOf(const PatientDimensions& dimensions)
-{
-    return {dimensions.height, dimensions.weightInKilograms, dimensions.ageInYears, dimensions.sex};
-}
-
-LungVolumes lungVolumesOf(const PatientBuild& build)
-{
-    const Volume perKilogram = millilitres(leanWeight(build));
-    const double fat = build.weightInKilograms / leanWeight(build) - 1.0;
-    const double reserve = 14.0 * std::exp(-kReserveLostToFat * fat);
-    return {16.0 * perKilogram, (16.0 + reserve) * perKilogram, 80.0 * perKilogram};
-}
-
 RespiratorySystem healthySystem(const PatientBuild& build)
 {
     CARINA_EXPECTS(build.height.si > 0.0 && build.weightInKilograms > 0.0);
     CARINA_EXPECTS(build.ageInYears >= 2.0);
     const LungVolumes volumes = lungVolumesOf(build);
-    const double size = leanWeight(build) / kStandardWeight;
+    const double size = lungWeight(build) / kStandardWeight;
     const double narrowness = narrownessAt(build.ageInYears);
     RespiratorySystem system;
     system.lungs = {healthyLung(volumes, kRightShare, size, narrowness),
@@ -134,14 +117,14 @@ RespiratorySystem healthySystem(const PatientBuild& build)
     system.upperLaminar = narrowness * kUpperAirway;
     system.mediastinum = size * kMediastinum;
     system.mediastinumMost = size * kMediastinumMost;
-    system.anatomicalDeadSpace = millilitres(kAnatomicalDeadSpace_mlPerKg * leanWeight(build));
+    system.anatomicalDeadSpace = millilitres(kAnatomicalDeadSpace_mlPerKg * lungWeight(build));
     return system;
 }
 
 BreathingPattern restingPattern(const PatientBuild& build)
 {
-    const double perMin = std::clamp(16.0 + 0.5 * (18.0 - build.ageInYears), 16.0, 26.0);
-    return {perMinute(perMin), millilitres(7.0 * leanWeight(build)),
+    const double perMin = quietRate_perMin(build.ageInYears);
+    return {perMinute(perMin), millilitres(7.0 * usualWeight(build)),
             0.0125 * (perMin + 4.0) + 0.125};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
-#include "engine/anatomy/patient/patient_dimensions.h"
+#include "engine/anatomy/patient/patient_build.h"
 #include "engine/core/units.h"
 #include "engine/lungs/mechanics/breathing_pattern.h"
 #include "engine/lungs/mechanics/pressure_volume_curve.h"
@@ -12,26 +12,6 @@
 
 namespace carina
 {
-
-/// The figures of a patient from which the size of lungs and airways is computed.
-struct PatientBuild {
-    Length height = metres(1.75);
-    double weightInKilograms = 77.0;
-    double ageInYears = 30.0;
-    Sex sex = Sex::Male;
-
-    friend bool operator==(const PatientBuild&, const PatientBuild&) = default;
-};
-
-/// The build of a patient that is given by dimensions.
-[[nodiscard]] PatientBuild buildOf(const PatientDimensions& dimensions);
-
-/// Volumes of both lungs together.
-struct LungVolumes {
-    Volume residual;
-    Volume functionalResidual;
-    Volume totalCapacity;
-};
 
 /// One lung and the side of the chest around it. The wall has a linear pressure-volume curve: with
 /// relaxed muscles the pleural pressure is -wallRecoil + (V - wallVolume) / wall, where V is the
@@ -83,19 +63,14 @@ inline constexpr double kLeastOpenShare = 0.05;
 
 [[nodiscard]] constexpr std::size_t lungIndex(Side side) { return side == Side::Right ? 0 : 1; }
 
-/// Residual volume, functional residual capacity and total capacity of 16, 30 and 80 ml per
-/// kilogram of lean weight (Pulse RespiratoryMethodology): weight beyond a body mass index of 26 in
-/// adults is fat and adds no lung. It reduces the expiratory reserve of 14 ml/kg by the factor
-/// exp(-3.7 (weight / lean weight - 1)) (docs/mechanics.md).
-[[nodiscard]] LungVolumes lungVolumesOf(const PatientBuild& build);
-
 /// The healthy patient, supine, breathing through the natural airway. Sources: docs/mechanics.md.
 /// @pre height and weight above 0, age not below 2.
 [[nodiscard]] RespiratorySystem healthySystem(const PatientBuild& build);
 
-/// Quiet breathing of this patient: 7 ml per kilogram of lean weight; a rate f of 16 per minute
-/// from 18 years on, and below that 16 + (18 - years) / 2, which is 19 at 12; an inspiratory
-/// fraction of 0.0125 (f + 4) + 0.125 (Pulse).
+/// Quiet breathing of this patient, for every program and experiment: 7 ml per kilogram of the
+/// usual weight at any age (Pulse; Respir Physiol 1981, PubMed 7330494); a rate f of 26 per minute
+/// at 2 years (Fleming, Lancet 2011;377:1011), 19 at 12 and 16 from 18 on (Pulse), on straight
+/// lines between; an inspiratory fraction of 0.0125 (f + 4) + 0.125 (Pulse).
 [[nodiscard]] BreathingPattern restingPattern(const PatientBuild& build);
 
 /// The largest tidal volume that may be set for this patient: half of the inspiratory capacity,

@@ -65,7 +65,7 @@ void TestBreathingModel::showsTheValuesInForce()
     const BreathingPattern pattern;
     COMPARE_NEAR(console.rate(), inPerMinute(pattern.rate));
     COMPARE_NEAR(console.breathing.value(TidalVolume), inMillilitres(pattern.tidalVolume));
-    COMPARE_NEAR(console.breathing.value(Expiration), 0.59 / 0.41);
+    COMPARE_NEAR(console.breathing.value(Expiration), 0.5875 / 0.4125);
     QVERIFY(!console.breathing.canUndo());
     QVERIFY(console.breathing.travellingText().isEmpty());
 }

@@ -43,6 +43,7 @@ RespiratorySettings breathing(const PatientBuild& build, double rate_perMin, dou
 {
     RespiratorySettings settings;
     settings.build = build;
+    settings.pattern = restingPattern(build);
     settings.pattern.rate = perMinute(rate_perMin);
     settings.pattern.tidalVolume = millilitres(tidalVolume_ml);
     return settings;
@@ -167,7 +168,7 @@ void TestBreatheCommand::refusesWhatItCannotDo_data()
     const auto row = [](const char* name, const char* words, const char* mention) {
         QTest::newRow(name) << QString::fromLatin1(words) << QString::fromLatin1(mention);
     };
-    row("nothing", "", "--rate-per-min");
+    row("nothing", "", "--seconds");
     row("unknown position", "--every-condition --position upside_down", "upside_down");
     row("a rate of nothing", "--rate-per-min 0 --tidal-volume-ml 280 --seconds 1", "from 4 to 60");
     row("a rate that is not a number", "--rate-per-min nan --tidal-volume-ml 280 --seconds 1",

@@ -52,6 +52,9 @@ private Q_SLOTS:
     void hasTheVolumesOfTheTable_data();
     void hasTheVolumesOfTheTable();
     void fatAddsNoLungAndTakesReserve();
+    void aSlimPatientHasTheLungsOfTheHeight();
+    void givesTheLungsThatAreMade_data();
+    void givesTheLungsThatAreMade();
     void hasThePublishedComplianceAtRest();
     void restsWithARecoilOf5AndHoldsItsCapacity();
     void takesTheBuildOfABuiltinPatient();
@@ -73,8 +76,9 @@ void TestRespiratorySystem::hasTheVolumesOfTheTable_data()
     QTest::addColumn<double>("residual_l");
     QTest::addColumn<double>("rest_l");
     QTest::addColumn<double>("capacity_l");
-    QTest::newRow("adult") << 77.0 << 1.75 << 1.232 << 2.31 << 6.16;
-    QTest::newRow("12 years") << 40.0 << 1.50 << 0.64 << 1.2 << 3.2;
+    QTest::addColumn<double>("years");
+    QTest::newRow("adult") << 77.0 << 1.75 << 1.232 << 2.31 << 6.16 << 30.0;
+    QTest::newRow("12 years") << 40.0 << 1.50 << 0.64 << 1.2 << 3.2 << 12.0;
 }
 
 void TestRespiratorySystem::hasTheVolumesOfTheTable()
@@ -84,7 +88,8 @@ void TestRespiratorySystem::hasTheVolumesOfTheTable()
     QFETCH(const double, residual_l);
     QFETCH(const double, rest_l);
     QFETCH(const double, capacity_l);
-    const PatientBuild build{metres(height_m), weight_kg, 30.0, Sex::Female};
+    QFETCH(const double, years);
+    const PatientBuild build{metres(height_m), weight_kg, years, Sex::Female};
     const LungVolumes volumes = lungVolumesOf(build);
     VERIFY_WITHIN(inLitres(volumes.residual), residual_l, kTolerance_l);
     VERIFY_WITHIN(inLitres(volumes.functionalResidual), rest_l, kTolerance_l);
@@ -107,6 +112,51 @@ void TestRespiratorySystem::fatAddsNoLungAndTakesReserve()
     VERIFY_WITHIN(inLitres(left.functionalResidual), 0.011 * 127.0, 0.01);
     obese.weightInKilograms = 400.0; // no weight takes what cannot be breathed out
     QVERIFY(lungVolumesOf(obese).functionalResidual > usual.residual);
+}
+
+/// Lung volumes go with height, and do not fall with a low weight.
+void TestRespiratorySystem::aSlimPatientHasTheLungsOfTheHeight()
+{
+    PatientBuild slim = adult();
+    slim.weightInKilograms *= 0.8;
+    QCOMPARE(lungVolumesOf(slim).functionalResidual.si,
+             lungVolumesOf(adult()).functionalResidual.si);
+    QCOMPARE(lungVolumesOf(slim).totalCapacity.si, lungVolumesOf(adult()).totalCapacity.si);
+    QVERIFY(healthySystem(slim) == healthySystem(adult()));
+    QVERIFY(restingPattern(slim) == restingPattern(adult()));
+}
+
+void TestRespiratorySystem::givesTheLungsThatAreMade_data()
+{
+    QTest::addColumn<double>("years");
+    QTest::addColumn<double>("height_m");
+    QTest::addColumn<int>("habitus");
+    const auto row = [](const char* name, double years, double height_m, Habitus habitus) {
+        QTest::newRow(name) << years << height_m << int(habitus);
+    };
+    row("6 years", 6.0, 1.16, Habitus::Normal);
+    row("12 years", 12.0, 1.50, Habitus::Normal);
+    row("16 years", 16.0, 1.70, Habitus::Normal);
+    row("adult", 30.0, 1.75, Habitus::Normal);
+    row("slim", 30.0, 1.75, Habitus::Slim);
+    row("slim child", 8.0, 1.28, Habitus::Slim);
+    row("obese", 30.0, 1.75, Habitus::Obese);
+    row("obese child", 12.0, 1.50, Habitus::Obese);
+    row("80 years", 80.0, 1.70, Habitus::Normal);
+}
+
+/// What the surfaces are made to enclose, and what the mechanics rest at.
+void TestRespiratorySystem::givesTheLungsThatAreMade()
+{
+    QFETCH(const double, years);
+    QFETCH(const double, height_m);
+    QFETCH(const int, habitus);
+    const PatientDimensions made =
+        dimensionsFor({years, metres(height_m), Sex::Male, Habitus(habitus)}).value();
+    const RespiratorySystem system = healthySystem(buildOf(made));
+    VERIFY_WITHIN((system.lungs[0].wallVolume + system.lungs[1].wallVolume)
+                      / made.functionalResidualCapacity,
+                  1.0, 1e-12);
 }
 
 /// The system of an adult 0.1, of a child of 12 about 0.05 L/cmH2O; the right side of an adult
@@ -170,13 +220,16 @@ void TestRespiratorySystem::narrowsWithYouth()
 void TestRespiratorySystem::breathesQuietlyAsTheTableSays_data()
 {
     QTest::addColumn<double>("years");
+    QTest::addColumn<double>("height_m");
     QTest::addColumn<double>("weight_kg");
     QTest::addColumn<double>("rate_perMin");
     QTest::addColumn<double>("tidalVolume_ml");
     QTest::addColumn<double>("fraction");
-    QTest::newRow("adult") << 40.0 << 77.0 << 16.0 << 539.0 << 0.375;
-    QTest::newRow("12 years") << 12.0 << 40.0 << 19.0 << 280.0 << 0.4125;
-    QTest::newRow("small child") << 2.0 << 12.0 << 24.0 << 84.0 << 0.475;
+    QTest::newRow("adult") << 40.0 << 1.75 << 77.0 << 16.0 << 539.0 << 0.375;
+    QTest::newRow("obese") << 40.0 << 1.75 << 127.0 << 16.0 << 539.0 << 0.375;
+    QTest::newRow("12 years") << 12.0 << 1.50 << 40.0 << 19.0 << 280.0 << 0.4125;
+    QTest::newRow("2 years") << 2.0 << 0.90 << 12.0 << 26.0 << 7.0 * (40.0 / 2.25 - 3.0) * 0.81
+                             << 0.5;
 }
 
 void TestRespiratorySystem::breathesQuietlyAsTheTableSays()
@@ -186,7 +239,8 @@ void TestRespiratorySystem::breathesQuietlyAsTheTableSays()
     QFETCH(const double, rate_perMin);
     QFETCH(const double, tidalVolume_ml);
     QFETCH(const double, fraction);
-    const BreathingPattern quiet = restingPattern({metres(1.75), weight_kg, years, Sex::Male});
+    QFETCH(const double, height_m);
+    const BreathingPattern quiet = restingPattern({metres(height_m), weight_kg, years, Sex::Male});
     VERIFY_WITHIN(inPerMinute(quiet.rate), rate_perMin, 1e-9);
     VERIFY_WITHIN(inMillilitres(quiet.tidalVolume), tidalVolume_ml, 1e-9);
     VERIFY_WITHIN(quiet.inspiratoryFraction, fraction, 1e-12);

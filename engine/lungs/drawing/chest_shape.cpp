@@ -11,6 +11,14 @@ namespace
 constexpr double kMediastinalArea = 0.02; // m^2, with 2.31 L at rest
 constexpr Volume kAdultRest = litres(2.31);
 
+double ribShareOf(const PatientBuild& build)
+{
+    constexpr double kChild = 0.45;
+    const double grown = build.sex == Sex::Male ? 0.35 : 0.45;
+    const double maturity = std::clamp((build.ageInYears - 12.0) / 6.0, 0.0, 1.0);
+    return kChild + maturity * (grown - kChild);
+}
+
 } // namespace
 
 ChestShape chestShape(const PatientBuild& build, const RespiratorySystem& system,
@@ -28,7 +36,7 @@ ChestShape chestShape(const PatientBuild& build, const RespiratorySystem& system
     const double area = kMediastinalArea * std::pow(rest / kAdultRest, 2.0 / 3.0);
     shape.mediastinalShift = {moment.mediastinum.si / area};
     shape.sag = system.sag;
-    shape.ribShare = build.sex == Sex::Male ? 0.35 : 0.45;
+    shape.ribShare = ribShareOf(build);
     return shape;
 }
 

@@ -44,6 +44,7 @@ private Q_SLOTS:
     void shiftsTowardsAnAtelectasis();
     void shiftsFurtherInASmallerChest();
     void sharesTheWorkByTheSex();
+    void sharesTheWorkAlikeInChildren();
 };
 
 void TestChestShape::restsWhereHealthRests()
@@ -155,6 +156,24 @@ void TestChestShape::sharesTheWorkByTheSex()
     const ChestShape ofWoman = chestShape(woman, system, rest, moment);
     VERIFY_WITHIN(0.5 * (ofMan.ribShare + ofWoman.ribShare), 0.4, 1e-12);
     QVERIFY(ofWoman.ribShare > ofMan.ribShare);
+}
+
+/// The diaphragm makes 55 % of a child's breath, whatever the sex; boys differ from twelve years
+/// on.
+void TestChestShape::sharesTheWorkAlikeInChildren()
+{
+    const auto ribShare = [](double years, Sex sex) {
+        PatientBuild build{metres(1.5), 40.0, years, sex};
+        const RespiratorySystem system = healthySystem(build);
+        const ChestContent rest = restingContent(system);
+        return chestShape(build, system, rest, chestMoment(system, rest, {}, {})).ribShare;
+    };
+    for (const double years : {6.0, 12.0}) {
+        VERIFY_WITHIN(ribShare(years, Sex::Female), 0.45, 1e-12);
+        VERIFY_WITHIN(ribShare(years, Sex::Male), 0.45, 1e-12);
+    }
+    VERIFY_WITHIN(ribShare(15.0, Sex::Male), 0.40, 1e-12);
+    VERIFY_WITHIN(ribShare(18.0, Sex::Male), 0.35, 1e-12);
 }
 
 CARINA_TEST(TestChestShape)

@@ -23,6 +23,7 @@ double lookedUp(const SeverityTable& table, double severity)
 
 // Pulse's table of diseases; fatigue is a factor on the tidal volume.
 constexpr SeverityTable kArdsOpen{1.0, 0.7, 0.5, 0.4};
+constexpr SeverityTable kArdsInspiration{1.0, 0.7 / 0.5, 1.1 / 0.5, 1.5 / 0.5}; // of I:E
 constexpr SeverityTable kArdsFatigue{1.0, 0.76, 0.52, 0.28};
 constexpr SeverityTable kArdsDeadSpace_l{0.0, 0.0, 0.03, 0.15};
 constexpr SeverityTable kCopdCompliance{1.0, 1.0, 1.1, 1.4};
@@ -31,8 +32,12 @@ constexpr SeverityTable kCopdResistance{1.0, 0.85 / 0.45, 1.7 / 0.45, 2.4 / 0.45
 // "An identifiable model of lung mechanics to diagnose and monitor COPD") 1.125 lie above the
 // carina. The straight line to it is ours.
 constexpr SeverityTable kCopdCompression{1.0, 3.9, 6.8, 9.7};
+constexpr SeverityTable kCopdInspiration{1.0, 0.35 / 0.5, 0.22 / 0.5, 0.12 / 0.5}; // of I:E
 constexpr SeverityTable kCopdFatigue{1.0, 0.87, 0.76, 0.64};
 constexpr SeverityTable kCopdDeadSpace_l{0.0, 0.3, 0.6, 0.9};
+constexpr double kCopdClosing = 1.7;
+constexpr double kAsthmaCompression = 2.3;
+constexpr double kAsthmaClosing = 1.6;
 constexpr double kPulseRest_l = 2.31; // resting volume of the patient the dead spaces are of
 // Emphysema (AJRCCM 158:3), reached at 0.9.
 constexpr SeverityTable kCopdRest{1.0, 1.0 + 0.77 / 3.0, 1.0 + 1.54 / 3.0, 1.77};
@@ -83,6 +88,7 @@ void makeCopd(LungMechanics& lung, double severity)
         lookedUp(kCopdCompliance, severity) * before.complianceAt(healthyRest));
     lung.bronchi = (1.0 / lookedUp(kCopdResistance, severity)) * lung.bronchi;
     lung.compression = lookedUp(kCopdCompression, severity);
+    lung.closing = severity * kCopdClosing * lung.wallVolume;
     lung.alveolarDeadSpace = lookedUp(kCopdDeadSpace_l, severity) / kPulseRest_l * healthyRest;
 }
 
@@ -90,6 +96,8 @@ void makeCopd(LungMechanics& lung, double severity)
 void makeAsthma(LungMechanics& lung, double severity)
 {
     lung.bronchi = (1.0 / (1.0 + 14.0 * severity * 1.575 / 0.45)) * lung.bronchi;
+    lung.compression = 1.0 + severity * (kAsthmaCompression - 1.0);
+    lung.closing = severity * kAsthmaClosing * lung.wallVolume;
 }
 
 /// What the mediastinum gives way to a rise of the pleural pressure on one side: the other side
@@ -173,15 +181,38 @@ void afflict(LungMechanics& lung, const LungCondition& condition)
     }
 }
 
-double effortWith(const LungCondition& condition)
+/// What a condition of both lungs makes of the muscles, and of how they are used.
+struct Muscles {
+    double effort = 1.0;   ///< RespiratorySystem::effort
+    double strength = 1.0; ///< RespiratorySystem::strength
+    double inspiration = 1.0;
+};
+
+Muscles musclesOf(const LungCondition& condition)
 {
     const double severity = condition.severity;
-    double effort = 1.0;
-    if (condition.kind == ConditionKind::Ards)
-        effort = tiredEffort(lookedUp(kArdsFatigue, severity), lookedUp(kArdsOpen, severity));
-    if (condition.kind == ConditionKind::Copd)
-        effort = tiredEffort(lookedUp(kCopdFatigue, severity), lookedUp(kCopdCompliance, severity));
-    return condition.side == ConditionSide::Both ? effort : 0.5 * (1.0 + effort);
+    if (condition.kind == ConditionKind::Ards) {
+        const double fatigue = lookedUp(kArdsFatigue, severity);
+        return {tiredEffort(fatigue, lookedUp(kArdsOpen, severity)), fatigue,
+                lookedUp(kArdsInspiration, severity)};
+    }
+    if (condition.kind == ConditionKind::Copd) {
+        const double fatigue = lookedUp(kCopdFatigue, severity);
+        return {tiredEffort(fatigue, lookedUp(kCopdCompliance, severity)), fatigue,
+                lookedUp(kCopdInspiration, severity)};
+    }
+    return {};
+}
+
+/// A condition of one lung changes muscles and timing by half as much.
+void useMuscles(const LungCondition& condition, RespiratorySystem& system)
+{
+    const Muscles muscles = musclesOf(condition);
+    const double share = condition.side == ConditionSide::Both ? 1.0 : 0.5;
+    const auto part = [share](double factor) { return 1.0 + share * (factor - 1.0); };
+    system.effort *= part(muscles.effort);
+    system.strength *= part(muscles.strength);
+    system.inspiratoryRatio *= part(muscles.inspiration);
 }
 
 /// The share of a breath that leaves in the time a quiet one has for it, by the time constant of
@@ -192,7 +223,9 @@ double shareThatLeaves(const RespiratorySystem& system)
     double conductance = 0.0;
     double compliance = 0.0;
     for (const LungMechanics& lung : system.lungs) {
-        conductance += lung.bronchi.si / lung.compression;
+        const Volume room = lung.wallVolume - lung.curve.floor;
+        const double open = std::min(1.0, room / std::max(room, lung.closing - lung.curve.floor));
+        conductance += open * lung.bronchi.si / lung.compression;
         compliance +=
             1.0 / (1.0 / lung.curve.complianceAt(lung.wallVolume).si + 1.0 / lung.wall.si);
     }
@@ -227,7 +260,7 @@ RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungConditio
         }
         afflict(system.lungs[i], condition);
     }
-    system.effort = effortWith(condition);
+    useMuscles(condition, system);
     // The tidal volumes of the table are breathed on top of what stays behind.
     if (condition.kind == ConditionKind::Copd)
         system.effort *= shareThatLeaves(healthy) / shareThatLeaves(system);

@@ -39,6 +39,15 @@ double openBronchi(const LungMechanics& lung, const LungContent& content)
     return lung.bronchi.si * open * std::clamp(share / kClosingShare, 0.0, 1.0);
 }
 
+/// Of the bronchial conductance to gas that leaves, what is left of it below the closing volume.
+double openToLeaving(const LungMechanics& lung, const LungContent& content)
+{
+    if (content.gas >= lung.closing)
+        return 1.0;
+    const double share = (content.gas - lung.curve.floor) / (lung.closing - lung.curve.floor);
+    return std::clamp(share, kLeastOpenToLeaving, 1.0);
+}
+
 /// Pleural pressures, and what the mediastinum gives way, from the contents.
 void solvePleura(const RespiratorySystem& system, const ChestContent& content, double muscle,
                  ChestMoment& moment)
@@ -105,7 +114,8 @@ void solveUpperAirway(const RespiratorySystem& system, const Branches& branches,
 
 /// The airway while each lung's gas goes one way or the other, and with the tears that are open.
 struct AirwayPaths {
-    std::array<double, 2> inward{}; ///< conductance of the bronchi to gas that comes in
+    std::array<double, 2> inward{};  ///< conductance of the bronchi to gas that comes in
+    std::array<double, 2> outward{}; ///< and to gas that leaves
     std::array<double, 2> bronchi{};
     std::array<double, 2> tears{};
     std::array<bool, 2> leaves{};
@@ -123,8 +133,7 @@ void settleAirway(const RespiratorySystem& system, const AirwayOpening& opening,
     for (int time = 0; time < kMostTimes && !isSettled; ++time) {
         Branches branches;
         for (std::size_t i = 0; i < 2; ++i) {
-            const double out = paths.inward[i] / system.lungs[i].compression;
-            paths.bronchi[i] = paths.leaves[i] ? out : paths.inward[i];
+            paths.bronchi[i] = paths.leaves[i] ? paths.outward[i] : paths.inward[i];
             branches.add(paths.bronchi[i], moment.alveolar[i].si);
             branches.add(paths.tears[i], moment.pleural[i].si);
         }
@@ -133,7 +142,7 @@ void settleAirway(const RespiratorySystem& system, const AirwayOpening& opening,
         for (std::size_t i = 0; i < 2; ++i) {
             const bool leaves = moment.alveolar[i] > moment.carina;
             isSettled =
-                isSettled && (leaves == paths.leaves[i] || system.lungs[i].compression == 1.0);
+                isSettled && (leaves == paths.leaves[i] || paths.inward[i] == paths.outward[i]);
             paths.leaves[i] = leaves;
         }
     }
@@ -144,7 +153,9 @@ void solveAirway(const RespiratorySystem& system, const ChestContent& content,
 {
     AirwayPaths paths;
     for (std::size_t i = 0; i < 2; ++i) {
-        paths.inward[i] = openBronchi(system.lungs[i], content[i]);
+        const LungMechanics& lung = system.lungs[i];
+        paths.inward[i] = openBronchi(lung, content[i]);
+        paths.outward[i] = paths.inward[i] * openToLeaving(lung, content[i]) / lung.compression;
         paths.leaves[i] = !opening.drivesFlow && moment.alveolar[i] > opening.pressure;
     }
     settleAirway(system, opening, paths, moment);

@@ -49,6 +49,8 @@ struct ChestMoment {
 
 /// Bronchi begin to close where the gas is below this share of the lung's span above its floor.
 inline constexpr double kClosingShare = 0.05;
+/// What the closing volume leaves of the conductance to gas that leaves, at least.
+inline constexpr double kLeastOpenToLeaving = 0.02;
 /// A bronchial conductance below this counts as 0, before it becomes numerically too small: 1e-18
 /// is a nanolitre per minute at 100 cmH2O.
 inline constexpr Conductance kShut{1e-18};
@@ -66,7 +68,8 @@ inline constexpr Conductance kShut{1e-18};
 /// The mediastinum gives way to the difference of the pleural pressures and to its own weight. Gas
 /// flows from the opening to the carina, with the pressure loss K1 Q + K2 Q |Q| (Rohrer), and from
 /// there through the bronchi of each lung. Bronchial conductance is divided by the compression
-/// where gas leaves, and falls in proportion to the gas below kClosingShare. Gas that entered
+/// where gas leaves, less below the closing volume, and falls in proportion to the gas below
+/// kClosingShare. Gas that entered
 /// through a tear closes the lung in proportion, down to kLeastOpenShare once it is as much as the
 /// lung holds at rest.
 ///

@@ -28,6 +28,19 @@ double perfusedShare(const RespiratorySystem& system, const ChestContent& conten
     return std::max(0.0, 1.0 - dead / gas);
 }
 
+/// An inspiratory fraction with I:E multiplied.
+double fractionWith(double fraction, double ratio)
+{
+    constexpr double kLeast = 0.1;
+    constexpr double kMost = 0.9;
+    if (ratio == 1.0)
+        return fraction;
+    return std::clamp(ratio * fraction / (1.0 - fraction + ratio * fraction), kLeast, kMost);
+}
+
+/// Drive makes no patient breathe faster than this.
+constexpr Frequency kFastestOwn = perMinute(60.0);
+
 RespiratorySystem healthyIn(const RespiratorySettings& settings)
 {
     RespiratorySystem system = healthySystem(settings.build);
@@ -94,7 +107,7 @@ Pressure RespiratoryFold::muscleAt(double breaths) const
 {
     const double share =
         muscleShare(breaths - std::floor(breaths), m_state.breath.inspiratoryFraction);
-    return share * m_state.system.effort * m_state.effort;
+    return share * m_state.effort;
 }
 
 /// The muscle's pressure when the step has gone on for so long: of its breath, and what is still
@@ -129,33 +142,79 @@ Pressure RespiratoryFold::effortOfHealth(const BreathingPattern& pattern)
     return m_found->effort;
 }
 
+BreathingPattern RespiratoryFold::patternAsSet() const
+{
+    BreathingPattern pattern = m_settings.pattern;
+    pattern.tidalVolume = std::min(pattern.tidalVolume, largestTidalVolume(m_settings.build));
+    return pattern;
+}
+
+/// Of spontaneous breathing, as set and driven.
+Frequency RespiratoryFold::ownRate() const
+{
+    const Frequency set = m_settings.pattern.rate;
+    return std::max(set, std::min(kFastestOwn, drivenRate(m_state.drive) * set));
+}
+
+void RespiratoryFold::sumUpBreath()
+{
+    const BreathTally& tally = m_state.tally;
+    BreathFigures& last = m_state.last;
+    last.tidalVolume = tally.inspired;
+    last.tidalVolumeOfLung = {tally.most[0] - tally.least[0], tally.most[1] - tally.least[1]};
+    last.rate = {1.0 / (static_cast<double>(tally.steps) * kRespiratoryStep)};
+    last.peak = tally.peak;
+    last.plateau = tally.plateau;
+    last.endExpiratory = occluded(m_state.system, m_moment);
+    last.autoPeep = last.endExpiratory - m_state.opening.pressure;
+    const Volume fresh = std::max(Volume{}, tally.inspired - m_state.system.anatomicalDeadSpace);
+    last.alveolarVentilation = {perfusedShare(m_state.system, m_state.content) * fresh.si
+                                * last.rate.si};
+}
+
+/// Carbon dioxide and tiredness after the breath that ends.
+void RespiratoryFold::takeDrive(double seconds)
+{
+    const BreathingPattern set = patternAsSet();
+    const Volume fresh = set.tidalVolume - m_healthy.anatomicalDeadSpace;
+    if (fresh.si <= 0.0)
+        return;
+    const VolumeFlow wanted{fresh.si * set.rate.si};
+    DriveState& drive = m_state.drive;
+    const Pressure mean = meanMuscleShare(m_state.breath.inspiratoryFraction) * m_state.effort;
+    drive.tiredness = tirednessAfter(seconds, drive, mean, m_state.system.strength);
+    drive.carbonDioxide =
+        carbonDioxideAfter(seconds, drive.carbonDioxide, wanted, m_state.last.alveolarVentilation);
+}
+
 /// The breath that ends is summed up, and the settings hold for the one that begins.
 void RespiratoryFold::beginBreath()
 {
-    const ChestContent& content = m_state.content;
     BreathTally& tally = m_state.tally;
     if (tally.steps > 0) {
-        BreathFigures& last = m_state.last;
-        last.tidalVolume = tally.inspired;
-        last.tidalVolumeOfLung = {tally.most[0] - tally.least[0], tally.most[1] - tally.least[1]};
-        last.rate = {1.0 / (static_cast<double>(tally.steps) * kRespiratoryStep)};
-        last.peak = tally.peak;
-        last.plateau = tally.plateau;
-        last.endExpiratory = occluded(m_state.system, m_moment);
-        last.autoPeep = last.endExpiratory - m_state.opening.pressure;
-        const Volume fresh =
-            std::max(Volume{}, tally.inspired - m_state.system.anatomicalDeadSpace);
-        last.alveolarVentilation = {perfusedShare(m_state.system, content) * fresh.si
-                                    * last.rate.si};
+        sumUpBreath();
+        takeDrive(static_cast<double>(tally.steps) * kRespiratoryStep);
     }
-    const std::array<Volume, 2> gas{content[0].gas, content[1].gas};
+    const std::array<Volume, 2> gas{m_state.content[0].gas, m_state.content[1].gas};
     tally = {0, {}, gas, gas, m_moment.opening, {}};
-    BreathingPattern& pattern = m_state.breath;
-    pattern = m_settings.pattern;
-    pattern.tidalVolume = std::min(pattern.tidalVolume, largestTidalVolume(m_settings.build));
-    const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
-    m_state.effort = own > 0.0 ? own * effortOfHealth(pattern) : Pressure{};
+    m_state.breath = patternAsSet();
     m_state.ventilator.sinceBreath = 0;
+    const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
+    if (own == 0.0) {
+        m_state.effort = {};
+        return;
+    }
+    const RespiratorySystem& system = m_state.system;
+    const Pressure quiet = effortOfHealth(m_state.breath);
+    DriveState driving = m_state.drive;
+    if (isVentilated())
+        driving.carbonDioxide = 1.0; // rate and effort are those set
+    m_state.effort = own * drivenEffort(driving, quiet, system.strength, system.effort) * quiet;
+    if (isVentilated())
+        return;
+    m_state.breath.rate = ownRate();
+    m_state.breath.inspiratoryFraction =
+        fractionWith(m_state.breath.inspiratoryFraction, system.inspiratoryRatio);
 }
 
 void RespiratoryFold::step()
@@ -164,8 +223,7 @@ void RespiratoryFold::step()
     if (isVentilated() && ventilatorBegins())
         beginBreath();
     const double before = m_clock.state().breaths;
-    m_clock.advance(isVentilated() ? m_settings.ventilator.ownRate : m_settings.pattern.rate,
-                    kRespiratoryStep);
+    m_clock.advance(isVentilated() ? m_settings.ventilator.ownRate : ownRate(), kRespiratoryStep);
     const double after = m_clock.state().breaths;
     const std::array<Pressure, 3> muscle{
         m_state.muscle, relaxedTo(0.5 * (before + after), before, 0.5 * kRespiratoryStep),

@@ -6,6 +6,7 @@
 #include "engine/lungs/mechanics/lung_condition.h"
 #include "engine/lungs/mechanics/lung_dynamics.h"
 #include "engine/lungs/mechanics/ventilation.h"
+#include "engine/lungs/mechanics/ventilatory_drive.h"
 
 #include <array>
 #include <cstdint>
@@ -71,6 +72,7 @@ struct RespiratoryState {
     AirwayOpening opening;   ///< in the last step
     BreathTally tally;
     BreathFigures last; ///< the latest whole breath; all 0 before the first
+    DriveState drive;
 
     friend bool operator==(const RespiratoryState&, const RespiratoryState&) = default;
 };
@@ -83,6 +85,10 @@ struct RespiratoryState {
 /// position or tube is approached exponentially with the time constant kChangeTime, so that no
 /// volume jumps. A new tidal volume or inspiratory fraction takes effect with the next breath; the
 /// tidal volume is limited to largestTidalVolume.
+///
+/// The pattern that is set is that of a healthy patient. Where a spontaneous breath brings less
+/// alveolar ventilation than it does in health, CO2 accumulates and raises effort and rate, until
+/// the muscles tire (ventilatory_drive.h).
 class RespiratoryFold
 {
 public:
@@ -124,6 +130,10 @@ private:
     [[nodiscard]] bool inspires() const;
     [[nodiscard]] AirwayOpening openingNow() const;
     [[nodiscard]] Pressure effortOfHealth(const BreathingPattern& pattern);
+    [[nodiscard]] Frequency ownRate() const;
+    [[nodiscard]] BreathingPattern patternAsSet() const;
+    void sumUpBreath();
+    void takeDrive(double seconds);
     void beginBreath();
     void tally(const ChestContent& content);
 

@@ -75,6 +75,7 @@ template <class Visit> void eachFigure(LungMechanics& a, const LungMechanics& b,
     visit(a.limbVolume.si, b.limbVolume.si);
     visit(a.bronchi.si, b.bronchi.si);
     visit(a.compression, b.compression);
+    visit(a.closing.si, b.closing.si);
     visit(a.wall.si, b.wall.si);
     visit(a.wallVolume.si, b.wallVolume.si);
     visit(a.wallRecoil.si, b.wallRecoil.si);
@@ -99,6 +100,8 @@ void eachFigure(RespiratorySystem& a, const RespiratorySystem& b, Visit visit)
     visit(a.mediastinalWeight.si, b.mediastinalWeight.si);
     visit(a.anatomicalDeadSpace.si, b.anatomicalDeadSpace.si);
     visit(a.effort, b.effort);
+    visit(a.strength, b.strength);
+    visit(a.inspiratoryRatio, b.inspiratoryRatio);
     visit(a.sag, b.sag);
 }
 

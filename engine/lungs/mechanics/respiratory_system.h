@@ -25,6 +25,9 @@ struct LungMechanics {
     /// Dynamic compression of the bronchi: their resistance to gas that leaves, over that to gas
     /// that enters; 1 or more.
     double compression = 1.0;
+    /// Below this volume of gas the bronchi narrow in proportion to the gas above the curve's floor
+    /// while gas leaves; 0: they do not.
+    Volume closing;
     Compliance wall;
     Volume wallVolume; ///< gas at which the pleural pressure is -wallRecoil
     Pressure wallRecoil;
@@ -48,8 +51,12 @@ struct RespiratorySystem {
     Volume mediastinumMost;     ///< limit of this volume
     Pressure mediastinalWeight; ///< acts towards the patient's left
     Volume anatomicalDeadSpace;
-    double effort = 1.0; ///< of the muscles, as a share of what a healthy patient needs
-    double sag = 0.0;    ///< of the inside of the lungs, as LungPose::gravity; 0 supine
+    double effort = 1.0; ///< of exhausted muscles, as a share of that of quiet breathing in health
+    double strength = 1.0; ///< of the muscles, as a share of kGreatestInspiratoryPressure
+    /// Duration of inspiration over that of expiration in spontaneous breathing, as a multiple of
+    /// what is set.
+    double inspiratoryRatio = 1.0;
+    double sag = 0.0; ///< of the inside of the lungs, as LungPose::gravity; 0 supine
 
     friend bool operator==(const RespiratorySystem&, const RespiratorySystem&) = default;
 };

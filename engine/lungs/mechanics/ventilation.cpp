@@ -73,6 +73,12 @@ double muscleShare(double phase, double inspiratoryFraction)
     return 1.0 - halfSine(std::min(1.0, (phase - inspiratoryFraction) / fall));
 }
 
+double meanMuscleShare(double inspiratoryFraction)
+{
+    const double fall = std::min(kFallShare * inspiratoryFraction, 1.0 - inspiratoryFraction);
+    return (1.0 - 0.5 * kRiseShare) * inspiratoryFraction + 0.5 * fall;
+}
+
 Pressure effortFor(const RespiratorySystem& system, const BreathingPattern& pattern)
 {
     constexpr int kMostTries = 8;

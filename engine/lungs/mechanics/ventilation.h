@@ -33,6 +33,9 @@ struct VentilatorSettings {
 /// @pre 0 <= phase < 1, the fraction within 0.1..0.9.
 [[nodiscard]] double muscleShare(double phase, double inspiratoryFraction);
 
+/// Mean of muscleShare over a breath.
+[[nodiscard]] double meanMuscleShare(double inspiratoryFraction);
+
 inline constexpr double kRiseShare = 0.75;
 inline constexpr double kFallShare = 0.5;
 

@@ -84,7 +84,9 @@ inline constexpr std::tuple kFields<RespiratoryState>{
     &RespiratoryState::steps,  &RespiratoryState::system,     &RespiratoryState::content,
     &RespiratoryState::clock,  &RespiratoryState::ventilator, &RespiratoryState::breath,
     &RespiratoryState::effort, &RespiratoryState::muscle,     &RespiratoryState::opening,
-    &RespiratoryState::tally,  &RespiratoryState::last};
+    &RespiratoryState::tally,  &RespiratoryState::last,       &RespiratoryState::drive};
+template <>
+inline constexpr std::tuple kFields<DriveState>{&DriveState::carbonDioxide, &DriveState::tiredness};
 template <>
 inline constexpr std::tuple kFields<RespiratorySystem>{&RespiratorySystem::lungs,
                                                        &RespiratorySystem::upperLaminar,
@@ -94,14 +96,19 @@ inline constexpr std::tuple kFields<RespiratorySystem>{&RespiratorySystem::lungs
                                                        &RespiratorySystem::mediastinalWeight,
                                                        &RespiratorySystem::anatomicalDeadSpace,
                                                        &RespiratorySystem::effort,
+                                                       &RespiratorySystem::strength,
+                                                       &RespiratorySystem::inspiratoryRatio,
                                                        &RespiratorySystem::sag};
 template <>
 inline constexpr std::tuple kFields<LungMechanics>{
-    &LungMechanics::curve,      &LungMechanics::limbSpread,  &LungMechanics::limbVolume,
-    &LungMechanics::bronchi,    &LungMechanics::compression, &LungMechanics::wall,
-    &LungMechanics::wallVolume, &LungMechanics::wallRecoil,  &LungMechanics::drive,
-    &LungMechanics::pleuralGas, &LungMechanics::valve,       &LungMechanics::relief,
-    &LungMechanics::uptake,     &LungMechanics::uptakeEnd,   &LungMechanics::alveolarDeadSpace};
+    &LungMechanics::curve,       &LungMechanics::limbSpread,
+    &LungMechanics::limbVolume,  &LungMechanics::bronchi,
+    &LungMechanics::compression, &LungMechanics::closing,
+    &LungMechanics::wall,        &LungMechanics::wallVolume,
+    &LungMechanics::wallRecoil,  &LungMechanics::drive,
+    &LungMechanics::pleuralGas,  &LungMechanics::valve,
+    &LungMechanics::relief,      &LungMechanics::uptake,
+    &LungMechanics::uptakeEnd,   &LungMechanics::alveolarDeadSpace};
 template <>
 inline constexpr std::tuple kFields<PressureVolumeCurve>{
     &PressureVolumeCurve::floor, &PressureVolumeCurve::span, &PressureVolumeCurve::centre,

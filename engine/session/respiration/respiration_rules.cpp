@@ -54,6 +54,7 @@ Result<void> checkLung(const LungMechanics& lung)
         {"volume between limbs", lung.limbVolume.si, kLeastVolume, kLargestGas, " m3"},
         {"conductance of bronchi", lung.bronchi.si, 0.0, 1e-3, " m3/(Pa s)"},
         {"compression of bronchi", lung.compression, 1.0, 100.0, ""},
+        {"closing volume", lung.closing.si, 0.0, kLargestGas, " m3"},
         {"compliance of a chest wall", lung.wall.si, kLeastCompliance, kGreatestCompliance,
          " m3/Pa"},
         {"resting volume", lung.wallVolume.si, kLeastVolume, kLargestGas, " m3"},
@@ -84,6 +85,8 @@ Result<void> checkSystem(const RespiratorySystem& system)
          kGreatestPressure, " Pa"},
         {"anatomical dead space", system.anatomicalDeadSpace.si, 0.0, kLargestGas, " m3"},
         {"share of effort", system.effort, 0.0, 10.0, ""},
+        {"strength of muscles", system.strength, 0.0, 10.0, ""},
+        {"ratio of inspiration", system.inspiratoryRatio, 0.01, 100.0, ""},
         {"sag", system.sag, -1.0, 1.0, ""},
     });
 }
@@ -150,6 +153,14 @@ Result<void> checkBreath(const BreathingPattern& breath)
     return rate.and_then([&] { return checkBody(fact::TidalVolumeSet{breath.tidalVolume}); })
         .and_then(
             [&] { return checkBody(fact::InspiratoryFractionSet{breath.inspiratoryFraction}); });
+}
+
+Result<void> checkDriveState(const DriveState& drive)
+{
+    return checkNumbers({
+        {"carbon dioxide", drive.carbonDioxide, 0.0, kMostCarbonDioxide, ""},
+        {"tiredness", drive.tiredness, 0.0, 1.0, ""},
+    });
 }
 
 /// Steps of half a million years, at most.
@@ -237,6 +248,7 @@ Result<void> checkRespiration(const fact::RespirationCheckpoint& fact)
         .and_then([&] { return checkFigures(state.last); })
         .and_then([&] { return checkBreath(state.breath); })
         .and_then([&] { return checkClock(state.clock); })
+        .and_then([&] { return checkDriveState(state.drive); })
         .and_then([&] { return checkSteps("steps", state.steps); })
         .and_then([&] { return checkSteps("steps of a breath", state.tally.steps); })
         .and_then([&] { return checkSteps("ventilator steps", state.ventilator.sinceBreath); });

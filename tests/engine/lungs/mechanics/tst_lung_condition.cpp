@@ -51,6 +51,9 @@ private Q_SLOTS:
     void stiffensTheChest();
     void compressesTheBronchiOfCopd();
     void tiresTheMuscles();
+    void changesTheTimesOfBreathingByTheTable_data();
+    void changesTheTimesOfBreathingByTheTable();
+    void closesAirwaysAboveTheRestingVolume();
 };
 
 void TestLungCondition::isHealthyAtNoSeverity()
@@ -201,7 +204,7 @@ void TestLungCondition::compressesTheBronchiOfCopd()
         QVERIFY(now > before);
         before = now;
     }
-    QCOMPARE(with(ConditionKind::Asthma, 1.0).lungs[0].compression, 1.0);
+    QCOMPARE(with(ConditionKind::Ards, 1.0).lungs[0].compression, 1.0);
 }
 
 /// So that a share of the tidal volume is left that the table says: quasi-statically, in series
@@ -210,14 +213,54 @@ void TestLungCondition::tiresTheMuscles()
 {
     const double volumeLeft = with(ConditionKind::Ards, 0.9).effort * 2.0 / (1.0 + 1.0 / 0.4);
     VERIFY_WITHIN(volumeLeft, 0.28, 1e-9);
-    // 1.7 times 6.8 and 1.125 cmH2O s/L by 0.1048 L/cmH2O leave 0.191 of a breath after 2.2 s.
-    const double tau = (1.7 * 6.8 + 1.125) / (1.0 / 0.22 + 1.0 / 0.2);
+    // 1.7 times 6.8, of which the closing volume of 1.02 times the resting one leaves 0.97 open,
+    // and 1.125 cmH2O s/L by 0.1048 L/cmH2O.
+    const double floor = 0.25 * (1.0 + 2.84 / 3.0) / (1.0 + 1.54 / 3.0);
+    const double open = (1.0 - floor) / (1.02 - floor);
+    const double tau = (1.7 * 6.8 / open + 1.125) / (1.0 / 0.22 + 1.0 / 0.2);
     const double stays = std::exp(-2.2 / tau);
     VERIFY_WITHIN(with(ConditionKind::Copd, 0.6).effort * (1.0 - stays) * 2.0 / (1.0 + 1.0 / 1.1),
                   0.76, 1e-5);
     VERIFY_WITHIN(with(ConditionKind::Ards, 0.9, ConditionSide::Left).effort,
                   0.5 * (1.0 + with(ConditionKind::Ards, 0.9).effort), 1e-12);
     QCOMPARE(with(ConditionKind::Asthma, 0.9).effort, 1.0);
+}
+
+void TestLungCondition::changesTheTimesOfBreathingByTheTable_data()
+{
+    QTest::addColumn<ConditionKind>("kind");
+    QTest::addColumn<double>("severity");
+    QTest::addColumn<double>("inspiration"); // to expiration; 0.5 in health
+    QTest::newRow("mild ARDS") << ConditionKind::Ards << 0.3 << 0.7;
+    QTest::newRow("moderate ARDS") << ConditionKind::Ards << 0.6 << 1.1;
+    QTest::newRow("severe ARDS") << ConditionKind::Ards << 0.9 << 1.5;
+    QTest::newRow("mild COPD") << ConditionKind::Copd << 0.3 << 0.35;
+    QTest::newRow("moderate COPD") << ConditionKind::Copd << 0.6 << 0.22;
+    QTest::newRow("severe COPD") << ConditionKind::Copd << 0.9 << 0.12;
+    QTest::newRow("asthma") << ConditionKind::Asthma << 0.9 << 0.5;
+}
+
+void TestLungCondition::changesTheTimesOfBreathingByTheTable()
+{
+    QFETCH(const ConditionKind, kind);
+    QFETCH(const double, severity);
+    QFETCH(const double, inspiration);
+    VERIFY_WITHIN(0.5 * with(kind, severity).inspiratoryRatio, inspiration, 1e-9);
+    const double half = with(kind, severity, ConditionSide::Left).inspiratoryRatio;
+    VERIFY_WITHIN(half, 0.5 * (1.0 + inspiration / 0.5), 1e-9);
+}
+
+/// The closing volume exceeds what is left at rest, so that quiet breaths end among airways that
+/// close.
+void TestLungCondition::closesAirwaysAboveTheRestingVolume()
+{
+    for (const ConditionKind kind : {ConditionKind::Asthma, ConditionKind::Copd}) {
+        const LungMechanics lung = with(kind, 0.9).lungs[0];
+        QVERIFY(lung.closing > lung.wallVolume);
+        QVERIFY(with(kind, 0.3).lungs[0].closing < lung.closing);
+    }
+    QCOMPARE(healthy().lungs[0].closing.si, 0.0);
+    QCOMPARE(with(ConditionKind::Ards, 0.9).lungs[0].closing.si, 0.0);
 }
 
 CARINA_TEST(TestLungCondition)

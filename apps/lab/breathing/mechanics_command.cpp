@@ -2,6 +2,8 @@
 #include "apps/lab/breathing/mechanics_table.h"
 #include "apps/lab/command/patient_options.h"
 #include "apps/lab/commands.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/lungs/mechanics/lung_pair.h"
 #include "evaluation/waveforms/waveform_model.h"
 
 #include <QJsonArray>
@@ -70,6 +72,16 @@ Result<QJsonObject> describeWaveform(const QString& file, double assumed_lPerMin
     return describeModel(*waveform, parts, *model, assumed_lPerMin);
 }
 
+/// What the surfaces of this patient's lungs enclose.
+Result<Volume> drawnRestOf(const PatientParameters& figures)
+{
+    return patientFor(figures).and_then([](const Anatomy& anatomy) {
+        return LungPair::of(anatomy).map([](const LungPair& lungs) {
+            return lungs.restVolume(Side::Right) + lungs.restVolume(Side::Left);
+        });
+    });
+}
+
 Result<QJsonObject> describeTable(const Words& words)
 {
     const auto figures = patientOption(words, BuiltinPatient::Adult);
@@ -88,7 +100,10 @@ Result<QJsonObject> describeTable(const Words& words)
             return tl::unexpected(rate_perMin.error());
         healthy.pattern.rate = perMinute(*rate_perMin);
     }
-    QJsonObject object = mechanicsTable(healthy);
+    const auto drawnRest = drawnRestOf(*figures);
+    if (!drawnRest)
+        return tl::unexpected(drawnRest.error());
+    QJsonObject object = mechanicsTable(healthy, *drawnRest);
     object[mechanics_key::kSchema] = QLatin1StringView{mechanics_key::kSchema.help};
     return object;
 }
@@ -111,10 +126,10 @@ Result<QJsonObject> mechanics(const Words& words)
 Use mechanicsOfConditions()
 {
     return {.lines = {"[--patient WHO] [--rate-per-min R] [--position NAME]"},
-            .text =
-                "Calculates what the respiratory mechanics make of each condition at the "
-                "severities 0.3, 0.6 and 0.9, after a minute of quiet breathing, and after a "
-                "minute of volume control. The patient is the adult unless another is asked for.",
+            .text = "Calculates what the respiratory mechanics make of each condition at the "
+                    "severities 0.3, 0.6 and 0.9, after five minutes and after half an hour of "
+                    "spontaneous breathing and after a minute of volume control, beside the ranges "
+                    "that are published. The patient is the adult unless another is asked for.",
             .options = {kPatient, mechanics_option::kRate, kPosition},
             .schema = mechanics_key::kSchema,
             .keys = {mechanics_key::kPosition,
@@ -124,6 +139,8 @@ Use mechanicsOfConditions()
                      mechanics_key::kAge,
                      mechanics_key::kResidualVolume,
                      mechanics_key::kFunctionalResidualCapacity,
+                     mechanics_key::kDrawnRest,
+                     mechanics_key::kDrawnDifference,
                      mechanics_key::kTotalCapacity,
                      mechanics_key::kPatientCompliance,
                      mechanics_key::kResistance,
@@ -131,6 +148,8 @@ Use mechanicsOfConditions()
                      mechanics_key::kQuietTidalVolume,
                      mechanics_key::kInspiratoryFraction,
                      mechanics_key::kSeconds,
+                     mechanics_key::kTiredSeconds,
+                     mechanics_key::kVentilatedSeconds,
                      mechanics_key::kRate,
                      mechanics_key::kConditions,
                      mechanics_key::kCondition,
@@ -139,6 +158,10 @@ Use mechanicsOfConditions()
                      mechanics_key::kRestVolume,
                      mechanics_key::kCompliance,
                      mechanics_key::kSpontaneous,
+                     mechanics_key::kRateBreathed,
+                     mechanics_key::kEffort,
+                     mechanics_key::kInspiratoryShare,
+                     mechanics_key::kTiredness,
                      mechanics_key::kTidalVolume,
                      mechanics_key::kTidalVolumeRight,
                      mechanics_key::kTidalVolumeLeft,
@@ -151,7 +174,15 @@ Use mechanicsOfConditions()
                      mechanics_key::kRightPleura,
                      mechanics_key::kLeftPleura,
                      mechanics_key::kMediastinalShift,
-                     mechanics_key::kVolumeControl}};
+                     mechanics_key::kTired,
+                     mechanics_key::kVolumeControl,
+                     mechanics_key::kRanges,
+                     mechanics_key::kFigure,
+                     mechanics_key::kValue,
+                     mechanics_key::kLeast,
+                     mechanics_key::kGreatest,
+                     mechanics_key::kSource,
+                     mechanics_key::kIsWithin}};
 }
 
 Use mechanicsOfWaveform()

@@ -23,7 +23,7 @@ inline constexpr Option kInspiratoryFlow{
 
 namespace mechanics_key
 {
-inline constexpr Key kSchema{"schema", "carina.mechanics/1"};
+inline constexpr Key kSchema{"schema", "carina.mechanics/2"};
 inline constexpr Key kPosition{"position", "how the patient lies"};
 inline constexpr Key kPatient{"patient", "who breathes, as if lying on the back:"};
 inline constexpr Key kHeight{"height_mm", "body height", 1};
@@ -31,6 +31,9 @@ inline constexpr Key kWeight{"weight_kg", "body weight", 1};
 inline constexpr Key kAge{"age_years", "age", 1};
 inline constexpr Key kResidualVolume{"rv_ml", "residual volume", 1};
 inline constexpr Key kFunctionalResidualCapacity{"frc_ml", "functional residual capacity", 1};
+inline constexpr Key kDrawnRest{"frc_drawn_ml",
+                                "what the surfaces of both lungs enclose at rest, finest level", 1};
+inline constexpr Key kDrawnDifference{"frc_difference_percent", "of that from frc_ml", 1};
 inline constexpr Key kTotalCapacity{"tlc_ml", "total lung capacity", 1};
 inline constexpr Key kPatientCompliance{"compliance_ml_per_cmh2o",
                                         "of lungs and chest wall together, at rest", 1};
@@ -39,8 +42,11 @@ inline constexpr Key kQuietRate{"rate_per_min", "of quiet breathing", 1};
 inline constexpr Key kQuietTidalVolume{"tidal_volume_ml", "of a quiet breath", 1};
 inline constexpr Key kInspiratoryFraction{"inspiratory_fraction",
                                           "share of a quiet breath that is inspiration", 1};
-inline constexpr Key kSeconds{"seconds", "breathed in each case"};
-inline constexpr Key kRate{"rate_per_min", "breathed in each case"};
+inline constexpr Key kSeconds{"seconds", "breathed in each case, spontaneously"};
+inline constexpr Key kTiredSeconds{"tired_seconds", "breathed in each case of \"tired\""};
+inline constexpr Key kVentilatedSeconds{"ventilated_seconds",
+                                        "breathed in each case of volume control"};
+inline constexpr Key kRate{"rate_per_min", "set in each case"};
 inline constexpr Key kConditions{"conditions", "one object per condition and severity:"};
 inline constexpr Key kCondition{"condition",
                                 "normal, ards, copd, asthma, simple_pneumothorax, "
@@ -52,8 +58,14 @@ inline constexpr Key kSide{"side", "both, right or left", 1};
 inline constexpr Key kRestVolume{"rest_volume_ml", "gas in both lungs at rest", 1};
 inline constexpr Key kCompliance{"compliance_ml_per_cmh2o", "as of the patient, at rest", 1};
 inline constexpr Key kSpontaneous{"spontaneous", "quiet breathing, an object:", 1};
+inline constexpr Key kTired{"tired", "the same keys, after tired_seconds; at severity 0.9", 1};
 inline constexpr Key kVolumeControl{
     "volume_control", "the same keys, for volume control through a tube with a PEEP of 5 cmH2O", 1};
+inline constexpr Key kRateBreathed{"rate_per_min", "of the last breath", 2};
+inline constexpr Key kEffort{"effort_cmh2o", "peak pressure of the inspiratory muscles", 2};
+inline constexpr Key kInspiratoryShare{"inspiratory_fraction",
+                                       "share of the last breath that was inspiration", 2};
+inline constexpr Key kTiredness{"tiredness", "of the muscles: 0 fresh to 1 exhausted", 2};
 inline constexpr Key kTidalVolume{"tidal_volume_ml", "of the last breath", 2};
 inline constexpr Key kTidalVolumeRight{"tidal_volume_right_ml", "of it, the right lung's", 2};
 inline constexpr Key kTidalVolumeLeft{"tidal_volume_left_ml", "of it, the left lung's", 2};
@@ -68,6 +80,13 @@ inline constexpr Key kRightPleura{"right_pleura_cmh2o", "right pleural pressure 
 inline constexpr Key kLeftPleura{"left_pleura_cmh2o", "left pleural pressure at the end", 2};
 inline constexpr Key kMediastinalShift{"mediastinal_shift_mm",
                                        "at the end, towards the patient's left", 2};
+inline constexpr Key kRanges{"ranges", "one object per figure with a published range:", 1};
+inline constexpr Key kFigure{"figure", "its name", 2};
+inline constexpr Key kValue{"value", "of this patient", 2};
+inline constexpr Key kLeast{"least", "of the range", 2};
+inline constexpr Key kGreatest{"greatest", "of the range; equal for a table that is reproduced", 2};
+inline constexpr Key kSource{"source", "of the range", 2};
+inline constexpr Key kIsWithin{"within", "whether the value lies in the range, to 0.5 %", 2};
 } // namespace mechanics_key
 
 namespace mechanics_waveform_key

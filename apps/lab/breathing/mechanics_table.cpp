@@ -1,6 +1,7 @@
 #include "apps/lab/breathing/mechanics_table.h"
 
 #include "apps/lab/breathing/mechanics_page.h"
+#include "apps/lab/breathing/published_ranges.h"
 #include "apps/lab/command/patient_words.h"
 #include "engine/lungs/drawing/chest_shape.h"
 #include "engine/lungs/mechanics/respiratory_fold.h"
@@ -12,7 +13,11 @@ namespace carina::lab
 namespace
 {
 
-constexpr double kSeconds = 60.0;
+constexpr double kVentilated_s = 60.0;
+constexpr double kDriven_s = 300.0;
+constexpr double kTired_s = 1800.0;
+constexpr double kTiring = 0.9; // severity from which muscles may tire in that time
+constexpr Frequency kFastVentilation = perMinute(20.0);
 
 QString textOf(std::string_view text)
 {
@@ -44,17 +49,25 @@ Compliance complianceAtRest(const RespiratorySystem& system)
     return sum;
 }
 
-QJsonObject describeBreaths(const RespiratorySettings& settings)
+void breathe(RespiratoryFold& fold, double seconds)
 {
-    RespiratoryFold fold{settings};
-    const auto steps = static_cast<int>(kSeconds / kRespiratoryStep);
+    const auto steps = static_cast<int>(seconds / kRespiratoryStep);
     for (int i = 0; i < steps; ++i)
         fold.step();
+}
+
+QJsonObject describeBreaths(const RespiratoryFold& fold)
+{
     const BreathFigures& breath = fold.lastBreath();
+    const RespiratoryState state = fold.state();
     const ChestShape shape =
-        chestShape(settings.build, fold.system(), fold.content(), fold.moment());
+        chestShape(fold.settings().build, fold.system(), fold.content(), fold.moment());
     const auto ml = [](Volume volume) { return inMillilitres(volume); };
     return {
+        {mechanics_key::kRateBreathed, inPerMinute(breath.rate)},
+        {mechanics_key::kEffort, inCmH2O(state.effort)},
+        {mechanics_key::kInspiratoryShare, state.breath.inspiratoryFraction},
+        {mechanics_key::kTiredness, state.drive.tiredness},
         {mechanics_key::kTidalVolume, ml(breath.tidalVolume)},
         {mechanics_key::kTidalVolumeRight, ml(breath.tidalVolumeOfLung[0])},
         {mechanics_key::kTidalVolumeLeft, ml(breath.tidalVolumeOfLung[1])},
@@ -74,21 +87,47 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
                               double severity)
 {
     const ConditionSide side = named.bothSides ? ConditionSide::Both : ConditionSide::Right;
+    const RespiratorySystem healthy = systemOf(settings);
     settings.condition = {named.kind, severity, side};
     const RespiratorySystem system = systemOf(settings);
     const ChestContent rest = restingContent(system);
-    return {
+    RespiratoryFold own{settings};
+    breathe(own, kDriven_s);
+    const QJsonObject driven = describeBreaths(own);
+    const BreathFigures spontaneous = own.lastBreath();
+    if (severity == kTiring)
+        breathe(own, kTired_s - kDriven_s);
+    RespiratorySettings helped = ventilated(settings);
+    RespiratoryFold byVolume{helped};
+    breathe(byVolume, kVentilated_s);
+    const RespiratorySystem relaxed = systemOf(helped);
+    helped.pattern.rate = kFastVentilation;
+    RespiratoryFold fast{helped};
+    breathe(fast, kVentilated_s);
+    const MeasuredCondition measured{settings.condition,
+                                     healthy,
+                                     system,
+                                     relaxed,
+                                     spontaneous,
+                                     byVolume.lastBreath(),
+                                     fast.lastBreath(),
+                                     helped.ventilator.peep};
+    QJsonObject described{
         {mechanics_key::kCondition, textOf(named.name)},
         {mechanics_key::kSeverity, severity},
         {mechanics_key::kSide, textOf(sideName(side))},
         {mechanics_key::kRestVolume, inMillilitres(rest[0].gas + rest[1].gas)},
         {mechanics_key::kCompliance, 1e3 * inLitresPerCmH2O(complianceAtRest(system))},
-        {mechanics_key::kSpontaneous, describeBreaths(settings)},
-        {mechanics_key::kVolumeControl, describeBreaths(ventilated(settings))},
+        {mechanics_key::kSpontaneous, driven},
+        {mechanics_key::kVolumeControl, describeBreaths(byVolume)},
+        {mechanics_key::kRanges, publishedRanges(measured)},
     };
+    if (severity == kTiring)
+        described[mechanics_key::kTired] = describeBreaths(own);
+    return described;
 }
 
-QJsonObject describePatient(const PatientBuild& build)
+QJsonObject describePatient(const PatientBuild& build, Volume drawnRest)
 {
     const LungVolumes volumes = lungVolumesOf(build);
     const RespiratorySystem system = healthySystem(build);
@@ -100,6 +139,8 @@ QJsonObject describePatient(const PatientBuild& build)
         {mechanics_key::kAge, build.ageInYears},
         {mechanics_key::kResidualVolume, inMillilitres(volumes.residual)},
         {mechanics_key::kFunctionalResidualCapacity, inMillilitres(volumes.functionalResidual)},
+        {mechanics_key::kDrawnRest, inMillilitres(drawnRest)},
+        {mechanics_key::kDrawnDifference, 100.0 * (drawnRest / volumes.functionalResidual - 1.0)},
         {mechanics_key::kTotalCapacity, inMillilitres(volumes.totalCapacity)},
         {mechanics_key::kPatientCompliance, 1e3 * inLitresPerCmH2O(complianceAtRest(system))},
         {mechanics_key::kResistance,
@@ -112,7 +153,7 @@ QJsonObject describePatient(const PatientBuild& build)
 
 } // namespace
 
-QJsonObject mechanicsTable(const RespiratorySettings& healthy)
+QJsonObject mechanicsTable(const RespiratorySettings& healthy, Volume drawnRest)
 {
     QJsonArray conditions;
     for (const NamedCondition& named : kNamedConditions) {
@@ -123,9 +164,11 @@ QJsonObject mechanicsTable(const RespiratorySettings& healthy)
         for (const double severity : {0.3, 0.6, 0.9})
             conditions.append(describeCondition(healthy, named, severity));
     }
-    return {{mechanics_key::kPatient, describePatient(healthy.build)},
+    return {{mechanics_key::kPatient, describePatient(healthy.build, drawnRest)},
             {mechanics_key::kPosition, textOf(positionName(healthy.position))},
-            {mechanics_key::kSeconds, kSeconds},
+            {mechanics_key::kSeconds, kDriven_s},
+            {mechanics_key::kTiredSeconds, kTired_s},
+            {mechanics_key::kVentilatedSeconds, kVentilated_s},
             {mechanics_key::kRate, inPerMinute(healthy.pattern.rate)},
             {mechanics_key::kConditions, conditions}};
 }

@@ -7,9 +7,11 @@
 namespace carina::lab
 {
 
-/// The patient at rest, and what each condition makes of a minute of breathing as set and of
-/// volume control, at the severities 0.3, 0.6 and 0.9. The keys are in the help of `mechanics`.
+/// The patient at rest, and what each condition makes of five minutes and half an hour of
+/// spontaneous breathing and of a minute of volume control, at the severities 0.3, 0.6 and 0.9,
+/// beside the ranges that are published. The keys are in the help of `mechanics`.
 /// @param healthy who breathes, and how; spontaneous
-[[nodiscard]] QJsonObject mechanicsTable(const RespiratorySettings& healthy);
+/// @param drawnRest what the lungs enclose that are drawn of this patient at rest
+[[nodiscard]] QJsonObject mechanicsTable(const RespiratorySettings& healthy, Volume drawnRest);
 
 } // namespace carina::lab

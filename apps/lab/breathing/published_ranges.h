@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/lungs/mechanics/respiratory_fold.h"
+
+#include <QJsonArray>
+
+namespace carina::lab
+{
+
+/// What was measured of one condition in `mechanics`.
+struct MeasuredCondition {
+    LungCondition condition;
+    RespiratorySystem healthy; ///< the same patient without it, awake
+    RespiratorySystem awake;
+    RespiratorySystem ventilated;
+    BreathFigures spontaneous;   ///< after minutes
+    BreathFigures volumeControl; ///< PEEP 5 cmH2O
+    BreathFigures at20PerMin;    ///< volume control with 20 breaths per minute
+    Pressure peep;
+};
+
+/// The figures of this condition and severity for which a range is published, each with its range,
+/// its source and whether the figure lies within. The keys are in the help of `mechanics`.
+[[nodiscard]] QJsonArray publishedRanges(const MeasuredCondition& measured);
+
+} // namespace carina::lab

@@ -35,8 +35,8 @@ void tense(benchmark::State& state)
     carina::RespiratorySettings settings;
     settings.ventilator.mode = carina::VentilationMode::VolumeControl;
     settings.tube = carina::millimetres(8.0);
-    settings.condition = {carina::ConditionKind::TensionPneumothorax, 1.0,
-                          carina::ConditionSide::Right};
+    settings.conditions = {
+        {carina::ConditionKind::TensionPneumothorax, 1.0, carina::ConditionSide::Right}};
     breathe(state, settings);
 }
 

@@ -30,7 +30,7 @@ bool takesEffectLater(const FactBody& body)
 {
     return isOneOf<fact::PhaseChanged, fact::AnatomyChosen, fact::BreathingRateSet,
                    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::PatientBuildSet,
-                   fact::LungConditionSet, fact::VentilatorSet, fact::TubePlaced,
+                   fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
                    fact::BodyPositionSet, fact::ManikinBreathed>(body);
 }
 

@@ -107,10 +107,10 @@ struct SessionState::Applier {
         if (Station* station = ofFact())
             station->respiration.setBuild(around.effect, body.build);
     }
-    void operator()(const fact::LungConditionSet& body) const
+    void operator()(const fact::LungConditionsSet& body) const
     {
         if (Station* station = ofFact())
-            station->respiration.setCondition(around.effect, body.condition);
+            station->respiration.setConditions(around.effect, body.conditions);
     }
     void operator()(const fact::VentilatorSet& body) const
     {

@@ -23,7 +23,7 @@ bool isUsuallyOfOneLung(ConditionKind kind)
 }
 
 struct DecisionText {
-    QString operator()(const LungCondition& condition) const { return conditionText(condition); }
+    QString operator()(const LungConditions& conditions) const { return conditionText(conditions); }
     QString operator()(const VentilatorSettings& settings) const
     {
         return ventilatorText(settings);
@@ -33,9 +33,9 @@ struct DecisionText {
 };
 
 struct DecisionFact {
-    FactBody operator()(const LungCondition& condition) const
+    FactBody operator()(const LungConditions& conditions) const
     {
-        return fact::LungConditionSet{condition};
+        return fact::LungConditionsSet{conditions};
     }
     FactBody operator()(const VentilatorSettings& settings) const
     {
@@ -56,7 +56,7 @@ RespirationModel::RespirationModel(SessionModel& session, StationId station, QOb
     timer->start(kRespirationLook_ms);
 }
 
-LungCondition RespirationModel::condition() const { return std::get<LungCondition>(shown(0)); }
+LungConditions RespirationModel::conditions() const { return std::get<LungConditions>(shown(0)); }
 VentilatorSettings RespirationModel::ventilator() const
 {
     return std::get<VentilatorSettings>(shown(1));
@@ -64,29 +64,67 @@ VentilatorSettings RespirationModel::ventilator() const
 Length RespirationModel::tube() const { return std::get<Length>(shown(2)); }
 BodyPosition RespirationModel::position() const { return std::get<BodyPosition>(shown(3)); }
 
-void RespirationModel::choose(ConditionKind kind)
+std::optional<LungConditions> RespirationModel::with(std::size_t place, ConditionKind kind) const
 {
     constexpr double kUsual = 0.5;
-    const LungCondition before = condition();
-    if (kind == ConditionKind::Normal)
-        return set(LungCondition{});
+    LungConditions all = conditions();
+    if (place > all.size())
+        return std::nullopt;
+    if (place == all.size())
+        all.emplace_back();
+    const LungCondition before = all[place];
     const ConditionSide one =
         before.side == ConditionSide::Both ? ConditionSide::Right : before.side;
-    set(LungCondition{kind, before.severity > 0.0 ? before.severity : kUsual,
-                      isUsuallyOfOneLung(kind) ? one : ConditionSide::Both});
+    const ConditionSide usual = isUsuallyOfOneLung(kind) ? one : ConditionSide::Both;
+    for (const ConditionSide side : {usual, one, ConditionSide::Right, ConditionSide::Left}) {
+        all[place] = {kind, before.severity > 0.0 ? before.severity : kUsual, side};
+        if (canCoexist(all))
+            return all;
+    }
+    return std::nullopt;
 }
 
-void RespirationModel::setCondition(LungCondition condition)
+bool RespirationModel::canChoose(std::size_t place, ConditionKind kind) const
 {
+    return kind == ConditionKind::Normal || with(place, kind).has_value();
+}
+
+void RespirationModel::choose(std::size_t place, ConditionKind kind)
+{
+    if (kind == ConditionKind::Normal)
+        return removeCondition(place);
+    if (const auto all = with(place, kind))
+        set(*all);
+}
+
+void RespirationModel::setCondition(std::size_t place, LungCondition condition)
+{
+    LungConditions all = conditions();
+    if (place > all.size())
+        return;
     if (condition.kind == ConditionKind::MainstemIntubation
         && condition.side == ConditionSide::Both)
         condition.side = ConditionSide::Right;
-    set(condition);
+    if (place == all.size())
+        all.push_back(condition);
+    else
+        all[place] = condition;
+    if (canCoexist(all))
+        set(all);
+}
+
+void RespirationModel::removeCondition(std::size_t place)
+{
+    LungConditions all = conditions();
+    if (place >= all.size())
+        return;
+    all.erase(all.begin() + std::ptrdiff_t(place));
+    set(all);
 }
 
 QString RespirationModel::inForceText() const
 {
-    const QString ailment = conditionText(std::get<LungCondition>(inForce(0)));
+    const QString ailment = conditionText(std::get<LungConditions>(inForce(0)));
     const auto position = std::get<BodyPosition>(inForce(3));
     if (position == BodyPosition::Supine)
         return ailment;
@@ -123,7 +161,7 @@ RespirationModel::Decision RespirationModel::decidedAt(std::size_t thing, Sessio
     const RespiratorySettings settings = station != state->stations().end()
                                              ? station->second.respiration.settingsAt(t)
                                              : RespiratorySettings{};
-    const std::array<Decision, kThings> decisions{settings.condition, settings.ventilator,
+    const std::array<Decision, kThings> decisions{settings.conditions, settings.ventilator,
                                                   settings.tube, settings.position};
     return decisions[thing];
 }

@@ -15,7 +15,7 @@
 namespace carina
 {
 
-/// The lung disease, body position, ventilator and tube of one station's patient, as an instructor
+/// The lung diseases, body position, ventilator and tube of one station's patient, as an instructor
 /// sees and changes them.
 ///
 /// A change is sent to every site before it takes effect; until then the getters already return it
@@ -31,22 +31,29 @@ public:
     RespirationModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
     // The value requested or, if no change is pending, in force.
-    [[nodiscard]] LungCondition condition() const;
+    [[nodiscard]] LungConditions conditions() const;
     [[nodiscard]] VentilatorSettings ventilator() const;
     [[nodiscard]] Length tube() const; ///< inner diameter; 0 without one
     [[nodiscard]] BodyPosition position() const;
 
-    /// Sets a disease, with the present severity, or 0.5 if that is 0. A disease that is usually
-    /// one-sided gets the present side, or the right one if both were affected; any other, both
-    /// sides.
-    void choose(ConditionKind kind);
-    /// Sets a disease. A mainstem intubation of both sides is taken as one of the right side.
-    void setCondition(LungCondition condition);
+    /// Makes the disease at this place another one, with the present severity, or 0.5 if that is 0;
+    /// the place behind the last adds one, and ConditionKind::Normal removes it. A disease that is
+    /// usually one-sided gets the present side, or the right one if both were affected; any other,
+    /// both sides. Where a lung has this disease already, the other lung gets it; where both have,
+    /// nothing changes.
+    void choose(std::size_t place, ConditionKind kind);
+    /// Sets the disease at this place; the place behind the last adds one. A mainstem intubation of
+    /// both sides is taken as one of the right side. Nothing changes where the patient cannot have
+    /// all these at once (canCoexist).
+    void setCondition(std::size_t place, LungCondition condition);
+    void removeCondition(std::size_t place);
+    /// Whether choose would set this disease at this place.
+    [[nodiscard]] bool canChoose(std::size_t place, ConditionKind kind) const;
     void setVentilator(const VentilatorSettings& settings) { set(settings); }
     void setTube(Length innerDiameter) { set(innerDiameter); }
     void setPosition(BodyPosition position) { set(position); }
 
-    /// The disease in force and, unless supine, the position: "COPD, severity 0.60, both lungs;
+    /// The diseases in force and, unless supine, the position: "COPD, severity 0.60, both lungs;
     /// prone".
     [[nodiscard]] QString inForceText() const;
     /// The pending changes, one per line: "Condition → COPD, severity 0.60, both lungs"; empty if
@@ -65,7 +72,7 @@ Q_SIGNALS:
 
 private:
     /// One of the quantities; its index in the variant says which.
-    using Decision = std::variant<LungCondition, VentilatorSettings, Length, BodyPosition>;
+    using Decision = std::variant<LungConditions, VentilatorSettings, Length, BodyPosition>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
 
     /// The requested values of one quantity.
@@ -74,7 +81,7 @@ private:
         std::optional<Decision> latest; ///< to be proposed once `sent` is in force
     };
     struct Shown {
-        std::array<Decision, kThings> decisions{LungCondition{}, VentilatorSettings{}, Length{},
+        std::array<Decision, kThings> decisions{LungConditions{}, VentilatorSettings{}, Length{},
                                                 BodyPosition{}};
         std::array<bool, kThings> pending{};
         QString obstacle;
@@ -87,6 +94,7 @@ private:
     [[nodiscard]] std::optional<Decision> pending(std::size_t thing) const;
     [[nodiscard]] Decision shown(std::size_t thing) const;
     [[nodiscard]] bool isUnderWay(const Decision& sent) const;
+    [[nodiscard]] std::optional<LungConditions> with(std::size_t place, ConditionKind kind) const;
     void set(const Decision& decision);
     void ask(const Decision& decision);
     void propose(const Decision& decision);

@@ -1,6 +1,7 @@
 #include "models/respiration/respiration_words.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 namespace carina
 {
@@ -93,6 +94,16 @@ QString conditionText(const LungCondition& condition)
         .arg(conditionText(condition.kind))
         .arg(condition.severity, 0, 'f', 2)
         .arg(sideText(condition.side).toLower());
+}
+
+QString conditionText(const LungConditions& conditions)
+{
+    if (conditions.empty())
+        return conditionText(ConditionKind::Normal);
+    QStringList texts;
+    for (const LungCondition& condition : conditions)
+        texts += conditionText(condition);
+    return texts.join(QStringLiteral(" + "));
 }
 
 QString ventilatorText(const VentilatorSettings& settings)

@@ -16,6 +16,8 @@ namespace carina
 
 /// "COPD, severity 0.60, both lungs"; "Normal".
 [[nodiscard]] QString conditionText(const LungCondition& condition);
+/// The same of several, with " + " between them; "Normal" of none.
+[[nodiscard]] QString conditionText(const LungConditions& conditions);
 /// "Volume control, PEEP 5 cmH2O"; "Spontaneous".
 [[nodiscard]] QString ventilatorText(const VentilatorSettings& settings);
 /// "6.5 mm tube"; "no tube".

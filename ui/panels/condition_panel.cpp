@@ -6,10 +6,14 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -22,6 +26,7 @@ namespace
 constexpr int kSeveritySteps = 100; ///< of the slider
 constexpr double kSeverityStep = 0.05;
 constexpr int kTravellingLines = 3;
+constexpr int kConditionLines = 3;
 constexpr int kShownLetters = 12; ///< of a choice; its list is as wide as it has to be
 constexpr double kTubeStep_mm = 0.5;
 constexpr double kUsualOwnEffort = 0.5; ///< of a quiet breath's
@@ -47,6 +52,9 @@ ConditionPanel::ConditionPanel(QWidget* parent)
       m_obstacle{new QLabel},
       m_controls{new QWidget},
       m_position{new QComboBox},
+      m_conditions{new QListWidget},
+      m_add{new QPushButton{tr("&New")}},
+      m_remove{new QPushButton{tr("&Remove")}},
       m_condition{new QComboBox},
       m_severity{new QDoubleSpinBox},
       m_severitySlider{new QSlider{Qt::Horizontal}},
@@ -58,6 +66,7 @@ ConditionPanel::ConditionPanel(QWidget* parent)
 {
     layOut();
     offerChoices();
+    offerList();
     setFocusProxy(m_condition);
 }
 
@@ -76,7 +85,12 @@ void ConditionPanel::layOut()
             rows->addRow(label, field);
     };
     add(m_position, "position", tr("Pos&ition"), tr("Position of the patient"));
-    add(m_condition, "condition", tr("&Condition"), tr("Condition of the lungs"));
+    add(m_conditions, "conditions", tr("Con&ditions"), tr("Conditions of the lungs, a list"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_add);
+    buttons->addWidget(m_remove);
+    rows->addRow(buttons);
+    add(m_condition, "condition", tr("&Condition"), tr("Selected condition of the lungs"));
     add(m_severity, "severity", tr("Se&verity"), tr("Severity of the condition, 0 to 1"));
     add(m_severitySlider, "severitySlider", {}, tr("Severity slider"));
     add(m_side, "side", tr("&Lung"), tr("Side of the condition"));
@@ -114,6 +128,22 @@ void ConditionPanel::layOut()
                             static_cast<QWidget*>(m_travelling), static_cast<QWidget*>(m_undo)})
         column->addWidget(widget);
     column->addStretch(1);
+}
+
+void ConditionPanel::offerList()
+{
+    m_add->setObjectName(QStringLiteral("addCondition"));
+    m_add->setAccessibleName(tr("Add another condition"));
+    m_add->setToolTip(tr("Adds another condition, and selects it (Alt+N)"));
+    m_remove->setObjectName(QStringLiteral("removeCondition"));
+    m_remove->setAccessibleName(tr("Remove the selected condition"));
+    m_remove->setToolTip(tr("Removes the selected condition (Alt+R, or Delete in the list)"));
+    m_conditions->setFixedHeight(kConditionLines * m_conditions->fontMetrics().lineSpacing()
+                                 + 2 * m_conditions->frameWidth());
+    m_conditions->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_conditions->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_conditions->setToolTip(tr("All conditions of the lungs at once. The controls below change "
+                                "the one that is selected"));
 }
 
 void ConditionPanel::explain()
@@ -204,8 +234,15 @@ void ConditionPanel::connectCondition()
 {
     connect(m_position, &QComboBox::activated, m_model,
             [this](int place) { m_model->setPosition(static_cast<BodyPosition>(place)); });
+    connect(m_conditions, &QListWidget::currentRowChanged, this, &ConditionPanel::refreshSelected);
+    connect(m_add, &QPushButton::clicked, this, &ConditionPanel::addCondition);
+    const auto remove = [this] { m_model->removeCondition(place()); };
+    connect(m_remove, &QPushButton::clicked, m_model, remove);
+    auto* deleted =
+        new QShortcut{QKeySequence::Delete, m_conditions, nullptr, nullptr, Qt::WidgetShortcut};
+    connect(deleted, &QShortcut::activated, m_model, remove);
     connect(m_condition, &QComboBox::activated, m_model,
-            [this](int place) { m_model->choose(static_cast<ConditionKind>(place)); });
+            [this](int kind) { m_model->choose(place(), static_cast<ConditionKind>(kind)); });
     connect(m_side, &QComboBox::activated, this, &ConditionPanel::setCondition);
     connect(m_severity, &QDoubleSpinBox::valueChanged, this, &ConditionPanel::setCondition);
     connect(m_severitySlider, &QSlider::valueChanged, m_severity,
@@ -243,24 +280,62 @@ void ConditionPanel::connectVentilator()
     });
 }
 
+/// Of the selected condition; 0 where there is none, which is the place of the first.
+std::size_t ConditionPanel::place() const
+{
+    return static_cast<std::size_t>(std::max(0, m_conditions->currentRow()));
+}
+
 // Entries stand in the order of the enumerators.
 
 void ConditionPanel::setCondition()
 {
-    m_model->setCondition({static_cast<ConditionKind>(m_condition->currentIndex()),
-                           m_severity->value(),
-                           static_cast<ConditionSide>(m_side->currentIndex())});
+    m_model->setCondition(place(), {static_cast<ConditionKind>(m_condition->currentIndex()),
+                                    m_severity->value(),
+                                    static_cast<ConditionSide>(m_side->currentIndex())});
 }
 
-void ConditionPanel::refresh()
+/// Adds the first kind that the patient does not have; its kind is what is chosen next.
+void ConditionPanel::addCondition()
 {
-    const QString obstacle = m_model->obstacle();
-    m_obstacle->setText(obstacle);
-    m_obstacle->setVisible(!obstacle.isEmpty());
-    m_controls->setEnabled(obstacle.isEmpty());
-    const LungCondition condition = m_model->condition();
-    const bool isIll = condition.kind != ConditionKind::Normal;
-    display(*m_position, static_cast<int>(m_model->position()));
+    const std::size_t last = m_model->conditions().size();
+    const auto isFree = [&](ConditionKind kind) {
+        return kind != ConditionKind::Normal && m_model->canChoose(last, kind);
+    };
+    const auto kind = std::ranges::find_if(kConditionKinds, isFree);
+    if (kind == kConditionKinds.end())
+        return;
+    m_model->choose(last, *kind);
+    m_conditions->setCurrentRow(static_cast<int>(last));
+    m_condition->setFocus();
+}
+
+void ConditionPanel::refreshConditions()
+{
+    const LungConditions conditions = m_model->conditions();
+    const int count = static_cast<int>(conditions.size());
+    const QSignalBlocker blocker{m_conditions};
+    while (m_conditions->count() > count)
+        delete m_conditions->takeItem(m_conditions->count() - 1);
+    while (m_conditions->count() < count)
+        m_conditions->addItem(QString{});
+    for (int row = 0; row < count; ++row) {
+        const QString text = conditionText(conditions[std::size_t(row)]);
+        m_conditions->item(row)->setText(text);
+        m_conditions->item(row)->setToolTip(text);
+    }
+    if (count > 0 && m_conditions->currentRow() < 0)
+        m_conditions->setCurrentRow(0);
+    m_add->setEnabled(conditions.size() < kMostConditions);
+    m_remove->setEnabled(count > 0);
+    refreshSelected();
+}
+
+void ConditionPanel::refreshSelected()
+{
+    const LungConditions conditions = m_model->conditions();
+    const bool isIll = place() < conditions.size();
+    const LungCondition condition = isIll ? conditions[place()] : LungCondition{};
     display(*m_condition, static_cast<int>(condition.kind));
     display(*m_severity, condition.severity);
     display(*m_side, static_cast<int>(condition.side));
@@ -270,6 +345,19 @@ void ConditionPanel::refresh()
     for (QWidget* widget : {static_cast<QWidget*>(m_severity),
                             static_cast<QWidget*>(m_severitySlider), static_cast<QWidget*>(m_side)})
         widget->setEnabled(isIll);
+    auto* kinds = qobject_cast<QStandardItemModel*>(m_condition->model());
+    for (const ConditionKind kind : kConditionKinds)
+        kinds->item(static_cast<int>(kind))->setEnabled(m_model->canChoose(place(), kind));
+}
+
+void ConditionPanel::refresh()
+{
+    const QString obstacle = m_model->obstacle();
+    m_obstacle->setText(obstacle);
+    m_obstacle->setVisible(!obstacle.isEmpty());
+    m_controls->setEnabled(obstacle.isEmpty());
+    display(*m_position, static_cast<int>(m_model->position()));
+    refreshConditions();
     refreshVentilator(m_model->ventilator());
     display(*m_tube, inMillimetres(m_model->tube()));
     m_travelling->setText(m_model->travellingText());

@@ -8,13 +8,15 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QListWidget;
 class QPushButton;
 class QSlider;
 
 namespace carina
 {
 
-/// Shows and sets the patient's position, disease, ventilator and tube. A control shows the value
+/// Shows and sets the patient's position, diseases, ventilator and tube. The diseases are a list;
+/// the controls below it change the one that is selected. A control shows the value
 /// in force or, while a change is pending, the requested value; pending changes are listed below.
 /// For a person without permission the panel states the reason.
 class ConditionPanel : public QWidget
@@ -35,7 +37,12 @@ private:
     void offerChoices();
     void connectCondition();
     void connectVentilator();
+    void offerList();
     void setCondition();
+    void addCondition();
+    [[nodiscard]] std::size_t place() const;
+    void refreshConditions();
+    void refreshSelected();
     void refresh();
     void refreshVentilator(const VentilatorSettings& ventilator);
 
@@ -43,6 +50,9 @@ private:
     QLabel* m_obstacle;
     QWidget* m_controls;
     QComboBox* m_position;
+    QListWidget* m_conditions;
+    QPushButton* m_add;
+    QPushButton* m_remove;
     QComboBox* m_condition;
     QDoubleSpinBox* m_severity;
     QSlider* m_severitySlider;

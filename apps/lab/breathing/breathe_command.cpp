@@ -50,7 +50,8 @@ Result<BreathingTrial> trialOf(const Words& words, const PatientBuild& build)
     const auto mode = ventilatorOption(words);
     if (!mode)
         return tl::unexpected(mode.error());
-    trial.settings.condition = *condition;
+    if (condition->kind != ConditionKind::Normal)
+        trial.settings.conditions = {*condition};
     trial.settings.pattern.rate = perMinute(*rate);
     trial.settings.pattern.tidalVolume = millilitres(*tidalVolume_ml);
     trial.settings.ventilator.mode = *mode;

@@ -16,7 +16,8 @@ BreathingTrial settledBreath(const PatientBuild& build, const LungCondition& con
 {
     BreathingTrial trial;
     trial.settings.build = build;
-    trial.settings.condition = condition;
+    if (condition.kind != ConditionKind::Normal)
+        trial.settings.conditions = {condition};
     trial.settings.pattern = restingPattern(build);
     trial.settings.pattern.rate = rate;
     trial.settle = kSettled_s;

@@ -88,7 +88,8 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
 {
     const ConditionSide side = named.bothSides ? ConditionSide::Both : ConditionSide::Right;
     const RespiratorySystem healthy = systemOf(settings);
-    settings.condition = {named.kind, severity, side};
+    if (named.kind != ConditionKind::Normal)
+        settings.conditions = {{named.kind, severity, side}};
     const RespiratorySystem system = systemOf(settings);
     const ChestContent rest = restingContent(system);
     RespiratoryFold own{settings};
@@ -104,7 +105,7 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
     helped.pattern.rate = kFastVentilation;
     RespiratoryFold fast{helped};
     breathe(fast, kVentilated_s);
-    const MeasuredCondition measured{settings.condition,
+    const MeasuredCondition measured{{named.kind, severity, side},
                                      healthy,
                                      system,
                                      relaxed,

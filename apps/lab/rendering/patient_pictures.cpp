@@ -102,7 +102,8 @@ Result<std::array<PosedPatient, 2>> endsOfBreath(const PatientModel& patient, Dr
                                                  const BreathingTrial& trial)
 {
     const auto shapes = shapesOf(trial);
-    const LungCondition& condition = trial.settings.condition;
+    const LungConditions& all = trial.settings.conditions;
+    const LungCondition condition = all.empty() ? LungCondition{} : all.front();
     const VentilationMode ventilator = trial.settings.ventilator.mode;
     const auto [least, most] = std::ranges::minmax_element(shapes, {}, gasOf);
     std::array ends{

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace carina
 {
@@ -73,7 +74,9 @@ void makeArds(LungMechanics& lung, double severity)
 {
     closeAllBut(lung, lookedUp(kArdsOpen, severity));
     lung.limbSpread = (1.0 + severity) * lung.limbSpread;
-    lung.alveolarDeadSpace = lookedUp(kArdsDeadSpace_l, severity) / kPulseRest_l * lung.wallVolume;
+    lung.alveolarDeadSpace =
+        lung.alveolarDeadSpace
+        + lookedUp(kArdsDeadSpace_l, severity) / kPulseRest_l * lung.wallVolume;
 }
 
 void makeCopd(LungMechanics& lung, double severity)
@@ -87,17 +90,18 @@ void makeCopd(LungMechanics& lung, double severity)
         lookedUp(kCopdCapacity, severity) * ceilingOf(before), lung.wallVolume, lung.wallRecoil,
         lookedUp(kCopdCompliance, severity) * before.complianceAt(healthyRest));
     lung.bronchi = (1.0 / lookedUp(kCopdResistance, severity)) * lung.bronchi;
-    lung.compression = lookedUp(kCopdCompression, severity);
-    lung.closing = severity * kCopdClosing * lung.wallVolume;
-    lung.alveolarDeadSpace = lookedUp(kCopdDeadSpace_l, severity) / kPulseRest_l * healthyRest;
+    lung.compression *= lookedUp(kCopdCompression, severity);
+    lung.closing = std::max(lung.closing, severity * kCopdClosing * lung.wallVolume);
+    lung.alveolarDeadSpace =
+        lung.alveolarDeadSpace + lookedUp(kCopdDeadSpace_l, severity) / kPulseRest_l * healthyRest;
 }
 
 /// Of the natural airway 1.125 of 1.575 cmH2O s/L lie above the carina, and stay.
 void makeAsthma(LungMechanics& lung, double severity)
 {
     lung.bronchi = (1.0 / (1.0 + 14.0 * severity * 1.575 / 0.45)) * lung.bronchi;
-    lung.compression = 1.0 + severity * (kAsthmaCompression - 1.0);
-    lung.closing = severity * kAsthmaClosing * lung.wallVolume;
+    lung.compression *= 1.0 + severity * (kAsthmaCompression - 1.0);
+    lung.closing = std::max(lung.closing, severity * kAsthmaClosing * lung.wallVolume);
 }
 
 /// What the mediastinum gives way to a rise of the pleural pressure on one side: the other side
@@ -234,6 +238,40 @@ double shareThatLeaves(const RespiratorySystem& system)
 }
 
 } // namespace
+
+bool overlap(const LungCondition& a, const LungCondition& b)
+{
+    const bool isOneLung =
+        a.side == b.side || a.side == ConditionSide::Both || b.side == ConditionSide::Both;
+    const bool isTube = a.kind == ConditionKind::MainstemIntubation;
+    return a.kind == b.kind && (isOneLung || isTube);
+}
+
+bool canCoexist(const LungConditions& conditions)
+{
+    if (conditions.size() > kMostConditions)
+        return false;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        if (conditions[i].kind == ConditionKind::Normal)
+            return false;
+        for (std::size_t j = 0; j < i; ++j)
+            if (overlap(conditions[i], conditions[j]))
+                return false;
+    }
+    return true;
+}
+
+RespiratorySystem afflicted(const RespiratorySystem& healthy, LungConditions conditions)
+{
+    CARINA_EXPECTS(canCoexist(conditions));
+    std::ranges::sort(conditions, {}, [](const LungCondition& condition) {
+        return std::tuple{condition.kind, condition.side};
+    });
+    RespiratorySystem system = healthy;
+    for (const LungCondition& condition : conditions)
+        system = afflicted(system, condition);
+    return system;
+}
 
 RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungCondition& condition)
 {

@@ -3,7 +3,9 @@
 #include "engine/lungs/mechanics/respiratory_system.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace carina
 {
@@ -39,7 +41,7 @@ inline constexpr std::array kConditionKinds{
 /// Which lung a condition affects.
 enum class ConditionSide : std::uint8_t { Both, Right, Left };
 
-/// The disease of a patient's lungs.
+/// One disease of a patient's lungs.
 struct LungCondition {
     ConditionKind kind = ConditionKind::Normal;
     double severity = 0.0; ///< 0 healthy to 1
@@ -47,6 +49,19 @@ struct LungCondition {
 
     friend bool operator==(const LungCondition&, const LungCondition&) = default;
 };
+
+/// The diseases of a patient's lungs, in any order; none in health.
+using LungConditions = std::vector<LungCondition>;
+
+/// As many as may be set at once.
+inline constexpr std::size_t kMostConditions = 6;
+
+/// Whether two conditions are the same disease of a lung that both affect.
+[[nodiscard]] bool overlap(const LungCondition& a, const LungCondition& b);
+
+/// Whether a patient can have these at once: at most kMostConditions, none of them Normal, no two
+/// that overlap, and a tube in one main bronchus at most.
+[[nodiscard]] bool canCoexist(const LungConditions& conditions);
 
 /// A healthy system, tube included, with a condition applied. Parameters as functions of the
 /// severity s are piecewise linear through the values of Pulse at 0.3, 0.6 and 0.9, where Pulse has
@@ -75,5 +90,12 @@ struct LungCondition {
 /// @pre severity within 0..1; MainstemIntubation has one side.
 [[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,
                                           const LungCondition& condition);
+
+/// The same with several conditions: each changes what those before it in the order of the
+/// enumerators have left, right before left, so that the result does not depend on the order in
+/// which they were set.
+/// @pre canCoexist(conditions), and each as above.
+[[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,
+                                          LungConditions conditions);
 
 } // namespace carina

@@ -58,7 +58,7 @@ RespiratorySystem systemOf(const RespiratorySettings& settings)
         relax(onBack, settings.position == BodyPosition::Sitting ? 1.0 : kRelaxedRest);
     if (settings.tube.si > 0.0)
         intubate(onBack, settings.tube);
-    RespiratorySystem system = afflicted(onBack, settings.condition);
+    RespiratorySystem system = afflicted(onBack, settings.conditions);
     place(system, settings.position, onBack);
     return system;
 }

@@ -18,8 +18,8 @@ namespace carina
 /// Everything about a patient's breathing that is set by people.
 struct RespiratorySettings {
     PatientBuild build;
-    LungCondition condition;
-    Length tube; ///< inner diameter; 0 without a tube
+    LungConditions conditions; ///< that can coexist
+    Length tube;               ///< inner diameter; 0 without a tube
     BreathingPattern pattern;
     VentilatorSettings ventilator;
     BodyPosition position = BodyPosition::Supine;

@@ -108,6 +108,21 @@ template <class Part> void getField(ByteReader& in, std::array<Part, 2>& pair)
         getField(in, part);
 }
 
+void putField(ByteWriter& out, const LungConditions& conditions)
+{
+    CARINA_EXPECTS(conditions.size() <= kMostConditions);
+    out.number(static_cast<std::uint8_t>(conditions.size()));
+    for (const LungCondition& condition : conditions)
+        putField(out, condition);
+}
+void getField(ByteReader& in, LungConditions& conditions)
+{
+    const auto count = in.number<std::uint8_t>();
+    in.require(count <= kMostConditions, "number of conditions");
+    for (std::size_t i = 0; in.ok() && i < count; ++i)
+        getField(in, conditions.emplace_back());
+}
+
 template <OfFields Whole> void putField(ByteWriter& out, const Whole& whole)
 {
     std::apply([&](auto... field) { (putField(out, whole.*field), ...); }, kFields<Whole>);

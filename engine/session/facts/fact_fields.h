@@ -53,7 +53,7 @@ inline constexpr std::tuple kFields<PatientBuild>{&PatientBuild::height,
                                                   &PatientBuild::ageInYears, &PatientBuild::sex};
 
 template <>
-inline constexpr std::tuple kFields<fact::LungConditionSet>{&fact::LungConditionSet::condition};
+inline constexpr std::tuple kFields<fact::LungConditionsSet>{&fact::LungConditionsSet::conditions};
 template <>
 inline constexpr std::tuple kFields<LungCondition>{&LungCondition::kind, &LungCondition::severity,
                                                    &LungCondition::side};

@@ -116,7 +116,7 @@ using FactBody = std::variant<
     fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
     fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
     fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
-    fact::PatientBuildSet, fact::LungConditionSet, fact::VentilatorSet, fact::TubePlaced,
+    fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
     fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.

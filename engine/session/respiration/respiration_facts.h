@@ -12,11 +12,11 @@ struct PatientBuildSet {
 
     friend bool operator==(const PatientBuildSet&, const PatientBuildSet&) = default;
 };
-/// The disease of the lungs; replaces the previous one.
-struct LungConditionSet {
-    LungCondition condition;
+/// The diseases of the lungs; they replace the previous ones.
+struct LungConditionsSet {
+    LungConditions conditions;
 
-    friend bool operator==(const LungConditionSet&, const LungConditionSet&) = default;
+    friend bool operator==(const LungConditionsSet&, const LungConditionsSet&) = default;
 };
 /// The settings of the ventilator, beside rate, tidal volume and inspiratory fraction.
 struct VentilatorSet {

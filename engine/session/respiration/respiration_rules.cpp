@@ -193,13 +193,19 @@ Result<void> checkRespiration(const fact::PatientBuildSet& fact)
     });
 }
 
-Result<void> checkRespiration(const fact::LungConditionSet& fact)
+Result<void> checkRespiration(const fact::LungConditionsSet& fact)
 {
-    const LungCondition& condition = fact.condition;
-    if (condition.kind == ConditionKind::MainstemIntubation
-        && condition.side == ConditionSide::Both)
-        return fail(Errc::OutOfRange, "a tube in both main bronchi");
-    return checkNumber("severity", condition.severity, 0.0, 1.0, "");
+    for (const LungCondition& condition : fact.conditions) {
+        if (condition.kind == ConditionKind::MainstemIntubation
+            && condition.side == ConditionSide::Both)
+            return fail(Errc::OutOfRange, "a tube in both main bronchi");
+        if (const auto verdict = checkNumber("severity", condition.severity, 0.0, 1.0, "");
+            !verdict)
+            return verdict;
+    }
+    if (!canCoexist(fact.conditions))
+        return fail(Errc::OutOfRange, "too many conditions, or one twice on a lung");
+    return {};
 }
 
 Result<void> checkRespiration(const fact::VentilatorSet& fact)

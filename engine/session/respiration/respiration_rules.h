@@ -27,7 +27,7 @@ inline constexpr Length kWidestTube = millimetres(12.0);
 /// may be given to a RespiratoryFold.
 /// @returns OutOfRange or NotFinite, with the value and its range.
 [[nodiscard]] Result<void> checkRespiration(const fact::PatientBuildSet& fact);
-[[nodiscard]] Result<void> checkRespiration(const fact::LungConditionSet& fact);
+[[nodiscard]] Result<void> checkRespiration(const fact::LungConditionsSet& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::VentilatorSet& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::TubePlaced& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::BodyPositionSet& fact);

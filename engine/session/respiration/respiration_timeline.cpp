@@ -41,9 +41,9 @@ void RespirationTimeline::setBuild(SessionTime from, const PatientBuild& build)
     decide(from);
 }
 
-void RespirationTimeline::setCondition(SessionTime from, const LungCondition& condition)
+void RespirationTimeline::setConditions(SessionTime from, const LungConditions& conditions)
 {
-    m_condition.set(from, condition);
+    m_conditions.set(from, conditions);
     decide(from);
 }
 
@@ -90,7 +90,7 @@ void RespirationTimeline::addCheckpoint(const RespirationState& checkpoint)
 RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
 {
     return {m_build.at(t),
-            m_condition.at(t),
+            m_conditions.at(t),
             m_tube.at(t),
             BreathingPattern{m_rate.at(t), m_tidalVolume.at(t), m_inspiratoryFraction.at(t)},
             m_ventilator.at(t),
@@ -101,8 +101,8 @@ SessionTime RespirationTimeline::changeAfter(SessionTime t) const
 {
     return std::min({m_rate.changeAfter(t), m_tidalVolume.changeAfter(t),
                      m_inspiratoryFraction.changeAfter(t), m_build.changeAfter(t),
-                     m_condition.changeAfter(t), m_ventilator.changeAfter(t), m_tube.changeAfter(t),
-                     m_position.changeAfter(t), m_running.changeAfter(t)});
+                     m_conditions.changeAfter(t), m_ventilator.changeAfter(t),
+                     m_tube.changeAfter(t), m_position.changeAfter(t), m_running.changeAfter(t)});
 }
 
 const RespirationState* RespirationTimeline::checkpointBefore(SessionTime t) const

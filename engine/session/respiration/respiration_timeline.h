@@ -37,7 +37,7 @@ public:
     /// @pre the fraction lies in 0.1..0.9.
     void setInspiratoryFraction(SessionTime from, double fraction);
     void setBuild(SessionTime from, const PatientBuild& build);
-    void setCondition(SessionTime from, const LungCondition& condition);
+    void setConditions(SessionTime from, const LungConditions& conditions);
     void setVentilator(SessionTime from, const VentilatorSettings& settings);
     void setTube(SessionTime from, Length innerDiameter);
     void setPosition(SessionTime from, BodyPosition position);
@@ -68,7 +68,7 @@ private:
     ParameterTimeline<Volume> m_tidalVolume{BreathingPattern{}.tidalVolume};
     ParameterTimeline<double> m_inspiratoryFraction{BreathingPattern{}.inspiratoryFraction};
     ParameterTimeline<PatientBuild> m_build{{metres(1.5), 40.0, 12.0, Sex::Female}};
-    ParameterTimeline<LungCondition> m_condition{{}};
+    ParameterTimeline<LungConditions> m_conditions{{}};
     ParameterTimeline<VentilatorSettings> m_ventilator{{}};
     ParameterTimeline<Length> m_tube{{}};
     ParameterTimeline<BodyPosition> m_position{BodyPosition::Supine};

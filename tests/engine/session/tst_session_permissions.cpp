@@ -79,7 +79,7 @@ void TestSessionPermissions::permitsByRole_data()
     row("sets the tidal volume", "yynnnn",
         [](auto) { return fact::TidalVolumeSet{millilitres(400.0)}; });
     row("sets the fraction", "yynnnn", [](auto) { return fact::InspiratoryFractionSet{0.3}; });
-    row("sets the condition", "yynnnn", [](auto) { return fact::LungConditionSet{}; });
+    row("sets the condition", "yynnnn", [](auto) { return fact::LungConditionsSet{}; });
     row("sets the ventilator", "yynnnn", [](auto) { return fact::VentilatorSet{}; });
     row("sets the patient", "yynnnn", [](auto) { return fact::PatientBuildSet{}; });
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
@@ -185,7 +185,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "session ended");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "session ended");
-    row("condition", fact::LungConditionSet{}, "session ended");
+    row("condition", fact::LungConditionsSet{}, "session ended");
     row("breath", fact::ManikinBreathed{}, "session ended");
 }
 
@@ -241,7 +241,7 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "out of range");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "out of range");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "out of range");
-    row("condition", fact::LungConditionSet{}, "fine", "out of range");
+    row("condition", fact::LungConditionsSet{}, "fine", "out of range");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine", "fine");
 }
 

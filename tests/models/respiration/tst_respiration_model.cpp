@@ -39,6 +39,11 @@ constexpr std::chrono::milliseconds kLead{100};
 constexpr LungCondition kRightPneumothorax{ConditionKind::SimplePneumothorax, 0.4,
                                            ConditionSide::Right};
 
+LungCondition only(const LungConditions& conditions)
+{
+    return conditions.size() == 1 ? conditions.front() : LungCondition{};
+}
+
 struct Console {
     FakeSessionNode node;
     SessionModel session{node};
@@ -69,7 +74,7 @@ struct Console {
 void TestRespirationModel::showsWhatIsInForce()
 {
     Console console;
-    QVERIFY(console.model.condition() == LungCondition{});
+    QVERIFY(console.model.conditions().empty());
     QVERIFY(console.model.ventilator() == VentilatorSettings{});
     QCOMPARE(console.model.tube(), Length{});
     QVERIFY(!console.model.canUndo());
@@ -80,8 +85,8 @@ void TestRespirationModel::showsWhatIsInForce()
 void TestRespirationModel::setsAndTellsWhatTravels()
 {
     Console console;
-    console.model.setCondition(kRightPneumothorax);
-    QVERIFY(console.model.condition() == kRightPneumothorax);
+    console.model.setCondition(0, kRightPneumothorax);
+    QVERIFY(only(console.model.conditions()) == kRightPneumothorax);
     QCOMPARE(console.model.inForceText(), QStringLiteral("Normal")); // until it has travelled
     QCOMPARE(console.model.travellingText(),
              QStringLiteral("Condition → Pneumothorax, simple, severity\u00a00.40, right lung"));
@@ -101,7 +106,7 @@ void TestRespirationModel::setsAndTellsWhatTravels()
     QCOMPARE(console.model.inForceText(),
              QStringLiteral("Pneumothorax, simple, severity\u00a00.40, right lung; "
                             "left lateral"));
-    QVERIFY(console.decided().condition == kRightPneumothorax);
+    QVERIFY(only(console.decided().conditions) == kRightPneumothorax);
     QVERIFY(console.decided().ventilator == ventilator);
     QCOMPARE(console.decided().tube, millimetres(6.5));
     QCOMPARE(console.decided().position, BodyPosition::LeftLateral);
@@ -110,39 +115,39 @@ void TestRespirationModel::setsAndTellsWhatTravels()
 void TestRespirationModel::choosesAConditionWithASeverityToBeSeen()
 {
     Console console;
-    console.model.choose(ConditionKind::Copd);
-    QVERIFY(console.model.condition()
+    console.model.choose(0, ConditionKind::Copd);
+    QVERIFY(only(console.model.conditions())
             == (LungCondition{ConditionKind::Copd, 0.5, ConditionSide::Both}));
     console.settle();
-    console.model.setCondition({ConditionKind::Copd, 0.8, ConditionSide::Both});
+    console.model.setCondition(0, {ConditionKind::Copd, 0.8, ConditionSide::Both});
     console.settle();
-    console.model.choose(ConditionKind::Atelectasis);
+    console.model.choose(0, ConditionKind::Atelectasis);
     console.settle();
-    QVERIFY(console.model.condition()
+    QVERIFY(only(console.model.conditions())
             == (LungCondition{ConditionKind::Atelectasis, 0.8, ConditionSide::Right}));
-    console.model.setCondition({ConditionKind::Atelectasis, 0.8, ConditionSide::Left});
+    console.model.setCondition(0, {ConditionKind::Atelectasis, 0.8, ConditionSide::Left});
     console.settle();
     for (const ConditionKind one :
          {ConditionKind::SimplePneumothorax, ConditionKind::TensionPneumothorax,
           ConditionKind::MainstemIntubation}) {
-        console.model.choose(one);
+        console.model.choose(0, one);
         console.settle();
-        QVERIFY(console.model.condition() == (LungCondition{one, 0.8, ConditionSide::Left}));
+        QVERIFY(only(console.model.conditions()) == (LungCondition{one, 0.8, ConditionSide::Left}));
     }
-    console.model.choose(ConditionKind::Ards);
+    console.model.choose(0, ConditionKind::Ards);
     console.settle();
-    QCOMPARE(console.model.condition().side, ConditionSide::Both);
-    console.model.choose(ConditionKind::Normal);
+    QCOMPARE(only(console.model.conditions()).side, ConditionSide::Both);
+    console.model.choose(0, ConditionKind::Normal);
     console.settle();
-    QVERIFY(console.model.condition() == LungCondition{});
+    QVERIFY(console.model.conditions().empty());
 }
 
 void TestRespirationModel::putsATubeIntoOneBronchus()
 {
     Console console;
-    console.model.setCondition({ConditionKind::MainstemIntubation, 0.7, ConditionSide::Both});
+    console.model.setCondition(0, {ConditionKind::MainstemIntubation, 0.7, ConditionSide::Both});
     console.settle();
-    QVERIFY(console.decided().condition
+    QVERIFY(only(console.decided().conditions)
             == (LungCondition{ConditionKind::MainstemIntubation, 0.7, ConditionSide::Right}));
 }
 
@@ -151,7 +156,7 @@ void TestRespirationModel::keepsOneProposalUnderWayWhileASeverityIsDragged()
     Console console;
     console.node.hostGoesAway();
     for (int hundredths = 1; hundredths <= 40; ++hundredths) {
-        console.model.setCondition({ConditionKind::Ards, hundredths / 100.0, {}});
+        console.model.setCondition(0, {ConditionKind::Ards, hundredths / 100.0, {}});
         console.deliver();
     }
     QCOMPARE(console.node.proposed, 1);
@@ -161,14 +166,14 @@ void TestRespirationModel::keepsOneProposalUnderWayWhileASeverityIsDragged()
     console.settle();
     QCOMPARE(console.node.proposed, 3);
     console.settle();
-    QCOMPARE(console.decided().condition.severity, 0.4);
+    QCOMPARE(only(console.decided().conditions).severity, 0.4);
     QVERIFY(console.model.travellingText().isEmpty());
 }
 
 void TestRespirationModel::doesNotProposeWhatIsAlreadySo()
 {
     Console console;
-    console.model.setCondition({});
+    console.model.choose(0, ConditionKind::Normal);
     console.model.setVentilator({});
     console.model.setTube({});
     QCOMPARE(console.node.proposed, 0);
@@ -184,13 +189,13 @@ void TestRespirationModel::undoesADragAtOnceAndThenWhatWasBefore()
     console.settle();
     console.node.hostGoesAway();
     for (const double severity : {0.1, 0.2, 0.3})
-        console.model.setCondition({ConditionKind::Asthma, severity, {}});
+        console.model.setCondition(0, {ConditionKind::Asthma, severity, {}});
     console.node.hostComesBack();
     console.settle();
     console.settle();
     console.model.undo();
     console.settle();
-    QVERIFY(console.model.condition() == LungCondition{});
+    QVERIFY(console.model.conditions().empty());
     QVERIFY(console.model.ventilator() == ventilator);
     console.model.undo();
     console.settle();
@@ -213,9 +218,9 @@ void TestRespirationModel::followsAnotherInstructor()
 {
     Console console;
     QSignalSpy changes{&console.model, &RespirationModel::changed};
-    console.node.decide(fact::LungConditionSet{kRightPneumothorax});
+    console.node.decide(fact::LungConditionsSet{{kRightPneumothorax}});
     console.settle();
-    QVERIFY(console.model.condition() == kRightPneumothorax);
+    QVERIFY(only(console.model.conditions()) == kRightPneumothorax);
     QCOMPARE(changes.size(), 1);
     console.settle();
     QCOMPARE(changes.size(), 1);
@@ -239,7 +244,7 @@ void TestRespirationModel::letsOnlyAnInstructorChange()
     QFETCH(QString, obstacle);
     Console console{self};
     QCOMPARE(console.model.obstacle(), obstacle);
-    console.model.choose(ConditionKind::Copd);
+    console.model.choose(0, ConditionKind::Copd);
     console.model.setTube(millimetres(7.0));
     QCOMPARE(console.node.proposed, obstacle.isEmpty() ? 2 : 0);
 }
@@ -252,7 +257,7 @@ void TestRespirationModel::saysThatTheSessionHasEnded()
     console.node.decide(fact::PhaseChanged{SessionPhase::Ended});
     console.settle();
     QCOMPARE(console.model.obstacle(), QStringLiteral("The session has ended."));
-    console.model.choose(ConditionKind::Copd);
+    console.model.choose(0, ConditionKind::Copd);
     QCOMPARE(console.node.proposed, 0);
 }
 

@@ -8,8 +8,10 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
+#include <QStandardItemModel>
 
 namespace carina::condition_panel_test
 {
@@ -25,6 +27,8 @@ private Q_SLOTS:
     void laysThePatientByKeyboardAlone();
     void setsAConditionByKeyboardAlone();
     void setsSeverityBySliderAndBox();
+    void addsAndRemovesConditionsByKeyboardAlone();
+    void offersNoConditionTwiceOnALung();
     void offersWhatTheVentilatorHasInItsMode();
     void setsPauseOwnBreathsAndTrigger();
     void placesAndTakesOutATube();
@@ -101,11 +105,11 @@ void TestConditionPanel::setsAConditionByKeyboardAlone()
     QVERIFY(!desk.box("severity").isEnabled() && !desk.find<QComboBox>("side").isEnabled());
     desk.choose("condition", 4);
     desk.settle();
-    QVERIFY(desk.decided().condition
+    QVERIFY(desk.decided().conditions.front()
             == (LungCondition{ConditionKind::SimplePneumothorax, 0.5, ConditionSide::Right}));
     QCOMPARE(desk.find<QComboBox>("side").currentText(), QStringLiteral("Right lung"));
     desk.choose("side", 2);
-    QCOMPARE(desk.decided().condition.side, ConditionSide::Left);
+    QCOMPARE(desk.decided().conditions.front().side, ConditionSide::Left);
 }
 
 void TestConditionPanel::setsSeverityBySliderAndBox()
@@ -115,12 +119,66 @@ void TestConditionPanel::setsSeverityBySliderAndBox()
     desk.settle();
     desk.find<QSlider>("severitySlider").setValue(80);
     desk.settle();
-    QCOMPARE(desk.decided().condition.severity, 0.8);
+    QCOMPARE(desk.decided().conditions.front().severity, 0.8);
     QCOMPARE(desk.box("severity").value(), 0.8);
     desk.box("severity").setValue(0.25);
     desk.settle();
-    QCOMPARE(desk.decided().condition.severity, 0.25);
+    QCOMPARE(desk.decided().conditions.front().severity, 0.25);
     QCOMPARE(desk.find<QSlider>("severitySlider").value(), 25);
+}
+
+/// Severe asthma with a pneumothorax on the left.
+void TestConditionPanel::addsAndRemovesConditionsByKeyboardAlone()
+{
+    Desk desk;
+    auto& list = desk.find<QListWidget>("conditions");
+    auto& add = desk.find<QPushButton>("addCondition");
+    auto& remove = desk.find<QPushButton>("removeCondition");
+    QVERIFY(add.isEnabled() && !remove.isEnabled());
+    desk.choose("condition", 3);
+    desk.settle();
+    desk.box("severity").setValue(0.9);
+    desk.settle();
+    add.setFocus();
+    QTest::keyClick(&add, Qt::Key_Space);
+    desk.settle();
+    QCOMPARE(list.currentRow(), 1);
+    desk.choose("condition", 4);
+    desk.settle();
+    desk.choose("side", 2);
+    const LungCondition asthma{ConditionKind::Asthma, 0.9, ConditionSide::Both};
+    const LungCondition left{ConditionKind::SimplePneumothorax, 0.5, ConditionSide::Left};
+    QVERIFY(desk.decided().conditions == (LungConditions{asthma, left}));
+    QCOMPARE(list.count(), 2);
+    QCOMPARE(list.item(1)->text(),
+             QStringLiteral("Pneumothorax, simple, severity\u00a00.50, left lung"));
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Up);
+    QCOMPARE(desk.find<QComboBox>("condition").currentText(), QStringLiteral("Asthma"));
+    QCOMPARE(desk.box("severity").value(), 0.9);
+    QTest::keyClick(&list, Qt::Key_Delete);
+    desk.settle();
+    QVERIFY(desk.decided().conditions == LungConditions{left});
+    desk.choose("condition", 0);
+    QVERIFY(desk.decided().conditions.empty());
+    QVERIFY(!remove.isEnabled() && !desk.box("severity").isEnabled());
+}
+
+void TestConditionPanel::offersNoConditionTwiceOnALung()
+{
+    Desk desk;
+    desk.node.decide(
+        fact::LungConditionsSet{{{ConditionKind::Copd, 0.6, ConditionSide::Both},
+                                 {ConditionKind::Atelectasis, 0.5, ConditionSide::Right}}});
+    desk.settle();
+    desk.find<QListWidget>("conditions").setCurrentRow(1);
+    const auto* kinds =
+        qobject_cast<QStandardItemModel*>(desk.find<QComboBox>("condition").model());
+    const auto isOffered = [&](ConditionKind kind) {
+        return kinds->item(static_cast<int>(kind))->isEnabled();
+    };
+    QVERIFY(!isOffered(ConditionKind::Copd));
+    QVERIFY(isOffered(ConditionKind::Ards) && isOffered(ConditionKind::Normal));
 }
 
 void TestConditionPanel::offersWhatTheVentilatorHasInItsMode()
@@ -213,7 +271,7 @@ void TestConditionPanel::keepsWhatIsBeingTyped()
     QCOMPARE(severity.cleanText(), QStringLiteral("0.7"));
     QTest::keyClick(&severity, Qt::Key_Return);
     desk.settle();
-    QCOMPARE(desk.decided().condition.severity, 0.7);
+    QCOMPARE(desk.decided().conditions.front().severity, 0.7);
 }
 
 void TestConditionPanel::changesNothingForAnObserver()
@@ -224,7 +282,7 @@ void TestConditionPanel::changesNothingForAnObserver()
     for (const char* name : {"condition", "severity", "side", "mode", "peep", "tube"})
         QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
     QVERIFY(!desk.find<QPushButton>("undoCondition").isEnabled());
-    desk.node.decide(fact::LungConditionSet{{ConditionKind::Copd, 0.9, {}}});
+    desk.node.decide(fact::LungConditionsSet{{{ConditionKind::Copd, 0.9, {}}}});
     desk.settle();
     QCOMPARE(desk.find<QComboBox>("condition").currentText(), QStringLiteral("COPD"));
     QVERIFY(!desk.box("severity").isEnabled());
@@ -233,8 +291,9 @@ void TestConditionPanel::changesNothingForAnObserver()
 void TestConditionPanel::namesEveryControlForAScreenReader()
 {
     const Desk desk;
-    for (const char* name : {"position", "condition", "severity", "severitySlider", "side", "mode",
-                             "peep", "driving", "limit", "tube"})
+    for (const char* name :
+         {"position", "conditions", "addCondition", "removeCondition", "condition", "severity",
+          "severitySlider", "side", "mode", "peep", "driving", "limit", "tube"})
         QVERIFY2(!desk.find<QWidget>(name).accessibleName().isEmpty(), name);
     const WaveformPanel waveforms;
     int plots = 0;

@@ -81,7 +81,7 @@ void TestBreatheCommand::drawsTheVolumeOfTheMechanicsInEveryLevel_data()
                                              "540 --seconds 2")
                            << swing_ml(breathing({}, 30.0, 540.0), 121) << 2310.0;
     RespiratorySettings ill = breathing({}, 16.0, 540.0);
-    ill.condition = {ConditionKind::SimplePneumothorax, 0.9, ConditionSide::Right};
+    ill.conditions = {{ConditionKind::SimplePneumothorax, 0.9, ConditionSide::Right}};
     ill.ventilator.mode = VentilationMode::VolumeControl;
     QTest::newRow("pneumothorax under a ventilator")
         << QStringLiteral("--patient adult --rate-per-min 16 --tidal-volume-ml 540 --seconds 2 "

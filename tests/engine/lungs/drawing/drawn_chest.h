@@ -56,7 +56,8 @@ inline RespiratorySettings childWith(const LungCondition& condition)
 {
     RespiratorySettings settings;
     settings.build = kChild;
-    settings.condition = condition;
+    if (condition.kind != ConditionKind::Normal)
+        settings.conditions = {condition};
     return settings;
 }
 

@@ -108,7 +108,7 @@ void TestChestShape::shiftsAwayFromATension()
     RespiratorySettings settings;
     settings.pattern = restingPattern(settings.build);
     settings.ventilator.mode = VentilationMode::VolumeControl;
-    settings.condition = {ConditionKind::TensionPneumothorax, 1.0, ConditionSide::Right};
+    settings.conditions = {{ConditionKind::TensionPneumothorax, 1.0, ConditionSide::Right}};
     RespiratoryFold fold{settings};
     double shift = 0.0;
     for (int minute = 0; minute < 4; ++minute) {

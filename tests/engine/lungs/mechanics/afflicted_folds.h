@@ -14,7 +14,8 @@ inline RespiratorySettings settingsWith(VentilationMode mode, const LungConditio
     settings.ventilator.mode = mode;
     settings.ventilator.pressureLimit = cmH2O(80.0);
     settings.tube = millimetres(mode == VentilationMode::Spontaneous ? 0.0 : 8.0);
-    settings.condition = condition;
+    if (condition.kind != ConditionKind::Normal)
+        settings.conditions = {condition};
     return settings;
 }
 

@@ -36,7 +36,7 @@ void TestClosedAirway::letsNothingThroughAClosedTrachea()
         RespiratorySettings settings = settingsWith(mode, comesIn ? LungCondition{} : closed);
         settings.ventilator.pressureLimit = cmH2O(40.0);
         RespiratoryFold fold{settings};
-        settings.condition = closed;
+        settings.conditions = {closed};
         fold.set(settings);
         for (int i = 0; i < 2 * kMinute; ++i)
             fold.step();

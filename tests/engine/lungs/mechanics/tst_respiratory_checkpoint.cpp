@@ -31,9 +31,9 @@ RespiratorySettings settingsAt(int second)
 {
     RespiratorySettings settings = second < 20 ? quiet() : ventilated();
     if (second >= 10)
-        settings.condition = {ConditionKind::TensionPneumothorax, 0.8, ConditionSide::Left};
+        settings.conditions = {{ConditionKind::TensionPneumothorax, 0.8, ConditionSide::Left}};
     if (second >= 40)
-        settings.condition = {ConditionKind::Asthma, 0.4, ConditionSide::Both};
+        settings.conditions = {{ConditionKind::Asthma, 0.4, ConditionSide::Both}};
     settings.ventilator.ownEffort = 0.3;
     settings.ventilator.ownRate = perMinute(19.0);
     settings.ventilator.trigger = litresPerSecond(0.03);

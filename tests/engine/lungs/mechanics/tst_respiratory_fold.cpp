@@ -162,7 +162,7 @@ void TestRespiratoryFold::countsBothDeadSpaces()
     VERIFY_WITHIN(healthy.lastBreath().alveolarVentilation.si * 6e4, expected, 0.01);
 
     RespiratorySettings ill = ventilated();
-    ill.condition = {ConditionKind::Copd, 0.9, ConditionSide::Both};
+    ill.conditions = {{ConditionKind::Copd, 0.9, ConditionSide::Both}};
     RespiratoryFold fold{ill};
     run(fold, 60 * kSecond);
     while (fold.state().tally.steps != 1)
@@ -195,7 +195,7 @@ void TestRespiratoryFold::comesToAConditionWithoutAJump()
     RespiratorySettings settings = quiet();
     RespiratoryFold fold{settings};
     run(fold, 10 * kSecond);
-    settings.condition = {ConditionKind::Copd, 1.0, ConditionSide::Both};
+    settings.conditions = {{ConditionKind::Copd, 1.0, ConditionSide::Both}};
     fold.set(settings);
     double before = gas_ml(fold);
     for (int i = 0; i < 20 * kSecond; ++i) {

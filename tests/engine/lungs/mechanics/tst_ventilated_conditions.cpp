@@ -234,7 +234,7 @@ void TestVentilatedConditions::recoversWhenTheTensionIsRelieved()
     const LungCondition tension{ConditionKind::TensionPneumothorax, 1.0, ConditionSide::Right};
     RespiratorySettings settings = settingsWith(VentilationMode::VolumeControl, tension);
     RespiratoryFold fold = after(2 * kMinute, settings);
-    settings.condition = {};
+    settings.conditions = {};
     fold.set(settings);
     for (int i = 0; i < kMinute; ++i)
         fold.step();

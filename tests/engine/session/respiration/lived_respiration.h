@@ -9,7 +9,7 @@ namespace carina::test
 inline RespiratoryState livedRespiration()
 {
     RespiratorySettings settings;
-    settings.condition = {ConditionKind::TensionPneumothorax, 0.7, ConditionSide::Left};
+    settings.conditions = {{ConditionKind::TensionPneumothorax, 0.7, ConditionSide::Left}};
     settings.ventilator.mode = VentilationMode::PressureControl;
     RespiratoryFold fold{settings};
     for (int i = 0; i < 5000; ++i) {

@@ -136,7 +136,9 @@ void TestCheckpointRules::acceptsWhatAFoldComesTo()
         RespiratorySettings settings;
         settings.build = {metres(height_m), weight_kg, years, Sex::Male};
         const bool isMainstem = kind == ConditionKind::MainstemIntubation;
-        settings.condition = {kind, 1.0, isMainstem ? ConditionSide::Left : ConditionSide::Both};
+        if (kind != ConditionKind::Normal)
+            settings.conditions = {
+                {kind, 1.0, isMainstem ? ConditionSide::Left : ConditionSide::Both}};
         settings.position = BodyPosition(static_cast<int>(kind) % 5);
         settings.pattern = {kFastestBreathing, kLargestTidalVolume, kShortestInspiration};
         settings.ventilator.pressureLimit = kHighestPressureLimit;

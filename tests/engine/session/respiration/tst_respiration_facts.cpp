@@ -42,8 +42,14 @@ void TestRespirationFacts::writesTheDocumentedBytes_data()
     };
     row("patient", fact::PatientBuildSet{{metres(1.0), 2.0, 0.5, Sex::Male}},
         "0d 000000000000f03f 0000000000000040 000000000000e03f 01");
-    row("condition", fact::LungConditionSet{{ConditionKind::StiffChest, 0.5, ConditionSide::Left}},
-        "0e 09 000000000000e03f 02");
+    row("no condition", fact::LungConditionsSet{}, "0e 00");
+    row("condition",
+        fact::LungConditionsSet{{{ConditionKind::StiffChest, 0.5, ConditionSide::Left}}},
+        "0e 01 09 000000000000e03f 02");
+    row("two conditions",
+        fact::LungConditionsSet{{{ConditionKind::Copd, 1.0, ConditionSide::Both},
+                                 {ConditionKind::SimplePneumothorax, 0.5, ConditionSide::Right}}},
+        "0e 02 02 000000000000f03f 00 04 000000000000e03f 01");
     row("ventilator",
         fact::VentilatorSet{
             {VentilationMode::PressureControl, {1.0}, {2.0}, {0.5}, 0.5, {2.0}, hertz(1.0), 0.0}},
@@ -86,12 +92,13 @@ void TestRespirationFacts::refusesEnumeratorsThatDoNotExist_data()
     QTest::addColumn<QByteArray>("hex");
     const QByteArray zero = "0000000000000000";
     QTest::newRow("sex 2") << "0d" + zero + zero + zero + "02";
-    QTest::newRow("condition 10") << "0e0a" + zero + "00";
-    QTest::newRow("side 3") << "0e00" + zero + "03";
+    QTest::newRow("condition 10") << "0e010a" + zero + "00";
+    QTest::newRow("side 3") << "0e0101" + zero + "03";
+    QTest::newRow("seven conditions") << "0e07" + ("01" + zero + "00").repeated(7);
     QTest::newRow("position 5") << QByteArray{"1305"};
     QTest::newRow("mode 3") << "0f03" + zero.repeated(7);
     QTest::newRow("time beyond 73 years") << QByteArray{"110100000000000020"};
-    QTest::newRow("severity not a number") << QByteArray{"0e00000000000000f87f00"};
+    QTest::newRow("severity not a number") << QByteArray{"0e0101000000000000f87f00"};
 }
 
 void TestRespirationFacts::refusesEnumeratorsThatDoNotExist()
@@ -120,7 +127,9 @@ void TestRespirationFacts::acceptsNoSecondSpelling()
     std::mt19937 random{7};
     const std::vector<std::byte> seeds[] = {
         encodeBody(fact::RespirationCheckpoint{SessionTime{}, test::livedRespiration()}),
-        encodeBody(fact::VentilatorSet{}), encodeBody(fact::LungConditionSet{}),
+        encodeBody(fact::VentilatorSet{}),
+        encodeBody(fact::LungConditionsSet{
+            {{ConditionKind::Ards, 0.5, {}}, {ConditionKind::Atelectasis, 0.5, {}}}}),
         encodeBody(fact::PatientBuildSet{})};
     int accepted = 0;
     for (int i = 0; i < kMutants; ++i) {

@@ -33,7 +33,7 @@ LogWriter runningSession()
     LogWriter writer = sampleSession();
     writer.add(atSeconds(1.0), fact::PhaseChanged{SessionPhase::Running});
     writer.add(atSeconds(6.0), fact::BreathingRateSet{perMinute(26.0)});
-    writer.add(atSeconds(8.0), fact::LungConditionSet{{ConditionKind::Asthma, 0.6, {}}});
+    writer.add(atSeconds(8.0), fact::LungConditionsSet{{{ConditionKind::Asthma, 0.6, {}}}});
     return writer;
 }
 
@@ -169,12 +169,12 @@ void TestRespirationFollower::meetsAPatientAsItWasDecidedBeforeTheStart()
     LogWriter writer = sampleSession();
     const PatientBuild adult{metres(1.75), 77.0, 40.0, Sex::Male};
     writer.add(atSeconds(0.5), fact::PatientBuildSet{adult});
-    writer.add(atSeconds(0.6), fact::LungConditionSet{{ConditionKind::Copd, 0.9, {}}});
+    writer.add(atSeconds(0.6), fact::LungConditionsSet{{{ConditionKind::Copd, 0.9, {}}}});
     const SessionState prepared = stateOf(writer);
     RespirationFollower follower;
     RespiratorySettings settings;
     settings.build = adult;
-    settings.condition = {ConditionKind::Copd, 0.9, {}};
+    settings.conditions = {{ConditionKind::Copd, 0.9, {}}};
     QVERIFY(followed(follower, timelineOf(prepared), 0.9) == RespiratoryFold{settings}.state());
     writer.add(atSeconds(1.0), fact::PhaseChanged{SessionPhase::Running});
     const SessionState running = stateOf(writer);

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void boundsNumbers_data();
     void boundsNumbers();
     void refusesATubeInBothBronchi();
+    void refusesADiseaseTwiceOnALung();
     void allowsNoTubeAndNoEffort();
     void refusesAPressureLimitThatIsNotAbovePeep();
     void boundsABreathByThePatient();
@@ -74,7 +75,7 @@ void TestRespirationRules::boundsNumbers_data()
          build([](PatientBuild& b, double v) { b.weightInKilograms = v; }));
     rows("age in years", 2.0, 120.0, build([](PatientBuild& b, double v) { b.ageInYears = v; }));
     rows("severity", 0.0, 1.0, [](double v) -> FactBody {
-        return fact::LungConditionSet{{ConditionKind::Ards, v, ConditionSide::Both}};
+        return fact::LungConditionsSet{{{ConditionKind::Ards, v, ConditionSide::Both}}};
     });
     const auto ventilator = [](auto set) {
         return [set](double v) -> FactBody {
@@ -112,10 +113,25 @@ void TestRespirationRules::boundsNumbers()
 void TestRespirationRules::refusesATubeInBothBronchi()
 {
     const auto tubeIn = [](ConditionSide side) {
-        return fact::LungConditionSet{{ConditionKind::MainstemIntubation, 0.5, side}};
+        return fact::LungConditionsSet{{{ConditionKind::MainstemIntubation, 0.5, side}}};
     };
     QCOMPARE(verdictOf(tubeIn(ConditionSide::Both)), QByteArray{"out of range"});
     QCOMPARE(verdictOf(tubeIn(ConditionSide::Left)), QByteArray{"fine"});
+}
+
+void TestRespirationRules::refusesADiseaseTwiceOnALung()
+{
+    using enum ConditionSide;
+    const auto verdict = [](const LungConditions& all) {
+        return verdictOf(fact::LungConditionsSet{all});
+    };
+    const LungCondition right{ConditionKind::Atelectasis, 0.5, Right};
+    QCOMPARE(verdict({}), QByteArray{"fine"});
+    QCOMPARE(verdict({right, {ConditionKind::Atelectasis, 0.5, Left}}), QByteArray{"fine"});
+    QCOMPARE(verdict({right, {ConditionKind::Copd, 0.5, Both}}), QByteArray{"fine"});
+    QCOMPARE(verdict({right, {ConditionKind::Atelectasis, 0.7, Both}}), QByteArray{"out of range"});
+    QCOMPARE(verdict({right, {ConditionKind::Copd, 1.5, Both}}), QByteArray{"out of range"});
+    QCOMPARE(verdict({LungCondition{}}), QByteArray{"out of range"});
 }
 
 void TestRespirationRules::allowsNoTubeAndNoEffort()

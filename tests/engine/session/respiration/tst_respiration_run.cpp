@@ -29,8 +29,8 @@ LogWriter eventfulSession()
     ventilator.settings.mode = VentilationMode::VolumeControl;
     writer.add(atSeconds(28.0), ventilator);
     writer.add(atSeconds(29.0), fact::TidalVolumeSet{millilitres(500.0)});
-    writer.add(atSeconds(30.0), fact::LungConditionSet{{ConditionKind::TensionPneumothorax, 0.8,
-                                                        ConditionSide::Right}});
+    writer.add(atSeconds(30.0), fact::LungConditionsSet{{{ConditionKind::TensionPneumothorax, 0.8,
+                                                          ConditionSide::Right}}});
     return writer;
 }
 
@@ -102,8 +102,8 @@ void TestRespirationRun::takesEverySettingAtItsTime()
     QVERIFY(settingsAt(27.9).ventilator.mode == VentilationMode::Spontaneous);
     QVERIFY(settingsAt(28.1).ventilator.mode == VentilationMode::VolumeControl);
     QCOMPARE(settingsAt(29.1).pattern.tidalVolume, millilitres(500.0));
-    QVERIFY(settingsAt(29.9).condition == LungCondition{});
-    QVERIFY(settingsAt(30.1).condition.kind == ConditionKind::TensionPneumothorax);
+    QVERIFY(settingsAt(29.9).conditions.empty());
+    QVERIFY(settingsAt(30.1).conditions.front().kind == ConditionKind::TensionPneumothorax);
     QVERIFY(ranTo(state, 60.0).fold().content()[0].trapped.si > 0.0);
 
     LogWriter untold = sampleSession();

@@ -7,7 +7,7 @@ namespace carina
 namespace
 {
 
-/// Bones as they lie with the mouth shut.
+/// Bones and cartilages as they lie with the mouth shut.
 struct ShutBones {
     std::vector<std::shared_ptr<const TriangleMesh>> meshes;
     std::vector<Bone> bones; ///< of these meshes
@@ -18,7 +18,7 @@ ShutBones bonesOf(const PatientModel& patient)
     ShutBones found;
     for (const PatientSurface& surface : patient.surfaces()) {
         const PartRole role = surface.description.role;
-        if (role != PartRole::Rib && role != PartRole::Mandible)
+        if (role != PartRole::Rib && role != PartRole::Mandible && role != PartRole::Larynx)
             continue;
         found.meshes.push_back(patient.shutMesh(surface));
         found.bones.push_back({surface.name, found.meshes.back()->positions});

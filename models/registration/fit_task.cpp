@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carina
@@ -43,10 +44,49 @@ public:
         return {};
     }
 
-    static QString standsOut(const std::string& landmark, Length distance)
+    /// @param p_A_glottis as the patient has it
+    static QString ofScale(const ManikinScale& found, const std::vector<LandmarkPair>& pairs,
+                           const Vec3& p_A_glottis)
+    {
+        Vec3 p_A_mean = Vec3::Zero();
+        for (const LandmarkPair& pair : pairs)
+            p_A_mean += pair.p_AQ / double(pairs.size());
+        const double off = std::abs(found.scale - 1.0);
+        const QString sentence =
+            found.scale > 1.0 ? tr("The manikin is about %1\u00a0% larger than the patient: the "
+                                   "glottis is drawn about %2\u00a0mm from its place, whatever the "
+                                   "expected errors say. Choose a taller patient, or move the "
+                                   "landmarks to where the patient has the places you touch.")
+                              : tr("The manikin is about %1\u00a0% smaller than the patient: the "
+                                   "glottis is drawn about %2\u00a0mm from its place, whatever the "
+                                   "expected errors say. Choose a shorter patient, or move the "
+                                   "landmarks to where the patient has the places you touch.");
+        return sentence.arg(100.0 * off, 0, 'f', 0)
+            .arg(inMillimetres(off * metres((p_A_glottis - p_A_mean).norm())), 0, 'f', 0);
+    }
+
+    static QString ofLocalisation(const FitTask::Localisation& fle)
+    {
+        QString sentence = tr("Error of a touch: %1\u00a0mm (RMS), with 95\u00a0% confidence below "
+                              "%2\u00a0mm;")
+                               .arg(inMillimetres(fle.rms), 0, 'f', 1)
+                               .arg(inMillimetres(fle.limit), 0, 'f', 1)
+                           + QLatin1Char(' ');
+        sentence += fle.pooled == 0 ? tr("from these touches.")
+                                    : tr("from these touches and %n earlier registration(s).",
+                                         nullptr, fle.pooled);
+        if (fle.disagreeing > 0)
+            sentence += QLatin1Char(' ')
+                        + tr("%n earlier registration(s) strayed by more or less than chance "
+                             "explains and are not used.",
+                             nullptr, fle.disagreeing);
+        return sentence;
+    }
+
+    static QString standsOut(const QString& landmark, Length distance)
     {
         return tr("%1 lies %2\u00a0mm from where the other landmarks put it: touch it again.")
-            .arg(QString::fromStdString(landmark))
+            .arg(landmark)
             .arg(inMillimetres(distance), 0, 'f', 1);
     }
 };
@@ -102,36 +142,65 @@ TouchOrder FitTask::order() const
     return found ? found->order : TouchOrder::AsGiven;
 }
 
+std::optional<ManikinScale> FitTask::scaleFound() const
+{
+    const auto pairs = touchedPairs(m_editor.site());
+    const auto scale = manikinScale(pairs);
+    // A single wrong touch is mended first: it may look like another size.
+    if (!scale || !scale->isOff() || outlyingLandmark(withAnatomyScaled(pairs, scale->scale)))
+        return std::nullopt;
+    return *scale;
+}
+
+QString FitTask::nameOf(const Vec3& p_AQ) const
+{
+    const auto& landmarks = m_editor.site().catalogue->landmarks;
+    return QString::fromStdString(std::ranges::find(landmarks, p_AQ, &Landmark::p_AQ)->name);
+}
+
 QStringList FitTask::findings() const
 {
-    QStringList sentences;
     const auto pairs = touchedPairs(m_editor.site());
-    const auto nameOf = [&](std::size_t landmark) {
-        return std::ranges::find(m_editor.site().catalogue->landmarks, pairs[landmark].p_AQ,
-                                 &Landmark::p_AQ)
-            ->name;
-    };
     const auto found = orderFound();
-    if (found && found->order != TouchOrder::AsGiven) {
-        QStringList exchanged;
-        for (std::size_t i = 0; i < found->touchOf.size(); ++i)
-            if (found->touchOf[i] != i)
-                exchanged << QString::fromStdString(nameOf(i));
-        sentences << FitWords::ofOrder(found->order, exchanged);
-    }
+    const bool isReordered =
+        found && (found->order == TouchOrder::Exchanged || found->order == TouchOrder::MirrorImage);
+    const auto scale = isReordered ? std::nullopt : scaleFound();
+    QStringList sentences;
+    if (scale)
+        sentences << FitWords::ofScale(*scale, pairs, m_patient.landmarks().p_A_glottis);
+    else if (found && found->order != TouchOrder::AsGiven)
+        sentences << FitWords::ofOrder(found->order, exchangedIn(*found));
     const auto& registration = m_editor.site().registration;
     if (!registration || registration->stale)
         return sentences;
-    if (m_watch.has(ToolRole::Jaw) && !registration->X_JM)
+    sentences << findingsOfProbes();
+    if (const auto outlier = outlyingLandmark(pairs); outlier && !isReordered && !scale)
+        sentences << FitWords::standsOut(nameOf(pairs[outlier->landmark].p_AQ), outlier->distance);
+    return sentences;
+}
+
+/// The landmarks whose touches belong to others.
+QStringList FitTask::exchangedIn(const OrderFinding& found) const
+{
+    const auto pairs = touchedPairs(m_editor.site());
+    QStringList exchanged;
+    for (std::size_t i = 0; i < found.touchOf.size(); ++i)
+        if (found.touchOf[i] != i)
+            exchanged << nameOf(pairs[i].p_AQ);
+    return exchanged;
+}
+
+/// @pre it is registered.
+QStringList FitTask::findingsOfProbes() const
+{
+    const SiteRegistration& registration = *m_editor.site().registration;
+    QStringList sentences;
+    if (m_watch.has(ToolRole::Jaw) && !registration.X_JM)
         sentences << FitWords::tr("The chin probe was not seen: the patient's mouth will not open "
                                   "with the manikin's. Turn it to the tracker and fit again.");
-    if (m_watch.has(ToolRole::Manikin) && !registration->X_BM)
+    if (m_watch.has(ToolRole::Manikin) && !registration.X_BM)
         sentences << FitWords::tr("The body probe was not seen: the patient will not move with the "
                                   "manikin. Turn it to the tracker and fit again.");
-    const bool isReordered =
-        found && (found->order == TouchOrder::Exchanged || found->order == TouchOrder::MirrorImage);
-    if (const auto outlier = outlyingLandmark(pairs); outlier && !isReordered)
-        sentences << FitWords::standsOut(nameOf(outlier->landmark), outlier->distance);
     return sentences;
 }
 
@@ -149,7 +218,13 @@ std::optional<FitTask::Localisation> FitTask::localisation() const
     if (!registration || registration->degrees == 0.0)
         return std::nullopt;
     const LocalisationError fle{metres(registration->fle), registration->degrees};
-    return Localisation{fle.rms, fle.limit()};
+    return Localisation{fle.rms, fle.limit(), registration->pooled, registration->disagreeing};
+}
+
+QString FitTask::localisationText() const
+{
+    const auto found = localisation();
+    return found ? FitWords::ofLocalisation(*found) : QString{};
 }
 
 std::optional<Mat4> FitTask::errorQuadric() const

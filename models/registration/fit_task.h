@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/registration/fit/manikin_scale.h"
 #include "engine/registration/fit/surface_refinement.h"
 #include "engine/registration/landmarks/landmark_order.h"
 #include "models/registration/landmark_task.h"
@@ -37,13 +38,17 @@ public:
     /// fit.
     [[nodiscard]] std::vector<ExpectedError> expected() const;
 
-    /// The FLE estimated from the residuals: RMS error of one touch, and the 95 % upper confidence
-    /// limit of the true one.
+    /// The estimated FLE: RMS error of one touch, and the 95 % upper confidence limit of the true
+    /// one.
     struct Localisation {
         Length rms;
         Length limit;
+        int pooled = 0;      ///< earlier registrations by the same person that are in it
+        int disagreeing = 0; ///< those that are not: their touches strayed by more or less
     };
     [[nodiscard]] std::optional<Localisation> localisation() const;
+    /// That in words, and what it was estimated from; empty before the fit.
+    [[nodiscard]] QString localisationText() const;
 
     /// Q such that [p 1] Q [p 1]^T is the mean squared TRE in m^2 at p in A, metres; std::nullopt
     /// before the fit.
@@ -61,6 +66,11 @@ public:
 
 private:
     [[nodiscard]] std::optional<OrderFinding> orderFound() const;
+    /// The manikin's size where the touches show that it is not the patient's.
+    [[nodiscard]] std::optional<ManikinScale> scaleFound() const;
+    [[nodiscard]] QString nameOf(const Vec3& p_AQ) const;
+    [[nodiscard]] QStringList exchangedIn(const OrderFinding& found) const;
+    [[nodiscard]] QStringList findingsOfProbes() const;
 
     SiteEditor& m_editor;
     StylusWatch& m_watch;

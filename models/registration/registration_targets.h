@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/registration/fit/uncertain_transform.h"
+#include "engine/registration/fit/motion_covariance.h"
 #include "models/patient/patient_model.h"
 
 #include <QString>

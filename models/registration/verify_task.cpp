@@ -165,6 +165,19 @@ bool VerifyTask::isComplete() const
     });
 }
 
+bool VerifyTask::hasAirwayPoint() const
+{
+    const auto& verification = m_editor.site().verification;
+    const AirwayLandmarks& airway = m_patient.landmarks();
+    const double margin = 0.5 * (airway.p_A_glottis.z() - airway.p_A_carina.z());
+    const double lowest = airway.p_A_glottis.z() - margin;
+    const double highest = std::max(airway.p_A_incisors.z(), airway.p_A_glottis.z()) + margin;
+    return verification
+           && std::ranges::any_of(verification->points, [&](const VerifiedPoint& point) {
+                  return point.p_AQ.z() >= lowest && point.p_AQ.z() <= highest;
+              });
+}
+
 Verdict VerifyTask::suggestion() const
 {
     const auto& verification = m_editor.site().verification;

@@ -55,6 +55,9 @@ public:
     [[nodiscard]] bool canJudge() const;
     /// Whether all points were touched.
     [[nodiscard]] bool isComplete() const;
+    /// Whether a place was touched at the height of the airway: above the middle between carina and
+    /// glottis, and not higher above the incisors than that is below the glottis.
+    [[nodiscard]] bool hasAirwayPoint() const;
     /// The verdict from the points touched so far, jointly at 95 %; Open while there are fewer than
     /// kFewestPoints.
     [[nodiscard]] Verdict suggestion() const;

@@ -15,6 +15,8 @@ namespace carina
 namespace
 {
 
+constexpr std::size_t kMostLocalisations = 20; ///< older hands were others
+
 std::vector<LandmarkResidual> residualsOf(const Site& site, const ManikinFit& fitted)
 {
     const auto touches = freshTouches(site);
@@ -28,6 +30,23 @@ std::vector<LandmarkResidual> residualsOf(const Site& site, const ManikinFit& fi
     return residuals;
 }
 
+/// Refits with some touches of before replace the estimate of before: it is no other one.
+bool sharesTouches(const Site& site)
+{
+    return std::ranges::any_of(freshTouches(site),
+                               [](const TouchedPoint* touch) { return touch->isFitted; });
+}
+
+/// What is known of this person's error from other registrations.
+std::vector<LocalisationError> earlierErrors(const Site& site)
+{
+    std::vector<LocalisationError> earlier;
+    for (const SiteLocalisation& each : site.localisations)
+        if (!site.operatorName.empty() && each.operatorName == site.operatorName)
+            earlier.push_back({metres(each.rms), each.degrees});
+    return earlier;
+}
+
 Result<RegistrationError> errorOf(const Site& site, const ManikinFit& fitted, const Mat3& tip_S)
 {
     const Mat3 R_AT = fitted.X_AT().rotation().toRotationMatrix();
@@ -37,7 +56,7 @@ Result<RegistrationError> errorOf(const Site& site, const ManikinFit& fitted, co
         places.push_back(pair.p_AQ);
     for (const TouchedPoint* touch : freshTouches(site))
         held.push_back(R_AT * touch->q_TS.toRotationMatrix());
-    return registrationError(places, held, tip_S, metres(fitted.fit.rms));
+    return registrationError(places, held, tip_S, metres(fitted.fit.rms), earlierErrors(site));
 }
 
 /// How the manikin lies in the probes on it.
@@ -47,6 +66,19 @@ void noteProbes(SiteRegistration& registration, const FitInputs& inputs, const R
         registration.X_JM = inputs.X_TJ->inverse() * X_TM;
     if (inputs.X_TB)
         registration.X_BM = inputs.X_TB->inverse() * X_TM;
+}
+
+/// For the registrations after this one.
+void noteLocalisation(Site& site, const LocalisationError& own)
+{
+    for (TouchedPoint& touch : site.touched)
+        touch.isFitted = touch.isFitted || !touch.stale;
+    site.localisations.push_back({.rms = own.rms.si,
+                                  .degrees = own.degrees,
+                                  .at = site.registration->madeAt,
+                                  .operatorName = site.operatorName});
+    if (site.localisations.size() > kMostLocalisations)
+        site.localisations.erase(site.localisations.begin());
 }
 
 /// How far its touches stay from their landmarks, once it was refined.
@@ -83,6 +115,8 @@ Result<Site> withFit(Site site, const FitInputs& inputs)
     const Result<ManikinFit> fitted = fitManikin(landmarks);
     if (!fitted)
         return tl::unexpected(fitted.error());
+    if (sharesTouches(site) && !site.localisations.empty())
+        site.localisations.pop_back();
     const StylusTip* stylus = site.stylus(inputs.tool);
     const auto error = errorOf(site, *fitted, stylus ? stylus->covariance_S : Mat3::Zero());
     if (!error)
@@ -92,12 +126,15 @@ Result<Site> withFit(Site site, const FitInputs& inputs)
                                   .rms = fitted->fit.rms,
                                   .residuals = residualsOf(site, *fitted),
                                   .covariance_A = error->covariance_A,
-                                  .fle = error->fle.rms.si,
-                                  .degrees = error->fle.degrees,
+                                  .fle = error->fle.fle.rms.si,
+                                  .degrees = error->fle.fle.degrees,
+                                  .pooled = error->fle.pooled,
+                                  .disagreeing = error->fle.disagreeing,
                                   .madeAt = inputs.at,
                                   .operatorName = site.operatorName};
     noteProbes(registration, inputs, fitted->X_TM);
     site.registration = std::move(registration);
+    noteLocalisation(site, error->own);
     if (site.verification)
         makeStale(site.verification->stale, StaleCause::Fit);
     return site;

@@ -24,7 +24,9 @@ struct FitInputs {
 /// The inputs from the tools that the tracker sees now.
 [[nodiscard]] FitInputs fitInputs(const StylusWatch& watch, std::string at);
 
-/// The anatomy fitted to the touched landmarks that are not stale.
+/// The anatomy fitted to the touched landmarks that are not stale. The error of a touch is
+/// estimated from its residuals and from earlier registrations by the same person at this site,
+/// unless a touch is in both. Its own estimate is kept for later ones.
 /// @returns TooFewLandmarks without a catalogue; the errors of fitManikin.
 [[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
 

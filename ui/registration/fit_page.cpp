@@ -17,6 +17,7 @@ FitPage::FitPage(RegistrationModel& registration)
       m_legend{new QLabel{this}},
       m_findings{new QLabel{this}},
       m_expected{new ErrorTable{this}},
+      m_localisation{new QLabel{this}},
       m_swabbed{new QLabel{this}},
       m_surface{new QComboBox{this}},
       m_swab{new QPushButton{this}},
@@ -29,11 +30,12 @@ FitPage::FitPage(RegistrationModel& registration)
     m_legend->setText(
         tr("Left out: %1.").arg(LandmarkTableModel::explanation(LandmarkTableModel::LeftOut)));
     m_findings->setObjectName(QStringLiteral("findings"));
+    m_localisation->setObjectName(QStringLiteral("localisation"));
     m_swab->setObjectName(QStringLiteral("swab"));
     m_surface->setObjectName(QStringLiteral("surface"));
     m_surface->setAccessibleName(tr("Surface to slide the stylus over"));
     m_surface->addItems(registration.fitting().swabSurfaces());
-    for (QLabel* label : {m_findings, m_legend, m_swabbed})
+    for (QLabel* label : {m_findings, m_legend, m_localisation, m_swabbed})
         label->setWordWrap(true);
     connect(m_swab, &QPushButton::clicked, this, &FitPage::swabOrRefine);
     connect(m_cancel, &QPushButton::clicked, this,
@@ -49,8 +51,8 @@ void FitPage::layOut()
     swab->addWidget(m_cancel);
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_findings, m_expected, m_list, m_legend, m_swabbed})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_findings, m_expected, m_localisation,
+                                                           m_list, m_legend, m_swabbed})
         column->addWidget(widget);
     column->addLayout(swab);
     column->addStretch();
@@ -66,6 +68,9 @@ void FitPage::refresh()
         lines << tr("▲ %1", "a warning").arg(finding);
     m_findings->setText(lines.join(QLatin1Char('\n')));
     m_expected->show(fitting.expected());
+    const QString localisation = fitting.localisationText();
+    m_localisation->setVisible(!localisation.isEmpty());
+    m_localisation->setText(localisation);
     m_list->refresh();
     m_legend->setVisible(registration().site().registration.has_value());
     refreshSwab();

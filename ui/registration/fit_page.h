@@ -36,6 +36,7 @@ private:
     QLabel* m_legend;
     QLabel* m_findings;
     ErrorTable* m_expected;
+    QLabel* m_localisation;
     QLabel* m_swabbed;
     QComboBox* m_surface;
     QPushButton* m_swab;

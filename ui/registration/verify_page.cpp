@@ -84,7 +84,19 @@ void VerifyPage::fillPoints()
     fitHeight(*m_points);
 }
 
+/// And that it says nothing of the airway, where it does not.
 QString VerifyPage::verdict() const
+{
+    const VerifyTask& task = registration().verifying();
+    const QString sentence = verdictOfErrors();
+    if (task.suggestion() != Verdict::Good || task.hasAirwayPoint())
+        return sentence;
+    return sentence + QLatin1Char('\n')
+           + tr("▲ None of these places lies at the height of the airway: touch the edge of the "
+                "upper incisors, or the front of the larynx.");
+}
+
+QString VerifyPage::verdictOfErrors() const
 {
     if (isNotGood(registration().site()))
         return tr("▲ Recorded as not good: touch the landmarks again.");
@@ -142,7 +154,8 @@ bool VerifyPage::isReady() const
 {
     return registration().task(SiteStep::Verify).state == TaskState::Done
            || isNotGood(registration().site())
-           || (canAct() && registration().verifying().isComplete());
+           || (canAct() && registration().verifying().isComplete()
+               && registration().verifying().hasAirwayPoint());
 }
 
 void VerifyPage::act()

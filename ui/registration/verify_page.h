@@ -27,6 +27,7 @@ public:
 private:
     void fillPoints();
     [[nodiscard]] QString verdict() const;
+    [[nodiscard]] QString verdictOfErrors() const;
 
     QTableWidget* m_points; ///< children of this
     QLabel* m_verdict;

@@ -83,7 +83,7 @@ int runCommandLine(std::span<const Command> commands, const QStringList& argumen
         return 1;
     }
     printObject(*object);
-    return 0;
+    return object->value(kAcceptable).toBool(true) ? 0 : 1;
 }
 
 } // namespace carina::lab

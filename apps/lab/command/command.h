@@ -67,8 +67,13 @@ struct Command {
 /// The key of what a command warns of, an array of sentences: they go to stderr, too.
 inline constexpr Key kWarnings{"warnings", "sentences about what may be wrong; on stderr, too"};
 
+/// The key of whether a result may be used; where it is false, the exit status is 1.
+inline constexpr Key kAcceptable{"acceptable",
+                                 "whether the result may be used; if not, the exit status is 1"};
+
 /// Runs carina-lab, which has these commands, on a whole command line: prints the object on stdout
-/// and returns 0, or one sentence on stderr and returns 1 (2 for a command there is not). With
+/// and returns 0 (1 where its kAcceptable is false), or one sentence on stderr and returns 1 (2 for
+/// a command there is not). With
 /// --help after the name, or help before it, prints the page of the command.
 int runCommandLine(std::span<const Command> commands, const QStringList& arguments);
 

@@ -35,6 +35,7 @@ constexpr Key kPivot{"pivot_mm", "[x, y, z] of the divot in the frame of the pos
 constexpr Key kRms{"rms_mm", "root mean square distance of the tips from the divot"};
 constexpr Key kUncertainty{"uncertainty_mm",
                            "root mean square error of the tip that this noise causes"};
+constexpr Key kReason{"reason", "where it is not acceptable: why, in words; else null"};
 constexpr Key kAxisSchema{"schema", "carina.spin/1"};
 constexpr Key kAxis{"axis", "[x, y, z] of the axis in the frame of the tool, of length 1"};
 constexpr Key kAxisPoint{"axis_point_mm",
@@ -171,6 +172,10 @@ Result<QJsonObject> describeTip(std::span<const RigidTransform> poses, Length li
     object.insert(pivot_key::kPivot, jsonPoint(pivot->p_TQ));
     object.insert(pivot_key::kRms, inMillimetres(metres(pivot->rms)));
     object.insert(pivot_key::kUncertainty, inMillimetres(metres(pivot->uncertainty())));
+    object.insert(kAcceptable, !pivot->refusal);
+    object.insert(pivot_key::kReason,
+                  pivot->refusal ? QJsonValue{QString::fromStdString(pivot->refusal->detail)}
+                                 : QJsonValue{});
     return object;
 }
 
@@ -270,16 +275,20 @@ std::vector<Note> poseNotes()
 Use tipUse()
 {
     return {.lines = {"FILE|DIR [--limit-mm MM]"},
-            .text = "Finds the tip of a stylus from its poses while it was swung with its tip in a "
-                    "divot: linear least squares over the poses that agree (random sample "
-                    "consensus, with the same draws each time). Where the result is uncertain, "
-                    "lean the stylus towards least_turned.",
+            .text =
+                "Finds the tip of a stylus from its poses while it was swung with its tip in a "
+                "divot: linear least squares over the poses that agree (random sample "
+                "consensus, with the same draws each time). Where the result is uncertain, "
+                "lean the stylus towards least_turned. A set of which fewer than half agree, or "
+                "whose rms_mm is above 1.5, is printed as not acceptable; the registration "
+                "program refuses it.",
             .notes = poseNotes(),
             .options = {pivot_option::kLimit},
             .schema = pivot_key::kTipSchema,
             .keys = {pivot_key::kTip, pivot_key::kPivot, pivot_key::kRms, pivot_key::kUncertainty,
-                     pivot_key::kPoses, pivot_key::kOutliers, pivot_key::kCoverage,
-                     pivot_key::kDirection, pivot_key::kTurn, pivot_key::kLeastTurned}};
+                     kAcceptable, pivot_key::kReason, pivot_key::kPoses, pivot_key::kOutliers,
+                     pivot_key::kCoverage, pivot_key::kDirection, pivot_key::kTurn,
+                     pivot_key::kLeastTurned}};
 }
 
 Use axisUse()

@@ -105,6 +105,14 @@ int JsonFields::count(const char* key)
     return int(number);
 }
 
+bool JsonFields::truth(const char* key)
+{
+    const QJsonValue value = m_object.value(QLatin1StringView{key});
+    if (!value.isBool())
+        refuse(key, "true or false is due");
+    return value.toBool();
+}
+
 std::size_t JsonFields::oneOf(const char* key, std::span<const char* const> words)
 {
     const std::string word = text(key);

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
     /// A whole number from 0 to a million.
     [[nodiscard]] int count(const char* key);
+    /// true or false.
+    [[nodiscard]] bool truth(const char* key);
     /// The index of a text in `words`.
     [[nodiscard]] std::size_t oneOf(const char* key, std::span<const char* const> words);
     /// [x, y, z], each below a kilometre; in metres.

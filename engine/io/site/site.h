@@ -3,7 +3,7 @@
 #include "engine/display/display_geometry.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/io/site/site_manikin.h"
-#include "engine/registration/fit/uncertain_transform.h"
+#include "engine/registration/fit/motion_covariance.h"
 #include "engine/registration/landmarks/landmark_catalogue.h"
 
 #include <cstdint>
@@ -51,6 +51,7 @@ struct TouchedPoint {
     Vec3 p_TQ = Vec3::Zero();     ///< in the tracker frame T, metres
     double spread = 0.0;          ///< of the tip's positions while it was held there, metres
     Quat q_TS = Quat::Identity(); ///< orientation of the stylus
+    bool isFitted = false;        ///< it is in the registration, or in one before it
     std::optional<StaleCause> stale{};
 };
 
@@ -89,14 +90,24 @@ struct SiteRegistration {
     std::optional<RigidTransform> X_BM{}; ///< in the frame B of its body probe, with which it moves
     double rms = 0.0;                     ///< FRE, metres
     std::vector<LandmarkResidual> residuals{};
-    Mat6 covariance_A = Mat6::Zero(); ///< of X_AM: see UncertainTransform
+    Mat6 covariance_A = Mat6::Zero(); ///< of X_AM: see Mat6 (motion_covariance.h)
     double fle = 0.0;     ///< fiducial localisation error, estimated from the residuals, metres
     double degrees = 0.0; ///< degrees of freedom of that estimate; 0 where there is none
+    int pooled = 0;       ///< how many earlier registrations are in that estimate
+    int disagreeing = 0;  ///< how many are not, since their errors are unlike those of this one
     std::string madeAt{}; ///< ISO 8601; empty where it is not known
     std::string operatorName{};
     std::optional<SiteSwab> swab{};
     std::vector<SiteRelay> relays{}; ///< oldest first
     std::optional<StaleCause> stale{};
+};
+
+/// The fiducial localisation error of one registration, from its residuals alone.
+struct SiteLocalisation {
+    double rms = 0.0;     ///< metres, above 0
+    double degrees = 0.0; ///< degrees of freedom, above 0
+    std::string at{};     ///< ISO 8601; empty where it is not known
+    std::string operatorName{};
 };
 
 /// A point touched to check the registration, not used in the fit.
@@ -129,6 +140,9 @@ struct Site {
     std::optional<LandmarkCatalogue> catalogue{};
     std::vector<TouchedPoint> touched{}; ///< of the catalogue, none twice
     std::optional<SiteRegistration> registration{};
+    /// Of the registrations made here, oldest first; no two share a touch. The last is that of the
+    /// registration.
+    std::vector<SiteLocalisation> localisations{};
     /// While the manikin is registered again after it was moved: the landmarks touched so far.
     std::optional<std::vector<TouchedPoint>> relay{};
     std::optional<SiteVerification> verification{};

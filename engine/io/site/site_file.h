@@ -19,12 +19,15 @@ namespace carina
 ///                   yy, yz, zz), poses, outliers, axis: axis_S, wobble_deg, calibrated_at
 ///     patient       text: its display name; the catalogue's anatomy identifies it
 ///     catalogue     name, anatomy, landmarks: a list of name and p_AQ_mm
-///     touched       a list of landmark, p_TQ_mm, spread_mm, q_TS (x, y, z, w) and stale
+///     touched       a list of landmark, p_TQ_mm, spread_mm, q_TS (x, y, z, w), stale, and
+///                   fitted: true or left out
 ///     registration  X_AM_mm, X_AT_mm, X_JM_mm, X_BM_mm, rms_mm, residuals_mm: a list of name, mm
 ///                   and left_out_mm; covariance_mm_mrad: the upper triangle, row by row, turns in
 ///                   milliradians before shifts in millimetres; fle_mm, degrees_of_freedom,
-///                   made_at, operator, swab: surface, points, outliers, start_rms_mm, rms_mm,
-///                   moved_mm; relays: a list of at, operator, landmarks and rms_mm; stale
+///                   pooled, disagreeing, made_at, operator, swab: surface, points, outliers,
+///                   start_rms_mm, rms_mm, moved_mm; relays: a list of at, operator, landmarks and
+///                   rms_mm; stale
+///     localisations a list of rms_mm, degrees_of_freedom, at and operator
 ///     relay         as touched: while the manikin is registered again
 ///     verification  verdict ("open", "good", "not good"), at, operator, points: a list of name,
 ///                   p_AQ_mm, p_TQ_mm, error_mm and bound_mm; stale
@@ -32,7 +35,7 @@ namespace carina
 ///     manikin       see manikin_json.h
 ///
 /// stale is the input changed after the result: "tracker", "stylus", "landmarks", "manikin",
-/// "touches" or "fit". The earlier versions "carina.site/2", without a manikin, and
+/// "touches" or "fit". The earlier versions "carina.site/2", without manikin and localisations, and
 /// "carina.site/1", with one "stylus" and fewer fields, are read too.
 ///
 /// @returns FileNotFound, FileUnreadable, FileEmpty; UnknownFormat for another schema;

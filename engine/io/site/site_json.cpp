@@ -56,6 +56,8 @@ QJsonObject jsonTouch(const TouchedPoint& point)
                        {QStringLiteral("p_TQ_mm"), jsonPoint(point.p_TQ)},
                        {QStringLiteral("spread_mm"), jsonLength(point.spread)},
                        {QStringLiteral("q_TS"), QJsonArray{q.x(), q.y(), q.z(), q.w()}}};
+    if (point.isFitted)
+        object.insert(QStringLiteral("fitted"), true);
     insertStale(object, point.stale);
     return object;
 }
@@ -88,6 +90,15 @@ QJsonObject jsonRelay(const SiteRelay& relay)
     return object;
 }
 
+QJsonObject jsonLocalisation(const SiteLocalisation& localisation)
+{
+    QJsonObject object{{QStringLiteral("rms_mm"), jsonLength(localisation.rms)},
+                       {QStringLiteral("degrees_of_freedom"), localisation.degrees}};
+    insertText(object, "at", localisation.at);
+    insertText(object, "operator", localisation.operatorName);
+    return object;
+}
+
 template <class Item, class ToJson>
 QJsonArray jsonList(const std::vector<Item>& items, const ToJson& toJson)
 {
@@ -107,6 +118,8 @@ QJsonObject jsonRegistration(const SiteRegistration& registration)
         {QStringLiteral("covariance_mm_mrad"), jsonTriangle(registration.covariance_A)},
         {QStringLiteral("fle_mm"), jsonLength(registration.fle)},
         {QStringLiteral("degrees_of_freedom"), registration.degrees},
+        {QStringLiteral("pooled"), registration.pooled},
+        {QStringLiteral("disagreeing"), registration.disagreeing},
         {QStringLiteral("relays"), jsonList(registration.relays, jsonRelay)}};
     if (registration.X_JM)
         object.insert(QStringLiteral("X_JM_mm"), jsonPose(*registration.X_JM));
@@ -167,6 +180,9 @@ QJsonObject jsonSite(const Site& site)
         object.insert(QStringLiteral("touched"), jsonList(site.touched, jsonTouch));
     if (site.registration)
         object.insert(QStringLiteral("registration"), jsonRegistration(*site.registration));
+    if (!site.localisations.empty())
+        object.insert(QStringLiteral("localisations"),
+                      jsonList(site.localisations, jsonLocalisation));
     if (site.relay)
         object.insert(QStringLiteral("relay"), jsonList(*site.relay, jsonTouch));
     if (site.verification)

@@ -114,11 +114,12 @@ std::vector<TouchedPoint> readTouched(JsonFields& fields, const char* key,
     std::vector<TouchedPoint> touched;
     std::set<std::string> names;
     for (JsonFields& point : fields.objects(key)) {
-        point.allowOnly({"landmark", "p_TQ_mm", "spread_mm", "q_TS", "stale"});
+        point.allowOnly({"landmark", "p_TQ_mm", "spread_mm", "q_TS", "fitted", "stale"});
         touched.push_back({.landmark = point.text("landmark"),
                            .p_TQ = point.point("p_TQ_mm"),
                            .spread = point.length("spread_mm"),
                            .q_TS = readTurn(point, "q_TS"),
+                           .isFitted = point.has("fitted") && point.truth("fitted"),
                            .stale = readStale(point)});
         const std::string& name = touched.back().landmark;
         if (std::ranges::count(catalogue.landmarks, name, &Landmark::name) == 0)
@@ -178,6 +179,10 @@ void readMoreOf(SiteRegistration& registration, JsonFields& fields)
         registration.fle = fields.length("fle_mm");
     if (fields.has("degrees_of_freedom"))
         registration.degrees = fields.count("degrees_of_freedom");
+    if (fields.has("pooled"))
+        registration.pooled = fields.count("pooled");
+    if (fields.has("disagreeing"))
+        registration.disagreeing = fields.count("disagreeing");
     if (registration.degrees > 0.0 && !(registration.fle > 0.0))
         fields.refuse("fle_mm", "an error estimated from residuals is above 0");
     if (fields.has("made_at"))
@@ -193,14 +198,33 @@ void readMoreOf(SiteRegistration& registration, JsonFields& fields)
 SiteRegistration readRegistration(JsonFields fields)
 {
     fields.allowOnly({"X_AM_mm", "X_AT_mm", "X_JM_mm", "X_BM_mm", "rms_mm", "residuals_mm",
-                      "covariance_mm_mrad", "fle_mm", "degrees_of_freedom", "made_at", "operator",
-                      "swab", "relays", "stale"});
+                      "covariance_mm_mrad", "fle_mm", "degrees_of_freedom", "pooled", "disagreeing",
+                      "made_at", "operator", "swab", "relays", "stale"});
     SiteRegistration registration{.X_AM = fields.pose("X_AM_mm"),
                                   .X_AT = fields.pose("X_AT_mm"),
                                   .rms = fields.length("rms_mm"),
                                   .residuals = readResiduals(fields)};
     readMoreOf(registration, fields);
     return registration;
+}
+
+std::vector<SiteLocalisation> readLocalisations(JsonFields& fields)
+{
+    std::vector<SiteLocalisation> localisations;
+    for (JsonFields& each : fields.objects("localisations")) {
+        each.allowOnly({"rms_mm", "degrees_of_freedom", "at", "operator"});
+        SiteLocalisation localisation{.rms = each.length("rms_mm"),
+                                      .degrees = double(each.count("degrees_of_freedom"))};
+        if (!(localisation.rms > 0.0))
+            each.refuse("rms_mm", "an error estimated from residuals is above 0");
+        if (!(localisation.degrees > 0.0))
+            each.refuse("degrees_of_freedom", "one or more are due");
+        if (each.has("at"))
+            localisation.at = readTime(each, "at");
+        localisation.operatorName = readText(each, "operator");
+        localisations.push_back(std::move(localisation));
+    }
+    return localisations;
 }
 
 SiteVerification readVerification(JsonFields fields)
@@ -246,8 +270,8 @@ DisplayGeometry readDisplay(JsonFields fields)
 Site readSite(JsonFields& fields)
 {
     fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "patient",
-                      "catalogue", "touched", "registration", "relay", "verification", "display",
-                      "manikin"});
+                      "catalogue", "touched", "registration", "localisations", "relay",
+                      "verification", "display", "manikin"});
     Site site{.step = static_cast<SiteStep>(fields.oneOf("step", kStepWords)),
               .operatorName = readText(fields, "operator"),
               .tracker = readText(fields, "tracker"),
@@ -262,6 +286,8 @@ Site readSite(JsonFields& fields)
         site.touched = readTouched(fields, "touched", catalogue);
     if (fields.has("registration"))
         site.registration = readRegistration(fields.object("registration"));
+    if (fields.has("localisations"))
+        site.localisations = readLocalisations(fields);
     if (fields.has("relay")) {
         site.relay = readTouched(fields, "relay", catalogue);
         if (!site.registration)

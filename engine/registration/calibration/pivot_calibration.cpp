@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carina
 {
@@ -40,6 +41,18 @@ std::vector<std::size_t> agreeingPoses(std::span<const TurnedPose> poses, Length
         [&](const Pivot& pivot, std::size_t i) { return tipDistance(pivot, poses[i]); });
 }
 
+Error tooFewAgree(std::size_t poses, std::size_t kept)
+{
+    return {Errc::ToolMoved, "of " + std::to_string(poses) + " poses no more than "
+                                 + std::to_string(kept) + " agree about the tip"};
+}
+
+Error strayed(Length rms, Length largest)
+{
+    return {Errc::ToolMoved, "the tip strayed from the divot by " + inWords(rms) + " (RMS), and "
+                                 + inWords(largest) + " are the most"};
+}
+
 } // namespace
 
 Result<void> checkTurns(const TurnCoverage& coverage, Angle leastTurn)
@@ -64,30 +77,32 @@ Result<PivotCalibration> calibratePivot(std::span<const RigidTransform> X_TS,
     if (!poses)
         return tl::unexpected(poses.error());
     const std::vector<std::size_t> kept = agreeingPoses(*poses, settings.outlierLimit);
-    if (kept.size() < std::max(kFewestPoses, (poses->size() + 1) / 2))
-        return fail(Errc::ToolMoved, "of " + std::to_string(poses->size()) + " poses no more than "
-                                         + std::to_string(kept.size()) + " agree about the tip");
+    const bool areFew = 2 * kept.size() < poses->size();
+    if (kept.size() < kFewestPoses)
+        return tl::unexpected(tooFewAgree(poses->size(), kept.size()));
     const PoseMeans means = meansOf(*poses, kept);
     const TurnCoverage coverage = means.coverage();
     if (const auto turned = checkTurns(coverage, settings.leastTurn); !turned)
-        return tl::unexpected(turned.error());
+        return tl::unexpected(areFew ? tooFewAgree(poses->size(), kept.size()) : turned.error());
     const Pivot pivot = pivotOf(means);
     double squares = 0.0;
     for (const std::size_t i : kept)
         squares += std::pow(tipDistance(pivot, (*poses)[i]), 2);
     const auto count = double(kept.size());
     const double rms = std::sqrt(squares / count);
-    if (rms > settings.largestRms.si)
-        return fail(Errc::ToolMoved, "the tip strayed from the divot by " + inWords(metres(rms))
-                                         + " (RMS), and " + inWords(settings.largestRms)
-                                         + " are the most");
+    std::optional<Error> refusal;
+    if (areFew)
+        refusal = tooFewAgree(poses->size(), kept.size());
+    else if (rms > settings.largestRms.si)
+        refusal = strayed(metres(rms), settings.largestRms);
     return PivotCalibration{.p_SQ = pivot.p_SQ,
                             .p_TQ = pivot.p_TQ,
                             .rms = rms,
                             .outliers = static_cast<int>(poses->size() - kept.size()),
                             .covariance_S =
                                 squares / (3.0 * count - 6.0) / count * means.turn.inverse(),
-                            .coverage = coverage};
+                            .coverage = coverage,
+                            .refusal = std::move(refusal)};
 }
 
 } // namespace carina

@@ -2,6 +2,8 @@
 
 #include "engine/registration/calibration/turned_poses.h"
 
+#include <optional>
+
 namespace carina
 {
 
@@ -14,6 +16,9 @@ struct PivotCalibration {
     /// Covariance of p_SQ, m^2, in axes of S, for equal and independent noise in all poses.
     Mat3 covariance_S = Mat3::Zero();
     TurnCoverage coverage{}; ///< of the inliers
+    /// Why the tip must not be used, although the poses determine one: ToolMoved where fewer than
+    /// half of them are inliers, or where rms is above PivotSettings::largestRms.
+    std::optional<Error> refusal{};
 
     /// RMS error of the tip by the covariance, metres.
     [[nodiscard]] double uncertainty() const { return std::sqrt(covariance_S.trace()); }
@@ -40,9 +45,8 @@ struct PivotSettings {
 ///             fixed
 /// @returns TooFewPoses below ten; NotEnoughMotion where the stylus was turned too little, or about
 ///          one axis only, so that the tip is undetermined (then the detail names the direction
-///          that turned least); ToolMoved where fewer than ten poses or fewer than half are
-///          inliers, or their RMS is above largestRms; NotFinite for NaN or infinity; OutOfRange
-///          for a coordinate of a kilometre or more.
+///          that turned least); ToolMoved where fewer than ten poses are inliers; NotFinite for NaN
+///          or infinity; OutOfRange for a coordinate of a kilometre or more.
 [[nodiscard]] Result<PivotCalibration> calibratePivot(std::span<const RigidTransform> X_TS,
                                                       const PivotSettings& settings = {});
 

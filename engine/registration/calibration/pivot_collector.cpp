@@ -110,7 +110,9 @@ bool PivotCollector::hasLeft(const PivotCalibration& pivot) const
 std::optional<PivotCalibration> PivotCollector::evaluate(SessionTime time)
 {
     const Result<PivotCalibration> pivot = calibratePivot(m_counted, m_settings.calibration);
-    if ((!pivot && pivot.error().code == Errc::ToolMoved) || (pivot && hasLeft(*pivot))) {
+    const bool hasMoved =
+        pivot ? pivot->refusal || hasLeft(*pivot) : pivot.error().code == Errc::ToolMoved;
+    if (hasMoved) {
         restart();
         m_progress.need = PivotNeed::Stillness;
         return std::nullopt;

@@ -44,7 +44,7 @@ struct PivotProgress {
 /// while one point within `reach` of the markers stood still. A pose is used when the stylus has
 /// rotated by at least one degree since the last used pose, so that neither pauses nor a fast
 /// tracker add weight. The collection restarts when the tip is away from its place for more than
-/// half of a window, or when too many poses disagree (ToolMoved).
+/// half of a window, or when too many poses disagree (PivotCalibration::refusal).
 class PivotCollector
 {
 public:

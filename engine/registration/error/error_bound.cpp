@@ -122,4 +122,10 @@ double chiSquaredTail(double chiSquared, double degrees)
     return Eigen::numext::igammac(0.5 * degrees, 0.5 * chiSquared);
 }
 
+double varianceRatioTail(double ratio, double above, double below)
+{
+    CARINA_EXPECTS(ratio >= 0.0 && above > 0.0 && below > 0.0);
+    return Eigen::numext::betainc(0.5 * below, 0.5 * above, below / (below + above * ratio));
+}
+
 } // namespace carina

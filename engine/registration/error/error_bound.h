@@ -43,4 +43,10 @@ inline constexpr double kBoundShare = 0.95;
 /// @param degrees    above 0
 [[nodiscard]] double chiSquaredTail(double chiSquared, double degrees);
 
+/// The probability that the ratio of two estimates of the same variance, with these degrees of
+/// freedom above and below, exceeds a value: the tail of Fisher's F.
+/// @param ratio 0 or more
+/// @param above, below above 0
+[[nodiscard]] double varianceRatioTail(double ratio, double above, double below);
+
 } // namespace carina

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "engine/registration/fit/uncertain_transform.h"
+#include "engine/registration/fit/motion_covariance.h"
 
 namespace carina
 {
 
 /// The error of a registration at all points as one matrix. For a small motion (w, v) of A's points
-/// with covariance C, as UncertainTransform has it, the mean squared error at p is
+/// with covariance C (see Mat6) the mean squared error at p is
 ///
 ///     E |w x p + v|^2 = [p 1] Q [p 1]^T        Q = [ tr(C_ww) I - C_ww   c        ]
 ///                                                  [ c^T                 tr(C_vv) ]

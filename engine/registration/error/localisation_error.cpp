@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina
@@ -21,15 +22,26 @@ LocalisationError localisationError(Length fre, std::size_t landmarks)
     return {(1.0 / std::sqrt(1.0 - 2.0 / count)) * fre, 3.0 * count - 6.0};
 }
 
-LocalisationError pooled(const LocalisationError& a, const LocalisationError& b)
+PooledLocalisation pooled(const LocalisationError& now, std::span<const LocalisationError> earlier)
 {
-    if (a.degrees == kKnownExactly)
-        return a;
-    if (b.degrees == kKnownExactly)
-        return b;
-    const double degrees = a.degrees + b.degrees;
-    const double squares = a.degrees * a.rms.si * a.rms.si + b.degrees * b.rms.si * b.rms.si;
-    return {metres(std::sqrt(squares / degrees)), degrees};
+    CARINA_EXPECTS(now.rms.si > 0.0 && now.degrees != kKnownExactly);
+    PooledLocalisation result;
+    double degrees = now.degrees;
+    double squares = now.degrees * now.rms.si * now.rms.si;
+    for (const LocalisationError& each : earlier) {
+        CARINA_EXPECTS(each.rms.si > 0.0 && each.degrees != kKnownExactly);
+        const double ratio = std::pow(each.rms / now.rms, 2);
+        const double tail = varianceRatioTail(ratio, each.degrees, now.degrees);
+        if (2.0 * std::min(tail, 1.0 - tail) < kDisagreeShare) {
+            ++result.disagreeing;
+            continue;
+        }
+        ++result.pooled;
+        degrees += each.degrees;
+        squares += each.degrees * each.rms.si * each.rms.si;
+    }
+    result.fle = {metres(std::sqrt(squares / degrees)), degrees};
+    return result;
 }
 
 } // namespace carina

@@ -4,6 +4,7 @@
 #include "engine/registration/error/error_bound.h"
 
 #include <cstddef>
+#include <span>
 
 namespace carina
 {
@@ -30,9 +31,22 @@ struct LocalisationError {
 /// @param landmarks their number N, at least 3
 [[nodiscard]] LocalisationError localisationError(Length fre, std::size_t landmarks);
 
-/// Combines two independent estimates of the same FLE, such as those of an earlier registration by
-/// the same person and of this one: the mean of the squares, weighted by the degrees of freedom,
-/// which add up. Where one is known exactly, it is returned.
-[[nodiscard]] LocalisationError pooled(const LocalisationError& a, const LocalisationError& b);
+/// The FLE of a registration and of earlier ones by the same person.
+struct PooledLocalisation {
+    LocalisationError fle; ///< from all that agree
+    int pooled = 0;        ///< how many earlier estimates are in it
+    int disagreeing = 0;   ///< how many are not
+};
+
+/// An earlier estimate disagrees where the ratio of the variances is as far from 1, to either side,
+/// as one of kDisagreeShare of the ratios of equal errors (F test).
+inline constexpr double kDisagreeShare = 0.01;
+
+/// Combines independent estimates of the same FLE: the mean of the squares, weighted by the degrees
+/// of freedom, which add up. Earlier estimates that disagree with that of this registration are
+/// left out. None of them depends on the error of this registration at a target.
+/// @pre all are estimates: their degrees of freedom are finite, their rms above 0.
+[[nodiscard]] PooledLocalisation pooled(const LocalisationError& now,
+                                        std::span<const LocalisationError> earlier);
 
 } // namespace carina

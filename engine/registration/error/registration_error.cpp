@@ -8,13 +8,15 @@ namespace carina
 {
 
 Result<RegistrationError> registrationError(std::span<const Vec3> p_AQ, std::span<const Mat3> R_AS,
-                                            const Mat3& tip_S, Length fre)
+                                            const Mat3& tip_S, Length fre,
+                                            std::span<const LocalisationError> earlier)
 {
     if (p_AQ.size() < 3)
         return fail(Errc::TooFewLandmarks, std::to_string(p_AQ.size()));
-    RegistrationError error{.fle = localisationError(fre, p_AQ.size())};
-    error.fle.rms = std::max(error.fle.rms, kLeastFle);
-    const std::vector<LandmarkError> landmarks = equalErrors(p_AQ, error.fle.rms);
+    RegistrationError error{.own = localisationError(fre, p_AQ.size())};
+    error.own.rms = std::max(error.own.rms, kLeastFle);
+    error.fle = pooled(error.own, earlier);
+    const std::vector<LandmarkError> landmarks = equalErrors(p_AQ, error.fle.fle.rms);
     const Result<Mat6> touches = fitCovariance(landmarks);
     if (!touches)
         return tl::unexpected(touches.error());

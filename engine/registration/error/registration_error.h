@@ -9,30 +9,33 @@
 namespace carina
 {
 
-/// The error of a registration, estimated from its own residuals.
+/// The error of a registration, estimated from its own residuals and those of earlier ones.
 struct RegistrationError {
-    LocalisationError fle;            ///< from the residuals, at least kLeastFle
-    Mat6 covariance_A = Mat6::Zero(); ///< of X_AM: see UncertainTransform
+    LocalisationError own;            ///< FLE from its residuals alone, at least kLeastFle
+    PooledLocalisation fle;           ///< with the earlier ones
+    Mat6 covariance_A = Mat6::Zero(); ///< of X_AM: see Mat6 (motion_covariance.h)
 };
 
 /// Lower limit of an estimated FLE: the residuals of a few landmarks may be small by chance.
 inline constexpr Length kLeastFle = millimetres(0.1);
 
 /// The error of a fit of equal weights (fitRigid): the sum of the independent errors of the
-/// touches, estimated from the residuals, and of the error of the stylus tip, which all touches
-/// share and which does not show in the residuals where the stylus was held alike:
+/// touches, estimated from the residuals and pooled with earlier estimates, and of the error of the
+/// stylus tip, which all touches share and which does not show in the residuals where the stylus
+/// was held alike:
 ///
-///     cov = fitCovariance(FLE of the residuals) + sharedCovariance(tip)
+///     cov = fitCovariance(FLE) + sharedCovariance(tip)
 ///
 /// @param p_AQ  the landmarks of the fit, metres
 /// @param R_AS  orientation of the stylus at each landmark
 /// @param tip_S covariance of p_SQ, m^2; zero where it is not known
 /// @param fre   RMS residual of the fit
+/// @param earlier the FLE of earlier registrations by the same person, each from its residuals
 /// @pre as many R_AS as landmarks, unless tip_S is zero.
 /// @returns what fitCovariance returns.
-[[nodiscard]] Result<RegistrationError> registrationError(std::span<const Vec3> p_AQ,
-                                                          std::span<const Mat3> R_AS,
-                                                          const Mat3& tip_S, Length fre);
+[[nodiscard]] Result<RegistrationError>
+registrationError(std::span<const Vec3> p_AQ, std::span<const Mat3> R_AS, const Mat3& tip_S,
+                  Length fre, std::span<const LocalisationError> earlier = {});
 
 /// The covariance of a registration by landmarks after its refinement on a surface: that of the
 /// swab for the motions that the swab constrains, and that of the landmarks for the loose ones.
@@ -44,7 +47,7 @@ inline constexpr Length kLeastFle = millimetres(0.1);
 /// where T converts motions about c to motions about the origin of A, and cov_before is taken about
 /// c. The tip's error shifts the whole swab. Since a swab does not store the orientation of the
 /// stylus, cov_tip is that of an isotropic shift with the largest variance of tip_S.
-/// @param before_A covariance of X_AM before the refinement, see UncertainTransform
+/// @param before_A covariance of X_AM before the refinement, see Mat6 (motion_covariance.h)
 /// @param tip_S    covariance of p_SQ, m^2; zero where it is not known
 [[nodiscard]] Mat6 refinedCovariance(const Mat6& before_A, const SurfaceRefinement& refinement,
                                      const Mat3& tip_S = Mat3::Zero());

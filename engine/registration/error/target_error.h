@@ -3,7 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/registration/error/error_bound.h"
 #include "engine/registration/error/localisation_error.h"
-#include "engine/registration/fit/uncertain_transform.h"
+#include "engine/registration/fit/motion_covariance.h"
 
 #include <cstdint>
 #include <span>
@@ -27,7 +27,7 @@ struct LandmarkError {
 /// (fitWeighted).
 enum class Weighting : std::uint8_t { Alike, ByCovariance };
 
-/// The predicted covariance of X_AM (see UncertainTransform), without any touches: to first order
+/// The predicted covariance of X_AM (see Mat6), without any touches: to first order
 /// errors e_i at the landmarks move a fit by
 ///
 ///     (w, v) = S^-1 sum_i J_i^T W_i e_i        S = sum_i J_i^T W_i J_i
@@ -69,7 +69,7 @@ struct TargetError {
 };
 
 /// The TRE at a target.
-/// @param covariance_A of X_AM, see UncertainTransform
+/// @param covariance_A of X_AM, see Mat6 (motion_covariance.h)
 /// @param p_AQ the target, metres
 /// @param degrees degrees of freedom of the FLE that covariance_A is based on: those of the
 ///                LocalisationError where it was estimated from residuals, so that the bound holds

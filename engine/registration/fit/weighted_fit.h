@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/registration/fit/motion_covariance.h"
 #include "engine/registration/fit/rigid_fit.h"
-#include "engine/registration/fit/uncertain_transform.h"
 
 namespace carina
 {
@@ -17,7 +17,7 @@ struct UncertainPair {
 /// A registration that weights each landmark by the inverse of its covariance.
 struct WeightedFit {
     RigidFit fit;                     ///< X_AM, and residuals in metres
-    Mat6 covariance_A = Mat6::Zero(); ///< of X_AM, see UncertainTransform
+    Mat6 covariance_A = Mat6::Zero(); ///< of X_AM, see Mat6 (motion_covariance.h)
     /// sum of e^T C^-1 e over the residuals e: about `degrees` where the covariances are correct
     double chiSquared = 0.0;
     double degrees = 0.0; ///< degrees of freedom: 3 N - 6

@@ -117,19 +117,25 @@ FurtherPlaces onBones(FurtherPlaces places, std::span<const Bone> bones)
 
 std::vector<Landmark> boneCheckPlaces(std::span<const Bone> bones)
 {
+    std::vector<Landmark> places;
+    if (const Points thyroid = pointsOf(bones, "thyroid cartilage"); !thyroid.empty())
+        places.push_back({"Prominence of the larynx", foremostOf(thyroid)});
+    else if (const Points mandible = pointsOf(bones, "mandible"); !mandible.empty())
+        places.push_back({"Tip of the chin", foremostOf(mandible)});
     const Points manubrium = pointsOf(bones, "manubrium");
     const Points left = pointsOf(bones, "clavicle", "left");
     const Points right = pointsOf(bones, "clavicle", "right");
     if (manubrium.empty() || left.empty() || right.empty())
-        return {};
+        return places;
     const float middle = middleOf(manubrium);
     const auto inner = [middle](Points clavicle) {
         return Vec3{std::ranges::min(clavicle, {}, [middle](const Vec3f& p) {
                         return std::abs(p.x() - middle);
                     }).cast<double>()};
     };
-    return {{"Inner end of the left clavicle", inner(left)},
-            {"Inner end of the right clavicle", inner(right)}};
+    places.push_back({"Inner end of the left clavicle", inner(left)});
+    places.push_back({"Inner end of the right clavicle", inner(right)});
+    return places;
 }
 
 } // namespace carina

@@ -42,9 +42,14 @@ struct Bone {
 /// @param places the result for places whose bone is missing
 [[nodiscard]] FurtherPlaces onBones(FurtherPlaces places, std::span<const Bone> bones);
 
-/// Places for checking a registration that are not landmarks: the medial ends of both clavicles,
-/// which are their points nearest to the midplane of the manubrium. Empty where one of these bones
-/// is missing.
+/// Places for checking a registration that are not landmarks:
+///
+///     larynx         the most anterior point of the thyroid cartilage (laryngeal prominence)
+///     chin           where there is none: the most anterior point of the mandible
+///     clavicles      the medial ends of both, their points nearest to the midplane of the
+///                    manubrium
+///
+/// The first is at the height of the airway. Places whose bones are missing are left out.
 [[nodiscard]] std::vector<Landmark> boneCheckPlaces(std::span<const Bone> bones);
 
 } // namespace carina

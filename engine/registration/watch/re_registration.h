@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/registration/fit/motion_covariance.h"
 #include "engine/registration/fit/rigid_fit.h"
-#include "engine/registration/fit/uncertain_transform.h"
 
 #include <optional>
 #include <span>
@@ -47,7 +47,7 @@ struct ReRegistration {
     /// |p_TQ - X_TM p_MQ| of each touch, metres, in their order
     std::vector<double> residuals{};
     double rms = 0.0; ///< root mean square of the residuals, metres
-    /// Covariance of X_AT, see UncertainTransform; input of targetError.
+    /// Covariance of X_AT, see Mat6; input of targetError.
     Mat6 covariance_A = Mat6::Zero();
     /// Number of orders of the touches that fit. If more than one, the landmarks are too symmetric
     /// to distinguish, for example, left from right.

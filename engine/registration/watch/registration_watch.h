@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/registration/fit/uncertain_transform.h"
+#include "engine/registration/fit/motion_covariance.h"
 #include "engine/registration/landmarks/dwell_detector.h"
 
 #include <deque>
@@ -67,7 +67,7 @@ public:
     };
 
     /// @param p_AQ         the landmarks, metres
-    /// @param covariance_A covariance of X_AT, see UncertainTransform
+    /// @param covariance_A covariance of X_AT, see Mat6 (motion_covariance.h)
     /// @pre the covariance is positive definite, there is a landmark, and touch is above 0.
     RegistrationWatch(std::vector<Vec3> p_AQ, const Mat6& covariance_A, const Settings& settings);
 

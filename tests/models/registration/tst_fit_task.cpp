@@ -131,6 +131,107 @@ private Q_SLOTS:
                      qPrintable(findings));
     }
 
+    /// A manikin 3 % larger: said with what to do about it, instead of a landmark that would stand
+    /// out or an order that explains nothing.
+    void saysThatTheManikinIsLargerThanThePatient_data()
+    {
+        QTest::addColumn<double>("size");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("larger") << 1.03 << QStringLiteral("about 3\u00a0% larger");
+        QTest::newRow("smaller") << 0.96 << QStringLiteral("about 4\u00a0% smaller");
+    }
+    void saysThatTheManikinIsLargerThanThePatient()
+    {
+        QFETCH(double, size);
+        QFETCH(QString, said);
+        std::mt19937 random{11};
+        int found = 0;
+        for (int i = 0; i < 20; ++i) {
+            Site site = preparedSite();
+            for (const Landmark& landmark : eightLandmarks().landmarks)
+                site = withTouch(std::move(site), landmark.name,
+                                 touchAt(size * landmark.p_AQ, anyError(random, kHand)));
+            MadeDesk desk{site};
+            desk.fitting.fit();
+            QVERIFY(desk.editor.site().registration.has_value());
+            const QStringList findings = desk.fitting.findings();
+            found += findings[0].contains(said) ? 1 : 0;
+            const QString all = findings.join(QLatin1Char('\n'));
+            QVERIFY2(!all.contains(QStringLiteral("No order")), qPrintable(all));
+        }
+        QVERIFY2(found >= 18, qPrintable(QString::number(found)));
+    }
+
+    /// Its landmarks can be touched: none is taken for another or refused.
+    void saysSoAfterALargerManikinWasTouched()
+    {
+        RegistrationSite site;
+        site.m_hand = kHand;
+        const auto model = site.model();
+        site.prepare(*model);
+        for (const Landmark& landmark : site.landmarks())
+            site.hold(*model, site.X_TA * Vec3{1.03 * landmark.p_AQ});
+        QVERIFY2(!model->touching().next(), qPrintable(model->problem()));
+        model->fitting().fit();
+        QVERIFY(model->site().registration.has_value());
+        const QString first = model->fitting().findings().value(0);
+        QVERIFY2(first.contains(QStringLiteral("larger than the patient")), qPrintable(first));
+    }
+
+    /// Earlier registrations by the same person sharpen the estimate of the error of a touch; the
+    /// same touches, fitted again, do not.
+    void estimatesTheErrorOfATouchFromEarlierRegistrationsToo()
+    {
+        std::mt19937 random{12};
+        MadeDesk desk{touchedBy(random, kHand)};
+        desk.fitting.fit();
+        QCOMPARE(desk.fitting.localisation()->pooled, 0);
+        QVERIFY(desk.fitting.localisationText().endsWith(QStringLiteral("from these touches.")));
+        const double alone = desk.fitting.localisation()->limit / desk.fitting.localisation()->rms;
+        desk.fitting.fit();
+        QCOMPARE(desk.fitting.localisation()->pooled, 0);
+        QCOMPARE(desk.editor.site().localisations.size(), std::size_t{1});
+        const auto touchAgain = [&](Length hand, std::size_t count) {
+            Site site = desk.editor.site();
+            for (std::size_t i = 0; i < count; ++i) {
+                const Landmark& landmark = eightLandmarks().landmarks[i];
+                site = withTouch(std::move(site), landmark.name,
+                                 touchAt(landmark.p_AQ, anyError(random, hand)));
+            }
+            desk.editor.become(site);
+            desk.fitting.fit();
+        };
+        touchAgain(kHand, 7); // one touch is in both
+        QCOMPARE(desk.fitting.localisation()->pooled, 0);
+        QCOMPARE(desk.editor.site().localisations.size(), std::size_t{1});
+        touchAgain(kHand, 8);
+        QCOMPARE(desk.fitting.localisation()->pooled, 1);
+        QCOMPARE(desk.editor.site().registration->degrees, 36.0);
+        QVERIFY(desk.fitting.localisation()->limit / desk.fitting.localisation()->rms < alone);
+        touchAgain(kHand, 8);
+        QCOMPARE(desk.fitting.localisation()->pooled, 2);
+        QVERIFY(desk.fitting.localisationText().contains(QStringLiteral("2 earlier")));
+        touchAgain(millimetres(6.0), 8);
+        QCOMPARE(desk.fitting.localisation()->pooled, 0);
+        QCOMPARE(desk.fitting.localisation()->disagreeing, 3);
+        QVERIFY(desk.fitting.localisationText().contains(QStringLiteral("not used")));
+    }
+
+    void poolsOnlyRegistrationsByTheSamePerson()
+    {
+        std::mt19937 random{13};
+        Site site = touchedBy(random, kHand);
+        for (const char* name : {"A. Frei", "M. Keller", ""}) {
+            site.operatorName = name;
+            for (const Landmark& landmark : eightLandmarks().landmarks)
+                site = withTouch(std::move(site), landmark.name,
+                                 touchAt(landmark.p_AQ, anyError(random, kHand)));
+            site = withFit(std::move(site), {.tool = kTool, .at = "2004-03-27T10:15:00Z"}).value();
+            QCOMPARE(site.registration->pooled, 0);
+        }
+        QCOMPARE(site.localisations.size(), std::size_t{3});
+    }
+
     void tellsWhatToExpectWhereItCounts()
     {
         std::mt19937 random{3};

@@ -189,6 +189,19 @@ private Q_SLOTS:
         QCOMPARE(desk.verifying.suggestion(), Verdict::Good);
     }
 
+    /// Clavicles and ribs say little about the throat.
+    void knowsWhetherAPlaceAtTheAirwayWasTouched()
+    {
+        MadeDesk desk{fittedSite()};
+        QVERIFY(!desk.verifying.hasAirwayPoint());
+        for (const std::size_t clavicle : {1, 2})
+            desk.verifyAt(desk.verifying.points()[clavicle].p_AQ);
+        QCOMPARE(desk.verifying.suggestion(), Verdict::Good);
+        QVERIFY(!desk.verifying.hasAirwayPoint());
+        desk.verifyAt(desk.verifying.points()[0].p_AQ); // the incisors
+        QVERIFY(desk.verifying.hasAirwayPoint());
+    }
+
     /// Two suffice for a verdict, all are proposed.
     void isCompleteOnceAllPlacesAreTouched()
     {

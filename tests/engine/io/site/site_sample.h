@@ -46,6 +46,8 @@ inline SiteRegistration wholeRegistration(const LandmarkCatalogue& catalogue)
             .covariance_A = someCovariance<6>(),
             .fle = 1.1e-3,
             .degrees = 6.0,
+            .pooled = 2,
+            .disagreeing = 1,
             .madeAt = "2004-03-27T10:30:00Z",
             .operatorName = "M. Keller",
             .swab = SiteSwab{.surface = "Left fifth rib",
@@ -98,7 +100,10 @@ inline Site wholeSite()
              .spread = 0.4e-3,
              .q_TS = rotationFromVector({0.3, double(site.touched.size()), -0.2})});
     site.touched[2].stale = StaleCause::Landmarks;
+    site.touched[1].isFitted = true;
     site.registration = wholeRegistration(catalogue);
+    site.localisations = {{1.3e-3, 18.0, "2004-02-28T09:30:00Z", "M. Keller"},
+                          {0.9e-3, 6.0, {}, {}}};
     site.verification = wholeVerification();
     site.display =
         DisplayGeometry{{-0.032, 0.001, 0.0}, {0.031, 0.002, 0.0}, {0.0, -0.003, -1.0}, 0.8, 0.45};

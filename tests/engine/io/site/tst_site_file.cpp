@@ -101,6 +101,7 @@ private Q_SLOTS:
             QVERIFY(near(RigidTransform{back->touched[i].q_TS, Vec3::Zero()},
                          RigidTransform{site.touched[i].q_TS, Vec3::Zero()}));
             QVERIFY(back->touched[i].stale == site.touched[i].stale);
+            QCOMPARE(back->touched[i].isFitted, i == 1);
         }
     }
 
@@ -115,6 +116,8 @@ private Q_SLOTS:
         QVERIFY(near(*is.X_JM, *was.X_JM) && near(*is.X_BM, *was.X_BM));
         QVERIFY(near(is.rms, was.rms) && near(is.fle, was.fle));
         QCOMPARE(is.degrees, was.degrees);
+        QCOMPARE(is.pooled, 2);
+        QCOMPARE(is.disagreeing, 1);
         QVERIFY(alike(is.covariance_A, was.covariance_A));
         QCOMPARE(is.residuals.size(), 2U);
         QCOMPARE(is.residuals[1].landmark, was.residuals[1].landmark);
@@ -123,6 +126,32 @@ private Q_SLOTS:
         QCOMPARE(is.madeAt, was.madeAt);
         QCOMPARE(is.operatorName, was.operatorName);
         QVERIFY(is.stale == StaleCause::Touches);
+    }
+
+    void readsBackEarlierLocalisations()
+    {
+        const auto back = kept(test::wholeSite());
+        QVERIFY(back.has_value());
+        QCOMPARE(back->localisations.size(), 2U);
+        const SiteLocalisation& first = back->localisations[0];
+        QVERIFY(near(first.rms, 1.3e-3) && near(back->localisations[1].rms, 0.9e-3));
+        QCOMPARE(first.degrees, 18.0);
+        QCOMPARE(first.at, std::string{"2004-02-28T09:30:00Z"});
+        QCOMPARE(first.operatorName, std::string{"M. Keller"});
+        QVERIFY(back->localisations[1].at.empty() && back->localisations[1].operatorName.empty());
+    }
+
+    /// A file of the second version has no localisations, and no touch of it is known to be fitted.
+    void readsAFileOfTheSecondVersion()
+    {
+        test::writeFile(path(),
+                        test::siteWith(test::kCatalogue + ", 'touched': [" + test::touched("b")
+                                           + "], " + test::registration("[0, 1, 0, 6]", "0.25"),
+                                       "carina.site/2"));
+        const auto site = readSiteFile(path());
+        QVERIFY2(site.has_value(), site ? "" : site.error().detail.c_str());
+        QVERIFY(site->localisations.empty() && !site->touched[0].isFitted);
+        QCOMPARE(site->registration->pooled, 0);
     }
 
     void readsBackSwabAndRelays()

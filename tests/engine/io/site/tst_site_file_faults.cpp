@@ -8,12 +8,16 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <random>
+
 namespace carina::site_file_faults_test
 {
 namespace
 {
 
 using namespace test;
+
+constexpr int kDamaged = 3000;
 
 void addRow(const char* name, const std::string& text, const char* fault)
 {
@@ -129,6 +133,8 @@ private Q_SLOTS:
                "touched[0].q_TS: a quaternion of length 1 is due");
         addRow("stale for no known cause", touchedWith(", 'stale': 'age'"),
                "touched[0].stale: \"age\" is none of its words");
+        addRow("fitted once", touchedWith(", 'fitted': 1"),
+               "touched[0].fitted: true or false is due");
         addRow("laid anew before it is registered",
                siteWith(kCatalogue + ", 'relay': [" + touched("a") + "]"),
                "relay: only a registered manikin is laid anew");
@@ -160,6 +166,10 @@ private Q_SLOTS:
                "registration.fle_mm: an error estimated from residuals is above 0");
         addRow("negative degrees", registeredWith("'degrees_of_freedom': -3"),
                "registration.degrees_of_freedom: a whole number is due");
+        addRow("half an earlier registration", registeredWith("'pooled': 0.5"),
+               "registration.pooled: a whole number is due");
+        addRow("fewer than none disagree", registeredWith("'disagreeing': -1"),
+               "registration.disagreeing: a whole number is due");
         addRow("made on no day", registeredWith("'made_at': 'once'"),
                "registration.made_at: a date and time");
         addRow("by nobody", registeredWith("'operator': ''"),
@@ -173,6 +183,31 @@ private Q_SLOTS:
                "registration.stale: \"Touches\" is none of its words");
     }
     void saysWhatIsWrongWithARegistration() { isRefused(); }
+
+    void saysWhatIsWrongWithALocalisation_data()
+    {
+        addColumns();
+        const auto localisation = [](const std::string& fields) {
+            return siteWith("'localisations': [{" + fields + "}]");
+        };
+        const std::string sound = "'rms_mm': 1, 'degrees_of_freedom': 18";
+        addRow("no list", siteWith("'localisations': {}"), "localisations: a list");
+        addRow("no error", localisation("'rms_mm': 0, 'degrees_of_freedom': 18"),
+               "localisations[0].rms_mm: an error estimated from residuals is above 0");
+        addRow("a negative error", localisation("'rms_mm': -1, 'degrees_of_freedom': 18"),
+               "localisations[0].rms_mm: a length in millimetres is due");
+        addRow("from nothing", localisation("'rms_mm': 1, 'degrees_of_freedom': 0"),
+               "localisations[0].degrees_of_freedom: one or more are due");
+        addRow("no degrees", localisation("'rms_mm': 1"),
+               "localisations[0].degrees_of_freedom: a whole number is due");
+        addRow("on no day", localisation(sound + ", 'at': 'once'"),
+               "localisations[0].at: a date and time");
+        addRow("by nobody", localisation(sound + ", 'operator': ''"),
+               "localisations[0].operator: a text is due");
+        addRow("with more", localisation(sound + ", 'tool': 'Stylus'"),
+               "localisations[0].tool: this key is not known");
+    }
+    void saysWhatIsWrongWithALocalisation() { isRefused(); }
 
     void saysWhatIsWrongWithAVerification_data()
     {
@@ -235,6 +270,43 @@ private Q_SLOTS:
         const auto site = readSiteFile(path());
         QVERIFY(!site);
         QCOMPARE(site.error().code, Errc::UnknownFormat);
+    }
+
+    /// Bytes struck, doubled and left out at random: it is refused, or it is a site that can be
+    /// written and read again.
+    void survivesDamagedFiles()
+    {
+        QVERIFY(writeSiteFile(path(), wholeSite()));
+        QFile file{QString::fromStdString(path().string())};
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const std::string whole = file.readAll().toStdString();
+        const std::string alphabet = "0123456789-.,:{}[]\"etrufalsn ";
+        std::mt19937 random{2019};
+        int read = 0;
+        for (int i = 0; i < kDamaged; ++i) {
+            std::string text = whole;
+            for (int k = 0; k <= i % 3; ++k) {
+                const std::size_t at = random() % text.size();
+                switch (random() % 3) {
+                case 0:
+                    text[at] = alphabet[random() % alphabet.size()];
+                    break;
+                case 1:
+                    text.insert(at, text.substr(at, 1 + random() % 40));
+                    break;
+                default:
+                    text.erase(at, 1 + random() % 5);
+                }
+            }
+            writeFile(path(), text);
+            const auto site = readSiteFile(path());
+            if (!site)
+                continue;
+            ++read;
+            QVERIFY(writeSiteFile(path(), *site));
+            QVERIFY(readSiteFile(path()).has_value());
+        }
+        QVERIFY(read > kDamaged / 100 && read < kDamaged / 2);
     }
 
     void refusesEveryCutOffFile()

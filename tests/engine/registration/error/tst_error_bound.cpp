@@ -120,6 +120,29 @@ private Q_SLOTS:
         QVERIFY(std::abs(chiSquaredTail(quantile, degrees) / (1.0 - share) - 1.0) < 1e-3);
     }
 
+    void knowsFishersF_data()
+    {
+        QTest::addColumn<double>("above");
+        QTest::addColumn<double>("below");
+        QTest::addColumn<double>("quantile");
+        QTest::addColumn<double>("tail");
+        QTest::newRow("3 and 6, 5 %") << 3.0 << 6.0 << 4.7571 << 0.05;
+        QTest::newRow("18 and 18, 5 %") << 18.0 << 18.0 << 2.2172 << 0.05;
+        QTest::newRow("18 and 6, 0.5 %") << 18.0 << 6.0 << 9.6644 << 0.005;
+        QTest::newRow("6 and 18, 0.5 %") << 6.0 << 18.0 << 4.6627 << 0.005;
+    }
+
+    void knowsFishersF()
+    {
+        QFETCH(double, above);
+        QFETCH(double, below);
+        QFETCH(double, quantile);
+        QFETCH(double, tail);
+        QVERIFY(std::abs(varianceRatioTail(quantile, above, below) / tail - 1.0) < 1e-3);
+        QVERIFY(std::abs(varianceRatioTail(1.0 / quantile, below, above) - (1.0 - tail)) < 1e-4);
+        QCOMPARE(varianceRatioTail(0.0, above, below), 1.0);
+    }
+
     /// Of two degrees it is exp(-x / 2), however far out.
     void knowsSmallChances()
     {

@@ -3,6 +3,7 @@
 #include "tests/engine/registration/error/registration_trials.h"
 #include "tests/support/test_class.h"
 
+#include <array>
 #include <cmath>
 
 namespace carina::localisation_error_test
@@ -91,21 +92,55 @@ private Q_SLOTS:
 
     void poolsByDegreesOfFreedom()
     {
-        const LocalisationError a{millimetres(1.0), 6.0};
-        const LocalisationError b{millimetres(2.0), 18.0};
-        const LocalisationError both = pooled(a, b);
-        QVERIFY(near(both.rms.si, 1e-3 * std::sqrt((6.0 + 18.0 * 4.0) / 24.0), 1e-12));
-        QCOMPARE(both.degrees, 24.0);
-        QVERIFY(both.limit() / both.rms < b.limit() / b.rms);
+        const LocalisationError now{millimetres(1.5), 18.0};
+        const std::array earlier{LocalisationError{millimetres(1.0), 6.0},
+                                 LocalisationError{millimetres(2.0), 18.0}};
+        const PooledLocalisation all = pooled(now, earlier);
+        QVERIFY(
+            near(all.fle.rms.si, 1e-3 * std::sqrt((18.0 * 2.25 + 6.0 + 18.0 * 4.0) / 42.0), 1e-12));
+        QCOMPARE(all.fle.degrees, 42.0);
+        QCOMPARE(all.pooled, 2);
+        QCOMPARE(all.disagreeing, 0);
+        QVERIFY(all.fle.limit() / all.fle.rms < now.limit() / now.rms);
+        QCOMPARE(pooled(now, {}).fle.rms, now.rms);
+        QCOMPARE(pooled(now, {}).fle.degrees, now.degrees);
     }
 
-    void prefersWhatIsKnown()
+    /// The 0.5 % quantile of F with 18 and 6 degrees of freedom to either side, by tables: ratios
+    /// of variances beyond 9.6644 (18 above 6) and 1 / 4.6627 (6 above 18) are of one pair in a
+    /// hundred.
+    void leavesOutWhatDisagrees()
     {
-        const LocalisationError estimated{millimetres(1.0), 6.0};
-        const LocalisationError known{millimetres(0.35)};
-        QCOMPARE(pooled(estimated, known).rms, known.rms);
-        QCOMPARE(pooled(known, estimated).rms, known.rms);
-        QCOMPARE(pooled(estimated, known).degrees, kKnownExactly);
+        const LocalisationError now{millimetres(1.0), 6.0};
+        for (const auto& [ratio, agrees] :
+             {std::pair{9.6, true}, std::pair{9.8, false}, std::pair{1.0 / 4.6, true},
+              std::pair{1.0 / 4.8, false}}) {
+            const std::array earlier{LocalisationError{millimetres(std::sqrt(ratio)), 18.0}};
+            const PooledLocalisation found = pooled(now, earlier);
+            QCOMPARE(found.pooled, agrees ? 1 : 0);
+            QCOMPARE(found.disagreeing, agrees ? 0 : 1);
+            QCOMPARE(found.fle.degrees, agrees ? 24.0 : 6.0);
+        }
+    }
+
+    /// Of two registrations by the same hand one in a hundred is left out; of one whose touches
+    /// stray three times as far, eight landmarks each, almost none is pooled.
+    void poolsRegistrationsByTheSameHand()
+    {
+        const std::vector<Vec3> p_A = test::firstLandmarks(8);
+        test::Hand hand{44};
+        int leftOut = 0;
+        int foreign = 0;
+        for (int i = 0; i < kTrials; ++i) {
+            const LocalisationError now = localisationError(someFre(hand, p_A), 8);
+            LocalisationError earlier = localisationError(someFre(hand, p_A), 8);
+            leftOut += pooled(now, std::array{earlier}).disagreeing;
+            earlier.rms = 3.0 * earlier.rms;
+            foreign += pooled(now, std::array{earlier}).pooled;
+        }
+        QVERIFY2(std::abs(leftOut - 0.01 * kTrials) < 0.003 * kTrials, // three standard errors
+                 qPrintable(QString::number(leftOut)));
+        QVERIFY2(foreign < 0.05 * kTrials, qPrintable(QString::number(foreign)));
     }
 };
 

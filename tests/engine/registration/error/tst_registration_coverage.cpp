@@ -6,7 +6,9 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace carina::registration_coverage_test
 {
@@ -14,16 +16,57 @@ namespace
 {
 
 constexpr int kRegistrations = 1000;
-constexpr double kHand = 0.8e-3;    // m along each axis: how far a touch is from the landmark
-constexpr double kTracker = 0.1e-3; // m along each axis: noise of each sample
+constexpr double kHand = 0.8e-3;       // m along each axis: how far a touch is from the landmark
+constexpr double kTracker = 0.1e-3;    // m along each axis: noise of each sample
+constexpr Angle kLean = degrees(20.0); // of the stylus from touch to touch, RMS
+/// Three standard errors of a share counted in so many, where it is 0.9 or more; four fifths of
+/// that where it is about half.
+constexpr double kCounted = 0.035;
 constexpr Duration kPeriod = std::chrono::microseconds{16'667};
+
+/// How touches stray, and how the manikin differs from the patient. As given here: by kHand along
+/// each axis, each touch on its own, on a manikin that is the patient.
+struct Circumstances {
+    Vec3 hand = Vec3::Constant(kHand); ///< deviations along the axes of A, m
+    Vec3 tip_S = Vec3::Zero();         ///< the tip is off its calibrated place, m
+    std::vector<Vec3> slides_A{};      ///< of each landmark's skin, the same each time, m
+    double size = 1.0;                 ///< of the manikin over the patient
+};
+
+/// Deviations of the same length as kHand along each axis, three times as large along one.
+Vec3 elongated(int axis)
+{
+    Vec3 deviations = Vec3::Ones();
+    deviations[axis] = 3.0;
+    return kHand * std::sqrt(3.0) / deviations.norm() * deviations;
+}
+
+/// The skin over each landmark slides by a millimetre along the surface, away from the middle of
+/// the body: a tip that is pressed on a rounded place slides down its slope.
+std::vector<Vec3> slidesOutwards()
+{
+    std::vector<Vec3> slides;
+    for (const Vec3& p : test::kEightLandmarks)
+        slides.push_back(1e-3 * Vec3{p.x(), 0.0, p.z()}.normalized());
+    return slides;
+}
+
+/// The skin everywhere slides by a millimetre towards the feet, as somebody who stands at the head
+/// pushes it.
+std::vector<Vec3> slidesAway()
+{
+    return std::vector<Vec3>(test::kEightLandmarks.size(), Vec3{0.0, 0.0, -1e-3});
+}
 
 /// A technician who touches the landmarks one after another with a tracked stylus, in a time of
 /// their own.
 class Technician
 {
 public:
-    explicit Technician(unsigned seed) : m_hand{seed} {}
+    explicit Technician(unsigned seed, Circumstances circumstances = {})
+        : m_hand{seed}, m_how{std::move(circumstances)}
+    {
+    }
 
     /// One registration of a manikin in a new place.
     Result<ManikinFit> registers(const std::vector<Vec3>& p_A)
@@ -31,14 +74,14 @@ public:
         m_X_TA = m_hand.pose();
         DwellDetector detector;
         std::vector<TouchedLandmark> landmarks;
-        for (const Vec3& p_AQ : p_A) {
-            const Vec3 p_TQ = m_X_TA * (p_AQ + kHand * m_hand.unit());
+        for (std::size_t i = 0; i < p_A.size(); ++i) {
+            const Vec3 p_TQ = m_X_TA * touched(p_A[i], i);
             std::optional<DwellPoint> point;
             while (!point) {
                 m_now += kPeriod;
                 point = detector.push(m_now, p_TQ + kTracker * m_hand.unit(), Validity::Tracked);
             }
-            landmarks.push_back({p_AQ, point->p_FQ});
+            landmarks.push_back({p_A[i], point->p_FQ});
         }
         return fitManikin(landmarks);
     }
@@ -46,11 +89,23 @@ public:
     /// How far the anatomy lies from its place at a target.
     [[nodiscard]] double errorAt(const ManikinFit& fit, const Vec3& p_AQ) const
     {
-        return (fit.X_AT() * (m_X_TA * p_AQ) - p_AQ).norm();
+        return (fit.X_AT() * (m_X_TA * Vec3{m_how.size * p_AQ}) - p_AQ).norm();
     }
 
 private:
+    /// Where the stylus takes the landmark to be, in axes of A.
+    Vec3 touched(const Vec3& p_AQ, std::size_t landmark)
+    {
+        Vec3 p_A = m_how.size * p_AQ + m_how.hand.cwiseProduct(m_hand.unit());
+        if (!m_how.slides_A.empty())
+            p_A += m_how.slides_A[landmark];
+        if (!m_how.tip_S.isZero()) // held at much the same slant
+            p_A += rotationFromVector(kLean.si / std::sqrt(3.0) * m_hand.unit()) * m_how.tip_S;
+        return p_A;
+    }
+
     test::Hand m_hand;
+    Circumstances m_how;
     RigidTransform m_X_TA;
     SessionTime m_now{};
 };
@@ -65,9 +120,10 @@ struct Tally {
     int boundHeld = 0;
     int limitHeld = 0;
 
-    void add(double error, const LocalisationError& fle)
+    /// @param predicted for an FLE of one metre with the degrees of freedom of this one
+    void add(double error, const LocalisationError& fle, const TargetError& predicted)
     {
-        const double bound = fle.rms.si * unit.bound.si;
+        const double bound = fle.rms.si * predicted.bound.si;
         const double limit = fle.limit().si * unit.rms.si;
         errors.push_back(error);
         bounds += bound;
@@ -104,6 +160,31 @@ std::vector<Tally> talliesFor(const std::vector<Vec3>& p_A, double degrees)
     return tallies;
 }
 
+/// A thousand registrations, each with the bound that its residuals and earlier ones promise.
+/// @param leftOut how many earlier ones were not pooled
+std::vector<Tally> registered(Technician& technician, int count, int earlier, int& leftOut)
+{
+    const std::vector<Vec3> p_A = test::firstLandmarks(count);
+    std::vector<Tally> tallies = talliesFor(p_A, (3.0 * count - 6.0) * (1.0 + earlier));
+    const std::vector<Tally> alone = talliesFor(p_A, 3.0 * count - 6.0);
+    for (int i = 0; i < kRegistrations; ++i) {
+        std::vector<LocalisationError> own;
+        Result<ManikinFit> fit = fail(Errc::NotRegistered);
+        for (int k = 0; k <= earlier; ++k) {
+            fit = technician.registers(p_A);
+            own.push_back(localisationError(metres(fit->fit.rms), p_A.size()));
+        }
+        const LocalisationError now = own.back();
+        own.pop_back();
+        const PooledLocalisation found = pooled(now, own);
+        leftOut += found.disagreeing;
+        for (std::size_t t = 0; t < tallies.size(); ++t)
+            tallies[t].add(technician.errorAt(*fit, test::kTargets[t]), found.fle,
+                           found.disagreeing == 0 ? tallies[t].unit : alone[t].unit);
+    }
+    return tallies;
+}
+
 bool isNinetyFivePercent(int held)
 {
     return held >= 0.935 * kRegistrations && held <= 0.965 * kRegistrations;
@@ -136,22 +217,10 @@ private Q_SLOTS:
         QFETCH(int, count);
         QFETCH(int, earlier);
         QFETCH(double, overRms);
-        const std::vector<Vec3> p_A = test::firstLandmarks(count);
-        std::vector<Tally> tallies = talliesFor(p_A, (3.0 * count - 6.0) * (1.0 + earlier));
+        int leftOut = 0;
         Technician technician{137};
-        for (int i = 0; i < kRegistrations; ++i) {
-            std::optional<LocalisationError> fle;
-            Result<ManikinFit> fit = fail(Errc::NotRegistered);
-            for (int k = 0; k <= earlier; ++k) {
-                fit = technician.registers(p_A);
-                QVERIFY(fit.has_value());
-                const auto one = localisationError(metres(fit->fit.rms), p_A.size());
-                fle = fle ? pooled(*fle, one) : one;
-            }
-            QCOMPARE(fle->degrees, (3.0 * count - 6.0) * (1.0 + earlier));
-            for (std::size_t t = 0; t < tallies.size(); ++t)
-                tallies[t].add(technician.errorAt(*fit, test::kTargets[t]), *fle);
-        }
+        const std::vector<Tally> tallies = registered(technician, count, earlier, leftOut);
+        QVERIFY(leftOut <= 0.02 * kRegistrations);
         for (std::size_t t = 0; t < tallies.size(); ++t) {
             const Tally& tally = tallies[t];
             const double bound = tally.bounds / kRegistrations;
@@ -164,6 +233,54 @@ private Q_SLOTS:
             QVERIFY(isNinetyFivePercent(tally.limitHeld));
             QVERIFY(limit < overRms * tally.rms());
         }
+    }
+
+    /// Errors of which the residuals know nothing, or something else: how often the bound holds at
+    /// the target where it holds least.
+    void holdsLessWhereItsAssumptionsDoNot_data()
+    {
+        QTest::addColumn<Circumstances>("how");
+        QTest::addColumn<int>("count");
+        QTest::addColumn<double>("least"); // share of the registrations, between these
+        QTest::addColumn<double>("most");
+        const std::vector<std::tuple<const char*, Circumstances, std::array<double, 3>>> cases{
+            {"three to one, left to right", {.hand = elongated(0)}, {0.5, 0.5, 0.5}},
+            {"three to one, front to back", {.hand = elongated(1)}, {0.5, 0.5, 0.5}},
+            {"three to one, head to feet", {.hand = elongated(2)}, {0.5, 0.5, 0.5}},
+            {"tip 0.5 mm off", {.tip_S = {0.5e-3, 0.0, 0.0}}, {0.5, 0.5, 0.5}},
+            {"skin slides outwards", {.slides_A = slidesOutwards()}, {0.5, 0.5, 0.5}},
+            {"skin slides to the feet", {.slides_A = slidesAway()}, {0.5, 0.5, 0.5}},
+            {"manikin 3 % larger", {.size = 1.03}, {0.5, 0.5, 0.5}}};
+        for (const auto& [name, how, held] : cases)
+            for (int i = 0; i < 3; ++i)
+                QTest::addRow("%s, %d landmarks", name, 4 + 2 * i)
+                    << how << 4 + 2 * i << held[std::size_t(i)] - kCounted
+                    << held[std::size_t(i)] + kCounted;
+    }
+
+    void holdsLessWhereItsAssumptionsDoNot()
+    {
+        QFETCH(Circumstances, how);
+        QFETCH(int, count);
+        QFETCH(double, least);
+        QFETCH(double, most);
+        int leftOut = 0;
+        Technician technician{139, how};
+        const std::vector<Tally> tallies = registered(technician, count, 0, leftOut);
+        QStringList shares;
+        double lowest = 1.0;
+        for (std::size_t t = 0; t < tallies.size(); ++t) {
+            const double share = double(tallies[t].boundHeld) / kRegistrations;
+            lowest = std::min(lowest, share);
+            shares << QStringLiteral("%1 %2 % (%3 mm RMS)")
+                          .arg(QLatin1String{test::kTargetNames[t]})
+                          .arg(100.0 * share, 0, 'f', 1)
+                          .arg(1e3 * tallies[t].rms(), 0, 'f', 2);
+        }
+        qInfo("%s: held at %s", QTest::currentDataTag(),
+              qPrintable(shares.join(QStringLiteral(", "))));
+        QVERIFY(lowest > least);
+        QVERIFY(lowest < most);
     }
 };
 

@@ -188,6 +188,24 @@ private Q_SLOTS:
         QVERIFY(boneCheckPlaces(thorax.bones()).empty());
     }
 
+    /// At the height of the airway: the larynx, or else the chin.
+    void findsAPlaceToCheckAtTheAirway()
+    {
+        Thorax thorax;
+        thorax.add("Mandible", {{0, -110, 160}, {1, -115, 150}, {50, -17, 175}});
+        auto checks = boneCheckPlaces(thorax.bones());
+        QCOMPARE(checks.size(), 3U);
+        QCOMPARE(checks[0].name, std::string{"Tip of the chin"});
+        QVERIFY(isAt(checks[0], {1, -115, 150}));
+        thorax.add("Thyroid cartilage", {{20, -30, 120}, {0, -52, 124}, {-20, -30, 120}});
+        checks = boneCheckPlaces(thorax.bones());
+        QCOMPARE(checks.size(), 3U);
+        QCOMPARE(checks[0].name, std::string{"Prominence of the larynx"});
+        QVERIFY(isAt(checks[0], {0, -52, 124}));
+        thorax.surfaces.erase(thorax.surfaces.begin()); // a clavicle
+        QCOMPARE(boneCheckPlaces(thorax.bones()).size(), 1U);
+    }
+
     /// A grown man's: the sternum is 15 to 18 cm long to the tip of its xiphoid process, and both
     /// sides are alike to a few millimetres.
     void findsThemOnARealMan()

@@ -1,0 +1,97 @@
+#include "engine/registration/error/target_error.h"
+#include "engine/registration/fit/weighted_fit.h"
+
+#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina::touch_weights_test
+{
+namespace
+{
+
+constexpr int kRegistrations = 2000;
+constexpr double kSamples = 60.0;              // of a touch that is held for a second
+const Vec3 kTracker{0.1e-3, 0.1e-3, 0.3e-3};   // m, noise of a sample: worst along the depth
+const Vec3 kTip_S{0.05e-3, 0.05e-3, 0.132e-3}; // m, of a calibration that was good enough to end
+constexpr Angle kLean = degrees(30.0);         // of the stylus from touch to touch, RMS
+constexpr double kFewPercent = 0.03;
+
+/// What is known of each touch: the hand's error, alike for all; the tracker's, as the mean of a
+/// touch has it; the tip's, turned as the stylus was held.
+std::vector<Mat3> covariancesOf(test::Hand& hand, std::size_t count, Length fleOfHand)
+{
+    std::vector<Mat3> covariances;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Mat3 R_AS =
+            rotationFromVector(kLean.si / std::sqrt(3.0) * hand.unit()).toRotationMatrix();
+        covariances.push_back(fleOfHand.si * fleOfHand.si / 3.0 * Mat3::Identity()
+                              + test::ellipsoid(kTracker / std::sqrt(kSamples), Vec3::Zero())
+                              + R_AS * test::ellipsoid(kTip_S, Vec3::Zero()) * R_AS.transpose());
+    }
+    return covariances;
+}
+
+struct Squares {
+    double alike = 0.0;
+    double weighted = 0.0;
+};
+
+} // namespace
+
+/// Whether a fit gains by weighting each touch by the covariance that is known of it.
+class TestTouchWeights : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// With a hand that strays by a millimetre all covariances are nearly that of the hand.
+    void gainNothingWhereTheHandStraysMost_data()
+    {
+        QTest::addColumn<double>("hand_mm");
+        QTest::newRow("hand 1 mm") << 1.0;
+        QTest::newRow("hand 0.5 mm") << 0.5;
+    }
+
+    void gainNothingWhereTheHandStraysMost()
+    {
+        QFETCH(double, hand_mm);
+        const std::vector<Vec3> p_A = test::firstLandmarks(8);
+        test::Hand hand{191};
+        std::array<Squares, test::kTargets.size()> squares;
+        for (int i = 0; i < kRegistrations; ++i) {
+            const auto covariances = covariancesOf(hand, p_A.size(), millimetres(hand_mm));
+            std::vector<UncertainPair> pairs;
+            std::vector<LandmarkPair> plain;
+            for (std::size_t k = 0; k < p_A.size(); ++k) {
+                const LandmarkPair pair{p_A[k],
+                                        p_A[k] + hand.error(test::factorOf(covariances[k]))};
+                plain.push_back(pair);
+                pairs.push_back({pair, covariances[k], Mat3::Zero()});
+            }
+            const auto alike = fitRigid(plain);
+            const auto weighted = fitWeighted(pairs);
+            QVERIFY(alike && weighted);
+            for (std::size_t t = 0; t < squares.size(); ++t) {
+                const Vec3& p = test::kTargets[t];
+                squares[t].alike += (alike->X_AM * p - p).squaredNorm();
+                squares[t].weighted += (weighted->fit.X_AM * p - p).squaredNorm();
+            }
+        }
+        for (std::size_t t = 0; t < squares.size(); ++t) {
+            const double gain = 1.0 - std::sqrt(squares[t].weighted / squares[t].alike);
+            qInfo("%-15s %.3f mm RMS with equal weights, %.2f %% less with weights",
+                  test::kTargetNames[t], 1e3 * std::sqrt(squares[t].alike / kRegistrations),
+                  100.0 * gain);
+            QVERIFY(std::abs(gain) < kFewPercent);
+        }
+    }
+};
+
+CARINA_TEST(TestTouchWeights)
+
+} // namespace carina::touch_weights_test
+
+#include "tst_touch_weights.moc"

@@ -75,7 +75,7 @@ int runCommandLine(std::span<const Command> commands, const QStringList& argumen
     const Command* command = commandNamed(commands, name);
     if (command == nullptr)
         return refuseName(name);
-    if (asksForHelp(arguments.value(2)))
+    if (std::ranges::any_of(arguments.mid(2), asksForHelp))
         return printHelp(commands, name);
     const Result<QJsonObject> object = command->run(arguments.mid(2));
     if (!object) {

@@ -73,8 +73,8 @@ inline constexpr Key kAcceptable{"acceptable",
 
 /// Runs carina-lab, which has these commands, on a whole command line: prints the object on stdout
 /// and returns 0 (1 where its kAcceptable is false), or one sentence on stderr and returns 1 (2 for
-/// a command there is not). With
-/// --help after the name, or help before it, prints the page of the command.
+/// a command there is not). With --help anywhere after the name, or help before it, prints the page
+/// of the command.
 int runCommandLine(std::span<const Command> commands, const QStringList& arguments);
 
 } // namespace carina::lab

@@ -39,6 +39,15 @@ Result<Words> Words::read(const Command& command, const QStringList& arguments)
         return fail(
             Errc::OutOfRange,
             (words.m_command + QStringLiteral(": ") + words.m_parser->errorText()).toStdString());
+    const QStringList given = words.m_parser->optionNames();
+    for (const QString& option : given) {
+        if (given.count(option) > 1)
+            return words.refuse(QStringLiteral("has %1 twice.").arg(asTyped(option)));
+        // The parser takes whatever comes next; a value may begin with one dash, as -5 does.
+        if (words.m_parser->value(option).startsWith(QStringLiteral("--")))
+            return words.refuse(QStringLiteral("needs a value for %1, not %2.")
+                                    .arg(asTyped(option), words.m_parser->value(option)));
+    }
     if (words.files().size() > command.mostFiles)
         return words.refuse(
             QStringLiteral("has no use for '%1'.").arg(words.files()[command.mostFiles]));

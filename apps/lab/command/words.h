@@ -17,8 +17,9 @@ namespace carina::lab
 class Words
 {
 public:
-    /// @returns OutOfRange for an option that is not declared, a value that is missing or one too
-    ///          many, or more files than the command takes; the sentence names it.
+    /// @returns OutOfRange for an option that is not declared or given twice, a value that is
+    ///          missing or one too many, or more files than the command takes; the sentence names
+    ///          it.
     [[nodiscard]] static Result<Words> read(const Command& command, const QStringList& arguments);
 
     [[nodiscard]] bool has(const Option& option) const;

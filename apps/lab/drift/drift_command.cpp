@@ -52,19 +52,10 @@ tl::unexpected<Error> driftRefusal(const QString& sentence)
 /// Whether the options go together, whatever their values are.
 Result<void> checkOptions(const Words& words)
 {
-    const auto isTwice = [&words](const Option& option) {
-        return words.parser().values(QString::fromLatin1(option.name)).size() > 1;
-    };
-    for (const Option& option : drift_option::kOfAll)
-        if (isTwice(option))
-            return driftRefusal(QStringLiteral("--%1 is given twice.").arg(inLatin1(option.name)));
-    for (const Option& option : drift_option::kOfLive) {
-        if (isTwice(option))
-            return driftRefusal(QStringLiteral("--%1 is given twice.").arg(inLatin1(option.name)));
+    for (const Option& option : drift_option::kOfLive)
         if (words.has(option) && !words.has(drift_option::kLive))
             return driftRefusal(
                 QStringLiteral("--%1 goes with --live.").arg(inLatin1(option.name)));
-    }
     if (words.text(drift_option::kScenario).isEmpty())
         return driftRefusal(QStringLiteral("--scenario NAME or FILE is missing."));
     return {};

@@ -95,6 +95,9 @@ private Q_SLOTS:
             QCOMPARE(status({QStringLiteral("refuse"), QLatin1String{help}}), 0);
             QCOMPARE(status({QLatin1String{help}}), 0);
         }
+        QCOMPARE(
+            status({QStringLiteral("refuse"), QStringLiteral("--raw"), QStringLiteral("--help")}),
+            0);
         QCOMPARE(status({QStringLiteral("help"), QStringLiteral("warn")}), 0);
         QCOMPARE(status({QStringLiteral("help"), QStringLiteral("other")}), 2);
         QCOMPARE(runs, 0);
@@ -122,6 +125,15 @@ private Q_SLOTS:
                                 "    schema              "
                                 "\"carina.warn/1\"\n"
                                 "    count               how many\n"));
+    }
+
+    void refusesAnOptionTwiceAndOneForAValue()
+    {
+        const QString limit = QStringLiteral("--limit");
+        QCOMPARE(refusalOf({limit, QStringLiteral("7"), limit, QStringLiteral("7")}),
+                 QStringLiteral("count has --limit twice. Look at the help."));
+        QCOMPARE(refusalOf({limit, QStringLiteral("--raw")}),
+                 QStringLiteral("count needs a value for --limit, not --raw. Look at the help."));
     }
 
     void readsNumbersWithinTheirBounds()

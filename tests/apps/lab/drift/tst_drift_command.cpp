@@ -110,7 +110,10 @@ private Q_SLOTS:
         QTest::newRow("endless warm-up")
             << QByteArray{"--scenario lan --live --warm-up-s 301"} << QByteArray{"--warm-up-s"};
         QTest::newRow("twice") << QByteArray{"--scenario lan --seed 1 --seed 2"}
-                               << QByteArray{"--seed is given twice"};
+                               << QByteArray{"drift has --seed twice."};
+        QTest::newRow("an option for a value")
+            << QByteArray{"--scenario --seed 1"}
+            << QByteArray{"drift needs a value for --scenario, not --seed."};
         QTest::newRow("logs of nothing")
             << QByteArray{"--scenario lan --logs x"} << QByteArray{"--logs goes with --live"};
         QTest::newRow("logs where no folder can be")

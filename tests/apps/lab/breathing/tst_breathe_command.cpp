@@ -75,28 +75,28 @@ void TestBreatheCommand::drawsTheVolumeOfTheMechanicsInEveryLevel_data()
     QTest::addColumn<double>("swing_ml");
     QTest::addColumn<double>("frc_ml");
     const PatientBuild boy{metres(1.5), 40.0, 12.0, Sex::Male};
-    QTest::newRow("child") << QStringLiteral("--rate-per-min 19 --tidal-volume-ml 280 --seconds 2")
-                           << swing_ml(breathing(boy, 19.0, 280.0), 121) << 1200.0;
+    QTest::newRow("child") << QStringLiteral("--rate-per-min 19 --tidal-volume-ml 280 --seconds 1")
+                           << swing_ml(breathing(boy, 19.0, 280.0), 61) << 1200.0;
     QTest::newRow("adult") << QStringLiteral("--patient adult --rate-per-min 30 --tidal-volume-ml "
-                                             "540 --seconds 2")
-                           << swing_ml(breathing({}, 30.0, 540.0), 121) << 2310.0;
+                                             "540 --seconds 1")
+                           << swing_ml(breathing({}, 30.0, 540.0), 61) << 2310.0;
     RespiratorySettings ill = breathing({}, 16.0, 540.0);
     ill.conditions = {{ConditionKind::SimplePneumothorax, 0.9, ConditionSide::Right}};
     ill.ventilator.mode = VentilationMode::VolumeControl;
     QTest::newRow("pneumothorax under a ventilator")
-        << QStringLiteral("--patient adult --rate-per-min 16 --tidal-volume-ml 540 --seconds 2 "
+        << QStringLiteral("--patient adult --rate-per-min 16 --tidal-volume-ml 540 --seconds 1 "
                           "--condition simple_pneumothorax --severity 0.9 --side right "
                           "--ventilator volume")
-        << swing_ml(ill, 121) << 2310.0;
+        << swing_ml(ill, 61) << 2310.0;
     for (const auto& [name, position] : {std::pair{"sitting", BodyPosition::Sitting},
                                          {"prone", BodyPosition::Prone},
                                          {"left_lateral", BodyPosition::LeftLateral}}) {
         RespiratorySettings turned = breathing(boy, 19.0, 280.0);
         turned.position = position;
-        QTest::newRow(name) << QStringLiteral("--rate-per-min 19 --tidal-volume-ml 280 --seconds 2 "
+        QTest::newRow(name) << QStringLiteral("--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 "
                                               "--position ")
                                    + QString::fromLatin1(name)
-                            << swing_ml(turned, 121) << 1200.0;
+                            << swing_ml(turned, 61) << 1200.0;
     }
 }
 
@@ -114,7 +114,7 @@ void TestBreatheCommand::drawsTheVolumeOfTheMechanicsInEveryLevel()
     const QJsonArray levels = (*object)[QStringLiteral("levels")].toArray();
     QVERIFY(levels.size() >= 3);
     for (const QJsonValue& level : levels) {
-        QCOMPARE(level[QStringLiteral("frames")].toInt(), 121);
+        QCOMPARE(level[QStringLiteral("frames")].toInt(), 61);
         const double drawn_ml = level[QStringLiteral("tidal_volume_drawn_ml")].toDouble();
         QVERIFY(std::abs(drawn_ml - swing_ml) < 2.0 * kVolumeTolerance_ml);
     }
@@ -139,7 +139,7 @@ void TestBreatheCommand::drawsRealLungs()
     const Result<QJsonObject> object = lab::breatheCommand().run(
         {QStringLiteral("--rate-per-min"), QStringLiteral("19"),
          QStringLiteral("--tidal-volume-ml"), QStringLiteral("280"), QStringLiteral("--seconds"),
-         QStringLiteral("2"), QStringLiteral("--anatomy"),
+         QStringLiteral("1"), QStringLiteral("--anatomy"),
          QString::fromStdString(folder->string())});
     QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
     QVERIFY(number(*object, "max_volume_error_ml") < kVolumeTolerance_ml);

@@ -126,10 +126,10 @@ Result<Site> withFit(Site site, const FitInputs& inputs)
                                   .rms = fitted->fit.rms,
                                   .residuals = residualsOf(site, *fitted),
                                   .covariance_A = error->covariance_A,
-                                  .fle = error->fle.fle.rms.si,
-                                  .degrees = error->fle.fle.degrees,
-                                  .pooled = error->fle.pooled,
-                                  .disagreeing = error->fle.disagreeing,
+                                  .fle = error->touch.fle.rms.si,
+                                  .degrees = error->touch.fle.degrees,
+                                  .pooled = error->touch.pooled,
+                                  .disagreeing = error->touch.disagreeing,
                                   .madeAt = inputs.at,
                                   .operatorName = site.operatorName};
     noteProbes(registration, inputs, fitted->X_TM);

@@ -15,8 +15,8 @@ Result<RegistrationError> registrationError(std::span<const Vec3> p_AQ, std::spa
         return fail(Errc::TooFewLandmarks, std::to_string(p_AQ.size()));
     RegistrationError error{.own = localisationError(fre, p_AQ.size())};
     error.own.rms = std::max(error.own.rms, kLeastFle);
-    error.fle = pooled(error.own, earlier);
-    const std::vector<LandmarkError> landmarks = equalErrors(p_AQ, error.fle.fle.rms);
+    error.touch = pooled(error.own, earlier);
+    const std::vector<LandmarkError> landmarks = equalErrors(p_AQ, error.touch.fle.rms);
     const Result<Mat6> touches = fitCovariance(landmarks);
     if (!touches)
         return tl::unexpected(touches.error());

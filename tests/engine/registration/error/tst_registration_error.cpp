@@ -177,8 +177,8 @@ private Q_SLOTS:
         const std::vector<Mat3> R_AS = heldAt(p_A.size(), alike);
         const auto predicted = registrationError(p_A, R_AS, tip, freOf(p_A.size()));
         QVERIFY(predicted.has_value());
-        QVERIFY(std::abs(predicted->fle.fle.rms.si / kFle - 1.0) < 1e-12);
-        QCOMPARE(predicted->fle.degrees, 3.0 * count - 6.0);
+        QVERIFY(std::abs(predicted->touch.fle.rms.si / kFle - 1.0) < 1e-12);
+        QCOMPARE(predicted->touch.fle.degrees, 3.0 * count - 6.0);
         const Measured measured = measuredErrors(p_A, R_AS, tip);
         for (std::size_t t = 0; t < measured.size(); ++t) {
             const Mat3 covariance = pointCovariance(predicted->covariance_A, test::kTargets[t]);
@@ -201,7 +201,7 @@ private Q_SLOTS:
     {
         const auto error =
             registrationError(test::firstLandmarks(4), heldAt(4, true), Mat3::Zero(), metres(0.0));
-        QCOMPARE(error->fle.fle.rms.si, kLeastFle.si);
+        QCOMPARE(error->touch.fle.rms.si, kLeastFle.si);
         QVERIFY(error->covariance_A.trace() > 0.0);
     }
 

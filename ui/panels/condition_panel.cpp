@@ -241,8 +241,13 @@ void ConditionPanel::connectCondition()
     auto* deleted =
         new QShortcut{QKeySequence::Delete, m_conditions, nullptr, nullptr, Qt::WidgetShortcut};
     connect(deleted, &QShortcut::activated, m_model, remove);
-    connect(m_condition, &QComboBox::activated, m_model,
-            [this](int kind) { m_model->choose(place(), static_cast<ConditionKind>(kind)); });
+    connect(m_condition, &QComboBox::activated, this, [this](int kind) {
+        const std::size_t chosen = place();
+        m_isAdding = kind == static_cast<int>(ConditionKind::Normal);
+        if (m_isAdding)
+            selectRow(-1);
+        m_model->choose(chosen, static_cast<ConditionKind>(kind));
+    });
     connect(m_side, &QComboBox::activated, this, &ConditionPanel::setCondition);
     connect(m_severity, &QDoubleSpinBox::valueChanged, this, &ConditionPanel::setCondition);
     connect(m_severitySlider, &QSlider::valueChanged, m_severity,
@@ -280,10 +285,17 @@ void ConditionPanel::connectVentilator()
     });
 }
 
-/// Of the selected condition; 0 where there is none, which is the place of the first.
+/// Of the selected condition; where none is, of one that would be added.
 std::size_t ConditionPanel::place() const
 {
-    return static_cast<std::size_t>(std::max(0, m_conditions->currentRow()));
+    const int row = m_conditions->currentRow();
+    return row < 0 ? m_model->conditions().size() : static_cast<std::size_t>(row);
+}
+
+void ConditionPanel::selectRow(int row)
+{
+    const QSignalBlocker blocker{m_conditions};
+    m_conditions->setCurrentRow(row);
 }
 
 // Entries stand in the order of the enumerators.
@@ -314,6 +326,7 @@ void ConditionPanel::refreshConditions()
 {
     const LungConditions conditions = m_model->conditions();
     const int count = static_cast<int>(conditions.size());
+    const bool isMore = count > m_conditions->count();
     const QSignalBlocker blocker{m_conditions};
     while (m_conditions->count() > count)
         delete m_conditions->takeItem(m_conditions->count() - 1);
@@ -324,8 +337,10 @@ void ConditionPanel::refreshConditions()
         m_conditions->item(row)->setText(text);
         m_conditions->item(row)->setToolTip(text);
     }
-    if (count > 0 && m_conditions->currentRow() < 0)
-        m_conditions->setCurrentRow(0);
+    if (m_conditions->currentRow() < 0 && (isMore || !m_isAdding)) {
+        m_conditions->setCurrentRow(m_isAdding ? count - 1 : 0);
+        m_isAdding = false;
+    }
     m_add->setEnabled(conditions.size() < kMostConditions);
     m_remove->setEnabled(count > 0);
     refreshSelected();

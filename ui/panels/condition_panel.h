@@ -41,12 +41,15 @@ private:
     void setCondition();
     void addCondition();
     [[nodiscard]] std::size_t place() const;
+    void selectRow(int row);
     void refreshConditions();
     void refreshSelected();
     void refresh();
     void refreshVentilator(const VentilatorSettings& ventilator);
 
     RespirationModel* m_model = nullptr;
+    /// Normal was chosen for the selected condition, which is gone: what is chosen next is added.
+    bool m_isAdding = false;
     QLabel* m_obstacle;
     QWidget* m_controls;
     QComboBox* m_position;

@@ -1,6 +1,7 @@
 #include "apps/lab/breathing/mechanics_page.h"
 #include "apps/lab/breathing/mechanics_table.h"
 #include "apps/lab/command/patient_options.h"
+#include "apps/lab/command/patient_words.h"
 #include "apps/lab/commands.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/lungs/mechanics/lung_pair.h"
@@ -100,10 +101,18 @@ Result<QJsonObject> describeTable(const Words& words)
             return tl::unexpected(rate_perMin.error());
         healthy.pattern.rate = perMinute(*rate_perMin);
     }
+    std::optional<ConditionKind> only;
+    if (words.has(mechanics_option::kOnly)) {
+        const auto kind =
+            words.word(mechanics_option::kOnly, kNamedConditions, &NamedCondition::kind);
+        if (!kind)
+            return tl::unexpected(kind.error());
+        only = *kind;
+    }
     const auto drawnRest = drawnRestOf(*figures);
     if (!drawnRest)
         return tl::unexpected(drawnRest.error());
-    QJsonObject object = mechanicsTable(healthy, *drawnRest);
+    QJsonObject object = mechanicsTable(healthy, *drawnRest, only);
     object[mechanics_key::kSchema] = QLatin1StringView{mechanics_key::kSchema.help};
     return object;
 }
@@ -114,9 +123,10 @@ Result<QJsonObject> mechanics(const Words& words)
     if (!hasWaveform && !words.has(mechanics_option::kInspiratoryFlow))
         return describeTable(words);
     if (!hasWaveform || words.has(kPatient) || words.has(mechanics_option::kRate)
-        || words.has(kPosition))
-        return words.refuse(QStringLiteral("takes --patient, --rate-per-min and --position alone, "
-                                           "or --waveform with or without a flow."));
+        || words.has(kPosition) || words.has(mechanics_option::kOnly))
+        return words.refuse(QStringLiteral("takes --patient, --rate-per-min, --position and "
+                                           "--condition alone, or --waveform with or without a "
+                                           "flow."));
     return words.number(mechanics_option::kInspiratoryFlow, 1.0, 200.0, kUsualFlow_lPerMin)
         .and_then([&](double flow_lPerMin) {
             return describeWaveform(words.text(mechanics_option::kWaveform), flow_lPerMin);
@@ -125,12 +135,12 @@ Result<QJsonObject> mechanics(const Words& words)
 
 Use mechanicsOfConditions()
 {
-    return {.lines = {"[--patient WHO] [--rate-per-min R] [--position NAME]"},
+    return {.lines = {"[--patient WHO] [--rate-per-min R] [--position NAME] [--condition NAME]"},
             .text = "Calculates what the respiratory mechanics make of each condition at the "
                     "severities 0.3, 0.6 and 0.9, after five minutes and after half an hour of "
                     "spontaneous breathing and after a minute of volume control, beside the ranges "
                     "that are published. The patient is the adult unless another is asked for.",
-            .options = {kPatient, mechanics_option::kRate, kPosition},
+            .options = {kPatient, mechanics_option::kRate, kPosition, mechanics_option::kOnly},
             .schema = mechanics_key::kSchema,
             .keys = {mechanics_key::kPosition,
                      mechanics_key::kPatient,

@@ -12,6 +12,7 @@ namespace mechanics_option
 inline constexpr Option kRate{
     "rate-per-min", "R",
     "breaths per minute, 4 to 60; as many as the patient breathes at rest unless given"};
+inline constexpr Option kOnly{"condition", "NAME", "this condition alone; all unless given"};
 inline constexpr Option kWaveform{
     "waveform", "FILE",
     "the recording: a line \"#samplerate,HZ\", a line of names with pressure (cmH2O) and flow "

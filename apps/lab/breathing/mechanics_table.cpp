@@ -154,10 +154,13 @@ QJsonObject describePatient(const PatientBuild& build, Volume drawnRest)
 
 } // namespace
 
-QJsonObject mechanicsTable(const RespiratorySettings& healthy, Volume drawnRest)
+QJsonObject mechanicsTable(const RespiratorySettings& healthy, Volume drawnRest,
+                           std::optional<ConditionKind> only)
 {
     QJsonArray conditions;
     for (const NamedCondition& named : kNamedConditions) {
+        if (only && only != named.kind)
+            continue;
         if (named.kind == ConditionKind::Normal) {
             conditions.append(describeCondition(healthy, named, 0.0));
             continue;

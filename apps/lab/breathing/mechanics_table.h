@@ -4,6 +4,8 @@
 
 #include <QJsonObject>
 
+#include <optional>
+
 namespace carina::lab
 {
 
@@ -12,6 +14,8 @@ namespace carina::lab
 /// beside the ranges that are published. The keys are in the help of `mechanics`.
 /// @param healthy who breathes, and how; spontaneous
 /// @param drawnRest what the lungs enclose that are drawn of this patient at rest
-[[nodiscard]] QJsonObject mechanicsTable(const RespiratorySettings& healthy, Volume drawnRest);
+/// @param only      the one condition to describe; all where there is none
+[[nodiscard]] QJsonObject mechanicsTable(const RespiratorySettings& healthy, Volume drawnRest,
+                                         std::optional<ConditionKind> only);
 
 } // namespace carina::lab

@@ -53,14 +53,31 @@ bool affects(const LungCondition& condition, std::size_t lung)
 
 Volume ceilingOf(const PressureVolumeCurve& curve) { return curve.floor + curve.span; }
 
+/// Where lung and wall pull alike: between the floor of the curve and the volume at which a lung
+/// that lacks nothing rests, by bisection.
+Volume restOf(const LungMechanics& lung)
+{
+    constexpr int kHalvings = 60;
+    Volume least = lung.curve.floor;
+    Volume greatest = lung.wallVolume;
+    for (int i = 0; i < kHalvings; ++i) {
+        const Volume middle = 0.5 * (least + greatest);
+        const Pressure wall =
+            lung.wallRecoil + Pressure{(lung.wallVolume - middle).si / lung.wall.si};
+        (lung.curve.pressureAt(middle) < wall ? least : greatest) = middle;
+    }
+    return greatest;
+}
+
 /// Leaves a share of the lung open. The wall comes in and pulls more on what is left.
 void closeAllBut(LungMechanics& lung, double open)
 {
     const PressureVolumeCurve& before = lung.curve;
-    const Volume rest = before.floor + open * (lung.wallVolume - before.floor);
+    const Volume restBefore = restOf(lung);
+    const Volume rest = before.floor + open * (restBefore - before.floor);
     const Pressure recoil = lung.wallRecoil + Pressure{(lung.wallVolume - rest).si / lung.wall.si};
     lung.curve = PressureVolumeCurve::through(before.floor, before.floor + open * before.span, rest,
-                                              recoil, open * before.complianceAt(lung.wallVolume));
+                                              recoil, open * before.complianceAt(restBefore));
 }
 
 /// The effort that brings `fatigue` times the tidal volume when the lung's compliance is multiplied
@@ -117,8 +134,8 @@ void makePneumothorax(LungMechanics& lung, double severity, Volume mediastinum)
     const Volume rest = (1.0 - 0.75 * severity) * lung.wallVolume;
     const Pressure recoil = (1.0 - severity) * lung.wallRecoil;
     const double open =
-        std::max(kLeastOpenShare,
-                 (rest - lung.curve.floor) / (lung.curve.volumeAt(recoil) - lung.curve.floor));
+        std::clamp((rest - lung.curve.floor) / (lung.curve.volumeAt(recoil) - lung.curve.floor),
+                   kLeastOpenShare, 1.0);
     lung.curve.span = open * lung.curve.span;
     lung.bronchi = open * lung.bronchi;
     lung.pleuralGas =
@@ -220,7 +237,7 @@ void useMuscles(const LungCondition& condition, RespiratorySystem& system)
 }
 
 /// The share of a breath that leaves in the time a quiet one has for it, by the time constant of
-/// the bronchi and the system.
+/// the bronchi and the system: the mean of bronchi that are wide and those at the resting volume.
 double shareThatLeaves(const RespiratorySystem& system)
 {
     constexpr double kQuietExpiration = 2.2; // s, of an adult, once the muscles have let go
@@ -229,7 +246,7 @@ double shareThatLeaves(const RespiratorySystem& system)
     for (const LungMechanics& lung : system.lungs) {
         const Volume room = lung.wallVolume - lung.curve.floor;
         const double open = std::min(1.0, room / std::max(room, lung.closing - lung.curve.floor));
-        conductance += open * lung.bronchi.si / lung.compression;
+        conductance += 0.5 * (1.0 + open) * lung.bronchi.si / lung.compression;
         compliance +=
             1.0 / (1.0 / lung.curve.complianceAt(lung.wallVolume).si + 1.0 / lung.wall.si);
     }
@@ -265,7 +282,7 @@ RespiratorySystem afflicted(const RespiratorySystem& healthy, LungConditions con
 {
     CARINA_EXPECTS(canCoexist(conditions));
     std::ranges::sort(conditions, {}, [](const LungCondition& condition) {
-        return std::tuple{condition.kind, condition.side};
+        return std::tuple{condition.kind != ConditionKind::Copd, condition.kind, condition.side};
     });
     RespiratorySystem system = healthy;
     for (const LungCondition& condition : conditions)

@@ -91,9 +91,9 @@ inline constexpr std::size_t kMostConditions = 6;
 [[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,
                                           const LungCondition& condition);
 
-/// The same with several conditions: each changes what those before it in the order of the
-/// enumerators have left, right before left, so that the result does not depend on the order in
-/// which they were set.
+/// The same with several conditions: COPD makes the lung larger first; then each changes what those
+/// before it in the order of the enumerators have left, right before left, so that the result does
+/// not depend on the order in which they were set.
 /// @pre canCoexist(conditions), and each as above.
 [[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,
                                           LungConditions conditions);

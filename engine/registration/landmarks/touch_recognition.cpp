@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/registration/error/error_bound.h"
+#include "engine/registration/fit/manikin_scale.h"
 #include "engine/registration/fit/point_check.h"
 #include "engine/registration/fit/pose_misfit.h"
 #include "engine/registration/landmarks/landmark_order.h"
@@ -271,6 +272,28 @@ Result<void> check(const TouchesSoFar& earlier, const Vec3& p_TQ)
     return checkPoint(p_TQ, "the touch");
 }
 
+/// What a touch is that lies where a landmark of a larger or smaller manikin would be.
+std::optional<TouchFinding> ofAnotherSize(const TouchesSoFar& earlier, const Vec3& p_TQ, Length fle,
+                                          std::size_t landmark)
+{
+    if (earlier.p_TQ[landmark])
+        return std::nullopt;
+    std::vector<LandmarkPair> pairs{{earlier.p_AQ[landmark], p_TQ}};
+    for (std::size_t i = 0; i < earlier.p_AQ.size(); ++i)
+        if (earlier.p_TQ[i])
+            pairs.push_back({earlier.p_AQ[i], *earlier.p_TQ[i]});
+    const Result<ManikinScale> size = manikinScale(pairs);
+    if (!size || !size->isOff())
+        return std::nullopt;
+    std::vector<Vec3> scaled{earlier.p_AQ.begin(), earlier.p_AQ.end()};
+    for (Vec3& p_AQ : scaled)
+        p_AQ *= size->scale;
+    const TouchesSoFar ofManikin{scaled, earlier.p_TQ};
+    TouchFinding found = Recognition{ofManikin, p_TQ, fle}.finding(landmark);
+    const bool isIt = found.verdict == TouchVerdict::Landmark && found.landmark == landmark;
+    return isIt ? std::optional{std::move(found)} : std::nullopt;
+}
+
 } // namespace
 
 Result<TouchFinding> recogniseTouch(const TouchesSoFar& earlier, const Vec3& p_TQ, Length fle,
@@ -281,7 +304,10 @@ Result<TouchFinding> recogniseTouch(const TouchesSoFar& earlier, const Vec3& p_T
     CARINA_EXPECTS(!proposed || (*proposed < earlier.p_TQ.size() && !earlier.p_TQ[*proposed]));
     if (const auto sound = check(earlier, p_TQ); !sound)
         return tl::unexpected(sound.error());
-    return Recognition{earlier, p_TQ, fle}.finding(proposed);
+    TouchFinding found = Recognition{earlier, p_TQ, fle}.finding(proposed);
+    if (found.verdict != TouchVerdict::Nowhere)
+        return found;
+    return ofAnotherSize(earlier, p_TQ, fle, found.landmark).value_or(std::move(found));
 }
 
 } // namespace carina

@@ -59,6 +59,9 @@ struct TouchFinding {
 /// shows as soon as four or more touches do not fit together, and a search over all assignments
 /// then finds the one that explains them.
 ///
+/// A touch that is nowhere is judged again with the landmarks at the size of the manikin, where the
+/// touches show that it differs from that of the anatomy (manikinScale).
+///
 /// @param p_TQ     the new touch, in T, metres
 /// @param fle      the fiducial localisation error, RMS, above 0
 /// @param proposed the open landmark that the user was asked to touch

@@ -191,10 +191,11 @@ private Q_SLOTS:
         desk.fitting.fit();
         QCOMPARE(desk.fitting.localisation()->pooled, 0);
         QCOMPARE(desk.editor.site().localisations.size(), std::size_t{1});
+        const LandmarkCatalogue catalogue = eightLandmarks();
         const auto touchAgain = [&](Length hand, std::size_t count) {
             Site site = desk.editor.site();
             for (std::size_t i = 0; i < count; ++i) {
-                const Landmark& landmark = eightLandmarks().landmarks[i];
+                const Landmark& landmark = catalogue.landmarks[i];
                 site = withTouch(std::move(site), landmark.name,
                                  touchAt(landmark.p_AQ, anyError(random, hand)));
             }

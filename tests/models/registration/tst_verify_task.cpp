@@ -194,11 +194,14 @@ private Q_SLOTS:
     {
         MadeDesk desk{fittedSite()};
         QVERIFY(!desk.verifying.hasAirwayPoint());
-        for (const std::size_t clavicle : {1, 2})
+        for (const std::size_t clavicle : {1, 2}) {
+            desk.verifying.choose(clavicle);
             desk.verifyAt(desk.verifying.points()[clavicle].p_AQ);
+        }
         QCOMPARE(desk.verifying.suggestion(), Verdict::Good);
         QVERIFY(!desk.verifying.hasAirwayPoint());
-        desk.verifyAt(desk.verifying.points()[0].p_AQ); // the incisors
+        desk.verifying.choose(0); // the incisors
+        desk.verifyAt(desk.verifying.points()[0].p_AQ);
         QVERIFY(desk.verifying.hasAirwayPoint());
     }
 

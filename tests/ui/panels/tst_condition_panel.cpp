@@ -143,7 +143,7 @@ void TestConditionPanel::addsAndRemovesConditionsByKeyboardAlone()
     QTest::keyClick(&add, Qt::Key_Space);
     desk.settle();
     QCOMPARE(list.currentRow(), 1);
-    desk.choose("condition", 4);
+    desk.choose("condition", 3); // asthma is passed over
     desk.settle();
     desk.choose("side", 2);
     const LungCondition asthma{ConditionKind::Asthma, 0.9, ConditionSide::Both};

@@ -38,7 +38,7 @@ void TestMechanicsCommand::describesThePatientAndEveryCondition()
 {
     const auto printed = mechanics({QStringLiteral("--patient"), QStringLiteral("child")});
     QVERIFY(printed.has_value());
-    QCOMPARE((*printed)[QStringLiteral("schema")].toString(), QStringLiteral("carina.mechanics/1"));
+    QCOMPARE((*printed)[QStringLiteral("schema")].toString(), QStringLiteral("carina.mechanics/2"));
     const QJsonObject patient = (*printed)[QStringLiteral("patient")].toObject();
     QCOMPARE(patient[QStringLiteral("frc_ml")].toDouble(), 1200.0);
     QCOMPARE(patient[QStringLiteral("tlc_ml")].toDouble(), 3200.0);
@@ -52,10 +52,10 @@ void TestMechanicsCommand::describesThePatientAndEveryCondition()
         const QJsonObject condition = value.toObject();
         names += condition[QStringLiteral("condition")].toString();
         const QJsonObject ventilated = condition[QStringLiteral("volume_control")].toObject();
-        QCOMPARE(ventilated.size(), 12);
+        QCOMPARE(ventilated.size(), 16);
         QVERIFY(ventilated[QStringLiteral("peak_cmh2o")].toDouble()
                 >= ventilated[QStringLiteral("plateau_cmh2o")].toDouble());
-        QCOMPARE(condition[QStringLiteral("spontaneous")].toObject().size(), 12);
+        QCOMPARE(condition[QStringLiteral("spontaneous")].toObject().size(), 16);
     }
     names.removeDuplicates();
     QCOMPARE(names.size(), 10);
@@ -67,7 +67,8 @@ void TestMechanicsCommand::trapsMoreGasTheFasterItBreathes()
 {
     const auto autoPeep_cmH2O = [](const char* rate_perMin) {
         const auto printed =
-            mechanics({QStringLiteral("--rate-per-min"), QString::fromLatin1(rate_perMin)});
+            mechanics({QStringLiteral("--rate-per-min"), QString::fromLatin1(rate_perMin),
+                       QStringLiteral("--condition"), QStringLiteral("copd")});
         const auto conditions = printed.value()[QStringLiteral("conditions")].toArray();
         const auto severeCopd = std::ranges::find_if(conditions, [](const QJsonValue& condition) {
             return condition[QStringLiteral("condition")] == QStringLiteral("copd")
@@ -116,9 +117,11 @@ void TestMechanicsCommand::describesAWaveform()
 /// 806 ml more of 2310 than on the back.
 void TestMechanicsCommand::describesAPosition()
 {
-    const auto printed = mechanics({QStringLiteral("--position"), QStringLiteral("sitting")});
+    const auto printed = mechanics({QStringLiteral("--position"), QStringLiteral("sitting"),
+                                    QStringLiteral("--condition"), QStringLiteral("normal")});
     QVERIFY(printed.has_value());
     QCOMPARE((*printed)[QStringLiteral("position")].toString(), QStringLiteral("sitting"));
+    QCOMPARE((*printed)[QStringLiteral("conditions")].toArray().size(), 1);
     const QJsonObject healthy = (*printed)[QStringLiteral("conditions")].toArray()[0].toObject();
     QVERIFY(std::abs(healthy[QStringLiteral("rest_volume_ml")].toDouble() - 3116.0) < 0.1);
 }
@@ -135,6 +138,7 @@ void TestMechanicsCommand::refusesBadArguments_data()
     row("a word", "adult", "adult");
     row("unknown patient", "--patient horse", "a patient is adult");
     row("unknown position", "--position upside_down", "upside_down");
+    row("unknown condition", "--condition cold", "knows no --condition cold; it knows normal");
     row("patient and waveform", "--patient adult --waveform x", "alone, or --waveform");
     row("rate and waveform", "--rate-per-min 12 --waveform x", "alone, or --waveform");
     row("flow without waveform", "--inspiratory-flow-l-per-min 30", "alone, or --waveform");

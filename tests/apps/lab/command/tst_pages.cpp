@@ -73,7 +73,7 @@ private Q_SLOTS:
         QTest::newRow("tre") << QStringLiteral("tre --height 1.75 --limit 2");
         QTest::newRow("drift") << QStringLiteral(
             "drift --scenario wan --actions 2 --strategy asa-adaptive");
-        QTest::newRow("mechanics") << QStringLiteral("mechanics --patient adult");
+        QTest::newRow("mechanics") << QStringLiteral("mechanics --condition ards");
     }
     void whatIsPrintedIsOnThePage()
     {

@@ -243,9 +243,10 @@ void ConditionPanel::connectCondition()
     connect(deleted, &QShortcut::activated, m_model, remove);
     connect(m_condition, &QComboBox::activated, this, [this](int kind) {
         const std::size_t chosen = place();
-        m_isAdding = kind == static_cast<int>(ConditionKind::Normal);
-        if (m_isAdding)
+        if (kind == static_cast<int>(ConditionKind::Normal)) {
+            m_isAdding = true;
             selectRow(-1);
+        }
         m_model->choose(chosen, static_cast<ConditionKind>(kind));
     });
     connect(m_side, &QComboBox::activated, this, &ConditionPanel::setCondition);

@@ -321,6 +321,20 @@ QString ManikinTask::advice() const
         .arg(shown(nameOf(*figures)));
 }
 
+/// Where the profile names a child and the patient is none, or the other way round.
+QString ManikinTask::otherPatient() const
+{
+    constexpr double kGrownUp = 16.0; // years
+    const auto& profile = m_editor.site().manikin.profile;
+    const auto shownOne = parametersOfHash(m_patient.contentHash());
+    const auto wanted = patientFromWords(profile ? profile->patient : std::string{});
+    if (!shownOne || !wanted
+        || (shownOne->ageInYears < kGrownUp) == (wanted->ageInYears < kGrownUp))
+        return {};
+    return ManikinWords::tr("This manikin has the size of another patient: --patient \"%1\" (%2).")
+        .arg(shown(profile->patient), shown(profile->patientSource));
+}
+
 QStringList ManikinTask::comparison() const
 {
     QStringList sentences;
@@ -333,6 +347,8 @@ QStringList ManikinTask::comparison() const
     if (sentences.isEmpty())
         sentences << ManikinWords::tr("Teeth to carina of the manikin are not known: measure them "
                                       "with a tube, or touch its airway.");
+    if (const QString other = otherPatient(); !other.isEmpty())
+        sentences.prepend(other);
     return sentences;
 }
 

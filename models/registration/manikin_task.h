@@ -72,6 +72,7 @@ private:
     [[nodiscard]] QString straightLengths() const;
     [[nodiscard]] QString farthest() const;
     [[nodiscard]] QString advice() const;
+    [[nodiscard]] QString otherPatient() const;
 
     SiteEditor& m_editor;
     const PatientModel& m_patient;

@@ -74,6 +74,11 @@ QString named(const std::string& person)
     return person.empty() ? PaperWords::tr("not named") : QString::fromStdString(person);
 }
 
+QString manikinOf(const Site& site)
+{
+    return site.manikin.profile ? QString::fromStdString(site.manikin.profile->name) : QString{};
+}
+
 QString judgedIn(const Site& site)
 {
     if (verdictOf(site) == RegistrationReport::Verdict::NotVerified)
@@ -114,12 +119,14 @@ RegistrationReport reportOf(const RegistrationModel& registration, QImage pictur
     RegistrationReport report{
         .siteFile = QString::fromStdString(registration.siteFile().filename().string()),
         .patient = QString::fromStdString(registration.patient().name()),
+        .manikin = manikinOf(site),
         .tracker = registration.trackerName(),
         .operatorName = named(fitted.operatorName),
         .date = localTime(fitted.madeAt),
         .verdict = verdictOf(site),
         .judged = judgedIn(site),
-        .notes = registration.fitting().findings() + staleTasks(registration),
+        .notes = registration.fitting().findings() + staleTasks(registration)
+                 + registration.manikin().comparison(),
         .landmarks = landmarksOf(registration),
         .fre_mm = inMillimetresOf(fitted.rms),
         .stylus = stylusOf(registration.stylus().tip()),

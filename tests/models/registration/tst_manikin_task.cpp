@@ -76,6 +76,19 @@ private Q_SLOTS:
         QVERIFY(desk.said().contains(QStringLiteral("are not known")));
     }
 
+    /// The site's patient is the child; the second profile is of an adult's size, the first of a
+    /// child's.
+    void saysThatTheManikinIsOfAnotherPatientsSize()
+    {
+        FittedDesk desk;
+        desk.task().choose(1);
+        QVERIFY2(desk.said().contains(QStringLiteral("another patient: --patient \"adult\"")),
+                 qPrintable(desk.said()));
+        QVERIFY(desk.said().contains(QStringLiteral("are not known")));
+        desk.task().choose(0);
+        QVERIFY(!desk.said().contains(QStringLiteral("another patient")));
+    }
+
     void manikinIsKeptAndUndone()
     {
         FittedDesk desk;

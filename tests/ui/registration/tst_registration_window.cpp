@@ -1,5 +1,6 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/registration/registration_desk.h"
+#include "ui/registration/registration_paper.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -296,6 +297,9 @@ void TestRegistrationWindow::comparesTheManikinByKeyboard()
     const auto& said = desk.find<QLabel>("airways");
     QVERIFY2(said.text().contains(QStringLiteral("tube depth differs by 13 mm")),
              qPrintable(said.text()));
+    const RegistrationReport report = reportOf(*desk.model, {});
+    QVERIFY(report.manikin.startsWith(QStringLiteral("METI")));
+    QVERIFY(report.notes.join(QLatin1Char('\n')).contains(QStringLiteral("differs by 13 mm")));
     QVERIFY(!desk.button("skipAirway").isVisible());
     QVERIFY(desk.tabTo("touchAirway"));
     desk.press(Qt::Key_Space);

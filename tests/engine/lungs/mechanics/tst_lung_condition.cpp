@@ -155,6 +155,15 @@ void TestLungCondition::hyperinflatesCopd()
     VERIFY_WITHIN(inLitres(capacity), 1.40 * 6.16, 1e-9);
     VERIFY_WITHIN(inCmH2O(system.lungs[0].wallRecoil), 2.75, 1e-9);
     VERIFY_WITHIN(system.lungs[0].curve.floor / healthy().lungs[0].curve.floor, 2.42, 1e-9);
+    for (const double third : {1.0 / 3.0, 2.0 / 3.0}) { // on straight lines from health
+        const RespiratorySystem milder = with(ConditionKind::Copd, 0.9 * third);
+        VERIFY_WITHIN(inLitres(restOf(milder)), (1.0 + 0.77 * third) * 2.31, 1e-6);
+        const LungMechanics lung = milder.lungs[0];
+        const LungMechanics well = healthy().lungs[0];
+        VERIFY_WITHIN(lung.curve.floor / well.curve.floor, 1.0 + 1.42 * third, 1e-9);
+        VERIFY_WITHIN((lung.curve.floor + lung.curve.span) / (well.curve.floor + well.curve.span),
+                      1.0 + 0.40 * third, 1e-9);
+    }
 }
 
 /// Of 1.575 cmH2O s/L above and below the carina.

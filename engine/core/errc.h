@@ -23,8 +23,8 @@ enum class Errc : std::uint8_t {
     NotEnoughMotion,     ///< the stylus was turned too little to determine its tip
     NotEnoughSpin,       ///< a tool was spun too little to determine its axis
     ToolMoved,           ///< the tip or axis moved during its calibration
-    TooFewPoints,        ///< fewer swabbed points than a surface refinement needs
-    NoSurfaceFit,        ///< the swabbed points do not fit the surface
+    TooFewPoints,        ///< fewer points touched on a surface than its refinement needs
+    NoSurfaceFit,        ///< the points touched on a surface do not fit it
     NotRegistered,       ///< a site whose anatomy was not yet fitted to its manikin
     OtherPatient,        ///< a site that was registered for another patient
     SiteInUse,           ///< another program works on the same site

@@ -12,9 +12,9 @@ namespace carina
 /// Corner indices of one triangle, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A triangle surface as it is drawn: single-precision positions in metres, in the frame that the
-/// name of the variable tells (mesh_A). Normals are of unit length and point outward, one per
-/// vertex; or there are none.
+/// A triangle surface as it is drawn: single-precision positions in metres, in the frame whose
+/// letter ends the name of the variable (mesh_A). Normals are of unit length and point outward, one
+/// per vertex; or there are none.
 struct TriangleMesh {
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;

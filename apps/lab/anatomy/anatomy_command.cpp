@@ -165,12 +165,12 @@ Use describeUse()
 Use compareUse()
 {
     return {.lines = {"compare [--set DIR] [--patient WHO]"},
-            .text = "Makes a patient, an adult unless another is asked for, and looks for surfaces "
-                    "that run through themselves. With --set the patient is made with its mouth "
-                    "shut and compared with the set in DIR: both are measured, and the distances "
-                    "between their surfaces are taken. Before, the set is scaled about its carina: "
-                    "head and airway by the distance from the vocal cords to the carina, the chest "
-                    "by the cube root of the volume of the lungs.",
+            .text = "Makes a patient, an adult unless another is asked for, and checks for "
+                    "surfaces that intersect themselves. With --set the patient is made with its "
+                    "mouth shut and compared with the set in DIR: both are measured, and the "
+                    "distances between their surfaces are taken. Before, the set is scaled about "
+                    "its carina: head and airway by the distance from the vocal cords to the "
+                    "carina, the chest by the cube root of the volume of the lungs.",
             .options = {anatomy_option::kSet, kPatient},
             .schema = anatomy_compare_key::kSchema,
             .keys = comparisonKeys()};

@@ -48,8 +48,8 @@ inline constexpr Key kFaults{"faults", "one object per file that could not be us
 inline constexpr Key kFaultyFile{"file", "its name", 1};
 inline constexpr Key kFault{"fault", "what is wrong with it", 1};
 inline constexpr Key kLeftOut{"left_out",
-                              "surfaces given twice, and whole lungs beside their lobes"};
-inline constexpr Key kImportTime{"import_s", "seconds until the set was there"};
+                              "duplicate surfaces, and whole lungs where lobes are present"};
+inline constexpr Key kImportTime{"import_s", "duration of the import, seconds"};
 inline constexpr Key kFromCache{"from_cache", "whether the set came from the cache"};
 inline constexpr Key kCache{"cache",
                             "the file that keeps the set; null where it could not be written"};
@@ -77,7 +77,7 @@ inline constexpr Key kIncisorPlane{
 inline constexpr Key kTracheaAxis{
     "trachea_axis", "normal of the planes of glottis and carina, towards the head", 1};
 inline constexpr Key kSelfIntersections{"self_intersections",
-                                        "one object per surface that runs through itself:"};
+                                        "one object per surface that intersects itself:"};
 inline constexpr Key kPart{"part", "its name", 1};
 inline constexpr Key kLevel{"level", "of detail", 1};
 inline constexpr Key kPairs{"pairs", "of triangles that intersect", 1};
@@ -98,10 +98,11 @@ inline constexpr Key kOrgans{"organs", "one object per organ that both have:"};
 inline constexpr Key kOrgan{"organ", "its name", 1};
 inline constexpr Key kToSet{"to_set_mm",
                             "mean distance of the made surface from the surface of the set", 1};
-inline constexpr Key kFromSet{"from_set_mm", "and back", 1};
+inline constexpr Key kFromSet{"from_set_mm",
+                              "mean distance of the surface of the set from the made surface", 1};
 inline constexpr Key kMean{"mean_mm", "mean of both; where \"one_way\", the first of them", 1};
 inline constexpr Key kOneWay{
-    "one_way", "true of bronchi: those of a set go on where those of the patient end", 1};
+    "one_way", "true for bronchi, because those of a set extend beyond those of the patient", 1};
 inline constexpr Key kOrganMet{"met", "whether mean_mm is at most 6", 1};
 inline constexpr Key kNotInSet{"not_in_set", "organs that only the patient has"};
 inline constexpr Key kNotInPatient{"not_in_patient", "organs that only the set has"};

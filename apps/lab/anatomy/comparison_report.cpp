@@ -76,7 +76,7 @@ QJsonArray unmet(const AnatomyComparison& comparison)
                              .arg(rounded(organ.mean_mm()))
                              .arg(kLargestMeanDistance_mm));
     for (const SelfIntersection& found : comparison.selfIntersections)
-        lines.append(QStringLiteral("%1, level %2: runs through itself in %3 places")
+        lines.append(QStringLiteral("%1, level %2: intersects itself in %3 places")
                          .arg(text(found.part))
                          .arg(found.level)
                          .arg(found.pairs));

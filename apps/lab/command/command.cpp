@@ -43,7 +43,7 @@ int refuseName(const QString& name)
 {
     print(stderr, name.isEmpty() ? QByteArray{"carina-lab needs a command"}
                                  : "carina-lab knows no command '" + name.toUtf8() + '\'');
-    print(stderr, "; 'carina-lab help' lists them, 'carina-lab help COMMAND' tells of one.\n");
+    print(stderr, "; 'carina-lab help' lists them, 'carina-lab help COMMAND' describes one.\n");
     return 2;
 }
 

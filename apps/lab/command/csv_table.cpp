@@ -71,7 +71,7 @@ Result<double> CsvTable::number(std::size_t row, std::size_t column) const
     if (!isNumber)
         return fail(Errc::FileMalformed,
                     m_file.toStdString() + " line " + std::to_string(m_rows[row].line) + ": \""
-                        + text(row, column).toStdString() + "\" is no number.");
+                        + text(row, column).toStdString() + "\" is not a number.");
     return value;
 }
 

@@ -78,8 +78,8 @@ void appendUse(QString& text, const Command& command, const Use& use)
 
 QString overviewOf(std::span<const Command> commands)
 {
-    QString text = QStringLiteral("carina-lab COMMAND ARGS... : measures, and prints one JSON "
-                                  "object. 'carina-lab help COMMAND' tells\nhow and what.\n");
+    QString text = QStringLiteral("carina-lab COMMAND ARGS... runs a measurement and prints one "
+                                  "JSON object.\n'carina-lab help COMMAND' describes a command.\n");
     QStringList themes;
     for (const Command& command : commands)
         if (*command.theme != '\0' && !themes.contains(QLatin1StringView{command.theme}))

@@ -38,7 +38,7 @@ constexpr Key kRatio{"ratio", "mean_residual_mm / mean_motion_mm"};
 constexpr Key kConstants{"constants", "the constants of a breath:"};
 constexpr Key kFrontShare{"front_share", "descent of the front as a share of that of the back", 1};
 constexpr Key kRibs{"ribs", "how far the ribs move with the diaphragm", 1};
-constexpr Key kGravity{"gravity", "how far the inside sinks with the diaphragm", 1};
+constexpr Key kGravity{"gravity", "how far the interior sinks with the diaphragm", 1};
 constexpr Key kFittedTo{
     "fitted_to", "names of the files to which they were fitted; empty for the built-in constants",
     1};
@@ -51,9 +51,9 @@ constexpr Key kFissures{"fissures",
 constexpr Key kLower{"lower", "name of the lower lobe", 1};
 constexpr Key kUpper{"upper", "name of the other lobe", 1};
 constexpr Key kPoints{"points", "vertices of the lower lobe at the fissure", 1};
-constexpr Key kMeanSlide{"mean_slide_mm", "how far they move along the other lobe, mean", 1};
-constexpr Key kMaxGap{"max_gap_mm", "how far they come away from it, greatest", 1};
-constexpr Key kMaxOverlap{"max_overlap_mm", "how far they enter it, greatest", 1};
+constexpr Key kMeanSlide{"mean_slide_mm", "mean distance that they slide along the other lobe", 1};
+constexpr Key kMaxGap{"max_gap_mm", "greatest gap that opens between them", 1};
+constexpr Key kMaxOverlap{"max_overlap_mm", "greatest depth by which they enter it", 1};
 constexpr Key kInspired{"inspired_ml", "V"};
 } // namespace deform_key
 
@@ -110,7 +110,7 @@ Result<QJsonObject> describeLeftOut(const LandmarkCase& landmarks, std::vector<L
 {
     std::erase(others, landmarks);
     if (others.empty())
-        return fail(Errc::TooFewLandmarks, "deform needs landmarks of somebody else to fit to.");
+        return fail(Errc::TooFewLandmarks, "deform needs landmarks of another person to fit to.");
     const BreathingConstants constants = fitConstants(others);
     QJsonObject object = describe(landmarks, constants);
     object.insert(deform_key::kConstants, describe(constants, others));
@@ -217,9 +217,9 @@ Use oneCaseUse()
     return {.lines = {"--landmarks FILE [--fit DIR]"},
             .text = "Moves landmarks in the lungs of a person from the end of expiration by the "
                     "displacement field with which all lungs are drawn, and compares them with "
-                    "where they were at the end of inspiration. The field gets the bounding box of "
-                    "the landmarks, and one amplitude, which is fitted. Its three constants are "
-                    "the built-in ones unless --fit is given.",
+                    "where they were at the end of inspiration. The field is scaled to the "
+                    "bounding box of the landmarks; its one amplitude is fitted. Its three "
+                    "constants are the built-in ones unless --fit is given.",
             .notes = {{"FILE", "CSV with the columns ee_x_mm, ee_y_mm, ee_z_mm (end of expiration) "
                                "and ei_x_mm, ei_y_mm, ei_z_mm (end of inspiration); z points "
                                "towards the feet, as in DIR-Lab's data"}},
@@ -247,8 +247,8 @@ Use eachCaseUse()
 Use fissuresUse()
 {
     return {.lines = {"--fissures DIR [--inspired-ml V]"},
-            .text = "Measures how the lobes of an anatomy set keep together along their fissures "
-                    "once V ml were inspired.",
+            .text = "Measures gaps and overlaps of the lobes of an anatomy set along their "
+                    "fissures after V ml were inspired.",
             .options = {deform_option::kFissures, deform_option::kInspired},
             .schema = deform_key::kSchema,
             .keys = {deform_key::kInspired, deform_key::kFissures, deform_key::kLower,

@@ -232,13 +232,12 @@ Result<QJsonObject> drift(const Words& words)
 Use driftInVirtualTime()
 {
     return {.lines = {"--scenario NAME|FILE [OPTION...]"},
-            .text =
-                "Measures how far the views of shared objects are apart, in virtual time. One of N "
-                "participants turns one object and moves another, an action of 1.2 s after the "
-                "other, each about and along a new random axis; all others watch. A host in the "
-                "middle passes everything on. The figures are means over the runs; an angle "
-                "between two orientations is that of q_s q_c^-1, 2 atan2(|v|, |w|). The same "
-                "words print the same bytes.",
+            .text = "Measures the drift between the participants' views of shared objects, in "
+                    "virtual time. One of N participants turns one object and moves another, in "
+                    "successive actions of 1.2 s, each about and along a new random axis; all "
+                    "others watch. A host in the middle forwards everything. The figures are means "
+                    "over the runs; an angle between two orientations is that of q_s q_c^-1, 2 "
+                    "atan2(|v|, |w|). The same arguments print the same bytes.",
             .options = {drift_option::kOfAll.begin(), drift_option::kOfAll.end()},
             .schema = drift_key::kSchema,
             .keys = {drift_key::kStrategy,    drift_key::kParticipants, drift_key::kTurningSpeed,
@@ -278,7 +277,7 @@ Command driftCommand()
 {
     return {.name = "drift",
             .theme = "drift and network",
-            .summary = "measures how far the views of shared objects are apart",
+            .summary = "measures the drift between the views of shared objects",
             .uses = {driftInVirtualTime(), driftInRealTime()},
             .experiment = drift};
 }

@@ -63,7 +63,8 @@ Result<void> comeIn(LauncherPipe& launcher, LiveParticipant& participant)
             return leftAlone();
         if (machineNow() > end) {
             const auto why = participant.refusal();
-            return fail(why ? why->code : Errc::NotPermitted, "drift-node: did not come in.");
+            return fail(why ? why->code : Errc::NotPermitted,
+                        "drift-node: was not admitted to the session.");
         }
         sleepUntil(machineNow() + LiveParticipant::kSampleInterval);
     }
@@ -116,13 +117,16 @@ Result<QJsonObject> driftNode(const Words&)
 
 Command driftNodeCommand()
 {
-    return {.name = "drift-node",
-            .theme = "",
-            .summary = "a program of drift --live",
-            .uses = {{.lines = {""},
-                      .text = "One program of 'drift --live', which starts it and speaks with it "
-                              "over its standard input and output. It is not for people."}},
-            .experiment = driftNode};
+    return {
+        .name = "drift-node",
+        .theme = "",
+        .summary = "a program of drift --live",
+        .uses =
+            {{.lines = {""},
+              .text =
+                  "One program of 'drift --live', which starts it and communicates with it over "
+                  "its standard input and output. It is not meant to be started by hand."}},
+        .experiment = driftNode};
 }
 
 } // namespace carina::lab

@@ -41,7 +41,7 @@ inline constexpr Option kWarmUp{
     "warm-up-s", "T",
     "seconds for the clocks to settle before the first action, 0 to 300; 20 unless given"};
 inline constexpr Option kLogs{"logs", "DIR",
-                              "folder for what each program wrote down; it is made if need be"};
+                              "folder for the log of each program; it is created if missing"};
 
 inline constexpr std::array kOfAll{kScenario, kStrategy, kParticipants, kTurningSpeed, kMovingSpeed,
                                    kActions,  kAxes,     kSeed,         kSeeds};
@@ -78,10 +78,9 @@ inline constexpr Key kBytes{"bytes_per_s",
                             "mean of the payload that a participant sends and receives"};
 inline constexpr Key kProbes{
     "probes_per_s", "datagrams sent to measure the delay and nothing else, of all together"};
-inline constexpr Key kAccessLink{
-    "access_link",
-    "these figures again, with the delay of the scenario on each link to the host, so that the "
-    "way from actor to viewer has it twice"};
+inline constexpr Key kAccessLink{"access_link",
+                                 "these figures again, with the delay of the scenario on each link "
+                                 "to the host, so that the path from actor to viewer has it twice"};
 
 // Of a live run besides, or instead.
 inline constexpr Key kLive{"live", "true"};
@@ -90,7 +89,8 @@ inline constexpr Key kBound{"bound_time_average_deg",
                             "1.5 limit + W (0.2 ms + half the asymmetry of the paths)"};
 inline constexpr Key kIsWithinBound{"is_within_bound", "whether the time average is at most that"};
 inline constexpr Key kIsEndStateSame{
-    "is_end_state_same", "whether both objects ended alike in all programs, to the bit"};
+    "is_end_state_same",
+    "whether the final poses of both objects are equal in all programs, bit for bit"};
 inline constexpr Key kHandshakeMean{"handshake_mean_ms",
                                     "until a participant was in and had the session's clock"};
 inline constexpr Key kHandshakeMax{"handshake_max_ms", "the longest of these"};

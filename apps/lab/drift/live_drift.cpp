@@ -70,7 +70,7 @@ private:
             if (ended != m_programs.end())
                 return fail(Errc::Cancelled, "drift: " + (*ended)->who() + " has ended early.");
             if (liveNow() > deadline)
-                return fail(Errc::Cancelled, "drift: a program does not answer any more.");
+                return fail(Errc::Cancelled, "drift: a program no longer answers.");
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         }
     }
@@ -101,7 +101,7 @@ private:
                         .address = address,
                         .port = port});
         }
-        tell(QStringLiteral("drift: %1 programs are coming in.").arg(m_programs.size()));
+        tell(QStringLiteral("drift: %1 programs are joining.").arg(m_programs.size()));
         return waitUntil(deadline, [&] {
             return std::ranges::all_of(m_programs, [](const auto& one) { return one->isReady(); });
         });
@@ -114,7 +114,8 @@ private:
         m_network.beginAt(begin);
         for (const auto& program : m_programs)
             program->begin(begin);
-        tell(QStringLiteral("drift: all are in; %1 s for the clocks, then %2 actions of 1.2 s.")
+        tell(QStringLiteral(
+                 "drift: all have joined; %1 s for the clocks to settle, then %2 actions of 1.2 s.")
                  .arg(toSeconds(m_settings.warmUp))
                  .arg(m_settings.script.actions));
         std::optional<std::uint64_t> before;

@@ -19,7 +19,7 @@ namespace
 
 namespace figures_option
 {
-constexpr Option kFolder{"out", "DIR", "folder to write into; it is made if need be"};
+constexpr Option kFolder{"out", "DIR", "folder to write into; it is created if missing"};
 constexpr Option kScenario{
     "scenario", "NAME|FILE",
     "the network, as of drift, for all figures but drift-by-delay; metro unless given, which loses "
@@ -183,11 +183,11 @@ Use figuresInVirtualTime()
         .lines = {"--out DIR [OPTION...]"},
         .text = "Draws the drift experiment (see drift) in virtual time: each figure as .svg, .png "
                 "and .csv, with the version and the seeds in it, once for the orientation and once "
-                "for the position. The same words write the same bytes, but for .png, whose "
-                "letters are of the fonts that the machine has. What is being measured goes to "
-                "stderr. The first five are figures 9 to 13 of the 2004 paper, from runs of our "
-                "own; the paper does not have the others. Delays here are those of the network "
-                "alone, so the angles of the paper are not to be expected.",
+                "for the position. The same arguments write the same bytes, except in .png, whose "
+                "letters depend on the installed fonts. Progress is reported on stderr. The first "
+                "five are figures 9 to 13 of the 2004 paper, from runs of our own; the paper does "
+                "not have the others. Delays here are those of the network alone, so the angles of "
+                "the paper are not to be expected.",
         .notes =
             {{"drift-by-action-none", "drift at each action, with a trend of third order"},
              {"drift-by-action-event", "the same, with a trend of sixth order"},

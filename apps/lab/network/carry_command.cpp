@@ -16,14 +16,14 @@ constexpr Option kSeconds{"seconds", "T", "length of each phase, 1 to 600; 5 unl
 namespace carry_key
 {
 constexpr Key kSchema{"schema", "carina.carry/1"};
-constexpr Key kBefore{"before", "how old poses were when they came, with nothing beside them:"};
+constexpr Key kBefore{"before", "age of the poses on arrival (latency), before any transfer:"};
 constexpr Key kPoses{"poses", "that came", 1};
 constexpr Key kMedian{"p50_ms", "median of their ages", 1};
 constexpr Key kPercentile95{"p95_ms", "95th percentile", 1};
 constexpr Key kPercentile99{"p99_ms", "99th percentile", 1};
 constexpr Key kMax{"max_ms", "the oldest", 1};
-constexpr Key kDuring{"during", "the same while the set is fetched"};
-constexpr Key kAfter{"after", "the same with nothing beside them again"};
+constexpr Key kDuring{"during", "the same during the transfers of the set"};
+constexpr Key kAfter{"after", "the same after the transfers"};
 constexpr Key kSets{"sets", "that came whole"};
 constexpr Key kSetBytes{"set_bytes", "length of each"};
 constexpr Key kRate{"mb_per_s", "of those that came whole; missing where none did"};
@@ -70,21 +70,23 @@ Result<QJsonObject> carry(const Words& words)
 
 Command carryCommand()
 {
-    return {.name = "carry",
-            .theme = "drift and network",
-            .summary = "measures what sending an anatomy set costs a session",
-            .uses = {{.lines = {"[--mb N] [--seconds T]"},
-                      .text = "A host shares a tube 60 times a second with a participant, over "
-                              "real sockets on loopback, in three phases: with nothing beside it, "
-                              "while the participant fetches an anatomy set again and again, and "
-                              "with nothing beside it again.",
-                      .options = {carry_option::kMegabytes, carry_option::kSeconds},
-                      .schema = carry_key::kSchema,
-                      .keys = {carry_key::kBefore, carry_key::kPoses, carry_key::kMedian,
-                               carry_key::kPercentile95, carry_key::kPercentile99, carry_key::kMax,
-                               carry_key::kDuring, carry_key::kAfter, carry_key::kSets,
-                               carry_key::kSetBytes, carry_key::kRate}}},
-            .experiment = carry};
+    return {
+        .name = "carry",
+        .theme = "drift and network",
+        .summary = "measures the latency of poses while an anatomy set is sent",
+        .uses =
+            {{.lines = {"[--mb N] [--seconds T]"},
+              .text =
+                  "A host sends the pose of a tube 60 times a second to a participant, over real "
+                  "sockets on loopback, in three phases: without other traffic, while the "
+                  "participant fetches an anatomy set repeatedly, and without other traffic again.",
+              .options = {carry_option::kMegabytes, carry_option::kSeconds},
+              .schema = carry_key::kSchema,
+              .keys = {carry_key::kBefore, carry_key::kPoses, carry_key::kMedian,
+                       carry_key::kPercentile95, carry_key::kPercentile99, carry_key::kMax,
+                       carry_key::kDuring, carry_key::kAfter, carry_key::kSets,
+                       carry_key::kSetBytes, carry_key::kRate}}},
+        .experiment = carry};
 }
 
 } // namespace carina::lab

@@ -88,11 +88,11 @@ Command handshakeCommand()
     return {
         .name = "handshake",
         .theme = "drift and network",
-        .summary = "measures how long it takes to come into a session over a bad path",
+        .summary = "measures how long joining a session takes over a path with delay and loss",
         .uses = {{.lines = {"[--joins N] [--rtt-ms T] [--loss P] [--seed K]"},
-                  .text = "Lets clients come into a session, one after the other, through a "
-                          "relay that delays and loses datagrams, over real sockets on "
-                          "loopback. No key is derived.",
+                  .text = "Clients join a session, one after the other, through a relay that "
+                          "delays and loses datagrams, over real sockets on loopback. The time to "
+                          "derive a key from a code is not included.",
                   .options = {handshake_option::kJoins, handshake_option::kRoundTrip,
                               handshake_option::kLoss, handshake_option::kSeed},
                   .schema = handshake_key::kSchema,

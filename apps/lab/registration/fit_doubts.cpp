@@ -44,9 +44,9 @@ std::optional<QString> nearlyOnALine(const NamedPairs& named, Length fle)
     const Length error = targetError(*covariance, beside.p_A).rms;
     if (error <= kWeak * fle)
         return std::nullopt;
-    return QStringLiteral("The landmarks lie nearly on one line: %1 mm beside it touches that "
-                          "stray by %2 mm make an error of %3 mm (RMS); touch one more, far from "
-                          "that line.")
+    return QStringLiteral(
+               "The landmarks lie nearly on one line: %1 mm from that line, touches with an error "
+               "of %2 mm cause an error of %3 mm (RMS); touch one more, far from that line.")
         .arg(withDecimal(beside.away), withDecimal(fle), withDecimal(error));
 }
 
@@ -90,7 +90,7 @@ QStringList fitWarnings(const NamedPairs& named, const OrderFinding& order, Leng
     if (order.order == TouchOrder::Unexplained)
         sentences << QStringLiteral("No order of the landmarks explains the touches: one was "
                                     "touched at a wrong place, which leave_one_out_mm may show; "
-                                    "touch it again, or say by --fle how far touches stray.");
+                                    "touch it again, or give the error of the touches with --fle.");
     return sentences;
 }
 

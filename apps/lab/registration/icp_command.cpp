@@ -18,8 +18,7 @@ constexpr Option kSurface{"surface", "FILE",
                           "the surface that was touched, in the axes of the anatomy and mm: OBJ, "
                           "PLY, STL, glTF or GLB; all surfaces of the file together"};
 constexpr Option kSwab{"swab", "SWAB.csv", "the touched points"};
-constexpr Option kStart{"start", "FIT.json",
-                        "what fit printed; its X_AM_mm is the pose to begin with"};
+constexpr Option kStart{"start", "FIT.json", "the output of fit; its X_AM_mm is the initial pose"};
 } // namespace icp_option
 
 namespace icp_key
@@ -33,7 +32,7 @@ constexpr Key kRms{"rms_mm", "the same afterwards, of the points that were not l
                              "not show errors along the surface"};
 constexpr Key kPoints{"points", "that were read"};
 constexpr Key kOutliers{"outliers", "of these, left out"};
-constexpr Key kIterations{"iterations", "steps that were made"};
+constexpr Key kIterations{"iterations", "number of iterations"};
 constexpr Key kMoved{"moved_mm", "greatest distance by which a point was moved"};
 constexpr Key kCentre{"centre_mm", "[x, y, z] of the centre of the points in the anatomy"};
 constexpr Key kUncertainty{
@@ -154,11 +153,11 @@ Command icpCommand()
 {
     return {.name = "icp",
             .theme = "registration",
-            .summary = "refines that pose by points touched anywhere on a surface",
+            .summary = "refines that pose with points touched anywhere on a surface",
             .uses = {{.lines = {"--surface FILE --swab SWAB.csv --start FIT.json"},
-                      .text = "Refines the pose of the manikin in the anatomy by points that a "
-                              "stylus touched anywhere on a surface. Beginning with the pose that "
-                              "landmarks gave, it iterates closest points.",
+                      .text = "Refines the pose of the manikin in the anatomy with points that a "
+                              "stylus touched anywhere on a surface, by the iterative closest "
+                              "point method (ICP) from the pose that the landmarks gave.",
                       .notes = icpNotes(),
                       .options = {icp_option::kSurface, icp_option::kSwab, icp_option::kStart},
                       .schema = icp_key::kSchema,

@@ -21,9 +21,9 @@ constexpr Option kLandmarks{
     "how many landmarks of that body are touched, 3 to 8, and 8 unless given: the first 4 are on "
     "the rib cage, 6 include the angles of the jaw, 8 include the tenth ribs"};
 constexpr Option kFle{"fle", "MM", "root mean square error of each touch; 1 unless given"};
-constexpr Option kCovariance{
-    "covariance", "",
-    "takes the error of each touch from LANDMARKS.csv instead, and weights it in the fit by it"};
+constexpr Option kCovariance{"covariance", "",
+                             "takes the covariance of each touch from LANDMARKS.csv instead, and "
+                             "weights the touch by it in the fit"};
 constexpr Option kDegrees{
     "degrees", "N",
     "degrees of freedom from which the size of these errors was estimated, 1 to 1e6, such as "

@@ -20,7 +20,7 @@ constexpr int kLongestWait_ms = 60'000; ///< for one picture
 Result<void> drawSeries(const PictureSeries& series)
 {
     if (const auto driver = graphicsDriver(); !driver)
-        return fail(Errc::NoGraphics, "render draws, and there is no OpenGL 3.3 here ("
+        return fail(Errc::NoGraphics, "render needs OpenGL 3.3, which is not available ("
                                           + driver.error().detail
                                           + "). Run it as ./carina lab render ...");
     SceneView view;

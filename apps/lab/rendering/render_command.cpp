@@ -183,17 +183,18 @@ Use renderedPictures()
 
 Use renderedError()
 {
-    return {
-        .lines = {"--error-map DIR [OPTION...]"},
-        .text = "Draws on a patient at rest how far a registration on some landmarks is expected "
-                "to be off: from the front, from the right side, as a trainee stands, and cut open "
-                "in the middle, with the scale in the corner. Writes PNG. Needs a display.",
-        .options = {render_option::kOfErrorMap.begin(), render_option::kOfErrorMap.end()},
-        .schema = render_error_key::kSchema,
-        .keys = {render_error_key::kAnatomy, render_error_key::kLandmarks,
-                 render_error_key::kTouchError, render_error_key::kLeastError,
-                 render_error_key::kMostError, render_error_key::kBand, render_error_key::kPictures,
-                 render_error_key::kFile, render_error_key::kView}};
+    return {.lines = {"--error-map DIR [OPTION...]"},
+            .text = "Draws on a patient at rest the expected error of a registration on some "
+                    "landmarks (target registration error): from the front, from the right side, "
+                    "as a trainee stands, and cut open in the middle, with the scale in the "
+                    "corner. Writes PNG. Needs a display.",
+            .options = {render_option::kOfErrorMap.begin(), render_option::kOfErrorMap.end()},
+            .schema = render_error_key::kSchema,
+            .keys = {render_error_key::kAnatomy, render_error_key::kLandmarks,
+                     render_error_key::kTouchError, render_error_key::kLeastError,
+                     render_error_key::kMostError, render_error_key::kBand,
+                     render_error_key::kPictures, render_error_key::kFile,
+                     render_error_key::kView}};
 }
 
 } // namespace

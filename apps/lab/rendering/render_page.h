@@ -15,9 +15,10 @@ namespace render_option
 inline constexpr Option kCheckGeometry{"check-geometry", "", "asks for this check"};
 inline constexpr Option kSeed{"seed", "K",
                               "of poses and geometries, 0 to 4294967295; 1 unless given"};
-inline constexpr Option kPictures{"pictures", "DIR", "folder to write into; it is made if need be"};
+inline constexpr Option kPictures{"pictures", "DIR",
+                                  "folder to write into; it is created if missing"};
 inline constexpr Option kErrorMap{"error-map", "DIR",
-                                  "folder to write into; it is made if need be"};
+                                  "folder to write into; it is created if missing"};
 inline constexpr Option kSize{"size", "WxH", "of each picture, pixels; 1280x800 unless given"};
 inline constexpr Option kJawOpening{
     "jaw-deg", "0..30",

@@ -39,7 +39,7 @@ constexpr Key kLevel{"level", "of detail that was drawn", 1};
 constexpr Key kFrames{"frames", "that were drawn", 1};
 constexpr Key kFramesPerSecond{"frames_per_second", "mean of all frames", 1};
 constexpr Key kSampleAge{"tracker_sample_age",
-                         "how old the newest sample of the tube was when a frame was lit:", 1};
+                         "age of the newest sample of the tube when a frame was lit (latency):", 1};
 constexpr Key kMedianAge{"median_ms", "median", 2};
 constexpr Key kPercentileAge{"p95_ms", "95th percentile", 2};
 constexpr Key kVisiblePixels{"visible_pixels",
@@ -51,7 +51,7 @@ constexpr Key kDrawnRate{"breathing_rate_per_min", "of breathing", 2};
 constexpr Key kDrawnTidalVolume{"tidal_volume_ml", "of breathing", 2};
 constexpr Key kBreaths{"breaths", "that the estimate is from", 2};
 constexpr Key kTrainee{"trainee", "the same of the trainee's view, and:"};
-constexpr Key kActionDelay{"action_delay_ms", "how long an action took to arrive", 1};
+constexpr Key kActionDelay{"action_delay_ms", "latency of an action", 1};
 constexpr Key kOverlay{
     "overlay",
     "with a headset's output: over a number of frames, how far \"carina\", \"vocal_cords\" and "
@@ -87,18 +87,17 @@ constexpr Key kLargestVolume{
     "an upper bound: between frames the volume is interpolated, also across the corner where an "
     "inspiration ends",
     2};
-constexpr Key kSameInstant{
-    "same_instant",
-    "the same at the same instant of CLOCK_MONOTONIC, where the difference of the clocks counts "
-    "too",
-    1};
+constexpr Key kSameInstant{"same_instant",
+                           "the same at the same instant of CLOCK_MONOTONIC, where the difference "
+                           "of the clocks is included",
+                           1};
 constexpr Key kActionDrift{
     "action_drift",
     "the virtual patient at the trainee against the one in the console, for the instants at which "
     "both were lit, while the script turned it by the controls of \"Actions\": instants, mean_, "
     "p95_ and largest_ as of drift, and:"};
-constexpr Key kDelay{"delay_ms", "how long an action took to arrive", 1};
-constexpr Key kLimit{"limit_mean_deg", "what mean_deg cannot be below with that delay", 1};
+constexpr Key kDelay{"delay_ms", "latency of an action", 1};
+constexpr Key kLimit{"limit_mean_deg", "lower bound of mean_deg for that delay", 1};
 } // namespace summary_key
 
 /// One process of the demo: what it wrote of itself, and its frames.
@@ -283,9 +282,8 @@ Result<QJsonObject> summarise(const Words& words)
 Use summaryOfDemo()
 {
     return {.lines = {"DIR"},
-            .text =
-                "Reads the logs that the two processes of a headless demo left in DIR, and tells "
-                "what was measured.",
+            .text = "Reads the logs that the two processes of a headless demo wrote into DIR, and "
+                    "prints what was measured.",
             .notes = {{"DIR", "folder of ./carina demo --headless DIR"}},
             .schema = summary_key::kSchema,
             .keys = {summary_key::kConsole,

@@ -23,14 +23,14 @@ namespace track_key
 constexpr Key kRecording{"recording", "FILE as given"};
 constexpr Key kTools{"tools", "one object per tool, in the order of the file:"};
 constexpr Key kName{"name", "of the tool in the file", 1};
-constexpr Key kSamples{"samples", "frames that speak of the tool", 1};
+constexpr Key kSamples{"samples", "frames with an entry for the tool", 1};
 constexpr Key kTracked{"tracked", "of these, with a pose", 1};
-constexpr Key kLost{"lost", "of these, without", 1};
+constexpr Key kLost{"lost", "of these, without a pose", 1};
 constexpr Key kDuration{"duration_s", "from the first pose to the last frame", 1};
 constexpr Key kRate{"rate_hz", "frames per second in that time; null below two frames", 1};
 constexpr Key kMeanStep{
-    "mean_step_mm", "mean way between two poses of successive frames; null where there are none",
-    1};
+    "mean_step_mm",
+    "mean distance between the poses of two successive frames; null where there are none", 1};
 constexpr Key kMaxGap{"max_gap_ms", "longest time from one pose to the next; null below two poses",
                       1};
 constexpr Key kBounds{"bounds_mm",

@@ -142,7 +142,7 @@ private Q_SLOTS:
             << head + QStringLiteral("a,1,2,3,4,5\n") << Errc::FileMalformed
             << QStringLiteral("line 2 has 6 fields, not 7.");
         QTest::newRow("a word") << head + QStringLiteral("\na,1,2,3,4,x,6\n") << Errc::FileMalformed
-                                << QStringLiteral("line 3: \"x\" is no number.");
+                                << QStringLiteral("line 3: \"x\" is not a number.");
         QTest::newRow("no number")
             << head
                    + QStringLiteral("a,1,2,3,4,5,6\nb,1,nan,3,4,5,6\n"

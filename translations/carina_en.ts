@@ -4,10 +4,10 @@
 <context>
     <name>RegistrationWords</name>
     <message numerus="yes">
-        <source>Slide the tip to and fro over this surface, then refine: %n points so far.</source>
+        <source>Slide the tip back and forth over this surface, then refine: %n points so far.</source>
         <translation>
-            <numerusform>Slide the tip to and fro over this surface, then refine: %n point so far.</numerusform>
-            <numerusform>Slide the tip to and fro over this surface, then refine: %n points so far.</numerusform>
+            <numerusform>Slide the tip back and forth over this surface, then refine: %n point so far.</numerusform>
+            <numerusform>Slide the tip back and forth over this surface, then refine: %n points so far.</numerusform>
         </translation>
     </message>
 </context>

@@ -34,13 +34,13 @@ QString stateWord(StepState state)
     case StepState::Open:
         return StepList::tr("open");
     case StepState::Waits:
-        return StepList::tr("waits");
+        return StepList::tr("not yet possible");
     case StepState::Begun:
-        return StepList::tr("begun");
+        return StepList::tr("in progress");
     case StepState::Done:
         return StepList::tr("done");
     case StepState::Stale:
-        return StepList::tr("stale");
+        return StepList::tr("out of date");
     }
     return {};
 }

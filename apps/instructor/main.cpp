@@ -40,14 +40,14 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR"),
                       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
     parser.addOption({QStringLiteral("new"),
-                      words("Begin a new session; the stored one is kept beside it. Without this "
-                            "the stored session goes on, unless it has ended.")});
-    parser.addOption({QStringLiteral("open"),
-                      words("Let programs on other computers join too; without this only those on "
-                            "this computer can.")});
+                      words("Begin a new session; the stored one is kept. Without this option the "
+                            "stored session is continued, unless it has ended.")});
+    parser.addOption(
+        {QStringLiteral("open"), words("Let programs on other computers join too; without this "
+                                       "option only those on this computer can.")});
     parser.addOption({kCertificate,
-                      words("Prove this host by a certificate, for a site that has its own: this "
-                            "file (PEM), with those that lead to its authority."),
+                      words("Authenticate this host by the certificate in this file (PEM), "
+                            "followed by the intermediate certificates of its authority."),
                       QStringLiteral("FILE")});
     parser.addOption({kPrivateKey, words("The key of the certificate (PEM, without a password)."),
                       QStringLiteral("FILE")});

@@ -50,14 +50,15 @@ void addEntryOptions(QCommandLineParser& parser)
 {
     parser.addPositionalArgument(
         QStringLiteral("link"),
-        QApplication::translate("Entry", "A link into a session, which the instructor's window "
-                                         "shows: it says address, port, role and code."),
+        QApplication::translate("Entry", "A link to a session, which the instructor's window "
+                                         "shows: it contains address, port, role and code."),
         QStringLiteral("[carina:join?...]"));
-    parser.addOption({kCode,
-                      QApplication::translate("Entry", "The code of your role, from the "
-                                                       "instructor's window; needed the first "
-                                                       "time only."),
-                      QStringLiteral("CODE")});
+    parser.addOption(
+        {kCode,
+         QApplication::translate(
+             "Entry",
+             "The code of your role, from the instructor's window; needed only the first time."),
+         QStringLiteral("CODE")});
     parser.addOption({kCodeFile,
                       QApplication::translate("Entry", "Read the code from this file of the "
                                                        "instructor's --codes."),
@@ -74,11 +75,11 @@ void addEntryOptions(QCommandLineParser& parser)
                                                        "an authority in this file (PEM), in place "
                                                        "of those that the system trusts."),
                       QStringLiteral("FILE")});
-    parser.addOption({kData,
-                      QApplication::translate("Entry", "Folder that keeps the keys for coming "
-                                                       "back into a session."),
-                      QStringLiteral("DIR"),
-                      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
+    parser.addOption(
+        {kData,
+         QApplication::translate(
+             "Entry", "Folder for the keys with which this program joins a session again."),
+         QStringLiteral("DIR"), QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
 }
 
 Result<void> readEntryOptions(const QCommandLineParser& parser, JoinSettings& settings)
@@ -108,7 +109,7 @@ Result<QString> linkArgument(const QCommandLineParser& parser)
          {kHost, QStringLiteral("port"), QStringLiteral("observe"), kCode, kCodeFile})
         if (given.contains(said))
             return fail(Errc::WrongOption,
-                        "the link says address, port, role and code: leave out --"
+                        "the link contains address, port, role and code: leave out --"
                             + said.toStdString());
     return link;
 }

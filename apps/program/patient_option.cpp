@@ -70,14 +70,15 @@ void addPatientOptions(QCommandLineParser& parser)
         {kAnatomy,
          QCoreApplication::translate("Program", "Show the anatomy set in this folder of surfaces."),
          QStringLiteral("DIR")});
-    parser.addOption({kPatient,
-                      QCoreApplication::translate(
-                          "Program", "Show the built-in patient adult (a man of 30 years) or child "
-                                     "(a boy of 12 years; \"child, girl\" for a girl), or one made "
-                                     "from figures, such as \"45 years, 182 cm, man, obese\". "
-                                     "\"adult, airway 250 mm\" sets teeth to carina, as measured "
-                                     "on a manikin. With --anatomy: whose breathing the set gets."),
-                      QStringLiteral("WHO")});
+    parser.addOption(
+        {kPatient,
+         QCoreApplication::translate(
+             "Program",
+             "Show the built-in patient adult (a man of 30 years) or child (a boy of 12 years; "
+             "\"child, girl\" for a girl), or one made from figures, such as \"45 years, 182 cm, "
+             "man, obese\". \"adult, airway 250 mm\" sets teeth to carina, as measured on a "
+             "manikin. With --anatomy: the patient whose breathing the set gets."),
+         QStringLiteral("WHO")});
 }
 
 bool importsPatient(const QCommandLineParser& parser) { return parser.isSet(kAnatomy); }

@@ -47,7 +47,7 @@ Result<void> checkWords(const QCommandLineParser& parser, qsizetype most)
 {
     const QStringList words = parser.positionalArguments();
     if (words.size() > most)
-        return fail(Errc::WrongOption, "there is no use for '" + words[most].toStdString() + "'");
+        return fail(Errc::WrongOption, "unexpected argument '" + words[most].toStdString() + "'");
     return {};
 }
 
@@ -100,8 +100,8 @@ void addMeasureOptions(QCommandLineParser& parser)
 {
     parser.addOption(
         {kMeasure,
-         QApplication::translate("Program", "Measure what is drawn, write it into this "
-                                            "folder, which is made if need be, and leave."),
+         QApplication::translate("Program", "Measure what is drawn, write the results into this "
+                                            "folder, which is created if missing, and exit."),
          QStringLiteral("DIR")});
     parser.addOption({kSeconds, QApplication::translate("Program", "How long to measure."),
                       QStringLiteral("N"), QStringLiteral("20")});

@@ -19,9 +19,10 @@ void addSiteOption(QCommandLineParser& parser)
 {
     parser.addOption(
         {kSiteFile,
-         QCoreApplication::translate("Program", "Lay the patient on the manikin as this file of "
-                                                "carina-registration says; without it the "
-                                                "simulated manikin is registered exactly."),
+         QCoreApplication::translate(
+             "Program",
+             "Align the patient with the manikin by the registration in this file of "
+             "carina-registration; without it the simulated manikin is registered without error."),
          QStringLiteral("FILE")});
 }
 

@@ -41,20 +41,18 @@ void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(
         words("Registers a patient's anatomy to a manikin by touched landmarks."));
-    parser.addOption({kSite,
-                      words("File that the site is kept in, saved after every step; a stored site "
-                            "goes on where it stood."),
-                      QStringLiteral("FILE"), defaultSite()});
+    parser.addOption(
+        {kSite, words("File of the site, saved after every step; a stored site is continued."),
+         QStringLiteral("FILE"), defaultSite()});
     parser.addOption({kSimulatedTracker, words("Use a simulated tracker and manikin.")});
     parser.addOption({kHands,
-                      words("Who holds the stylus of the simulated tracker: scripted, a hand that "
-                            "does what the wizard asks for, or off, nobody."),
+                      words("Hand that holds the stylus of the simulated tracker: scripted does "
+                            "what the wizard asks for; off leaves the stylus where it is."),
                       QStringLiteral("WHO"), kScripted});
     parser.addOption({kMeasure,
                       words("Go through all steps without a person, write pictures of the pages, "
                             "registration.json and registration.pdf into this folder, which is "
-                            "made if need be, and "
-                            "leave."),
+                            "created if missing, and exit."),
                       QStringLiteral("DIR")});
     parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
                       QStringLiteral("FILE")});

@@ -27,7 +27,7 @@ const QString kManikinBreathes = QStringLiteral("manikin-breathes");
 void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(
-        QApplication::translate("Trainee", "What a trainee sees of a Carina session."));
+        QApplication::translate("Trainee", "The trainee's view of a Carina session."));
     parser.addOption(
         {QStringLiteral("port"),
          QApplication::translate("Trainee", "UDP port of the session; the instructor's "
@@ -42,24 +42,25 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption({QStringLiteral("observe"),
                       QApplication::translate("Trainee", "Join as an observer, who watches and "
                                                          "changes nothing.")});
-    parser.addOption({kSimulatedTracker,
-                      QApplication::translate("Trainee", "Use a simulated tracker and a scripted "
-                                                         "pair of hands; without a tracker this "
-                                                         "program only watches.")});
+    parser.addOption(
+        {kSimulatedTracker,
+         QApplication::translate("Trainee", "Use a simulated tracker and scripted hands; without a "
+                                            "tracker this program shows the session only.")});
     parser.addOption({kRecordedTracker,
                       QApplication::translate("Trainee", "Play the poses of tools from a recording "
                                                          "(.igs.mha of Plus or 3D Slicer), once, "
                                                          "on a manikin registered by --site."),
                       QStringLiteral("FILE")});
-    parser.addOption({kManikinBreathes,
-                      QApplication::translate("Trainee", "Let the simulated manikin breathe so "
-                                                         "many times a minute; the patient "
-                                                         "breathes with it."),
-                      QStringLiteral("RATE")});
-    parser.addOption({QStringLiteral("output"),
-                      QApplication::translate("Trainee", "What the window is made for: screen; "
-                                                         "mono or side-by-side for a headset."),
-                      QStringLiteral("KIND"), QStringLiteral("screen")});
+    parser.addOption(
+        {kManikinBreathes,
+         QApplication::translate("Trainee", "Breathing rate of the simulated manikin, breaths per "
+                                            "minute; the patient breathes with it."),
+         QStringLiteral("RATE")});
+    parser.addOption(
+        {QStringLiteral("output"),
+         QApplication::translate("Trainee",
+                                 "Kind of display: screen; mono or side-by-side for a headset."),
+         QStringLiteral("KIND"), QStringLiteral("screen")});
     parser.addOption(
         {QStringLiteral("full-screen"), QApplication::translate("Trainee", "Fill the screen.")});
     program::addPatientOptions(parser);

@@ -22,7 +22,8 @@ Result<double> waveformNumber(const QByteArray& field, const std::string& place)
     bool isNumber = false;
     const double number = field.toDouble(&isNumber);
     if (!isNumber || !std::isfinite(number))
-        return fail(Errc::FileMalformed, place + ": \"" + field.toStdString() + "\" is no number.");
+        return fail(Errc::FileMalformed,
+                    place + ": \"" + field.toStdString() + "\" is not a number.");
     return number;
 }
 

@@ -21,79 +21,81 @@ public:
     {
         switch (code) {
         case Errc::NotFinite:
-            return tr("A number is missing or endless%1: enter a finite number.");
+            return tr("A number is missing or not finite%1: enter a finite number.");
         case Errc::OutOfRange:
             return tr("A value is out of its range%1: choose one within it.");
         case Errc::NotARotation:
-            return tr("An orientation is not a rotation%1: calibrate or export it again.");
+            return tr("An orientation is not a valid rotation%1: calibrate or export it again.");
         case Errc::MeshNotClosed:
             return tr("A surface has holes and encloses no volume%1: close it in the program it "
                       "comes from, or leave it out.");
         case Errc::VolumeUnreachable:
-            return tr(
-                "A lung cannot take on the volume asked for%1: choose a smaller tidal volume.");
+            return tr("A lung cannot be drawn with this volume%1: choose a smaller tidal volume.");
         case Errc::NoAirway:
             return tr("This patient has no airway that a tube fits into%1: add the surface of its "
                       "trachea, down to the carina, or choose another set.");
         case Errc::TooFewLandmarks:
             return tr("There are too few landmarks%1: touch at least three.");
         case Errc::DegenerateLandmarks:
-            return tr("These landmarks do not tell where the patient lies%1: choose landmarks far "
-                      "apart and not on one line, and touch each of them at its place.");
+            return tr(
+                "The patient's position cannot be determined from these landmarks%1: choose "
+                "landmarks far apart and not on one line, and touch each of them at its place.");
         case Errc::TooFewPoses:
-            return tr("The stylus was not seen well enough to calibrate it%1: keep its tip in the "
-                      "divot and its markers in view.");
+            return tr("The tracker saw the stylus too rarely to calibrate it%1: keep its tip in "
+                      "the divot and its markers in view.");
         case Errc::NotEnoughMotion:
             return tr("The stylus was turned too little%1: swing it to all sides with its tip in "
                       "the divot.");
         case Errc::NotEnoughSpin:
-            return tr("The tool was spun too little%1: turn it about its shaft, by half a turn or "
+            return tr("The tool was turned too little about its shaft%1: turn it by half a turn or "
                       "more.");
         case Errc::ToolMoved:
             return tr("The tool did not stay in its place%1: keep its tip in the divot or its "
                       "shaft in the bearing, and do it again.");
         case Errc::TooFewPoints:
-            return tr("There are too few points on the surface%1: swab it for longer.");
+            return tr(
+                "There are too few points on the surface%1: slide the tip over it for longer.");
         case Errc::NoSurfaceFit:
-            return tr("What was swabbed does not fit the patient's surface%1: swab only the "
-                      "surface that is named, or touch the landmarks again.");
+            return tr("The points taken do not match the patient's surface%1: slide the tip over "
+                      "the named surface only, or touch the landmarks again.");
         case Errc::NotRegistered:
             return tr("The patient is not registered to the manikin yet%1: finish the steps of "
                       "carina-registration.");
         case Errc::OtherPatient:
-            return tr("This site is of another patient%1: choose the patient that it was "
+            return tr("This site belongs to another patient%1: choose the patient that it was "
                       "registered with, or another site file.");
         case Errc::SiteInUse:
-            return tr("Another window works on this site%1: close it, or choose another site "
-                      "file.");
+            return tr(
+                "Another window has this site open%1: close it, or choose another site file.");
         case Errc::FileNotFound:
-            return tr("There is no such file or folder%1: check its name and place.");
+            return tr("This file or folder does not exist%1: check its name and location.");
         case Errc::FileUnreadable:
             return tr("A file cannot be read%1: check that you may read it.");
         case Errc::FileEmpty:
             return tr("A file is empty%1: copy or export it again.");
         case Errc::FileMalformed:
-            return tr("A file is damaged or cut off%1: copy or export it again.");
+            return tr("A file is damaged or incomplete%1: copy or export it again.");
         case Errc::FileUnwritable:
             return tr(
                 "A file cannot be written%1: check the free space and that you may write there.");
         case Errc::UnknownFormat:
-            return tr(
-                "This kind of file is not known%1: choose one that this version of Carina reads.");
+            return tr("This file format is not supported%1: choose one that this version of Carina "
+                      "reads.");
         case Errc::NothingRecognised:
             return tr("Nothing usable was found%1: choose the folder that holds the surfaces.");
         case Errc::Cancelled:
-            return tr("You stopped this before it was done%1: start it again when you want it.");
+            return tr(
+                "This was stopped before it was complete%1: start it again when you want it.");
         case Errc::WrongOption:
-            return tr("The command line cannot be followed%1: --help explains each option.");
+            return tr("The command line is not valid%1: --help explains each option.");
         case Errc::WrongAddress:
-            return tr("This is no address of a computer%1: type the numbers that the instructor's "
+            return tr("This is not a network address%1: type the address that the instructor's "
                       "window shows, such as 192.168.1.20.");
         case Errc::PacketMalformed:
-            return tr("Malformed data arrived%1: make sure that only Carina uses this port.");
+            return tr("Invalid data were received%1: make sure that only Carina uses this port.");
         case Errc::VersionMismatch:
-            return tr("The other computer runs another version of Carina%1: install the same one "
-                      "on both.");
+            return tr("The other computer runs another version of Carina%1: install the same "
+                      "version on both.");
         case Errc::AddressInUse:
             return tr("Another program uses this port%1: close it or choose another port.");
         case Errc::StoreFailed:
@@ -110,33 +112,32 @@ public:
             return tr("Somebody with this name and role is in the session now%1: join under "
                       "another name.");
         case Errc::WrongCode:
-            return tr("This code does not open the session%1: ask the instructor for the code of "
-                      "your role and join with it.");
+            return tr("This code is not valid for the session%1: ask the instructor for the code "
+                      "of your role and join with it.");
         case Errc::WrongLink:
-            return tr("This link leads into no session%1: copy it whole from the instructor's "
-                      "window, or type address, port and code.");
+            return tr("This is not a valid link to a session%1: copy the complete link from the "
+                      "instructor's window, or type address, port and code.");
         case Errc::NotEnoughMemory:
             return tr("There is too little memory to check the code%1: close other programs and "
                       "start again.");
         case Errc::OwnerChanged:
-            return tr("Somebody else took this object first%1: see who has it now, then try "
-                      "again.");
+            return tr("Another participant has taken this object%1: check who owns it now, then "
+                      "try again.");
         case Errc::SetNotNamed:
-            return tr("No station of the session has this patient%1: ask the instructor which one "
-                      "is meant.");
+            return tr("No station of the session has this patient%1: ask the instructor which "
+                      "patient to use.");
         case Errc::SetWithdrawn:
-            return tr("The instructor's computer has not got this patient any more%1: ask the "
-                      "instructor to start the session with it again.");
+            return tr("The instructor's computer no longer has this patient%1: ask the instructor "
+                      "to start the session with it again.");
         case Errc::HostSilent:
-            return tr("The instructor's computer does not hand out its patient%1: check that no "
-                      "firewall is in the way.");
+            return tr("The instructor's computer does not answer the request for its patient%1: "
+                      "check that no firewall blocks it.");
         case Errc::CertificateExpired:
             return tr("A certificate is not valid today%1: check the date on this computer, or "
                       "have the certificate renewed.");
         case Errc::CertificateUntrusted:
-            return tr("No authority that is trusted here stands behind the session's "
-                      "certificate%1: ask for the authority's file and start again with "
-                      "--authority.");
+            return tr("The session's certificate was not issued by an authority that this computer "
+                      "trusts%1: ask for the authority's file and start again with --authority.");
         case Errc::CertificateOfAnother:
             return tr("The session's certificate is for another name%1: compare address and name "
                       "with the instructor's window.");
@@ -144,16 +145,16 @@ public:
             return tr("A certificate is expected, and this session has none%1: check address and "
                       "port, or start again without the name of a certificate.");
         case Errc::CertificateNeeded:
-            return tr("This session proves itself by a certificate%1: take the link in the "
-                      "instructor's window, or type the name that it shows.");
+            return tr("This session uses a certificate%1: use the link in the instructor's window, "
+                      "or type the name that it shows.");
         case Errc::KeyDoesNotFit:
-            return tr("The private key is not that of the certificate%1: choose two files that "
+            return tr("The private key does not match the certificate%1: choose two files that "
                       "belong together.");
         case Errc::TrackerFailed:
             return tr("The tracker does not start%1: check its cable and power, then try again.");
         case Errc::NoGraphics:
-            return tr("The picture cannot be drawn%1: start the program where there is a display, "
-                      "with the driver of its graphics card.");
+            return tr("The picture cannot be drawn%1: start the program on a computer with a "
+                      "display and the driver of its graphics card.");
         }
         return {};
     }

@@ -119,42 +119,45 @@ std::vector<NetworkFiguresModel::Row> NetworkFiguresModel::rowsOf(const NetworkF
 
 void NetworkFiguresModel::addPath(const NetworkFigures& figures, std::vector<Row>& rows)
 {
-    rows.push_back({tr("Round trip"), withUnit(figures.roundTrip_ms, 2, tr("%1 ms")),
-                    tr("The newest one measured")});
+    rows.push_back(
+        {tr("Round-trip time"), withUnit(figures.roundTrip_ms, 2, tr("%1 ms")),
+         tr("Time that a datagram takes to the participant and back; the newest measurement")});
     rows.push_back({tr("One-way delay ± σ"), delayText(figures),
-                    tr("Half the round trip: mean over the delays of the plot, and standard "
-                       "deviation")});
-    rows.push_back({tr("Probing, γ₀"), withUnit(figures.probes_per_s, 0, tr("%1 per s")),
-                    tr("How often the delay needs to be measured, by how much it varies")});
-    rows.push_back({tr("Lost on the way here"), lossText(figures.loss_percent),
-                    tr("Of the last %1 datagrams, or of all so far; fewer than %2 say nothing")
+                    tr("Latency: half the round-trip time. Mean, and standard deviation (jitter), "
+                       "of the delays in the plot")});
+    rows.push_back({tr("Probe rate, γ₀"), withUnit(figures.probes_per_s, 0, tr("%1 per s")),
+                    tr("How often the delay has to be measured: more often, the more it varies")});
+    rows.push_back({tr("Datagrams lost on the way here"), lossText(figures.loss_percent),
+                    tr("Share of the participant's last %1 datagrams that did not arrive; not "
+                       "known for fewer than %2")
                         .arg(LossWindow::kWindow)
                         .arg(LossWindow::kLeast)});
 }
 
 void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Row>& rows)
 {
-    rows.push_back(
-        {tr("Clock since joining"), clockText(figures),
-         tr("By how much the session's clock has run ahead of the participant's computer since the "
-            "two could first be compared, and the standard error of that. The offset itself, %1, "
-            "only tells when each was switched on.")
-             .arg(withUnit(figures.clockOffset_s, 6, tr("%1 s")))});
-    rows.push_back({tr("Clock at most off by"),
+    rows.push_back({tr("Clock drift since joining"), clockText(figures),
+                    tr("Change of the offset between the session clock and the clock of the "
+                       "participant's computer since the first measurement, and its standard "
+                       "error. The offset itself, %1, follows from when each computer was started.")
+                        .arg(withUnit(figures.clockOffset_s, 6, tr("%1 s")))});
+    rows.push_back({tr("Clock error at most"),
                     withUnit(figures.clockErrorBound_ms, 3, tr("± %1 ms")),
-                    tr("Half the shortest round trip: no path makes the error larger")});
+                    tr("Upper bound of the error of the clock offset: half the shortest round-trip "
+                       "time, for any asymmetry of the path")});
 }
 
 void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row>& rows)
 {
-    rows.push_back({tr("%1: drift (limit)").arg(object.name), driftText(object),
-                    tr("How far the newest sample or action moved what was drawn, the noise of its "
-                       "tracker included; in brackets the network's share, speed × delay: no other "
-                       "participant can know it sooner")});
+    rows.push_back(
+        {tr("%1: drift (limit)").arg(object.name), driftText(object),
+         tr("Drift: difference between the pose drawn here and that of the newest sample or action "
+            "on its arrival, with the noise of the tracker. In brackets the part that the network "
+            "delay makes unavoidable, speed × delay")});
     rows.push_back({tr("%1: vₖ (v₀)").arg(object.name), actionsText(object),
-                    tr("How often word of it comes; in brackets how often word can reach everybody "
-                       "before the next, 1 / delay. Below upshot, each action is known everywhere "
-                       "before the next; above, actions outrun their own news.")});
+                    tr("Action frequency vₖ: how often the object is acted on; in brackets the "
+                       "upshot frequency v₀ = 1 / delay. Below upshot (vₖ < v₀) each action has "
+                       "reached all participants before the next begins; above, it has not.")});
 }
 
 QString NetworkFiguresModel::spoken(const Row& row)
@@ -196,7 +199,7 @@ QVariant NetworkFiguresModel::headerData(int section, Qt::Orientation orientatio
 {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
-    return section == What ? tr("Figure") : tr("Value");
+    return section == What ? tr("Quantity") : tr("Value");
 }
 
 } // namespace carina

@@ -200,9 +200,9 @@ QString ObjectActionModel::placeText() const
         return {};
     const auto shown = this->shown();
     if (!shown || isInItsPlace(shown->acted))
-        return tr("In its place");
+        return tr("In its original place");
     const Displacement displacement = displacementOf(shown->acted);
-    return tr("▲ Away from its place: turned %1°, moved %2\u00a0mm, size %3\u00a0%")
+    return tr("▲ Away from its original place: turned %1°, moved %2\u00a0mm, size %3\u00a0%")
         .arg(number(displacement.turned_deg), number(displacement.moved_mm),
              number(displacement.size_percent));
 }

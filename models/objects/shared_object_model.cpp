@@ -14,7 +14,7 @@ bool isMovedByActions(const SharedObject& object) { return object.kind == Object
 QString nameOf(const SessionState& state, ParticipantId id)
 {
     const auto found = state.participants().find(id);
-    return found == state.participants().end() ? SharedObjectModel::tr("somebody unknown")
+    return found == state.participants().end() ? SharedObjectModel::tr("an unknown participant")
                                                : QString::fromStdString(found->second.name);
 }
 
@@ -70,12 +70,12 @@ QString SharedObjectModel::obstacle() const
     const auto state = m_session.node().state();
     const Participant* person = self(*state);
     if (!person)
-        return tr("Wait until the session has let you in.");
+        return tr("Wait until the session has admitted you.");
     if (person->role == Role::Observer)
-        return tr("Observers watch. Ask the instructor to let you in as a trainee if you want to "
-                  "move something.");
+        return tr("Observers cannot move anything. Ask the instructor to admit you as a trainee if "
+                  "you want to.");
     if (!chosen())
-        return tr("Nothing is shared here that could be moved. The instructor's console shares the "
+        return tr("No object that can be moved is shared yet. The instructor's console shares the "
                   "virtual patient.");
     return {};
 }
@@ -102,7 +102,7 @@ QString SharedObjectModel::ownerText() const
     const QString owner = nameOf(*state, object->owner);
     QString text = isOwn()                            ? tr("● you")
                    : isPresent(*state, object->owner) ? tr("◆ %1").arg(owner)
-                                                      : tr("○ %1, who left").arg(owner);
+                                                      : tr("○ %1, has left").arg(owner);
     const auto travelling = underWay(object->id);
     if (const auto* handed =
             travelling ? std::get_if<fact::ObjectHandedOver>(&*travelling) : nullptr)

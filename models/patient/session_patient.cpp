@@ -149,7 +149,7 @@ QString SessionPatient::notice() const
 {
     if (m_step == Step::Settled)
         return m_licenceShown.isActive() ? withLicence(
-                   tr("The session's patient “%1” has come").arg(text(m_patient->name())))
+                   tr("The session's patient “%1” has arrived").arg(text(m_patient->name())))
                                          : QString{};
     const QString shown = parametersOfHash(m_patient->contentHash())
                               ? tr("The built-in patient “%1” is shown")
@@ -162,19 +162,20 @@ QString SessionPatient::progress() const
 {
     const QString name = text(m_wantedName);
     if (m_step == Step::Without)
-        return m_fault ? tr("The session's patient “%1” cannot be had. %2")
+        return m_fault ? tr("The session's patient “%1” cannot be loaded. %2")
                              .arg(name, errorText(*m_fault))
-                       : tr("You stopped fetching the session's patient “%1”").arg(name);
+                       : tr("The transfer of the session's patient “%1” was stopped").arg(name);
     if (m_step == Step::Making)
-        return tr("The session's patient “%1” is being made ready …").arg(name);
+        return tr("The session's patient “%1” is being prepared …").arg(name);
     if (m_status.state == FetchStatus::State::Receiving)
-        return tr("The session's patient “%1” is coming: %2 of %3\u00a0MB (Esc: menu, to stop it)")
+        return tr("The session's patient “%1” is being received: %2 of %3\u00a0MB (Esc: menu, to "
+                  "stop it)")
             .arg(name, QString::number(megabytes(m_status.received)),
                  QString::number(megabytes(m_status.set.bytes)));
     if (m_status.fault)
-        return tr("The session's patient “%1” is asked for again. %2")
+        return tr("The session's patient “%1” is requested again. %2")
             .arg(name, errorText(*m_status.fault));
-    return tr("The session's patient “%1” is asked for …").arg(name);
+    return tr("The session's patient “%1” is requested …").arg(name);
 }
 
 QString SessionPatient::withLicence(const QString& text) const

@@ -61,7 +61,7 @@ QString LandmarkTableModel::cell(const LandmarkRow& row, int column)
         if (row.isNext)
             return tr("● now");
         if (row.isStale)
-            return tr("▲ stale");
+            return tr("▲ out of date");
         return row.spread_mm ? tr("✓ ±%1").arg(inWords_mm(*row.spread_mm)) : tr("○ open");
     case Residual:
         return row.residual_mm ? inWords_mm(*row.residual_mm) : kNoResidual;
@@ -110,11 +110,13 @@ QString LandmarkTableModel::explanation(int column)
 {
     switch (column) {
     case Touched:
-        return tr("How far the tip swayed while it was held (±)");
+        return tr("Spread of the stylus tip while it was held still (±)");
     case Residual:
-        return tr("How far the landmark stays from its place after the fit");
+        return tr("Distance of the touched landmark from its place on the patient after the fit. "
+                  "The RMS of all landmarks is the fiducial registration error (FRE)");
     case LeftOut:
-        return tr("How far the landmark lies from where the fit of all others puts it");
+        return tr("Leave-one-out error: distance of the landmark from its place after a fit of all "
+                  "other landmarks");
     default:
         return {};
     }

@@ -111,8 +111,8 @@ void LandmarkTask::pick(const Vec3& p_A_eye, const Vec3& dir_A)
         return;
     const auto place = m_surfaces.picked(p_A_eye, dir_A, m_snapping);
     if (!place)
-        return m_editor.refuse(LandmarkWords::tr(
-            "There is nothing of the patient at that place: click on the model."));
+        return m_editor.refuse(
+            LandmarkWords::tr("The patient has no surface at that place: click on the model."));
     LandmarkCatalogue moved = catalogue();
     moved.landmarks[*m_chosen].p_AQ = *place;
     m_editor.become(withLandmarks(m_editor.site(), std::move(moved)));

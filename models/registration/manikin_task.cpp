@@ -152,9 +152,10 @@ QString ManikinTask::whyNoTouch() const
 {
     const auto& registration = m_editor.site().registration;
     if (!registration)
-        return ManikinWords::tr("Its airway can be touched once the patient is fitted.");
+        return ManikinWords::tr("Fit the patient first; then the manikin's airway can be touched.");
     if (registration->stale || m_editor.site().relay)
-        return ManikinWords::tr("Its airway can be touched once the patient is fitted again.");
+        return ManikinWords::tr(
+            "Fit the patient again first; then the manikin's airway can be touched.");
     return {};
 }
 
@@ -298,9 +299,8 @@ QString ManikinTask::farthest() const
         }
     if (!worst)
         return {};
-    return ManikinWords::tr(
-               "Of the places touched in the manikin's airway this one is farthest from "
-               "the middle of the patient's: %1, %2 mm.")
+    return ManikinWords::tr("Largest distance of a place touched in the manikin's airway from the "
+                            "centreline of the patient's: %1, %2 mm.")
         .arg(airwayPlaceName(worst->second), wholeMillimetres(worst->first));
 }
 
@@ -317,7 +317,7 @@ QString ManikinTask::advice() const
         return ManikinWords::tr("No patient of this age, height and sex has such an airway: choose "
                                 "another height or age.");
     figures->teethToCarina = metres(std::round(1000.0 * manikin->length.si) / 1000.0);
-    return ManikinWords::tr("A patient of that length: --patient \"%1\".")
+    return ManikinWords::tr("A patient with an airway of that length: --patient \"%1\".")
         .arg(shown(nameOf(*figures)));
 }
 
@@ -345,8 +345,8 @@ QStringList ManikinTask::comparison() const
                                       "again.");
     sentences.removeAll(QString{});
     if (sentences.isEmpty())
-        sentences << ManikinWords::tr("Teeth to carina of the manikin are not known: measure them "
-                                      "with a tube, or touch its airway.");
+        sentences << ManikinWords::tr("The length from teeth to carina of the manikin is not "
+                                      "known: measure it with a tube, or touch its airway.");
     if (const QString other = otherPatient(); !other.isEmpty())
         sentences.prepend(other);
     return sentences;

@@ -229,8 +229,8 @@ void RegistrationModel::takeNow()
     if (!awaitsTouch() || !m_stylusTask.tip())
         return;
     if (m_watch.restsWhereTaken())
-        return m_editor.refuse(tr("The stylus is still where the last point was taken: go to the "
-                                  "next place and press again."));
+        return m_editor.refuse(tr("The stylus is still where the last point was taken: move it to "
+                                  "the next place and press again."));
     if (const auto touch = m_watch.takePoint())
         return take(*touch);
     m_editor.refuse(tr("The stylus is out of view: turn its markers to the tracker and press "

@@ -22,32 +22,32 @@ public:
         const SiteStep next = model.nextStep();
         if (next == SiteStep::Overview)
             return tr("Everything is done. The session can begin.");
-        return tr("Go on with: %1.").arg(stepTitle(next));
+        return tr("Continue with: %1.").arg(stepTitle(next));
     }
 
     static QString tracker(const RegistrationModel& model)
     {
         return model.task(SiteStep::Tracker).state == TaskState::Done
-                   ? tr("The %1 is in use. Go on to the stylus.").arg(model.trackerName())
-                   : tr("See that stylus and chin probe are visible, then use this tracker.");
+                   ? tr("The %1 is in use. Continue with the stylus.").arg(model.trackerName())
+                   : tr("Check that stylus and chin probe are visible, then use this tracker.");
     }
 
     static QString stylus(const RegistrationModel& model)
     {
         const StylusTask& stylus = model.stylus();
         if (stylus.isSpinning())
-            return tr("Turn the stylus about its shaft, to and fro, by half a turn or more.");
+            return tr("Turn the stylus about its shaft, back and forth, by half a turn or more.");
         if (stylus.isLookingForTip())
             return missing(stylus.pivot().need);
         if (stylus.tip())
-            return tr("The tip is known. Go on, or find it again after the stylus was bent.");
-        return tr("Find the tip: set it into a divot and swing the stylus.");
+            return tr("The tip is known. Continue, or find it again if the stylus was bent.");
+        return tr("Find the tip by pivot calibration: put it into a divot and swing the stylus.");
     }
 
     static QString landmarks(const RegistrationModel& model)
     {
         if (const auto chosen = model.landmarkTask().chosen())
-            return tr("Click on the model where this landmark shall be: %1.")
+            return tr("Click on the model to place this landmark: %1.")
                 .arg(model.landmarks()[*chosen].name);
         return tr("Use these landmarks, or choose one in the list to move it.");
     }
@@ -57,25 +57,27 @@ public:
         if (!model.stylus().tip())
             return tr("Find the tip of the stylus first.");
         if (model.touching().isRelaying())
-            return tr("Touch any three landmarks where the manikin lies now, and a fourth if it is "
-                      "asked for.");
+            return tr("Touch any three landmarks of the manikin in its new place, and a fourth if "
+                      "the program asks for it.");
         if (const auto next = model.nextLandmark())
             return tr("Keep the manikin's mouth shut. Touch this place and hold still: %1.")
                 .arg(model.landmarks()[*next].name);
         if (isNotGood(model.site()))
             return tr("The registration is not good enough: choose a landmark to touch it again.");
-        return tr("All landmarks are touched. Go on to the fit, or choose one to touch again.");
+        return tr(
+            "All landmarks are touched. Continue with the fit, or choose one to touch again.");
     }
 
     static QString fit(const RegistrationModel& model)
     {
         if (model.fitting().isSwabbing())
-            return tr("Slide the tip to and fro over this surface, then refine: %n points so far.",
-                      nullptr, int(model.fitting().swabPoints()));
+            return tr(
+                "Slide the tip back and forth over this surface, then refine: %n points so far.",
+                nullptr, int(model.fitting().swabPoints()));
         const SiteTask task = model.task(SiteStep::Fit);
         if (task.state == TaskState::Done)
-            return tr("Fitted: the landmarks stay %1 mm (RMS) from their places. What counts is "
-                      "the error that is expected in the airway.")
+            return tr("Fitted: fiducial registration error %1 mm (RMS). It says little about the "
+                      "airway: see the expected errors there.")
                 .arg(inMillimetres(metres(model.site().registration->rms)), 0, 'f', 1);
         return task.why.isEmpty() || task.state == TaskState::Stale
                    ? tr("Close the manikin's mouth, then fit the patient to the landmarks.")
@@ -90,20 +92,20 @@ public:
         if (!model.verifying().canJudge())
             return tr("Fit the patient to the landmarks again first.");
         if (isNotGood(model.site()))
-            return tr("It is recorded that the registration is not good enough. Touch the "
-                      "landmarks again.");
+            return tr(
+                "The registration is recorded as not good enough. Touch the landmarks again.");
         if (const auto next = model.verifying().next())
-            return tr("Touch this place, which the fit did not use: %1. Or click on the model to "
-                      "add one.")
+            return tr("Touch this point, which was not used in the fit: %1. Or click on the model "
+                      "to add a point.")
                 .arg(model.verifying().points()[*next].name);
         if (model.verifying().isRecorded())
             return task.state == TaskState::Done
-                       ? tr("It is recorded that the registration is good. Go on to the overview.")
+                       ? tr("The registration is recorded as good. Continue with the overview.")
                        : task.why;
         if (model.site().operatorName.empty())
-            return tr("All places are checked. Give your name on the overview, so that the verdict "
-                      "has one, and record it.");
-        return tr("All places are checked. Record the verdict.");
+            return tr("All points are checked. Enter your name on the overview, then record the "
+                      "verdict.");
+        return tr("All points are checked. Record the verdict.");
     }
 
 private:
@@ -111,11 +113,12 @@ private:
     {
         switch (need) {
         case PivotNeed::Swing:
-            return tr("Set the tip into a divot and swing the stylus: it begins by itself.");
+            return tr(
+                "Put the tip into a divot and swing the stylus: calibration starts automatically.");
         case PivotNeed::Motion:
             return tr("Swing it further, by 30 degrees to every side.");
         case PivotNeed::Directions:
-            return tr("Swing it in the other direction too: across the way it went so far.");
+            return tr("Swing it in the other direction too: at right angles to the motion so far.");
         case PivotNeed::Stillness:
             return tr("The tip slips: keep it in the divot.");
         case PivotNeed::Poses:

@@ -60,9 +60,10 @@ public:
     [[nodiscard]] StylusNews look();
 
     [[nodiscard]] const PivotProgress& pivot() const { return m_pivot.progress(); }
-    /// Progress of the present use, 0 to 1; always 0 for a swab, which has no fixed end.
+    /// Progress of the present use, 0 to 1; always 0 for a swab (points taken while the tip slides
+    /// over a surface), which has no fixed end.
     [[nodiscard]] double progress() const;
-    /// The swabbed points p_TQ so far, each at least kSwabStep from the one before.
+    /// The points p_TQ of the swab so far, each at least kSwabStep from the one before.
     [[nodiscard]] const std::vector<Vec3>& swab() const { return m_swab; }
 
     /// Takes the point at the tip now: the mean over the last 250 ms. Resting there afterwards does

@@ -32,10 +32,10 @@ public:
     static QString nowhere(const QString& nearest, const std::optional<Length>& distance)
     {
         if (!distance)
-            return tr("This is none of the landmarks. To take it all the same, choose its landmark "
-                      "in the list and touch it again.");
-        return tr("This is none of the landmarks: it is %1\u00a0mm from %2. To take it all the "
-                  "same, choose the landmark in the list and touch it again.")
+            return tr("This place matches no landmark. To use it anyway, choose its landmark in "
+                      "the list and touch it again.");
+        return tr("This place matches no landmark: it is %1\u00a0mm from %2. To use it anyway, "
+                  "choose the landmark in the list and touch it again.")
             .arg(inMillimetres(*distance), 0, 'f', 0)
             .arg(nearest);
     }
@@ -47,7 +47,7 @@ public:
 
     static QString oneMore()
     {
-        return tr("These could be left or right: touch one more landmark.");
+        return tr("Left and right cannot be told apart by these landmarks: touch one more.");
     }
 };
 
@@ -198,7 +198,7 @@ void TouchTask::rename(const StylusTouch& touch, const TouchFinding& finding)
     }
     if (!m_editor.become(std::move(next)))
         return;
-    m_editor.tell(TouchWords::tr("The touches were given other landmarks"));
+    m_editor.tell(TouchWords::tr("The touches were assigned to other landmarks"));
     if (isRelaying())
         relayIfItTells();
 }
@@ -208,11 +208,11 @@ QString TouchTask::whyNoRelay() const
     const Site& site = m_editor.site();
     if (!site.registration)
         return TouchWords::tr(
-            "A manikin that was moved can be registered again once it is registered.");
+            "Register the manikin first. Afterwards it can be registered again when it was moved.");
     if (site.registration->stale || freshTouches(site).size() < kFewestToRelay)
-        return TouchWords::tr("A manikin that was moved cannot be registered again now: what its "
-                              "registration rests on has changed since. Touch the landmarks again "
-                              "and fit them.");
+        return TouchWords::tr("A moved manikin cannot be registered again now: tracker, stylus, "
+                              "landmarks or touches have changed since its registration. Touch "
+                              "the landmarks again and fit them.");
     return {};
 }
 

@@ -152,14 +152,14 @@ QString certificateText(const SessionNode& host)
 QString reachText(const SessionNode& host)
 {
     if (!host.isOpen())
-        return JoinWords::tr("○ Only programs on this computer can join. They find the session by "
-                             "themselves, or at 127.0.0.1 port %1.")
+        return JoinWords::tr("○ Only programs on this computer can join. They find the session "
+                             "automatically, or at 127.0.0.1 port %1.")
             .arg(host.port());
     QStringList addresses;
     for (const std::string& address : ownAddresses())
         addresses.push_back(QString::fromStdString(address));
-    return JoinWords::tr("● Open to the network. Others find the session by themselves, or at %1 "
-                         "port %2.")
+    return JoinWords::tr("● Open to the network. Other computers find the session automatically, "
+                         "or at %1 port %2.")
         .arg(addresses.isEmpty() ? JoinWords::tr("an address of this computer")
                                  : addresses.join(JoinWords::tr(" or ")))
         .arg(host.port());

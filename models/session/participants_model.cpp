@@ -118,13 +118,13 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
         return {};
     if (role == Qt::ToolTipRole) {
         if (section == Age)
-            return tr("Age of the oldest of the participant's newest samples");
+            return tr("Age of the newest pose sample; of several objects, that of the oldest");
         if (section == DriftAngle)
-            return tr("By what angle an object of the participant was off when its newest sample "
-                      "came");
+            return tr("Drift: angle between the pose drawn here and the newest sample of the "
+                      "participant's object on its arrival");
         if (section == DriftDistance)
-            return tr("How far an object of the participant was from its place when its newest "
-                      "sample came");
+            return tr("Drift: distance between the position drawn here and the newest sample of "
+                      "the participant's object on its arrival");
         return {};
     }
     if (role != Qt::DisplayRole)

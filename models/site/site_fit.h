@@ -30,7 +30,7 @@ struct FitInputs {
 /// @returns TooFewLandmarks without a catalogue; the errors of fitManikin.
 [[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
 
-/// The registration refined with points swabbed on a surface with a tool.
+/// The registration refined with points that a tool touched while sliding over a surface.
 /// @pre it is registered.
 [[nodiscard]] Site withSwab(Site site, const std::string& tool, const std::string& surface,
                             std::size_t points, const SurfaceRefinement& refinement);

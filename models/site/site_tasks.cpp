@@ -27,17 +27,17 @@ public:
     {
         switch (cause) {
         case StaleCause::Tracker:
-            return tr("Stale: the tracker has changed since.");
+            return tr("Out of date: the tracker was changed afterwards.");
         case StaleCause::Stylus:
-            return tr("Stale: the stylus was calibrated since.");
+            return tr("Out of date: the stylus was calibrated afterwards.");
         case StaleCause::Landmarks:
-            return tr("Stale: landmarks were changed since.");
+            return tr("Out of date: landmarks were changed afterwards.");
         case StaleCause::Manikin:
-            return tr("Stale: the manikin was moved since.");
+            return tr("Out of date: the manikin was moved afterwards.");
         case StaleCause::Touches:
-            return tr("Stale: landmarks were touched again since.");
+            return tr("Out of date: landmarks were touched again afterwards.");
         case StaleCause::Fit:
-            return tr("Stale: the patient was fitted again since.");
+            return tr("Out of date: the patient was fitted again afterwards.");
         }
         return {};
     }
@@ -101,12 +101,12 @@ public:
             return {.state = TaskState::Stale, .why = changed(*site.verification->stale)};
         if (site.verification->verdict == Verdict::Good && isOld(site.verification->at, today))
             return {.state = TaskState::Stale,
-                    .why = tr("That is long ago: verify two points before a session.")};
+                    .why = tr("The verification is old: verify two points before a session.")};
         if (site.verification->verdict == Verdict::Good)
             return {.state = TaskState::Done};
         if (isNotGood(site))
             return {.state = TaskState::Begun,
-                    .why = tr("It is not good: touch the landmarks again.")};
+                    .why = tr("The registration is not good enough: touch the landmarks again.")};
         return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
     }
 
@@ -114,7 +114,7 @@ public:
     {
         const SiteRegistration& registration = *site.registration;
         QString sentence = registration.madeAt.empty()
-                               ? tr("Registered; when is not known.")
+                               ? tr("Registered at an unknown time.")
                                : tr("Registered %1.").arg(howLongAgo(registration.madeAt, today));
         if (!registration.operatorName.empty())
             sentence += tr(" By %1.").arg(QString::fromStdString(registration.operatorName));
@@ -148,7 +148,7 @@ public:
     {
         const auto& verification = site.verification;
         if (!verification || verification->verdict == Verdict::Open || verification->stale)
-            return tr("Not verified as it is now: touch two points to verify it.");
+            return tr("The present registration is not verified: touch two points to verify it.");
         const QString when = howLongAgo(verification->at, today);
         return verification->verdict == Verdict::Good
                    ? tr("Verified %1: good.").arg(when)

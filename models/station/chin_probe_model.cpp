@@ -21,13 +21,13 @@ QString ChinProbeModel::assumption() const
         return followed();
     case MotionAssumption::ChinMovesJaw:
         return probeWords(QT_TRANSLATE_NOOP(
-            "ChinProbeModel", "Manikin and tracker have to stay where they are: the chin "
-                              "probe moves the jaw"));
+            "ChinProbeModel",
+            "The chin probe moves the jaw: do not move the manikin or the tracker"));
     case MotionAssumption::Static:
         break;
     }
     return probeWords(
-        QT_TRANSLATE_NOOP("ChinProbeModel", "Manikin and tracker have to stay where they are"));
+        QT_TRANSLATE_NOOP("ChinProbeModel", "Do not move the manikin or the tracker"));
 }
 
 QString ChinProbeModel::notice() const

@@ -58,7 +58,7 @@ ImportDialog::ImportDialog(SetImport& import, QWidget* parent)
     resize(kRoomy); // at once, for it stays where it comes up
     m_step->setText(tr("Reading the files …"));
     m_progress->setRange(0, kWholeProgress);
-    m_progress->setAccessibleName(tr("How far the import is"));
+    m_progress->setAccessibleName(tr("Progress of the import"));
     layOut();
     connect(&m_import, &SetImport::progressed, this, &ImportDialog::showProgress);
     connect(&m_import, &SetImport::reviewed, this, &ImportDialog::review);
@@ -70,12 +70,12 @@ void ImportDialog::layOut()
 {
     m_words->setObjectName(QStringLiteral("words"));
     m_words->setPlaceholderText(tr("Find surfaces by words in their names"));
-    m_words->setAccessibleName(tr("Words in the names of surfaces"));
+    m_words->setAccessibleName(tr("Filter: words in the names of surfaces"));
     m_words->setClearButtonEnabled(true);
     m_surfaces->setObjectName(QStringLiteral("surfaces"));
-    m_surfaces->setAccessibleName(tr("Surfaces and what they are taken for"));
+    m_surfaces->setAccessibleName(tr("Surfaces and what they are recognised as"));
     m_surfaces->setColumnCount(3);
-    m_surfaces->setHorizontalHeaderLabels({tr("Surface"), tr("Triangles"), tr("Is")});
+    m_surfaces->setHorizontalHeaderLabels({tr("Surface"), tr("Triangles"), tr("Recognised as")});
     m_surfaces->horizontalHeader()->setSectionResizeMode(kSurface, QHeaderView::Stretch);
     m_surfaces->verticalHeader()->hide();
     m_surfaces->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -125,9 +125,9 @@ void ImportDialog::review(const SetDraft& draft)
     m_faults->setText(faults.join(QLatin1Char{'\n'}));
     m_faults->setVisible(!faults.isEmpty());
     m_step->setText(draft.frame
-                        ? tr("This is what the surfaces were taken for. Correct what is wrong.")
-                        : tr("▲ No unit makes this a person. Choose the unit and the axes, and "
-                             "correct what is wrong."));
+                        ? tr("This is what the surfaces were recognised as. Correct what is wrong.")
+                        : tr("▲ In no usual unit do the surfaces have the size of a person. Choose "
+                             "the unit and the axes, and correct what is wrong."));
     m_progress->hide(); // nothing goes on until the person is done
     m_review->show();
     m_use->setEnabled(true);
@@ -138,7 +138,7 @@ void ImportDialog::review(const SetDraft& draft)
 QComboBox* ImportDialog::roleChoice(const DraftSurface& surface)
 {
     auto* choice = new QComboBox;
-    choice->setAccessibleName(tr("What %1 is").arg(QString::fromStdString(surface.key)));
+    choice->setAccessibleName(tr("%1 is recognised as").arg(QString::fromStdString(surface.key)));
     for (const PartRole role : allRoles())
         choice->addItem(roleWord(role), static_cast<int>(role));
     choice->addItem(tr("– leave it out –"), kLeftOutData);

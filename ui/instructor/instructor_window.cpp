@@ -74,6 +74,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->section->setScene(*m_ui->scene);
     m_ui->partsPage->setFocusProxy(m_ui->parts);
     m_ui->statusBar->addWidget(m_status, 1);
+    m_status->setToolTip(
+        tr("Oldest sample: time since the oldest pose now drawn was measured (latency)"));
     fillSessionBar();
     connectViews(view);
 
@@ -188,9 +190,9 @@ void InstructorWindow::refreshStatus()
     const StationMoment& moment = m_stationScene->moment();
     QStringList told;
     if (isAway(moment))
-        told += tr("▲ not in its place");
+        told += tr("▲ patient not in its original place");
     if (moment.exaggeration != 1.0)
-        told += tr("▲ larger than true");
+        told += tr("▲ motion enlarged");
     if (inMillilitres(moment.notDrawn) >= 1.0)
         told +=
             tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));
@@ -198,7 +200,7 @@ void InstructorWindow::refreshStatus()
     const auto oldest = m_participants.oldestSample_ms();
     told +=
         oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
-    told += tr("%1 pictures per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
+    told += tr("%1 frames per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
     told += tr("Trainees join at port %1").arg(m_session.node().port());
     m_status->setText(told.join(QStringLiteral("      ")));
 }

@@ -64,9 +64,10 @@ void BreathingPanel::refresh()
     const QSignalBlocker slider{m_ui->tidalVolumeSlider};
     m_ui->tidalVolume->setMaximum(largest_ml);
     m_ui->tidalVolumeSlider->setMaximum(largest_ml);
-    m_ui->tidalVolume->setToolTip(tr("Gas of one breath; of this patient %1 to %2\u00a0ml")
-                                      .arg(m_ui->tidalVolume->minimum())
-                                      .arg(largest_ml));
+    m_ui->tidalVolume->setToolTip(
+        tr("Tidal volume: gas inspired in one breath; for this patient %1 to %2\u00a0ml")
+            .arg(m_ui->tidalVolume->minimum())
+            .arg(largest_ml));
     display(*m_ui->rate, shown(BreathingParameter::Rate));
     display(*m_ui->rateSlider, shown(BreathingParameter::Rate));
     display(*m_ui->tidalVolume, shown(BreathingParameter::TidalVolume));

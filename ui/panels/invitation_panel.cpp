@@ -49,13 +49,13 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     m_picture->hide();
     m_showPicture->setObjectName(QStringLiteral("showPicture"));
     m_showPicture->setCheckable(true);
-    m_showPicture->setToolTip(tr("The link as a picture, for the camera of another computer"));
+    m_showPicture->setToolTip(tr("The link as a QR code, for the camera of another computer"));
     connect(m_showPicture, &QPushButton::toggled, m_picture, &QWidget::setVisible);
     for (QLabel* words : {m_reach, m_certificate})
         words->setWordWrap(true);
     m_copy->setObjectName(QStringLiteral("copy"));
-    m_copy->setToolTip(tr("The link that the picture holds: carina-trainee takes it in place of "
-                          "address, port and code"));
+    m_copy->setToolTip(
+        tr("The link in the QR code: carina-trainee takes it in place of address, port and code"));
     connect(m_copy, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(m_invited.at(m_chosen).link); });
     auto* column = new QVBoxLayout{this};
@@ -77,7 +77,7 @@ void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
     const Invited invited{new QRadioButton{name}, codeLabel(codeName)};
     invited.choice->setObjectName(role == Role::Trainee ? QStringLiteral("trainees")
                                                         : QStringLiteral("observers"));
-    invited.choice->setToolTip(tr("Their link is copied, or shown as a picture"));
+    invited.choice->setToolTip(tr("Their link is copied, or shown as a QR code"));
     invited.choice->setChecked(role == m_chosen);
     connect(invited.choice, &QRadioButton::clicked, this, [this, role] { choose(role); });
     const int row = rows.rowCount();

@@ -52,6 +52,8 @@ void NetworkPanel::layOut()
     row->addWidget(m_participant, 1);
     auto* legend = new QLabel{tr("One-way delay, newest right; band: mean ± σ")};
     legend->setWordWrap(true);
+    legend->setToolTip(tr("One-way delay (latency): half the round-trip time. σ: its standard "
+                          "deviation (jitter)"));
     auto* column = new QVBoxLayout{this};
     column->addLayout(row);
     column->addWidget(legend);

@@ -146,12 +146,12 @@ PartsPanel::PartsPanel(QWidget* parent)
     : QWidget{parent},
       m_words{new QLineEdit},
       m_parts{new QTreeWidget},
-      m_styles{
-          styleButton(tr("As &usual"), tr("Show them as their material is usually shown"),
-                      PartStyle::AsUsual),
-          styleButton(tr("Sol&id"), tr("Show them opaque"), PartStyle::Solid),
-          styleButton(tr("Gh&ost"), tr("Show hardly more than their outline"), PartStyle::Ghost),
-          styleButton(tr("Hide"), tr("Do not show them"), PartStyle::Hidden)},
+      m_styles{styleButton(tr("As &usual"), tr("Show them as their material is usually shown"),
+                           PartStyle::AsUsual),
+               styleButton(tr("Sol&id"), tr("Show them opaque"), PartStyle::Solid),
+               styleButton(tr("Gh&ost"), tr("Show them almost transparent, with a faint outline"),
+                           PartStyle::Ghost),
+               styleButton(tr("Hide"), tr("Do not show them"), PartStyle::Hidden)},
       m_highlight{
           switchFor(tr("Highlight"), tr("Show them opaque and yellow"), &PartLook::highlighted)},
       m_label{switchFor(tr("Name"), tr("Write their names beside them"), &PartLook::labelled)},
@@ -161,7 +161,7 @@ PartsPanel::PartsPanel(QWidget* parent)
       m_showAll{new QPushButton{tr("Show &all as usual")}}
 {
     m_words->setObjectName(QStringLiteral("words"));
-    m_words->setAccessibleName(tr("Words in the names of parts"));
+    m_words->setAccessibleName(tr("Filter: words in the names of parts"));
     m_words->setPlaceholderText(tr("Find parts by words in their names"));
     m_words->setClearButtonEnabled(true);
     m_parts->setObjectName(QStringLiteral("parts"));

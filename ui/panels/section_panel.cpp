@@ -70,7 +70,7 @@ void SectionPanel::fillChoices()
 {
     m_what->setObjectName(QStringLiteral("what"));
     m_what->setAccessibleName(tr("What is cut"));
-    m_what->addItems({tr("Nothing"), tr("What lies around the airway"), tr("Everything")});
+    m_what->addItems({tr("Nothing"), tr("Structures around the airway"), tr("Everything")});
     m_side->setObjectName(QStringLiteral("side"));
     m_side->setAccessibleName(tr("Cut from"));
     for (const CutSide& side : kSides)
@@ -83,7 +83,7 @@ void SectionPanel::fillChoices()
     m_depth->setSuffix(tr(" mm"));
     m_detail->setObjectName(QStringLiteral("detail"));
     m_detail->setAccessibleName(tr("Detail"));
-    m_detail->addItems({tr("As much as is drawn in time"), tr("All of it, however slow")});
+    m_detail->addItems({tr("Automatic, for a smooth picture"), tr("Full, even if slow")});
 }
 
 void SectionPanel::layOut()

@@ -15,10 +15,11 @@ constexpr int kFrame = 4;     ///< pixels around the rows
 
 ErrorTable::ErrorTable(QWidget* parent) : QTableWidget{0, ErrorTableColumnCount, parent}
 {
-    setHorizontalHeaderLabels({tr("Expected error at"), tr("RMS"), tr("95 % below"), tr("Mostly")});
+    setHorizontalHeaderLabels(
+        {tr("Expected error at"), tr("RMS"), tr("95 % bound"), tr("Direction")});
     explain(Rms, tr("Target registration error (TRE): root mean square of the expected distance "
                     "between the drawn anatomy and its true place there"));
-    explain(Bound, tr("95 of 100 registrations are off by less there"));
+    explain(Bound, tr("95 of 100 registrations have a smaller error at this target"));
     explain(Direction, tr("The direction in which the error is largest"));
     makeReadable(*this);
     setAccessibleName(tr("Expected errors"));

@@ -37,9 +37,12 @@ LandmarksPage::LandmarksPage(RegistrationModel& registration)
     m_list->setObjectName(QStringLiteral("landmarks"));
     m_list->showColumns({LandmarkTableModel::Name, LandmarkTableModel::Touched});
     m_snapping->setObjectName(QStringLiteral("snapping"));
-    m_snapping->setToolTip(tr("A click takes the nearest place that a finger finds on the bone"));
+    m_snapping->setToolTip(
+        tr("A click takes the nearest tip or ridge of the bone, which a finger can feel"));
     m_advice->setObjectName(QStringLiteral("advice"));
     m_advice->setWordWrap(true);
+    m_advice->setToolTip(tr("Fiducial localisation error (FLE): distance between the point touched "
+                            "and the true landmark"));
     layOut();
     connectTask();
 }
@@ -97,20 +100,20 @@ QString LandmarksPage::advice() const
     const LandmarkTask& task = registration().landmarkTask();
     const std::vector<ExpectedError> forecast = task.forecast();
     if (forecast.empty())
-        return tr("▲ These landmarks are at one place or on one line: nothing can be fitted.");
+        return tr("▲ These landmarks are at one place or on one line: no fit is possible.");
     QStringList sentences;
     QStringList weak;
     for (const ExpectedError& error : forecast)
         if (error.rms_mm > kWeak_mm)
             weak << error.name;
     if (!weak.isEmpty())
-        sentences << tr("▲ These landmarks lie nearly on one line, or far from: %1.")
+        sentences << tr("▲ These landmarks lie nearly on one line, or far from these targets: %1.")
                          .arg(weak.join(tr(", ")));
     if (const auto help = task.wouldHelp())
-        sentences << tr("One more would help most: %1, %2 mm at the worst place.")
+        sentences << tr("The landmark that would help most: %1, then %2 mm at the worst target.")
                          .arg(help->first)
                          .arg(help->second, 0, 'f', 1);
-    sentences << tr("Expected of touches that stray by 1 mm (RMS).");
+    sentences << tr("Expected for a fiducial localisation error (FLE) of 1 mm (RMS).");
     return sentences.join(QLatin1Char(' '));
 }
 

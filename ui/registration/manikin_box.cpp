@@ -20,10 +20,10 @@ constexpr int kNotMeasured_mm = 99; ///< one below the least, shown as words
 } // namespace
 
 ManikinBox::ManikinBox(ManikinTask& task, QWidget* parent)
-    : QGroupBox{tr("The manikin is not the patient"), parent},
+    : QGroupBox{tr("Differences between manikin and patient"), parent},
       m_task{task},
       m_makes{new QComboBox{this}},
-      m_import{new QPushButton{tr("Import its fi&le…"), this}},
+      m_import{new QPushButton{tr("Import a profi&le…"), this}},
       m_measured{new QSpinBox{this}},
       m_touch{new QPushButton{this}},
       m_skip{new QPushButton{tr("S&kip this place"), this}},

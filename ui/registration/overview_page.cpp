@@ -24,7 +24,7 @@ OverviewPage::OverviewPage(RegistrationModel& registration)
     m_health->setObjectName(QStringLiteral("health"));
     m_health->setAccessibleName(tr("State of the site"));
     m_operator->setObjectName(QStringLiteral("operator"));
-    m_operator->setAccessibleName(tr("Your name, kept with what you do"));
+    m_operator->setAccessibleName(tr("Your name, stored with the results"));
     m_operator->setMaxLength(80);
     connect(m_operator, &QLineEdit::editingFinished, this,
             [this] { this->registration().setOperator(m_operator->text()); });

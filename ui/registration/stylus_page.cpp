@@ -23,10 +23,10 @@ StylusPage::StylusPage(RegistrationModel& registration)
     m_tip->setAccessibleName(tr("Calibration of the stylus"));
     m_live->setWordWrap(true);
     m_live->setObjectName(QStringLiteral("swinging"));
-    m_live->setAccessibleName(tr("How the stylus is swung"));
+    m_live->setAccessibleName(tr("Motion of the stylus during calibration"));
     m_spin->setObjectName(QStringLiteral("spin"));
-    m_spin->setToolTip(tr("For tools whose shaft is drawn or aimed with; the landmarks need only "
-                          "the tip"));
+    m_spin->setToolTip(
+        tr("For tools whose shaft is drawn or used for aiming; landmarks need only the tip"));
     connect(m_spin, &QPushButton::clicked, this, [this] {
         StylusTask& stylus = this->registration().stylus();
         stylus.isSpinning() ? stylus.stop() : stylus.findAxis();
@@ -64,14 +64,14 @@ QString StylusPage::calibration() const
                        .arg(inMillimetres(metres(tip->rms)), 0, 'f', 2);
     if (tip->poses > 0)
         text += QLatin1Char(' ')
-                + tr("It is known to %1 mm (RMS), from %2 poses; %3 were left out.")
+                + tr("Its uncertainty is %1 mm (RMS), from %2 poses; %3 outliers were left out.")
                       .arg(inMillimetres(metres(std::sqrt(tip->covariance_S.trace()))), 0, 'f', 2)
                       .arg(tip->poses)
                       .arg(tip->outliers);
     text += QStringLiteral("\n\n") + tr("Calibrated: %1").arg(localTime(tip->calibratedAt));
     if (tip->axis)
         text += QStringLiteral("\n\n")
-                + tr("The axis of its shaft is known; it wobbled by %1° (RMS).")
+                + tr("The axis of its shaft is known; its poses differ by %1° (RMS).")
                       .arg(inDegrees(tip->axis->wobble), 0, 'f', 2);
     return text;
 }
@@ -79,14 +79,14 @@ QString StylusPage::calibration() const
 QString StylusPage::swinging() const
 {
     const PivotProgress& progress = registration().stylus().pivot();
-    QString text = tr("Turned by %1°, %2° and %3° (RMS) about its three directions; %4 poses.")
+    QString text = tr("Rotated by %1°, %2° and %3° (RMS) about its three axes; %4 poses.")
                        .arg(inDegrees(progress.coverage.turns[0]), 0, 'f', 0)
                        .arg(inDegrees(progress.coverage.turns[1]), 0, 'f', 0)
                        .arg(inDegrees(progress.coverage.turns[2]), 0, 'f', 0)
                        .arg(progress.poses);
     if (progress.uncertainty)
         text += QLatin1Char(' ')
-                + tr("The tip is known to %1 mm so far.")
+                + tr("Uncertainty of the tip so far: %1 mm (RMS).")
                       .arg(inMillimetres(metres(*progress.uncertainty)), 0, 'f', 2);
     return text;
 }

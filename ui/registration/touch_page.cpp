@@ -12,15 +12,16 @@ namespace carina
 TouchPage::TouchPage(RegistrationModel& registration)
     : RegistrationPage{registration},
       m_list{new LandmarkList{registration, this}},
-      m_keep{new QPushButton{tr("Leave the manikin where it &was"), this}}
+      m_keep{new QPushButton{tr("The manikin &was not moved"), this}}
 {
     m_list->setObjectName(QStringLiteral("touches"));
     m_list->showColumns({LandmarkTableModel::Name, LandmarkTableModel::Touched});
     connect(m_list, &LandmarkList::chosen, this,
             [this](std::size_t landmark) { this->registration().touching().choose(landmark); });
-    auto* hint = new QLabel{tr("Hold still for a second, or press Page Down or a foot switch that "
-                               "sends it. Choose a landmark in the list to touch it again."),
-                            this};
+    auto* hint =
+        new QLabel{tr("Hold the tip still for a second, or press Page Down (or a foot switch that "
+                      "sends it). Choose a landmark in the list to touch it again."),
+                   this};
     hint->setWordWrap(true);
     m_keep->setObjectName(QStringLiteral("keep"));
     connect(m_keep, &QPushButton::clicked, this,

@@ -191,7 +191,7 @@ void TraineeWindow::addChinProbe()
 
 void TraineeWindow::addFetching()
 {
-    QAction* stop = m_menu.addAction(tr("Stop fetching the session's &patient"), this,
+    QAction* stop = m_menu.addAction(tr("Stop the transfer of the session's &patient"), this,
                                      [this] { m_patient.stop(); });
     QAction* again = m_menu.addAction(tr("&Get the session's patient"), this,
                                       [this] { m_patient.fetchAgain(); });

@@ -168,7 +168,7 @@ private:
         if (m_report.checked.empty())
             return;
         m_flow.addHeading(tr("Verification"), kSectionStart);
-        m_flow.addText(tr("Points that had no part in the fit, touched afterwards. 95 % of such "
+        m_flow.addText(tr("Points that were not used in the fit, touched afterwards. 95 % of such "
                           "errors are expected to be below the bound."),
                        kSmallText);
         addTable(m_flow, tableOfChecked(m_report));
@@ -179,9 +179,10 @@ private:
         if (m_report.targets.empty())
             return;
         m_flow.addHeading(tr("Expected error at targets"), kSectionStart);
-        m_flow.addText(tr("Target registration error (TRE): how far the anatomy may be drawn from "
-                          "its place, as landmarks and touches foretell it."),
-                       kSmallText);
+        m_flow.addText(
+            tr("Target registration error (TRE): expected distance between the drawn anatomy and "
+               "its true place, predicted from the landmarks and the error of the touches."),
+            kSmallText);
         addTable(m_flow, tableOfTargets(m_report));
     }
 
@@ -195,11 +196,10 @@ private:
                               "residuals: %1.")
                                .arg(reportedMillimetres(m_report.fre_mm)));
         if (m_report.fle)
-            m_flow.addText(
-                tr("Fiducial localisation error (FLE) of a touch, from the residuals: %1; "
-                   "with 95 % below %2.")
-                    .arg(reportedMillimetres(m_report.fle->rms_mm),
-                         reportedMillimetres(m_report.fle->limit_mm)));
+            m_flow.addText(tr("Fiducial localisation error (FLE) of a touch, estimated from the "
+                              "residuals: %1; upper 95 % confidence limit: %2.")
+                               .arg(reportedMillimetres(m_report.fle->rms_mm),
+                                    reportedMillimetres(m_report.fle->limit_mm)));
         if (!m_report.landmarks.empty())
             addLandmarkTable();
     }
@@ -207,8 +207,8 @@ private:
     void addLandmarkTable()
     {
         m_flow.skip(kBetween / 2.0);
-        m_flow.addText(tr("Spread: of the stylus's tip during the touch. Left out: distance from "
-                          "the fit of all other landmarks."),
+        m_flow.addText(tr("Spread: of the stylus's tip during the touch. Left out: residual after "
+                          "a fit of all other landmarks (leave-one-out)."),
                        kSmallText);
         addTable(m_flow, tableOfLandmarks(m_report));
     }

@@ -131,7 +131,7 @@ void TestObjectActionModel::bringsItBackToItsPlace()
     QVERIFY(!seat.model.isInPlace());
     seat.model.reset();
     QVERIFY(seat.model.isInPlace());
-    QCOMPARE(seat.model.placeText(), QStringLiteral("In its place"));
+    QCOMPARE(seat.model.placeText(), QStringLiteral("In its original place"));
     QCOMPARE(seat.model.motionText(), QStringLiteral("■ At rest"));
     seat.node.advance(seconds{1});
     QVERIFY(seat.patient().X_AO.matrix() == RigidTransform{}.matrix());

@@ -87,9 +87,9 @@ void TestSharedObjectModel::saysWhoCanDoNothing_data()
     QTest::addColumn<int>("self");
     QTest::addColumn<QString>("start");
     QTest::newRow("observer") << int(FakeSessionNode::kObserver.value)
-                              << QStringLiteral("Observers watch.");
+                              << QStringLiteral("Observers cannot move anything.");
     QTest::newRow("not admitted yet")
-        << int(kNobody.value) << QStringLiteral("Wait until the session has let you in.");
+        << int(kNobody.value) << QStringLiteral("Wait until the session has admitted you.");
     QTest::newRow("trainee") << int(FakeSessionNode::kTrainee.value) << QString{};
     QTest::newRow("instructor") << int(FakeSessionNode::kInstructor.value) << QString{};
 }
@@ -105,7 +105,7 @@ void TestSharedObjectModel::saysWhoCanDoNothing()
     SessionModel session{bare};
     QVERIFY(SharedObjectModel(session, FakeSessionNode::kStation)
                 .obstacle()
-                .startsWith(QStringLiteral("Nothing is shared here")));
+                .startsWith(QStringLiteral("No object that can be moved is shared yet")));
 }
 
 void TestSharedObjectModel::saysWhoseItIs()

@@ -98,7 +98,7 @@ private Q_SLOTS:
         follow();
         QTest::qWait(2 * SessionPatient::kInterval_ms);
         QVERIFY(m_laid.empty());
-        QVERIFY(m_model->notice().contains(QStringLiteral("is asked for …")));
+        QVERIFY(m_model->notice().contains(QStringLiteral("is requested …")));
         m_node->hostDoor = doorAt(m_host->port());
         QTRY_VERIFY_WITH_TIMEOUT(!m_laid.empty(), kSoon_ms);
     }

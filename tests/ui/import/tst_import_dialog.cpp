@@ -104,7 +104,7 @@ private Q_SLOTS:
     {
         const Importing in{2500.0F};
         QVERIFY(in.isReviewed());
-        QVERIFY(in.control<QLabel>("step")->text().contains(QStringLiteral("No unit")));
+        QVERIFY(in.control<QLabel>("step")->text().contains(QStringLiteral("In no usual unit")));
         in.control<QComboBox>("axes")->setCurrentText(
             QStringLiteral("x right, y anterior, z superior"));
         in.use()->click();

@@ -93,7 +93,7 @@ void TestActionsPanel::turnsThePatientByItsControls()
              QStringLiteral(
                  "▲ Away from its place: turned 90.0°, moved 0.0\u00a0mm, size 100.0\u00a0%"));
     desk.button("reset").click();
-    QCOMPARE(desk.words("place"), QStringLiteral("In its place"));
+    QCOMPARE(desk.words("place"), QStringLiteral("In its original place"));
     QVERIFY(!desk.button("reset").isEnabled());
 }
 
@@ -196,7 +196,7 @@ void TestActionsPanel::showsAnObserverASentenceInstead()
 {
     const Desk desk{FakeSessionNode::kObserver};
     QVERIFY(desk.find<QLabel>("obstacle").isVisible());
-    QVERIFY(desk.words("obstacle").startsWith(QStringLiteral("Observers watch.")));
+    QVERIFY(desk.words("obstacle").startsWith(QStringLiteral("Observers cannot move anything.")));
     for (const QWidget* control : desk.find<QWidget>("controls").findChildren<QWidget*>())
         QVERIFY(!control->isVisible());
     QVERIFY(!Desk{FakeSessionNode::kTrainee}.find<QLabel>("obstacle").isVisible());

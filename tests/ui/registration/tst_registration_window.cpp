@@ -57,7 +57,7 @@ void TestRegistrationWindow::leadsFromTheTrackerToTheTouches()
     QCOMPARE(desk.model->step(), SiteStep::Touch);
     QCOMPARE(desk.button("step5").text(), QStringLiteral("○  &5  Touch – open"));
     desk.site.touchFirst(*desk.model, 1);
-    QCOMPARE(desk.button("step5").text(), QStringLiteral("◐  &5  Touch – begun"));
+    QCOMPARE(desk.button("step5").text(), QStringLiteral("◐  &5  Touch – in progress"));
 }
 
 void TestRegistrationWindow::leadsFromTheTouchesToTheEnd()
@@ -103,7 +103,7 @@ void TestRegistrationWindow::opensEveryStepAndSaysWhatItWaitsFor()
         QCOMPARE(int(desk.model->step()), step - 1);
         QVERIFY(desk.button(name).isDefault());
     }
-    QVERIFY(desk.button("step5").text().contains(QStringLiteral("waits")));
+    QVERIFY(desk.button("step5").text().contains(QStringLiteral("not yet possible")));
     QCOMPARE(desk.button("step5").accessibleDescription(),
              QStringLiteral("Find the tip of the stylus first."));
 }
@@ -163,10 +163,10 @@ void TestRegistrationWindow::showsWhatIsStale()
     for (const char* step : {"step5", "step6"}) {
         QVERIFY(desk.button(step).text().startsWith(QStringLiteral("▲")));
         QCOMPARE(desk.button(step).accessibleDescription(),
-                 QStringLiteral("Stale: the stylus was calibrated since."));
+                 QStringLiteral("Out of date: the stylus was calibrated afterwards."));
     }
     QVERIFY(desk.click("step1"));
-    QVERIFY(desk.find<QLabel>("health").text().contains(QStringLiteral("Touch: Stale")));
+    QVERIFY(desk.find<QLabel>("health").text().contains(QStringLiteral("Touch: Out of date")));
     QCOMPARE(desk.button("primary").text(), QStringLiteral("&Go on: Touch"));
     QVERIFY(desk.click("undo"));
     QVERIFY(desk.button("step5").text().startsWith(QStringLiteral("✓")));
@@ -238,7 +238,7 @@ void TestRegistrationWindow::leadsBackToTheTouchesWhereItIsNotGood()
     QCOMPARE(primary.text(), QStringLiteral("&Record: not good enough"));
     QVERIFY(desk.click("primary"));
     QVERIFY(desk.model->verifying().isRecorded());
-    QVERIFY(desk.model->instruction().startsWith(QStringLiteral("It is recorded")));
+    QVERIFY(desk.model->instruction().startsWith(QStringLiteral("The registration is recorded")));
     QCOMPARE(primary.text(), QStringLiteral("Touch &again"));
     QVERIFY(primary.isDefault());
     desk.model->enter(SiteStep::Overview);

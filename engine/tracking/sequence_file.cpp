@@ -114,7 +114,7 @@ Result<void> SequenceReader::takeFrameField(std::string_view key, std::string_vi
     if (m_frames == 0 || *number != m_frames - 1) {
         if (*number != m_frames)
             return malformed("frame " + std::to_string(*number) + " comes where frame "
-                             + std::to_string(m_frames) + " is due");
+                             + std::to_string(m_frames) + " is expected");
         if (const Result<void> ended = endFrame(); !ended)
             return ended;
         ++m_frames;

@@ -43,13 +43,13 @@ Result<SetFrame> frameIn(const QJsonObject& object)
     SetFrame frame;
     frame.metresPerUnit = 1e-3 * object[QStringLiteral("unit_mm")].toDouble();
     if (frame.metresPerUnit < kSmallestUnit || frame.metresPerUnit > kLargestUnit)
-        return tl::unexpected(faultIn("unit_mm: millimetres of one unit are due"));
+        return tl::unexpected(faultIn("unit_mm: millimetres of one unit are expected"));
     std::vector<std::string> words;
     for (const QJsonValue& word : object[QStringLiteral("axes")].toArray())
         words.push_back(word.toString().toStdString());
     const auto axes = axesFromWords(words);
     if (!axes)
-        return tl::unexpected(faultIn("axes: where +x, +y and +z point is due"));
+        return tl::unexpected(faultIn("axes: where +x, +y and +z point is expected"));
     frame.R_AF = *axes;
     return frame;
 }

@@ -128,10 +128,10 @@ Result<Vec3> pointOf(const TextLine& line, std::span<const std::string, 3> field
         double& number = p_mm[Eigen::Index(i)];
         const auto [rest, error] = std::from_chars(field.data(), end, number);
         if (error != std::errc{} || rest != end || !(std::abs(number) < kFarthest_mm))
-            return atLine(line, names[i]
-                                    + ": a number of millimetres below a kilometre is due, and "
-                                      "it is \""
-                                    + field + '"');
+            return atLine(
+                line, names[i]
+                          + ": a number of millimetres below a kilometre is expected, and it is \""
+                          + field + '"');
     }
     return Vec3{millimetres(1.0).si * p_mm};
 }

@@ -53,7 +53,7 @@ std::string JsonFields::text(const char* key)
 {
     const QString text = m_object.value(QLatin1StringView{key}).toString();
     if (text.isEmpty())
-        refuse(key, "a text is due");
+        refuse(key, "a text is expected");
     return text.toStdString();
 }
 
@@ -62,7 +62,7 @@ std::string JsonFields::firstText(const char* key)
     const QJsonValue value = m_object.value(QLatin1StringView{key});
     const QString text = (value.isArray() ? value.toArray().at(0) : value).toString();
     if (text.isEmpty())
-        refuse(key, "a text is due");
+        refuse(key, "a text is expected");
     return text.toStdString();
 }
 
@@ -71,7 +71,7 @@ double JsonFields::length(const char* key)
     const QJsonValue value = m_object.value(QLatin1StringView{key});
     const double length_mm = value.toDouble();
     if (!value.isDouble() || !(length_mm >= 0.0 && length_mm < kKilometreInMillimetres)) {
-        refuse(key, "a length in millimetres is due");
+        refuse(key, "a length in millimetres is expected");
         return 0.0;
     }
     return millimetres(length_mm).si;
@@ -81,7 +81,7 @@ std::vector<double> JsonFields::numbers(const char* key, std::size_t count)
 {
     const auto numbers = numbersOf(m_object.value(QLatin1StringView{key}), qsizetype(count));
     if (!numbers)
-        refuse(key, std::to_string(count) + " numbers are due");
+        refuse(key, std::to_string(count) + " numbers are expected");
     return numbers.value_or(std::vector<double>(count, 0.0));
 }
 
@@ -89,7 +89,7 @@ double JsonFields::amount(const char* key)
 {
     const double number = m_object.value(QLatin1StringView{key}).toDouble(-1.0);
     if (!(number >= 0.0 && number <= kMostCounted)) {
-        refuse(key, "a number that is not negative is due");
+        refuse(key, "a number that is not negative is expected");
         return 0.0;
     }
     return number;
@@ -99,7 +99,7 @@ int JsonFields::count(const char* key)
 {
     const double number = m_object.value(QLatin1StringView{key}).toDouble(-1.0);
     if (!(number >= 0.0 && number <= kMostCounted) || number != std::floor(number)) {
-        refuse(key, "a whole number is due");
+        refuse(key, "a whole number is expected");
         return 0;
     }
     return int(number);
@@ -109,7 +109,7 @@ bool JsonFields::truth(const char* key)
 {
     const QJsonValue value = m_object.value(QLatin1StringView{key});
     if (!value.isBool())
-        refuse(key, "true or false is due");
+        refuse(key, "true or false is expected");
     return value.toBool();
 }
 
@@ -126,7 +126,7 @@ Vec3 JsonFields::point(const char* key)
 {
     const auto numbers = numbersOf(m_object.value(QLatin1StringView{key}), 3);
     if (!numbers) {
-        refuse(key, "three numbers are due, in millimetres");
+        refuse(key, "three numbers are expected, in millimetres");
         return Vec3::Zero();
     }
     return millimetres(1.0).si * Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
@@ -139,7 +139,7 @@ RigidTransform JsonFields::pose(const char* key)
     for (int row = 0; row < 4; ++row) {
         const auto numbers = numbersOf(rows.at(row), 4);
         if (!numbers || rows.size() != 4) {
-            refuse(key, "four rows of four numbers are due");
+            refuse(key, "four rows of four numbers are expected");
             return {};
         }
         for (int column = 0; column < 4; ++column)
@@ -156,7 +156,7 @@ JsonFields JsonFields::object(const char* key)
 {
     const QJsonValue value = m_object.value(QLatin1StringView{key});
     if (!value.isObject())
-        refuse(key, "an object is due");
+        refuse(key, "an object is expected");
     return {value.toObject(), *m_fault, placeOf(key)};
 }
 
@@ -164,12 +164,12 @@ std::vector<JsonFields> JsonFields::objects(const char* key)
 {
     const QJsonValue value = m_object.value(QLatin1StringView{key});
     if (!value.isArray())
-        refuse(key, "a list is due");
+        refuse(key, "a list is expected");
     std::vector<JsonFields> objects;
     for (const QJsonValue element : value.toArray()) {
         const std::string name = std::string{key} + '[' + std::to_string(objects.size()) + ']';
         if (!element.isObject())
-            refuse(name.c_str(), "an object is due");
+            refuse(name.c_str(), "an object is expected");
         objects.push_back({element.toObject(), *m_fault, placeOf(name)});
     }
     return objects;
@@ -223,10 +223,10 @@ Result<QJsonObject> readJsonFile(const std::filesystem::path& file, const QStrin
         return fail(object.error().code, file.string() + ": " + object.error().detail);
     const QString found = object->value(QLatin1StringView{"schema"}).toString();
     if (found.isEmpty())
-        return fail(Errc::FileMalformed, file.string() + ": schema: a text is due");
+        return fail(Errc::FileMalformed, file.string() + ": schema: a text is expected");
     if (found != schema)
         return fail(Errc::UnknownFormat, file.string() + ": it is " + found.toStdString() + ", and "
-                                             + schema.toStdString() + " is due");
+                                             + schema.toStdString() + " is expected");
     return object;
 }
 

@@ -64,7 +64,7 @@ Result<std::vector<Landmark>> decodeLandmarkTable(std::string_view text)
         if (fields->size() != columns->count)
             return tableFault(line.number, "it has " + std::to_string(fields->size())
                                                + " fields, and " + std::to_string(columns->count)
-                                               + " are due");
+                                               + " are expected");
         const auto& axes = columns->axes;
         const std::array<std::string, 3> numbers{(*fields)[axes[0]], (*fields)[axes[1]],
                                                  (*fields)[axes[2]]};

@@ -21,7 +21,7 @@ std::string readTime(JsonFields& fields, const char* key)
 {
     std::string time = fields.text(key);
     if (!QDateTime::fromString(QString::fromStdString(time), Qt::ISODate).isValid())
-        fields.refuse(key, "a date and time as in ISO 8601 is due");
+        fields.refuse(key, "a date and time as in ISO 8601 is expected");
     return time;
 }
 
@@ -56,7 +56,7 @@ StylusAxis readAxis(JsonFields fields)
     const std::vector<double> axis = fields.numbers("axis_S", 3);
     const Vec3 axis_S{axis[0], axis[1], axis[2]};
     if (std::abs(axis_S.norm() - 1.0) > kUnitTolerance)
-        fields.refuse("axis_S", "a direction of length 1 is due");
+        fields.refuse("axis_S", "a direction of length 1 is expected");
     const double wobble_deg = fields.amount("wobble_deg");
     return {axis_S, degrees(wobble_deg), readTime(fields, "calibrated_at")};
 }
@@ -102,7 +102,7 @@ Quat readTurn(JsonFields& fields, const char* key)
     const std::vector<double> q = fields.numbers(key, 4);
     const Quat turn{q[3], q[0], q[1], q[2]};
     if (std::abs(turn.norm() - 1.0) > kUnitTolerance) {
-        fields.refuse(key, "a quaternion of length 1 is due");
+        fields.refuse(key, "a quaternion of length 1 is expected");
         return Quat::Identity();
     }
     return turn.normalized();
@@ -218,7 +218,7 @@ std::vector<SiteLocalisation> readLocalisations(JsonFields& fields)
         if (!(localisation.rms > 0.0))
             each.refuse("rms_mm", "an error estimated from residuals is above 0");
         if (!(localisation.degrees > 0.0))
-            each.refuse("degrees_of_freedom", "one or more are due");
+            each.refuse("degrees_of_freedom", "one or more are expected");
         if (each.has("at"))
             localisation.at = readTime(each, "at");
         localisation.operatorName = readText(each, "operator");

@@ -33,10 +33,10 @@ Vec3 signsOf(JsonFields& list)
 {
     const std::string axes = list.has("coordinateSystem") ? list.text("coordinateSystem") : "LPS";
     if (axes != "LPS" && axes != "RAS")
-        list.refuse("coordinateSystem", "LPS or RAS are due");
+        list.refuse("coordinateSystem", "LPS or RAS are expected");
     const std::string unit = list.has("coordinateUnits") ? list.firstText("coordinateUnits") : "mm";
     if (unit != "mm")
-        list.refuse("coordinateUnits", "millimetres are due (\"mm\")");
+        list.refuse("coordinateUnits", "millimetres are expected (\"mm\")");
     return axes == "RAS" ? Vec3{-1.0, -1.0, 1.0} : Vec3::Ones();
 }
 
@@ -52,7 +52,7 @@ Result<LandmarkCatalogue> decodeSlicerMarkups(std::string_view text)
     const std::string schema = fields.text("@schema");
     if (!fault && schema.find("markups-schema-v1.") == std::string::npos)
         return fail(Errc::UnknownFormat,
-                    "@schema: it is " + schema + ", and one of markups-schema-v1 is due");
+                    "@schema: it is " + schema + ", and one of markups-schema-v1 is expected");
     LandmarkCatalogue catalogue;
     if (auto list = pointListIn(fields)) {
         const Vec3 signs = signsOf(*list);

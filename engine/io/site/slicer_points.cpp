@@ -47,7 +47,7 @@ struct PointList {
             else
                 return fail(Errc::UnknownFormat, "line " + std::to_string(comment.number)
                                                      + ": the axes are \"" + std::string{*axes}
-                                                     + "\", and LPS or RAS are due");
+                                                     + "\", and LPS or RAS are expected");
         }
         if (const auto named = headerOf(comment, "columns")) {
             const auto fields = csvFields({comment.number, *named});

@@ -156,11 +156,11 @@ private Q_SLOTS:
         row("no frames", SequenceText{}.text(), FileMalformed, "no transform");
         row("no tool", SequenceText{}.frame("0").text(), FileMalformed, "no transform");
         row("frame skipped", "Seq_Frame0000_Timestamp = 1\nSeq_Frame0002_Timestamp = 2\n",
-            FileMalformed, "frame 2 comes where frame 1 is due");
+            FileMalformed, "frame 2 comes where frame 1 is expected");
         row("frame unnumbered", "Seq_FrameX_Timestamp = 1\n", FileMalformed, "no frame number");
         row("frame without field", "Seq_Frame0000 = 1\n", FileMalformed, "no frame number");
         row("not from frame 0", "Seq_Frame0001_Timestamp = 1\n", FileMalformed,
-            "frame 1 comes where frame 0 is due");
+            "frame 1 comes where frame 0 is expected");
         row("largest frame", "Seq_Frame18446744073709551615_Timestamp = 1\n", FileMalformed, "due");
         row("status only", framed("StylusToTrackerTransformStatus", "OK"), FileMalformed, "16");
         row("pose only", framed("StylusToTrackerTransform", kIdentity), FileMalformed, "status");

@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(desk.said().contains(QStringLiteral("differs by 10 mm")));
         desk.write("faulty.json", R"({"schema": "carina.manikin/1"})");
         desk.task().importFrom(desk.site.beside("faulty.json"));
-        QVERIFY(desk.model->problem().contains(QStringLiteral("name: a text is due")));
+        QVERIFY(desk.model->problem().contains(QStringLiteral("name: a text is expected")));
         desk.write("nobody.json", R"({"schema": "carina.manikin/1", "name": "x",
             "patient": "giant", "patient_source": "x"})");
         desk.task().importFrom(desk.site.beside("nobody.json"));

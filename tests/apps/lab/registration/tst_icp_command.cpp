@@ -145,7 +145,7 @@ private Q_SLOTS:
         QVERIFY(refused(icp(box(), swab, m_folder.write("a.json", "[")), Errc::FileMalformed,
                         "a.json: at byte"));
         QVERIFY(refused(icp(box(), swab, m_folder.write("b.json", "{}")), Errc::FileMalformed,
-                        "b.json: X_AM_mm: four rows of four numbers are due."));
+                        "b.json: X_AM_mm: four rows of four numbers are expected."));
         QVERIFY(refused(icp(box(), m_folder.write("c.csv", "mx,my\n"), start()),
                         Errc::FileMalformed, "has no column \"mz\""));
         QVERIFY(refused(icp(box(), m_folder.write("d.csv", "mx,my,mz\n1,2,3\n"), start()),

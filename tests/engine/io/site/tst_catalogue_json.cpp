@@ -85,15 +85,15 @@ private Q_SLOTS:
         const auto row = [](const char* name, const std::string& text, const char* fault) {
             QTest::newRow(name) << text << QString::fromLatin1(fault);
         };
-        row("no name", replaced("\"Thorax\"", "7"), "name: a text is due");
+        row("no name", replaced("\"Thorax\"", "7"), "name: a text is expected");
         row("an unnamed landmark", replaced("\"Notch\"", "\"\""),
-            "landmarks[0].name: a text is due");
+            "landmarks[0].name: a text is expected");
         row("no list", replaced("\"landmarks\": [", "\"landmarks\": {\"a\": [").append("}"),
-            "landmarks: a list is due");
+            "landmarks: a list is expected");
         row("no object in the list", replaced("[{\"name\": \"Notch\"", "[5, {\"name\": \"Notch\""),
-            "landmarks[0]: an object is due");
+            "landmarks[0]: an object is expected");
         row("two numbers", replaced("[0, -60.5, 36]", "[0, -60.5]"),
-            "landmarks[0].p_AQ_mm: three numbers are due, in millimetres");
+            "landmarks[0].p_AQ_mm: three numbers are expected, in millimetres");
         row("four numbers", replaced("-111]", "-111, 0]"), "landmarks[1].p_AQ_mm: three numbers");
         row("a word for a number", replaced("36]", "\"36\"]"), "landmarks[0].p_AQ_mm");
         row("null for a number", replaced("36]", "null]"), "landmarks[0].p_AQ_mm");

@@ -170,10 +170,10 @@ private Q_SLOTS:
         row("blank lines", "a.csv", " \n\t\r\n", "there is no line in it", Errc::FileEmpty);
         inTable("a column missing", "z_mm", "z", "line 1: there is no column \"z_mm\"");
         inTable("no names", "name", "label", "line 1: there is no column \"name\"");
-        inTable("a field too few", "-131.5,", "", "line 4: it has 3 fields, and 4 are due");
-        inTable("a field too many", "Tip,", "Tip,,", "line 4: it has 5 fields, and 4 are due");
+        inTable("a field too few", "-131.5,", "", "line 4: it has 3 fields, and 4 are expected");
+        inTable("a field too many", "Tip,", "Tip,,", "line 4: it has 5 fields, and 4 are expected");
         inTable("a word for a number", "-60.5", "-60.5mm",
-                "line 2: y_mm: a number of millimetres below a kilometre is due, and it is "
+                "line 2: y_mm: a number of millimetres below a kilometre is expected, and it is "
                 "\"-60.5mm\"");
         inTable("no number", "-60.5", "nan", "line 2: y_mm: a number");
         inTable("infinitely far", "-60.5", "inf", "line 2: y_mm: a number");
@@ -192,7 +192,7 @@ private Q_SLOTS:
         inPoints("axes not named", "CoordinateSystem", "System",
                  "line 4: no line \"# CoordinateSystem = LPS\" or RAS is before");
         inPoints("axes of a picture", "= LPS", "= IJK",
-                 "line 2: the axes are \"IJK\", and LPS or RAS are due", Errc::UnknownFormat);
+                 "line 2: the axes are \"IJK\", and LPS or RAS are expected", Errc::UnknownFormat);
         inPoints("axes by a number not known", "= LPS", "= 2", "line 2: the axes are \"2\"",
                  Errc::UnknownFormat);
         inPoints("columns not named", "# columns", "# fields",
@@ -204,24 +204,25 @@ private Q_SLOTS:
         inPoints("no number in a point", "-123", "", "line 5: y: a number");
         inPoints("a point not placed", "Tip,,", "Tip,,,1,0", "line 6: the point was not placed");
         row("no JSON", "a.mrk.json", table, "at byte");
-        row("a list", "a.mrk.json", "[1]", "@schema: a text is due");
+        row("a list", "a.mrk.json", "[1]", "@schema: a text is expected");
         inMarkups("schema 2", "schema-v1.0.3", "schema-v2.0.0",
-                  "and one of markups-schema-v1 is due", Errc::UnknownFormat);
-        inMarkups("no markups", "\"markups\"", "\"marks\"", "markups: a list is due");
+                  "and one of markups-schema-v1 is expected", Errc::UnknownFormat);
+        inMarkups("no markups", "\"markups\"", "\"marks\"", "markups: a list is expected");
         inMarkups("a curve", "Fiducial", "Curve",
                   "markups: there is no list of points (type Fiducial)");
         inMarkups("two lists", "{\"type\": \"Curve\"", "{\"type\": \"Fiducial\"",
                   "markups: there is more than one list of points");
         inMarkups("other axes", "\"LPS\"", "\"SPL\"",
-                  "markups[1].coordinateSystem: LPS or RAS are due");
+                  "markups[1].coordinateSystem: LPS or RAS are expected");
         inMarkups("another unit", "\"mm\"", "\"um\"",
-                  "markups[1].coordinateUnits: millimetres are due (\"mm\")");
+                  "markups[1].coordinateUnits: millimetres are expected (\"mm\")");
         inMarkups("another unit, as DICOM has it", "\"mm\"", "[\"um\", \"UCUM\", \"micrometer\"]",
-                  "markups[1].coordinateUnits: millimetres are due (\"mm\")");
-        inMarkups("two numbers", ", 36]", "]",
-                  "markups[1].controlPoints[0].position: three numbers are due, in millimetres");
+                  "markups[1].coordinateUnits: millimetres are expected (\"mm\")");
+        inMarkups(
+            "two numbers", ", 36]", "]",
+            "markups[1].controlPoints[0].position: three numbers are expected, in millimetres");
         inMarkups("no label", "\"label\": \"Tip\"", "\"label\": \"\"",
-                  "markups[1].controlPoints[2].label: a text is due");
+                  "markups[1].controlPoints[2].label: a text is expected");
         inMarkups("a markup not placed", "\"defined\"", "\"preview\"",
                   "markups[1].controlPoints[2].positionStatus: the point was not placed");
     }

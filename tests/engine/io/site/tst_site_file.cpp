@@ -305,7 +305,7 @@ private Q_SLOTS:
         QCOMPARE(readManikinFile(path()).error().code, Errc::UnknownFormat);
         test::writeFile(path(), test::json("{'schema': 'carina.manikin/1'}"));
         QVERIFY(QString::fromStdString(readManikinFile(path()).error().detail)
-                    .endsWith(QStringLiteral("site.json: name: a text is due")));
+                    .endsWith(QStringLiteral("site.json: name: a text is expected")));
     }
 
     void knowsTheStylusOfATool()
@@ -327,8 +327,8 @@ private Q_SLOTS:
         const auto written = writeSiteFile(path(), site);
         QVERIFY(!written);
         QCOMPARE(written.error().code, Errc::FileMalformed);
-        QVERIFY(written.error().detail.ends_with("touched[1].p_TQ_mm: three numbers are due, in "
-                                                 "millimetres"));
+        QVERIFY(written.error().detail.ends_with(
+            "touched[1].p_TQ_mm: three numbers are expected, in millimetres"));
         QCOMPARE(bytes(), before);
     }
 

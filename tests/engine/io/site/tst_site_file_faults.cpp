@@ -62,15 +62,16 @@ private Q_SLOTS:
     void saysWhatIsWrongWithASite_data()
     {
         addColumns();
-        addRow("no step", json("{'schema': 'carina.site/3'}"), "step: a text is due");
+        addRow("no step", json("{'schema': 'carina.site/3'}"), "step: a text is expected");
         addRow("no such step", siteAt("'touching'"), "step: \"touching\" is none of its words");
-        addRow("a number for a step", siteAt("3"), "step: a text is due");
+        addRow("a number for a step", siteAt("3"), "step: a text is expected");
         addRow("a key too many", siteWith("'tracking': 'x'"), "tracking: this key is not known");
-        addRow("an empty tracker", siteWith("'tracker': ''"), "tracker: a text is due");
-        addRow("an empty operator", siteWith("'operator': ''"), "operator: a text is due");
+        addRow("an empty tracker", siteWith("'tracker': ''"), "tracker: a text is expected");
+        addRow("an empty operator", siteWith("'operator': ''"), "operator: a text is expected");
         addRow("a faulty catalogue", siteWith("'catalogue': {'name': 'c', 'landmarks': []}"),
                "catalogue.landmarks: 0 landmarks, and 3 are the fewest");
-        addRow("no display", siteWith("'display': {}"), "display.p_HDl_mm: three numbers are due");
+        addRow("no display", siteWith("'display': {}"),
+               "display.p_HDl_mm: three numbers are expected");
         addRow("no width", siteWith(display("0", "5")),
                "display.screen_width_mm: a screen has some width");
         addRow("no height", siteWith(display("5", "0")),
@@ -81,18 +82,18 @@ private Q_SLOTS:
     void saysWhatIsWrongWithAStylus_data()
     {
         addColumns();
-        addRow("no object", siteWith("'stylus': 5"), "stylus: an object is due");
+        addRow("no object", siteWith("'stylus': 5"), "stylus: an object is expected");
         addRow("no list", siteWith("'styluses': 5"), "styluses: a list");
         addRow("no date", siteWith("'styluses': [" + stylus("1", "today") + "]"),
                "styluses[0].calibrated_at: a date and time");
         addRow("negative RMS", siteWith("'styluses': [" + stylus("-1", "2004-03-27") + "]"),
-               "styluses[0].rms_mm: a length in millimetres is due");
+               "styluses[0].rms_mm: a length in millimetres is expected");
         addRow("the same tool twice",
                siteWith("'styluses': [" + stylus("1", "2004-03-27") + ", "
                         + stylus("2", "2004-03-27") + "]"),
                "styluses[1].tool: \"\" is there twice");
         addRow("five numbers of a covariance", stylusWith("'covariance_S_mm2': [1, 0, 0, 1, 0]"),
-               "styluses[0].covariance_S_mm2: 6 numbers are due");
+               "styluses[0].covariance_S_mm2: 6 numbers are expected");
         addRow("a negative variance", stylusWith("'covariance_S_mm2': [1, 0, 0, 1, 0, -1]"),
                "styluses[0].covariance_S_mm2: no error has such a covariance");
         addRow("correlated by more than one", stylusWith("'covariance_S_mm2': [1, 2, 0, 1, 0, 1]"),
@@ -102,12 +103,12 @@ private Q_SLOTS:
                "styluses[0].outliers: a whole number");
         const std::string rest = ", 'wobble_deg': 0.2, 'calibrated_at': '2004-03-27'}";
         addRow("a long axis", stylusWith("'axis': {'axis_S': [0, 0, 2]" + rest),
-               "styluses[0].axis.axis_S: a direction of length 1 is due");
+               "styluses[0].axis.axis_S: a direction of length 1 is expected");
         addRow("two numbers of an axis", stylusWith("'axis': {'axis_S': [0, 1]" + rest),
-               "styluses[0].axis.axis_S: 3 numbers are due");
+               "styluses[0].axis.axis_S: 3 numbers are expected");
         addRow("a negative wobble",
                stylusWith("'axis': {'axis_S': [0, 0, 1], 'wobble_deg': -1, 'calibrated_at': 'x'}"),
-               "styluses[0].axis.wobble_deg: a number that is not negative is due");
+               "styluses[0].axis.wobble_deg: a number that is not negative is expected");
         addRow("an axis of no date",
                stylusWith("'axis': {'axis_S': [0, 0, 1], 'wobble_deg': 1, 'calibrated_at': 'x'}"),
                "styluses[0].axis.calibrated_at: a date and time");
@@ -128,13 +129,13 @@ private Q_SLOTS:
                siteWith(kCatalogue + ", 'touched': [" + touched("a") + ", " + touched("a") + "]"),
                "touched[1].landmark: \"a\" is there twice");
         addRow("three numbers of a turn", touchedWith(", 'q_TS': [0, 0, 1]"),
-               "touched[0].q_TS: 4 numbers are due");
+               "touched[0].q_TS: 4 numbers are expected");
         addRow("a turn that scales", touchedWith(", 'q_TS': [0, 0, 1, 1]"),
-               "touched[0].q_TS: a quaternion of length 1 is due");
+               "touched[0].q_TS: a quaternion of length 1 is expected");
         addRow("stale for no known cause", touchedWith(", 'stale': 'age'"),
                "touched[0].stale: \"age\" is none of its words");
         addRow("fitted once", touchedWith(", 'fitted': 1"),
-               "touched[0].fitted: true or false is due");
+               "touched[0].fitted: true or false is expected");
         addRow("laid anew before it is registered",
                siteWith(kCatalogue + ", 'relay': [" + touched("a") + "]"),
                "relay: only a registered manikin is laid anew");
@@ -147,38 +148,38 @@ private Q_SLOTS:
         addRow("a mirror", siteWith(registration("[0, -1, 0, 6]", "1")),
                "registration.X_AM_mm: a pose matrix scales, shears or mirrors");
         addRow("three numbers in a row", siteWith(registration("[0, 1, 0]", "1")),
-               "registration.X_AM_mm: four rows of four numbers are due");
+               "registration.X_AM_mm: four rows of four numbers are expected");
         addRow("five rows", siteWith(registration("[0, 1, 0, 6], [0, 1, 0, 6]", "1")),
-               "registration.X_AM_mm: four rows of four numbers are due");
+               "registration.X_AM_mm: four rows of four numbers are expected");
         addRow("no RMS", siteWith(registration("[0, 1, 0, 6]", "null")),
-               "registration.rms_mm: a length in millimetres is due");
+               "registration.rms_mm: a length in millimetres is expected");
         addRow("a body probe's pose that is none", registeredWith("'X_BM_mm': []"),
-               "registration.X_BM_mm: four rows of four numbers are due");
+               "registration.X_BM_mm: four rows of four numbers are expected");
         addRow("a short covariance", registeredWith("'covariance_mm_mrad': [1, 2, 3]"),
-               "registration.covariance_mm_mrad: 21 numbers are due");
+               "registration.covariance_mm_mrad: 21 numbers are expected");
         addRow("a covariance that is none",
                registeredWith("'covariance_mm_mrad': [1,0,0,0,0,0, 1,0,0,0,0, 1,0,0,0, 1,0,0, 1,0, "
                               "-0.001]"),
                "registration.covariance_mm_mrad: no error has such a covariance");
         addRow("a negative FLE", registeredWith("'fle_mm': -1"),
-               "registration.fle_mm: a length in millimetres is due");
+               "registration.fle_mm: a length in millimetres is expected");
         addRow("residuals of no error", registeredWith("'fle_mm': 0, 'degrees_of_freedom': 6"),
                "registration.fle_mm: an error estimated from residuals is above 0");
         addRow("negative degrees", registeredWith("'degrees_of_freedom': -3"),
-               "registration.degrees_of_freedom: a whole number is due");
+               "registration.degrees_of_freedom: a whole number is expected");
         addRow("half an earlier registration", registeredWith("'pooled': 0.5"),
-               "registration.pooled: a whole number is due");
+               "registration.pooled: a whole number is expected");
         addRow("fewer than none disagree", registeredWith("'disagreeing': -1"),
-               "registration.disagreeing: a whole number is due");
+               "registration.disagreeing: a whole number is expected");
         addRow("made on no day", registeredWith("'made_at': 'once'"),
                "registration.made_at: a date and time");
         addRow("by nobody", registeredWith("'operator': ''"),
-               "registration.operator: a text is due");
+               "registration.operator: a text is expected");
         addRow("a swab of nothing", registeredWith("'swab': {'points': 3}"),
-               "registration.swab.surface: a text is due");
+               "registration.swab.surface: a text is expected");
         addRow("relaid at no time",
                registeredWith("'relays': [{'at': '', 'landmarks': 3, 'rms_mm': 1}]"),
-               "registration.relays[0].at: a text is due");
+               "registration.relays[0].at: a text is expected");
         addRow("stale for no known cause", registeredWith("'stale': 'Touches'"),
                "registration.stale: \"Touches\" is none of its words");
     }
@@ -195,15 +196,15 @@ private Q_SLOTS:
         addRow("no error", localisation("'rms_mm': 0, 'degrees_of_freedom': 18"),
                "localisations[0].rms_mm: an error estimated from residuals is above 0");
         addRow("a negative error", localisation("'rms_mm': -1, 'degrees_of_freedom': 18"),
-               "localisations[0].rms_mm: a length in millimetres is due");
+               "localisations[0].rms_mm: a length in millimetres is expected");
         addRow("from nothing", localisation("'rms_mm': 1, 'degrees_of_freedom': 0"),
-               "localisations[0].degrees_of_freedom: one or more are due");
+               "localisations[0].degrees_of_freedom: one or more are expected");
         addRow("no degrees", localisation("'rms_mm': 1"),
-               "localisations[0].degrees_of_freedom: a whole number is due");
+               "localisations[0].degrees_of_freedom: a whole number is expected");
         addRow("on no day", localisation(sound + ", 'at': 'once'"),
                "localisations[0].at: a date and time");
         addRow("by nobody", localisation(sound + ", 'operator': ''"),
-               "localisations[0].operator: a text is due");
+               "localisations[0].operator: a text is expected");
         addRow("with more", localisation(sound + ", 'tool': 'Stylus'"),
                "localisations[0].tool: this key is not known");
     }
@@ -216,7 +217,7 @@ private Q_SLOTS:
         addRow("no such verdict", verificationWith("fine", points),
                "verification.verdict: \"fine\" is none of its words");
         addRow("a verdict of no day", verificationWith("good", points),
-               "verification.at: a text is due");
+               "verification.at: a text is expected");
         addRow("no points", verificationWith("open", ""), "verification.points: a list");
         addRow("the same point twice",
                verificationWith("open", ", 'points': [" + verifiedPoint("a") + ", "
@@ -236,18 +237,18 @@ private Q_SLOTS:
         const auto profile = [&](const std::string& fields) {
             return manikin("'profile': {" + fields + "}");
         };
-        addRow("no object", siteWith("'manikin': 5"), "manikin: an object is due");
+        addRow("no object", siteWith("'manikin': 5"), "manikin: an object is expected");
         addRow("a key too many", manikin("'colour': 5"), "manikin.colour: this key is not known");
-        addRow("a profile of no name", profile(""), "manikin.profile.name: a text is due");
+        addRow("a profile of no name", profile(""), "manikin.profile.name: a text is expected");
         addRow("landmarks of no source", profile("'name': 'm', 'landmarks': [{'name': 'a'}]"),
-               "manikin.profile.landmarks_source: a text is due");
+               "manikin.profile.landmarks_source: a text is expected");
         addRow("a landmark twice",
                profile("'name': 'm', 'landmarks': [{'name': 'a'}, {'name': 'a'}]"),
                "manikin.profile.landmarks[1].name: \"a\" is there twice");
         addRow("a patient of no source", profile("'name': 'm', 'patient': 'child'"),
-               "manikin.profile.patient_source: a text is due");
+               "manikin.profile.patient_source: a text is expected");
         addRow("a length of no source", profile("'name': 'm', 'teeth_to_carina': {'mm': 245}"),
-               "manikin.profile.teeth_to_carina.source: a text is due");
+               "manikin.profile.teeth_to_carina.source: a text is expected");
         addRow("a length of a giant",
                profile("'name': 'm', 'teeth_to_carina': {'mm': 351, 'source': 's'}"),
                "manikin.profile.teeth_to_carina.mm: teeth to carina are 100 to 350 mm");
@@ -260,7 +261,7 @@ private Q_SLOTS:
                        "{'place': 'carina', 'p_MQ_mm': [1, 2, 3]}]"),
                "manikin.airway[1].place: it is there twice");
         addRow("half a point", manikin("'airway': [{'place': 'carina', 'p_MQ_mm': [1, 2]}]"),
-               "manikin.airway[0].p_MQ_mm: three numbers are due");
+               "manikin.airway[0].p_MQ_mm: three numbers are expected");
     }
     void saysWhatIsWrongWithAManikin() { isRefused(); }
 

@@ -168,7 +168,7 @@ Result<int> run(const QCommandLineParser& parser)
             return tl::unexpected(opened.error());
     if (!parser.isSet(kSimulatedTracker)) {
         std::fprintf(stderr, "%s\n",
-                     qPrintable(words("This version knows no other tracker than the simulated one: "
+                     qPrintable(words("This version supports the simulated tracker only: "
                                       "start it with --simulated-tracker.")));
         return 1;
     }

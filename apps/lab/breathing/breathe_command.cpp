@@ -160,7 +160,7 @@ Result<QJsonObject> breathe(const Words& words)
 {
     auto result = drawnBreaths(words);
     if (!result && result.error().code == Errc::NoGraphics)
-        return fail(Errc::NoGraphics, "breathe draws, and there is no OpenGL 3.3 here ("
+        return fail(Errc::NoGraphics, "breathe needs OpenGL 3.3, which is not available ("
                                           + result.error().detail
                                           + "). Run it as ./carina lab breathe ...");
     return result;
@@ -171,9 +171,9 @@ Use breathOfOneWay()
     return {.lines = {"--seconds S [--rate-per-min R] [--tidal-volume-ml V] [OPTION...]"},
             .text =
                 "Draws the lungs of a built-in patient (the child unless another is asked for) or "
-                "of an anatomy set, breathing at 60 frames per second as the respiratory mechanics "
-                "say. Reads back where the shader put the vertices, and compares the volume that "
-                "they enclose with the volume of the mechanics. Needs a display.",
+                "of an anatomy set, breathing at 60 frames per second as calculated by the "
+                "respiratory mechanics. Reads back where the shader put the vertices, and compares "
+                "the volume that they enclose with the volume of the mechanics. Needs a display.",
             .options = {breathe_option::kRate, breathe_option::kTidalVolume,
                         breathe_option::kSeconds, kCondition, kSeverity, kSide, kVentilator,
                         kPosition, kAnatomy, kPatient, breathe_option::kLevel},

@@ -24,7 +24,7 @@ namespace breathe_key
 {
 inline constexpr Key kSchema{"schema", "carina.breathe/1"};
 inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
-inline constexpr Key kPosition{"position", "how the patient lies"};
+inline constexpr Key kPosition{"position", "position of the patient"};
 inline constexpr Key kRate{"rate_per_min", "as asked for, or of quiet breathing"};
 inline constexpr Key kTidalVolume{"tidal_volume_ml", "as asked for, or of a quiet breath"};
 inline constexpr Key kSeconds{"seconds", "as asked for"};
@@ -37,11 +37,10 @@ inline constexpr Key kLevels{"levels",
                              "one object per level of detail, about both lungs together:"};
 inline constexpr Key kLevel{"level", "its number", 1};
 inline constexpr Key kFrames{"frames", "that were drawn", 1};
-inline constexpr Key kDrawnTidalVolume{
-    "tidal_volume_drawn_ml",
-    "greatest less least volume drawn in all the seconds: more than that of a breath while the "
-    "breathing settles",
-    1};
+inline constexpr Key kDrawnTidalVolume{"tidal_volume_drawn_ml",
+                                       "largest minus smallest volume drawn in all the seconds; "
+                                       "larger than a tidal volume until breathing is steady",
+                                       1};
 inline constexpr Key kErrorOfLevel{"max_volume_error_ml", "largest error of both lungs together",
                                    1};
 inline constexpr Key kLungs{"lungs", "\"right\" and \"left\", each an object:"};
@@ -59,8 +58,9 @@ namespace breathe_sweep_key
 {
 inline constexpr Key kSchema{"schema", "carina.breathe.conditions/1"};
 inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
-inline constexpr Key kPosition{"position", "how the patient lies"};
-inline constexpr Key kTrials{"trials", "how many ways to breathe were drawn"};
+inline constexpr Key kPosition{"position", "position of the patient"};
+inline constexpr Key kTrials{"trials",
+                             "number of combinations of condition and breathing that were drawn"};
 inline constexpr Key kFrames{"frames", "that were drawn, in all levels"};
 inline constexpr Key kLargestError{
     "max_volume_error_ml", "largest error of either lung and of both together, of all frames"};

@@ -136,10 +136,10 @@ Result<QJsonObject> mechanics(const Words& words)
 Use mechanicsOfConditions()
 {
     return {.lines = {"[--patient WHO] [--rate-per-min R] [--position NAME] [--condition NAME]"},
-            .text = "Calculates what the respiratory mechanics make of each condition at the "
-                    "severities 0.3, 0.6 and 0.9, after five minutes and after half an hour of "
-                    "spontaneous breathing and after a minute of volume control, beside the ranges "
-                    "that are published. The patient is the adult unless another is asked for.",
+            .text = "Calculates respiration with each condition by the respiratory mechanics, at "
+                    "the severities 0.3, 0.6 and 0.9, after five minutes and after half an hour of "
+                    "spontaneous breathing and after a minute of volume control, and compares it "
+                    "with published ranges. The patient is the adult unless another is asked for.",
             .options = {kPatient, mechanics_option::kRate, kPosition, mechanics_option::kOnly},
             .schema = mechanics_key::kSchema,
             .keys = {mechanics_key::kPosition,
@@ -197,24 +197,24 @@ Use mechanicsOfConditions()
 
 Use mechanicsOfWaveform()
 {
-    return {
-        .lines = {"--waveform FILE [--inspiratory-flow-l-per-min F]"},
-        .text = "Finds resistance and compliance in what a ventilator recorded, by least squares, "
-                "breath by breath; then drives the mechanics with them and compares the pressure "
-                "with the recorded one. Where all flows are empty, a ventilator is assumed that "
-                "drives F in and lets out through a valve, which is found together with the lung; "
-                "resistance and elastance are then proportional to 1/F, but their time constant "
-                "does not depend on F.",
-        .options = {mechanics_option::kWaveform, mechanics_option::kInspiratoryFlow},
-        .schema = mechanics_waveform_key::kSchema,
-        .keys = {mechanics_waveform_key::kSamples, mechanics_waveform_key::kSampleRate,
-                 mechanics_waveform_key::kFlow, mechanics_waveform_key::kInspiratoryFlow,
-                 mechanics_waveform_key::kBreaths, mechanics_waveform_key::kUnfitBreaths,
-                 mechanics_waveform_key::kResistance, mechanics_waveform_key::kCompliance,
-                 mechanics_waveform_key::kTimeConstant, mechanics_waveform_key::kValve,
-                 mechanics_waveform_key::kValvePressure, mechanics_waveform_key::kValveResistance,
-                 mechanics_waveform_key::kError, mechanics_waveform_key::kErrorOfOneLung,
-                 mechanics_waveform_key::kDisconnected}};
+    return {.lines = {"--waveform FILE [--inspiratory-flow-l-per-min F]"},
+            .text = "Finds resistance and compliance in what a ventilator recorded, by least "
+                    "squares, breath by breath; then drives the mechanics with them and compares "
+                    "the pressure with the recorded one. Where no flow was recorded, a ventilator "
+                    "with the inspiratory flow F and an expiratory valve is assumed, and the valve "
+                    "is fitted together with the lung; resistance and elastance are then "
+                    "proportional to 1/F, but their time constant does not depend on F.",
+            .options = {mechanics_option::kWaveform, mechanics_option::kInspiratoryFlow},
+            .schema = mechanics_waveform_key::kSchema,
+            .keys = {mechanics_waveform_key::kSamples, mechanics_waveform_key::kSampleRate,
+                     mechanics_waveform_key::kFlow, mechanics_waveform_key::kInspiratoryFlow,
+                     mechanics_waveform_key::kBreaths, mechanics_waveform_key::kUnfitBreaths,
+                     mechanics_waveform_key::kResistance, mechanics_waveform_key::kCompliance,
+                     mechanics_waveform_key::kTimeConstant, mechanics_waveform_key::kValve,
+                     mechanics_waveform_key::kValvePressure,
+                     mechanics_waveform_key::kValveResistance, mechanics_waveform_key::kError,
+                     mechanics_waveform_key::kErrorOfOneLung,
+                     mechanics_waveform_key::kDisconnected}};
 }
 
 } // namespace

@@ -19,14 +19,14 @@ inline constexpr Option kWaveform{
     "(L/min), then a line for each sample"};
 inline constexpr Option kInspiratoryFlow{
     "inspiratory-flow-l-per-min", "F",
-    "what the ventilator drives in where no flow was recorded, 1 to 200; 30 unless given"};
+    "inspiratory flow of the ventilator where none was recorded, 1 to 200; 30 unless given"};
 } // namespace mechanics_option
 
 namespace mechanics_key
 {
 inline constexpr Key kSchema{"schema", "carina.mechanics/2"};
-inline constexpr Key kPosition{"position", "how the patient lies"};
-inline constexpr Key kPatient{"patient", "who breathes, as if lying on the back:"};
+inline constexpr Key kPosition{"position", "position of the patient"};
+inline constexpr Key kPatient{"patient", "the patient, supine:"};
 inline constexpr Key kHeight{"height_mm", "body height", 1};
 inline constexpr Key kWeight{"weight_kg", "body weight", 1};
 inline constexpr Key kAge{"age_years", "age", 1};
@@ -106,16 +106,16 @@ inline constexpr Key kResistance{"resistance_cmh2o_s_per_l",
 inline constexpr Key kCompliance{"compliance_ml_per_cmh2o",
                                  "[least, median, greatest] of the breaths"};
 inline constexpr Key kTimeConstant{"time_constant_s", "of the two medians"};
-inline constexpr Key kValve{"valve", "where the flow was assumed, the valve that lets out:"};
-inline constexpr Key kValvePressure{"pressure_cmh2o", "at which it lets out", 1};
+inline constexpr Key kValve{"valve", "where the flow was assumed, the expiratory valve:"};
+inline constexpr Key kValvePressure{"pressure_cmh2o", "behind it: the PEEP of the ventilator", 1};
 inline constexpr Key kValveResistance{"resistance_cmh2o_s_per_l", "of the valve", 1};
-inline constexpr Key kError{
-    "rms_cmh2o",
-    "root mean square of modelled less recorded pressure, each breath with a lung of its own"};
+inline constexpr Key kError{"rms_cmh2o", "root mean square of modelled minus recorded pressure, "
+                                         "each breath with its own resistance and compliance"};
 inline constexpr Key kErrorOfOneLung{"rms_one_lung_cmh2o",
-                                     "the same, all breaths with the median lung"};
-inline constexpr Key kDisconnected{"disconnected_s",
-                                   "time with an open tube, which all of this leaves out"};
+                                     "the same, all breaths with the two medians"};
+inline constexpr Key kDisconnected{
+    "disconnected_s",
+    "duration for which the tube was disconnected; it is excluded from all figures"};
 } // namespace mechanics_waveform_key
 
 } // namespace carina::lab

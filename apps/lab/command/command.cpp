@@ -42,7 +42,7 @@ const Command* commandNamed(std::span<const Command> commands, const QString& na
 int refuseName(const QString& name)
 {
     print(stderr, name.isEmpty() ? QByteArray{"carina-lab needs a command"}
-                                 : "carina-lab knows no command '" + name.toUtf8() + '\'');
+                                 : "carina-lab has no command '" + name.toUtf8() + '\'');
     print(stderr, "; 'carina-lab help' lists them, 'carina-lab help COMMAND' describes one.\n");
     return 2;
 }

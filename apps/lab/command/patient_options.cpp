@@ -67,8 +67,7 @@ Result<BodyPosition> positionOption(const Words& words)
     for (const BodyPosition position : kBodyPositions)
         if (positionName(position) == word)
             return position;
-    return words.refuse(
-        QStringLiteral("knows no --position %1.").arg(QString::fromStdString(word)));
+    return words.refuse(QStringLiteral("has no --position %1.").arg(QString::fromStdString(word)));
 }
 
 Result<PatientBuild> buildOption(const Words& words)

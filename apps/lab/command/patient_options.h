@@ -27,9 +27,9 @@ inline constexpr Option kSide{"side", "SIDE",
                               "of the condition: both (unless given), right or left"};
 inline constexpr Option kVentilator{
     "ventilator", "MODE", "none (the patient breathes; unless given), volume or pressure control"};
-inline constexpr Option kPosition{
-    "position", "NAME",
-    "how the patient lies: supine (unless given), sitting, prone, right_lateral or left_lateral"};
+inline constexpr Option kPosition{"position", "NAME",
+                                  "position of the patient: supine (unless given), sitting, prone, "
+                                  "right_lateral or left_lateral"};
 
 /// Whom kPatient means (see patientFromWords); `otherwise` where it is not given.
 /// @returns OutOfRange for a patient there is not.

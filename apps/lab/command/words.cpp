@@ -34,7 +34,7 @@ Result<Words> Words::read(const Command& command, const QStringList& arguments)
     Words words{command};
     const bool parsed = words.m_parser->parse(QStringList{words.m_command} + arguments);
     if (const QStringList unknown = words.m_parser->unknownOptionNames(); !unknown.isEmpty())
-        return words.refuse(QStringLiteral("knows no option %1.").arg(asTyped(unknown.front())));
+        return words.refuse(QStringLiteral("has no option %1.").arg(asTyped(unknown.front())));
     if (!parsed) // a value that is missing, or one that is too many
         return fail(
             Errc::OutOfRange,
@@ -50,7 +50,7 @@ Result<Words> Words::read(const Command& command, const QStringList& arguments)
     }
     if (words.files().size() > command.mostFiles)
         return words.refuse(
-            QStringLiteral("has no use for '%1'.").arg(words.files()[command.mostFiles]));
+            QStringLiteral("does not take '%1'.").arg(words.files()[command.mostFiles]));
     return words;
 }
 
@@ -95,7 +95,7 @@ Result<std::int64_t> Words::whole(const Option& option, std::int64_t least, std:
 
 tl::unexpected<Error> Words::unknownWord(const Option& option, const QStringList& known) const
 {
-    return refuse(QStringLiteral("knows no --%1 %2; it knows %3.")
+    return refuse(QStringLiteral("has no --%1 %2; choose one of %3.")
                       .arg(nameOf(option), text(option), known.join(QStringLiteral(", "))));
 }
 

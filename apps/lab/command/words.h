@@ -56,7 +56,7 @@ public:
         return unknownWord(option, names);
     }
 
-    /// That an option knows no such word as it was given, and which it knows.
+    /// That an option does not accept the given word, and which words it accepts.
     [[nodiscard]] tl::unexpected<Error> unknownWord(const Option& option,
                                                     const QStringList& known) const;
     /// A refusal that begins with the command's name: "tre needs ...".

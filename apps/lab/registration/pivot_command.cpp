@@ -51,9 +51,8 @@ constexpr Key kCoverage{"coverage", "how far each of three directions of the too
                                     "one that turned least first:"};
 constexpr Key kDirection{"direction", "[x, y, z] in the frame of the tool", 1};
 constexpr Key kTurn{"turn_deg", "root mean square", 1};
-constexpr Key kLeastTurned{"least_turned",
-                           "[x, y, z] of the first of these directions as it stood on average, in "
-                           "the frame of the poses"};
+constexpr Key kLeastTurned{"least_turned", "[x, y, z] of the first of these directions in its mean "
+                                           "orientation, in the frame of the poses"};
 } // namespace pivot_key
 
 /// What a command line needs.
@@ -91,8 +90,8 @@ Result<std::vector<RigidTransform>> posesOfTable(const QString& file)
         }
         const Quat rotation{numbers.tail<4>().eval()};
         if (!numbers.allFinite() || !std::isnormal(rotation.norm()))
-            return fail(Errc::NotFinite,
-                        file.toStdString() + ": pose " + std::to_string(row + 1) + " is no pose.");
+            return fail(Errc::NotFinite, file.toStdString() + ": pose " + std::to_string(row + 1)
+                                             + " is not a valid pose.");
         poses.push_back({rotation, millimetres(1.0).si * numbers.head<3>()});
     }
     return poses;
@@ -112,7 +111,7 @@ Result<RigidTransform> readPoseText(const QString& file)
     for (int i = 0; areNumbers && i < 16; ++i)
         matrix(i / 4, i % 4) = words[i].toDouble(&areNumbers);
     if (!areNumbers)
-        return fail(Errc::FileMalformed, name + " has not the 16 numbers of a pose.");
+        return fail(Errc::FileMalformed, name + " does not have the 16 numbers of a pose.");
     matrix.topRightCorner<3, 1>() *= millimetres(1.0).si;
     const auto X_TS = RigidTransform::fromMatrix(matrix, kRoundedRotation);
     if (!X_TS)
@@ -252,7 +251,7 @@ Result<QJsonObject> runPivot(const Words& words)
     auto object = question->p_S_ahead ? describeAxis(*poses, *question->p_S_ahead)
                                       : describeTip(*poses, question->limit);
     if (!object)
-        return fail(object.error().code, question->path.toStdString() + " does not tell the "
+        return fail(object.error().code, question->path.toStdString() + " does not determine the "
                                              + (question->p_S_ahead ? "axis" : "tip") + ": "
                                              + object.error().detail + ".");
     return object;

@@ -197,16 +197,16 @@ void TestBreatheCommand::refusesWhatItCannotDo_data()
         row(name, all.constData(), mention);
     };
     ill("a condition there is not", "--condition cold",
-        "knows no --condition cold; it knows normal, ards, copd, asthma,");
+        "has no --condition cold; choose one of normal, ards, copd, asthma,");
     ill("a side there is not", "--condition ards --side back",
-        "knows no --side back; it knows both, right, left.");
+        "has no --side back; choose one of both, right, left.");
     ill("a severity of health", "--condition normal --severity 0.5", "not normal");
     ill("a side of health", "--condition normal --side left", "not normal");
     ill("a severity of nothing", "--severity 0.5", "not normal");
     ill("more than severe", "--condition ards --severity 1.1", "--severity");
     ill("a tube in both bronchi", "--condition mainstem_intubation", "--side");
     ill("a ventilator there is not", "--ventilator iron",
-        "knows no --ventilator iron; it knows none, volume, pressure.");
+        "has no --ventilator iron; choose one of none, volume, pressure.");
     ill("one way and every condition", "--every-condition", "nothing else");
 }
 

@@ -138,7 +138,7 @@ void TestMechanicsCommand::refusesBadArguments_data()
     row("a word", "adult", "adult");
     row("unknown patient", "--patient horse", "a patient is adult");
     row("unknown position", "--position upside_down", "upside_down");
-    row("unknown condition", "--condition cold", "knows no --condition cold; it knows normal");
+    row("unknown condition", "--condition cold", "has no --condition cold; choose one of normal");
     row("patient and waveform", "--patient adult --waveform x", "alone, or --waveform");
     row("rate and waveform", "--rate-per-min 12 --waveform x", "alone, or --waveform");
     row("flow without waveform", "--inspiratory-flow-l-per-min 30", "alone, or --waveform");

@@ -153,9 +153,9 @@ private Q_SLOTS:
     void refusesWordsThatArePartOfNoPage()
     {
         QCOMPARE(refusalOf({QStringLiteral("--speed")}),
-                 QStringLiteral("count knows no option --speed. Look at the help."));
+                 QStringLiteral("count has no option --speed. Look at the help."));
         QCOMPARE(refusalOf({QStringLiteral("a"), QStringLiteral("b")}),
-                 QStringLiteral("count has no use for 'b'. Look at the help."));
+                 QStringLiteral("count does not take 'b'. Look at the help."));
         QVERIFY(
             refusalOf({QStringLiteral("--limit")}).endsWith(QStringLiteral("Look at the help.")));
         QVERIFY(

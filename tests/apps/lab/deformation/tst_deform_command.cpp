@@ -215,7 +215,7 @@ void TestDeformCommand::namesTheWordThatIsWrong()
     const QString absent = m_folder->filePath("absent.csv");
     QCOMPARE(refusal({QStringLiteral("--landmarks"), absent}),
              "There is no file " + absent.toStdString() + ".");
-    QCOMPARE(refusal({QStringLiteral("--bogus")}), std::string{"deform knows no option --bogus."});
+    QCOMPARE(refusal({QStringLiteral("--bogus")}), std::string{"deform has no option --bogus."});
     QVERIFY(refusal({QStringLiteral("--landmarks")}).find("'--landmarks'") != std::string::npos);
     QVERIFY(refusal({}).starts_with("No file and no folder is named. deform needs"));
 }

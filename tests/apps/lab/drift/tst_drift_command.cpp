@@ -98,7 +98,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("words");
         QTest::addColumn<QByteArray>("named");
-        QTest::newRow("nothing") << QByteArray{""} << QByteArray{"has no use for"};
+        QTest::newRow("nothing") << QByteArray{""} << QByteArray{"does not take"};
         QTest::newRow("no scenario") << QByteArray{"--seed 1"} << QByteArray{"--scenario"};
         QTest::newRow("unknown option") << QByteArray{"--walk yes"} << QByteArray{"--walk"};
         QTest::newRow("live by another strategy")

@@ -221,8 +221,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("sentence");
         const QString fle = QStringLiteral("--fle");
         const QString positive = QStringLiteral("--fle needs a number of millimetres above 0.");
-        QTest::newRow("another flag") << QStringList{QStringLiteral("--fast")}
-                                      << QStringLiteral("fit knows no option --fast.");
+        QTest::newRow("another flag")
+            << QStringList{QStringLiteral("--fast")} << QStringLiteral("fit has no option --fast.");
         QTest::newRow("no error") << QStringList{fle}
                                   << QStringLiteral("fit: Missing value after '--fle'.");
         QTest::newRow("an error of nothing") << QStringList{fle, QStringLiteral("0")} << positive;

@@ -130,14 +130,16 @@ private Q_SLOTS:
         const QString table = QStringLiteral("bad.csv");
         QTest::newRow("too few poses")
             << table << head + QStringLiteral("1,2,3,0,0,0,1\n") << Errc::TooFewPoses
-            << QStringLiteral("does not tell the tip: 1 poses");
+            << QStringLiteral("does not determine the tip: 1 poses");
         QTest::newRow("no motion")
             << table << head + QStringLiteral("1,2,3,0,0,0,1\n").repeated(20)
             << Errc::NotEnoughMotion << QStringLiteral("the stylus was hardly turned: ");
-        QTest::newRow("no rotation") << table << head + QStringLiteral("1,2,3,0,0,0,0\n")
-                                     << Errc::NotFinite << QStringLiteral("pose 1 is no pose.");
-        QTest::newRow("no number") << table << head + QStringLiteral("1,2,nan,0,0,0,1\n")
-                                   << Errc::NotFinite << QStringLiteral("pose 1 is no pose.");
+        QTest::newRow("no rotation")
+            << table << head + QStringLiteral("1,2,3,0,0,0,0\n") << Errc::NotFinite
+            << QStringLiteral("pose 1 is not a valid pose.");
+        QTest::newRow("no number")
+            << table << head + QStringLiteral("1,2,nan,0,0,0,1\n") << Errc::NotFinite
+            << QStringLiteral("pose 1 is not a valid pose.");
         QTest::newRow("a column missing")
             << table << QStringLiteral("tx,ty,tz,qx,qy,qz\n") << Errc::FileMalformed
             << QStringLiteral("has no column \"qw\".");

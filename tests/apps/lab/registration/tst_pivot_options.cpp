@@ -108,7 +108,8 @@ private Q_SLOTS:
             pivotCommand().run({m_folder.write("swung.csv", tableOf(swung())),
                                 QStringLiteral("--spin"), QStringLiteral("0,0,-1")});
         QVERIFY(!swungOnly);
-        QVERIFY2(swungOnly.error().detail.find("does not tell the axis: ") != std::string::npos,
+        QVERIFY2(swungOnly.error().detail.find("does not determine the axis: ")
+                     != std::string::npos,
                  swungOnly.error().detail.c_str());
     }
 
@@ -126,9 +127,9 @@ private Q_SLOTS:
         QTest::newRow("tip and axis") << QStringLiteral("a.csv --spin 1,2,3 --limit-mm 3")
                                       << QStringLiteral("--limit-mm and --spin exclude each other");
         QTest::newRow("an unknown flag")
-            << QStringLiteral("a.csv --trim") << QStringLiteral("pivot knows no option --trim.");
+            << QStringLiteral("a.csv --trim") << QStringLiteral("pivot has no option --trim.");
         QTest::newRow("two files")
-            << QStringLiteral("a.csv b.csv") << QStringLiteral("pivot has no use for 'b.csv'.");
+            << QStringLiteral("a.csv b.csv") << QStringLiteral("pivot does not take 'b.csv'.");
     }
     void saysWhatIsWrongWithItsWords()
     {

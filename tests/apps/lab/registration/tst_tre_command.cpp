@@ -167,7 +167,7 @@ private Q_SLOTS:
             << QStringLiteral("--height 1.7 --covariance")
             << QStringLiteral("--covariance goes with files, not with --height.") + usage;
         QTest::newRow("an unknown flag") << QStringLiteral("--height 1.7 --tall")
-                                         << QStringLiteral("tre knows no option --tall.") + usage;
+                                         << QStringLiteral("tre has no option --tall.") + usage;
         QTest::newRow("an option without its value")
             << QStringLiteral("--height") << QStringLiteral("tre: Missing value after '--height'.");
         QTest::newRow("a giant") << QStringLiteral(

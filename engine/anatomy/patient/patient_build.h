@@ -31,8 +31,8 @@ struct LungVolumes {
 
 /// The weight to which lungs and chest wall are proportional, kg: the patient's own between the
 /// usual one and a body mass index of 26 in adults (26/25.1 times the usual one). Weight beyond it
-/// is fat and adds no lung; a slim patient has the lungs of the usual weight, since lung volumes go
-/// with height and do not fall with a low weight (Jones and Nzekwu, Chest 2006;130:827).
+/// is fat and adds no lung; a slim patient has the lungs of the usual weight, since volumes
+/// depend on height and do not fall with a low weight (Jones and Nzekwu, Chest 2006;130:827).
 [[nodiscard]] double lungWeight(const PatientBuild& build);
 
 /// Residual volume, functional residual capacity and total capacity of 16, 30 and 80 ml per

@@ -32,9 +32,9 @@ struct ChestShape {
 /// The state to draw, from the mechanics.
 ///
 /// The diaphragm makes 65 % of the change of volume in men and 55 % in women: 60 % is the mean of
-/// both, and women use the rib cage more. Boys and girls up to twelve years have 55 %, and go on a
-/// straight line to the figure of their sex at eighteen: with 60 % the domes of a child of twelve
-/// would go down by 22.2 mm/L, which is more than two standard deviations above the 16.6 (2.4) mm/L
+/// both, and women use the rib cage more. Boys and girls up to twelve years have 55 %, which
+/// changes linearly to the figure of their sex at eighteen: with 60 % the domes of a child of 12
+/// would descend by 22.2 mm/L, which is more than two standard deviations above the 16.6 (2.4) mm/L
 /// that fluoroscopy found at every body size (docs/deformation.md). The volume by which the
 /// mediastinum gives way becomes a shift over an area of 200 cm2 in an adult, in proportion to the
 /// two-thirds power of lung size.

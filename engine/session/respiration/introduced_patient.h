@@ -7,8 +7,8 @@
 namespace carina
 {
 
-/// What a session is told of a new patient's breathing: the build, and the quiet breath of a person
-/// of this build (restingPattern).
+/// The first facts about a new patient's breathing: the build, and the quiet breath of a person of
+/// this build (restingPattern).
 [[nodiscard]] std::vector<FactBody> introducedPatient(const PatientBuild& build);
 
 } // namespace carina

@@ -34,13 +34,13 @@ QString stateWord(StepState state)
     case StepState::Open:
         return StepList::tr("open");
     case StepState::Waits:
-        return StepList::tr("not yet possible");
+        return StepList::tr("not yet");
     case StepState::Begun:
-        return StepList::tr("in progress");
+        return StepList::tr("begun");
     case StepState::Done:
         return StepList::tr("done");
     case StepState::Stale:
-        return StepList::tr("out of date");
+        return StepList::tr("redo");
     }
     return {};
 }

@@ -61,7 +61,7 @@ QString LandmarkTableModel::cell(const LandmarkRow& row, int column)
         if (row.isNext)
             return tr("● now");
         if (row.isStale)
-            return tr("▲ out of date");
+            return tr("▲ redo");
         return row.spread_mm ? tr("✓ ±%1").arg(inWords_mm(*row.spread_mm)) : tr("○ open");
     case Residual:
         return row.residual_mm ? inWords_mm(*row.residual_mm) : kNoResidual;

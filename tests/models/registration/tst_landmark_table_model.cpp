@@ -124,9 +124,9 @@ void TestLandmarkTableModel::marksTouchesThatAreStale()
     table.registration->enter(SiteStep::Stylus);
     table.registration->stylus().findTip();
     table.site.swing(*table.registration);
-    QCOMPARE(table.cell(0, Column::Touched), QStringLiteral("▲ out of date"));
+    QCOMPARE(table.cell(0, Column::Touched), QStringLiteral("▲ redo"));
     QCOMPARE(table.at(0, Column::Touched, Qt::AccessibleTextRole).toString(),
-             QStringLiteral("Touched: out of date"));
+             QStringLiteral("Touched: redo"));
 }
 
 void TestLandmarkTableModel::speaksEachCell()

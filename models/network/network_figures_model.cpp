@@ -127,7 +127,7 @@ void NetworkFiguresModel::addPath(const NetworkFigures& figures, std::vector<Row
                        "of the delays in the plot")});
     rows.push_back({tr("Probe rate, γ₀"), withUnit(figures.probes_per_s, 0, tr("%1 per s")),
                     tr("How often the delay has to be measured: more often, the more it varies")});
-    rows.push_back({tr("Datagrams lost on the way here"), lossText(figures.loss_percent),
+    rows.push_back({tr("Datagram loss"), lossText(figures.loss_percent),
                     tr("Share of the participant's last %1 datagrams that did not arrive; not "
                        "known for fewer than %2")
                         .arg(LossWindow::kWindow)

@@ -141,12 +141,12 @@ private Q_SLOTS:
         node.pathReports = {PathReport{kTrainee}};
         node.reports = {{FakeSessionNode::kTube, 21ms, 0.14, 0.8}};
         const QStringList expected{
-            QStringLiteral("Round trip: ") + kUnknown,
+            QStringLiteral("Round-trip time: ") + kUnknown,
             QStringLiteral("One-way delay ± σ: ") + kUnknown,
-            QStringLiteral("Probing, γ₀: ") + kUnknown,
-            QStringLiteral("Lost on the way here: not known before 100 datagrams"),
-            QStringLiteral("Clock since joining: ") + kUnknown,
-            QStringLiteral("Clock at most off by: ") + kUnknown,
+            QStringLiteral("Probe rate, γ₀: ") + kUnknown,
+            QStringLiteral("Datagram loss: not known before 100 datagrams"),
+            QStringLiteral("Clock drift since joining: ") + kUnknown,
+            QStringLiteral("Clock error at most: ") + kUnknown,
             QStringLiteral("tube: drift (limit): 0.140 (unknown)°, 0.800 (unknown) mm"),
             QStringLiteral("tube: vₖ (v₀): ") + kUnknown};
         QCOMPARE(linesOf(networkFigures(node).at(0)), expected);
@@ -160,12 +160,12 @@ private Q_SLOTS:
         SessionModel session{node};
         const NetworkModel model{session};
         const QStringList expected{
-            QStringLiteral("Round trip: 24.00 ms"),
+            QStringLiteral("Round-trip time: 24.00 ms"),
             QStringLiteral("One-way delay ± σ: 10.00 ± 2.00 ms"),
-            QStringLiteral("Probing, γ₀: 3 per s"),
-            QStringLiteral("Lost on the way here: 1.2 %"),
-            QStringLiteral("Clock since joining: +0.000 ± 0.076 ms"), // 0.054 twice
-            QStringLiteral("Clock at most off by: ± 8.000 ms"),
+            QStringLiteral("Probe rate, γ₀: 3 per s"),
+            QStringLiteral("Datagram loss: 1.2 %"),
+            QStringLiteral("Clock drift since joining: +0.000 ± 0.076 ms"), // 0.054 twice
+            QStringLiteral("Clock error at most: ± 8.000 ms"),
             QStringLiteral("tube: drift (limit): 0.140 (1.000)°, 0.800 (0.500) mm"),
             QStringLiteral("tube: vₖ (v₀): 60 (100) per s, below upshot")};
         QCOMPARE(linesOf(*model.figures(0)), expected);
@@ -207,7 +207,8 @@ private Q_SLOTS:
         const NetworkFigures apart = after(5000s - 1500us, 400us);
         QVERIFY(std::abs(apart.clockChange_ms.value() + 1.5) < 1e-6);
         QVERIFY(std::abs(apart.clockChangeError_ms.value() - 0.5) < 1e-9); // of 0.3 and 0.4
-        QCOMPARE(linesOf(apart).at(4), QStringLiteral("Clock since joining: -1.500 ± 0.500 ms"));
+        QCOMPARE(linesOf(apart).at(4),
+                 QStringLiteral("Clock drift since joining: -1.500 ± 0.500 ms"));
         QVERIFY(!after({}, 0us).clockChange_ms); // comes in again
         QCOMPARE(after(7000s, 300us).clockChange_ms, std::optional{0.0});
     }

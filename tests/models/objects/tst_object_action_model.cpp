@@ -113,9 +113,10 @@ void TestObjectActionModel::stopsWhereItIsByThen()
     seat.model.stop();
     QCOMPARE(seat.model.motionText(), QStringLiteral("■ At rest"));
     seat.node.advance(seconds{5});
-    QCOMPARE(seat.model.placeText(),
-             QStringLiteral(
-                 "▲ Away from its place: turned 100.0°, moved 0.0\u00a0mm, size 100.0\u00a0%"));
+    QCOMPARE(
+        seat.model.placeText(),
+        QStringLiteral(
+            "▲ Away from its original place: turned 100.0°, moved 0.0\u00a0mm, size 100.0\u00a0%"));
 }
 
 void TestObjectActionModel::bringsItBackToItsPlace()

@@ -114,7 +114,7 @@ void TestSharedObjectModel::saysWhoseItIs()
     QCOMPARE(seat.model.ownerText(), QStringLiteral("◆ Tom"));
     QVERIFY(!seat.model.isOwn());
     seat.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
-    QCOMPARE(seat.model.ownerText(), QStringLiteral("○ Tom, who left"));
+    QCOMPARE(seat.model.ownerText(), QStringLiteral("○ Tom, has left"));
     seat.model.takeOver();
     QCOMPARE(seat.model.ownerText(), QStringLiteral("● you"));
     QVERIFY(seat.model.isOwn());

@@ -88,7 +88,7 @@ private Q_SLOTS:
         QCOMPARE(m_model->patient()->contentHash(), kSetHash);
         QCOMPARE(m_model->patient()->name(), std::string{"Somebody else"});
         QCOMPARE(m_model->notice(), QStringLiteral("The session's patient “Somebody else” has "
-                                                   "come\nCC0 by Somebody"));
+                                                   "arrived\nCC0 by Somebody"));
         QVERIFY(!m_model->canStop() && !m_model->canFetchAgain());
     }
 
@@ -161,12 +161,13 @@ private Q_SLOTS:
         m_node->decide(somebody());
         follow();
         QTRY_VERIFY_WITH_TIMEOUT(
-            m_model->notice().contains(QStringLiteral("is coming: 0 of 40\u00a0MB")), kSoon_ms);
+            m_model->notice().contains(QStringLiteral("is being received: 0 of 40\u00a0MB")),
+            kSoon_ms);
         QVERIFY(m_model->notice().endsWith(QStringLiteral("\nCC BY")));
         QVERIFY(m_model->canStop());
         m_model->stop();
         QVERIFY(m_model->notice().contains(
-            QStringLiteral("You stopped fetching the session's patient “Somebody else”")));
+            QStringLiteral("The transfer of the session's patient “Somebody else” was stopped")));
         QVERIFY(!m_model->canStop() && m_model->canFetchAgain());
     }
 
@@ -183,7 +184,7 @@ private Q_SLOTS:
         const QString licence = QStringLiteral("\nCC BY");
         QTRY_VERIFY_WITH_TIMEOUT(m_model->notice().endsWith(licence), kSoon_ms);
         QTRY_VERIFY_WITH_TIMEOUT(!m_model->notice().contains(licence), kSoon_ms);
-        QVERIFY(m_model->notice().contains(QStringLiteral("is coming: 0 of 40\u00a0MB")));
+        QVERIFY(m_model->notice().contains(QStringLiteral("is being received: 0 of 40\u00a0MB")));
     }
 
     void keepsThePatientWhereTheOtherCannotBeLaid()

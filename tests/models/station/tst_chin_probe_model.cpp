@@ -63,7 +63,7 @@ private Q_SLOTS:
         const ChinProbeModel model{&tracking};
         QVERIFY(!model.isThere());
         QVERIFY(model.notice().isEmpty());
-        QVERIFY(model.assumption().contains(QStringLiteral("do not move")));
+        QVERIFY(model.assumption().contains(QStringLiteral("Do not move")));
         QVERIFY(!model.assumption().contains(QStringLiteral("jaw")));
     }
 

@@ -89,9 +89,10 @@ void TestActionsPanel::turnsThePatientByItsControls()
     desk.node.advance(seconds{2});
     desk.button("stop").click();
     QCOMPARE(desk.words("motion"), QStringLiteral("■ At rest"));
-    QCOMPARE(desk.words("place"),
-             QStringLiteral(
-                 "▲ Away from its place: turned 90.0°, moved 0.0\u00a0mm, size 100.0\u00a0%"));
+    QCOMPARE(
+        desk.words("place"),
+        QStringLiteral(
+            "▲ Away from its original place: turned 90.0°, moved 0.0\u00a0mm, size 100.0\u00a0%"));
     desk.button("reset").click();
     QCOMPARE(desk.words("place"), QStringLiteral("In its original place"));
     QVERIFY(!desk.button("reset").isEnabled());

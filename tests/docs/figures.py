@@ -1,0 +1,333 @@
+#!/usr/bin/env python3
+"""Re-runs the commands of a page of docs and compares their output with the figures on the page.
+
+    tests/docs/figures.py BUILD PAGE...           PAGE as in figures/PAGE.json: synchronisation, README
+    tests/docs/figures.py --write BUILD PAGE...   writes what the commands give now into the page
+    tests/docs/figures.py --uncovered             lists figures in sections without a command
+
+A table, figures/PAGE.json, has the page's path and a list of runs:
+
+    command    as it stands in the page; `./carina lab` and `carina-lab` are the same
+    with       options that replace or follow those of the command
+    figures    a list of {"words", "at"}: the words of the page with {} for each figure, and where
+               each stands in the output
+    grid       instead of figures: {"header", "rows", "columns"}, the first line of a table of the
+               page and what each row and column adds to "with"; "at" holds for every cell
+    display    true for what draws
+    data       the folder below the real data that it needs
+    not_run    why the command is not run again; its words must stand in the page all the same
+
+A place in the output is a path in its JSON (`cases[file=a.csv].ratio`, `levels[0]`), or a regular
+expression between slashes with one group. `max(...)` and `min(...)` take one value of several
+(`max(levels[*].ml)`); `1000*` before a place converts the unit. A figure is compared at the
+rounding at which the page quotes it. A value of "within" (default 1) allows that many times the
+half unit of the last digit, for what differs between processors.
+
+Real data are below CARINA_TEST_DATA, or ../shared/data beside the project. A run whose data are
+missing is named as skipped.
+"""
+
+import decimal
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TABLES = pathlib.Path(__file__).resolve().parent / "figures"
+FIGURE = r"[-+]?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?"
+UNIT = re.compile(r"(?<![\w.])\d[\d.,]*(?:e-?\d+)? ?(?:%|°|(?:mm|cm|m|ml|l|L|ms|s|us|ns|min|deg|degrees|MB|MB/s|"
+                  r"kbit/s|bytes/s|frames/s|cmH2O|ml/kg)\b)")
+COMMAND = re.compile(r"carina[- ]lab|\./carina (?:lab|bench|demo|test)|build/release/|ctest ")
+SKIPPED = 77
+
+
+class Fault(Exception):
+    """What does not agree between page, table and program."""
+
+
+def load(page):
+    return json.loads((TABLES / f"{page}.json").read_text(encoding="utf-8"))
+
+
+def one_line(text):
+    """A command continued over lines as one line."""
+    return re.sub(r"\s*\\\n\s*", " ", text)
+
+
+def said(command):
+    return command.replace("./carina lab ", "carina-lab ")
+
+
+def joined(command, *extras):
+    """The command with options replaced, or appended where it does not have them."""
+    words = shlex.split(command)
+    for extra in extras:
+        more = shlex.split(extra)
+        while more:
+            option = more.pop(0)
+            value = [more.pop(0)] if more and not more[0].startswith("--") else []
+            if option.startswith("--") and option in words:
+                at = words.index(option) + 1
+                has_value = at < len(words) and not words[at].startswith("--")
+                words[at:at + has_value] = value
+            else:
+                words += [option, *value]
+    return " ".join(map(shlex.quote, words))
+
+
+# Where a figure stands
+
+def find_words(text, words):
+    """The figures that stand in place of {} in the words, and their places in the page."""
+    pattern = f"({FIGURE})".join(re.escape(part) for part in words.split("{}"))
+    matches = list(re.finditer(pattern, text))
+    if len(matches) != 1:
+        raise Fault(f"the page has these words {len(matches)} times, not once: {words}")
+    match = matches[0]
+    return [(match[i], match.span(i)) for i in range(1, match.re.groups + 1)]
+
+
+def cells_of(text, header):
+    """{(row, column): (text, offset)} of the table whose first line starts with the header."""
+    begin = text.find("\n" + header)
+    if begin < 0 or text.count("\n" + header) != 1:
+        raise Fault(f"no single table of the page begins with: {header}")
+    lines, offset, columns, cells = text[begin + 1:].split("\n\n")[0].split("\n"), begin + 1, [], {}
+    for number, line in enumerate(lines):
+        at, row = offset, []
+        for part in line.split("|"):
+            row.append((part.strip(), at + len(part) - len(part.lstrip())))
+            at += len(part) + 1
+        row = row[1:-1]
+        if number == 0:
+            columns = [name for name, _ in row]
+        elif number > 1 and row:
+            cells.update({(row[0][0], column): cell for column, cell in zip(columns, row)})
+        offset += len(line) + 1
+    return cells
+
+
+def checks_of(table, text):
+    """(run, command, words, [(figure, span)], places) for everything that the table lists."""
+    for run in table["runs"]:
+        if said(run["command"]) not in said(one_line(text)):
+            raise Fault(f"the page does not have the command: {run['command']}")
+        extra = run.get("with", "")
+        if not run.get("figures") and "grid" not in run:
+            yield run, joined(run["command"], extra), "", [], []
+        for entry in run.get("figures", []):
+            found, at = find_words(text, entry["words"]), entry.get("at", [])
+            at = [at] if isinstance(at, str) else at
+            if len(at) != len(found) and "not_run" not in run:
+                raise Fault(f"{len(found)} figures but {len(at)} places of output: {entry['words']}")
+            yield {**run, **entry}, joined(run["command"], extra), entry["words"], found, at
+        if "grid" in run:
+            yield from checks_of_grid(run, extra, text)
+
+
+def checks_of_grid(run, extra, text):
+    grid, places = run["grid"], run.get("at", [])
+    cells = cells_of(text, grid["header"])
+    for row, by_row in grid["rows"].items():
+        for column, by_column in grid["columns"].items():
+            if (row, column) not in cells:
+                raise Fault(f"the table has no row {row} with a column {column}: {grid['header']}")
+            cell, offset = cells[row, column]
+            found = [(m[0], (offset + m.start(), offset + m.end())) for m in re.finditer(FIGURE, cell)]
+            if len(found) != len(places) and "not_run" not in run:
+                raise Fault(f"{len(found)} figures but {len(places)} places of output: {row}, {column}")
+            yield (run, joined(run["command"], extra, by_row, by_column),
+                   f"{row}, column {column}: {cell}", found, places)
+
+
+# What the command gives
+
+def values_in(value, path):
+    """All values at a path of a JSON document."""
+    if not path:
+        return [value]
+    step = re.match(r"\.?([^.\[\]]+)|\[\*\]|\[(-?\d+)\]|\[([^\]=]+=[^\]]*)\]", path)
+    if not step:
+        raise Fault(f"no path: {path}")
+    rest, (key, index, selection) = path[step.end():], step.groups()
+    try:
+        if key is not None:
+            next_values = [value[key]]
+        elif index is not None:
+            next_values = [value[int(index)]]
+        elif selection is not None:
+            wanted = [pair.split("=", 1) for pair in selection.split(",")]
+            next_values = [item for item in value
+                           if all(str(item.get(name)) == is_value for name, is_value in wanted)]
+        else:
+            next_values = list(value.values() if isinstance(value, dict) else value)
+    except (KeyError, IndexError, TypeError):
+        raise Fault(f"the output has no {path}") from None
+    return [found for item in next_values for found in values_in(item, rest)]
+
+
+def value_at(output, place):
+    """The number at a place of the output, in the unit of the page."""
+    factor, _, inner = place.rpartition("*") if re.match(r"[-\d.e]+\*", place) else ("1", "", place)
+    if factor != "1":
+        factor, inner = place.split("*", 1)
+    choice = re.fullmatch(r"(max|min)\((.*)\)", inner)
+    path = choice[2] if choice else inner
+    if path.startswith("/"):
+        found = re.findall(path[1:-1], output)
+    else:
+        found = values_in(json.loads(output), path)
+    if not found or (len(found) > 1 and not choice):
+        raise Fault(f"the output has {len(found)} values at {place}")
+    numbers = [float(value) for value in found]
+    return float(factor) * {"max": max, "min": min}.get(choice and choice[1], max)(numbers)
+
+
+def agrees(quoted, value, within=1.0):
+    """Whether the value rounds to what is quoted."""
+    number = decimal.Decimal(quoted.replace(",", ""))
+    half = decimal.Decimal(1).scaleb(number.as_tuple().exponent) / 2
+    return abs(float(number) - value) <= within * float(half) * (1 + 1e-9) + 1e-12
+
+
+def written(quoted, value):
+    """The value at the rounding of what is quoted."""
+    exponent = decimal.Decimal(quoted.replace(",", "")).as_tuple().exponent
+    sign, comma = "+" if quoted.startswith("+") else "", "," if "," in quoted else ""
+    if "e" in quoted:
+        mantissa, _, tail = f"{value:{sign}.{len(quoted.split('e')[0].partition('.')[2])}e}".partition("e")
+        return f"{mantissa}e{int(tail)}"
+    return f"{value:{sign}{comma}.{max(0, -exponent)}f}"
+
+
+def data_folder():
+    return pathlib.Path(os.environ.get("CARINA_TEST_DATA", ROOT.parent / "shared/data")).resolve()
+
+
+def command_line(command, build, scratch):
+    """The words to start, with the programs of this build and the data of this computer."""
+    text = said(command).replace("../shared/data", str(data_folder()))
+    words = [word.replace("build/release", str(build)) for word in shlex.split(text)]
+    words = [str(scratch) if word == "DIR" else word for word in words
+             if not word.startswith("CARINA_TEST_DATA=")]
+    if words[0] == "carina-lab":
+        words[0] = str(build / "apps/lab/carina-lab")
+    if words[0] == "ctest" and "--test-dir" not in words:
+        words[1:1] = ["--test-dir", str(build)]
+    return words
+
+
+def output_of(command, display, build):
+    with tempfile.TemporaryDirectory() as scratch:
+        words = command_line(command, build, scratch)
+        if display:
+            words.insert(0, str(ROOT / "tests/support/with_display"))
+        environment = {"QT_QPA_PLATFORM": "offscreen", **os.environ, "CARINA_TEST_DATA": str(data_folder())}
+        try:
+            run = subprocess.run(words, cwd=scratch, env=environment, capture_output=True, text=True,
+                                 check=False)
+        except OSError as error:
+            raise Fault(f"{command}: {error}") from None
+    if run.returncode != 0:
+        raise Fault(f"{command}: ended with status {run.returncode}: {run.stderr.strip()[-300:]}")
+    return run.stdout
+
+
+def faults_of(table, text, outputs, tell=print, news=None):
+    """Compares a page with what the commands give; outputs(command) gives the output of one. What
+    should stand in the page instead is put into news, as {(begin, end): figure}."""
+    page, faults, named = table["page"], [], set()
+    try:
+        checks = list(checks_of(table, text))
+    except Fault as fault:
+        return [f"{page}: {fault}"]
+    for run, command, words, found, places in checks:
+        reason = run.get("not_run")
+        if not reason and run.get("data") and not (data_folder() / run["data"]).exists():
+            reason = f"CARINA_TEST_DATA has no {run['data']}"
+        if reason:
+            line = (f"not re-run: {reason}: {run['command']}" if run.get("not_run")
+                    else f"SKIP   : docs::figures({page}) {reason}")
+            if line not in named:
+                tell(line)
+            named.add(line)
+            continue
+        try:
+            output, differ = outputs(command, run.get("display", False)), []
+            for (quoted, span), place in zip(found, places):
+                value = value_at(output, place)
+                if not agrees(quoted, value, run.get("within", 1.0)):
+                    differ.append(f"    quotes {quoted}, now {value:.6g} ({place})\n")
+                    if news is not None:
+                        news[span] = written(quoted, value)
+            if differ:
+                faults.append(f"{page}: {words}\n{''.join(differ)}    {command}")
+        except (Fault, ValueError) as fault:
+            faults.append(f"{page}: {words}\n    {fault}\n    {command}")
+    return faults
+
+
+def check(build, page, write=False, tell=print):
+    """Status of one page, as ctest takes it."""
+    table, given, news = load(page), {}, {}
+    text = (ROOT / table["page"]).read_text(encoding="utf-8")
+
+    def outputs(command, display):
+        if command not in given:
+            given[command] = output_of(command, display, build)
+        return given[command]
+
+    faults = faults_of(table, text, outputs, tell, news)
+    for fault in faults:
+        tell(fault)
+    tell(f"{table['page']}: {len(given)} commands run; faults: {len(faults)}")
+    if write and news:
+        for (begin, end), figure in sorted(news.items(), reverse=True):
+            text = text[:begin] + figure + text[end:]
+        (ROOT / table["page"]).write_text(text, encoding="utf-8")
+    return 1 if faults else 0 if given or not table["runs"] else SKIPPED
+
+
+def uncovered_in(text, covered):
+    """Lines with a figure and a unit in sections without a command: (line number, line)."""
+    lines, found, offset, section = text.split("\n"), [], 0, []
+    has_command = False
+    for number, line in enumerate([*lines, "## "], start=1):
+        if line.startswith("#"):
+            found += [] if has_command else section
+            section, has_command = [], False
+        has_command |= bool(COMMAND.search(line))
+        spans = [(offset + m.start(), offset + m.end()) for m in UNIT.finditer(line)]
+        if any(not any(a < end and start < b for a, b in covered) for start, end in spans):
+            section.append((number, line))
+        offset += len(line) + 1
+    return found
+
+
+def list_uncovered():
+    for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        text, covered = path.read_text(encoding="utf-8"), []
+        if (TABLES / f"{path.stem}.json").exists():
+            for _, _, _, found, _ in checks_of(load(path.stem), text):
+                covered += [span for _, span in found]
+        for number, line in uncovered_in(text, covered):
+            print(f"{path.relative_to(ROOT)}:{number}: {line[:160]}")
+
+
+def main():
+    if sys.argv[1:] == ["--uncovered"]:
+        list_uncovered()
+        return 0
+    write = sys.argv[1] == "--write"
+    build, *pages = sys.argv[1 + write:]
+    statuses = [check(pathlib.Path(build).resolve(), page, write) for page in pages]
+    return max((s for s in statuses if s != SKIPPED), default=SKIPPED)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -217,25 +217,38 @@ def command_line(command, build, scratch):
              if not word.startswith("CARINA_TEST_DATA=")]
     if words[0] == "carina-lab":
         words[0] = str(build / "apps/lab/carina-lab")
-    if words[0] == "ctest" and "--test-dir" not in words:
-        words[1:1] = ["--test-dir", str(build)]
     return words
+
+
+def tests_of(words, build):
+    """(command, environment) of what a ctest command runs. ctest itself is not run: it would write
+    into the log of the ctest that runs this script."""
+    pattern = words[words.index("-R") + 1]
+    listed = run_of(["ctest", "--test-dir", str(build), "--show-only=json-v1", "-R", pattern], build)
+    for test in json.loads(listed)["tests"]:
+        properties = {item["name"]: item["value"] for item in test.get("properties", [])}
+        yield test["command"], dict(pair.split("=", 1) for pair in properties.get("ENVIRONMENT", []))
+
+
+def run_of(words, folder, environment=None):
+    try:
+        run = subprocess.run(words, cwd=folder, env={"QT_QPA_PLATFORM": "offscreen", **os.environ,
+                                                     "CARINA_TEST_DATA": str(data_folder()),
+                                                     **(environment or {})},
+                             capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise Fault(str(error)) from None
+    if run.returncode != 0:
+        raise Fault(f"ended with status {run.returncode}: {run.stderr.strip()[-300:] or run.stdout[-300:]}")
+    return run.stdout
 
 
 def output_of(command, display, build):
     with tempfile.TemporaryDirectory() as scratch:
         words = command_line(command, build, scratch)
-        if display:
-            words.insert(0, str(ROOT / "tests/support/with_display"))
-        environment = {"QT_QPA_PLATFORM": "offscreen", **os.environ, "CARINA_TEST_DATA": str(data_folder())}
-        try:
-            run = subprocess.run(words, cwd=scratch, env=environment, capture_output=True, text=True,
-                                 check=False)
-        except OSError as error:
-            raise Fault(f"{command}: {error}") from None
-    if run.returncode != 0:
-        raise Fault(f"{command}: ended with status {run.returncode}: {run.stderr.strip()[-300:]}")
-    return run.stdout
+        if words[0] == "ctest":
+            return "".join(run_of(test, scratch, environment) for test, environment in tests_of(words, build))
+        return run_of([str(ROOT / "tests/support/with_display")] * display + words, scratch)
 
 
 def faults_of(table, text, outputs, tell=print, news=None):

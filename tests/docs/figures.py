@@ -18,7 +18,8 @@ A table, figures/PAGE.json, has the page's path and a list of runs:
     not_run    why the command is not run again; its words must stand in the page all the same
 
 A place in the output is a path in its JSON (`cases[file=a.csv].ratio`, `levels[0]`), or a regular
-expression between slashes with one group. `max(...)` and `min(...)` take one value of several
+expression between slashes with one group, of any line or of those that match another expression:
+`/([\\d.]+) mm/ in /four landmarks/`. `max(...)` and `min(...)` take one value of several
 (`max(levels[*].ml)`); `1000*` before a place converts the unit. A figure is compared at the
 rounding at which the page quotes it. A value of "within" (default 1) allows that many times the
 half unit of the last digit, for what differs between processors.
@@ -40,8 +41,8 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = pathlib.Path(__file__).resolve().parent / "figures"
 FIGURE = r"[-+]?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?"
-UNIT = re.compile(r"(?<![\w.])\d[\d.,]*(?:e-?\d+)? ?(?:%|°|(?:mm|cm|m|ml|l|L|ms|s|us|ns|min|deg|degrees|MB|MB/s|"
-                  r"kbit/s|bytes/s|frames/s|cmH2O|ml/kg)\b)")
+UNIT = re.compile(r"(?<![\w.])\d[\d.,]*(?:e-?\d+)? ?(?:%|°|(?:mm|cm|m|ml|l|L|ms|s|us|ns|min|deg|degrees|"
+                  r"MB|MB/s|kbit/s|bytes/s|frames/s|cmH2O|ml/kg)\b)")
 COMMAND = re.compile(r"carina[- ]lab|\./carina (?:lab|bench|demo|test)|build/release/|ctest ")
 SKIPPED = 77
 
@@ -173,13 +174,13 @@ def values_in(value, path):
 
 def value_at(output, place):
     """The number at a place of the output, in the unit of the page."""
-    factor, _, inner = place.rpartition("*") if re.match(r"[-\d.e]+\*", place) else ("1", "", place)
-    if factor != "1":
-        factor, inner = place.split("*", 1)
+    factor, inner = re.fullmatch(r"(?:([-\d.e]+)\*)?(.*)", place).groups("1")
     choice = re.fullmatch(r"(max|min)\((.*)\)", inner)
     path = choice[2] if choice else inner
     if path.startswith("/"):
-        found = re.findall(path[1:-1], output)
+        figure, _, line = path[1:-1].partition("/ in /")
+        found = [value for text in output.splitlines() if re.search(line, text)
+                 for value in re.findall(figure, text)]
     else:
         found = values_in(json.loads(output), path)
     if not found or (len(found) > 1 and not choice):

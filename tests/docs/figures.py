@@ -21,8 +21,7 @@ A place in the output is a path in its JSON (`cases[file=a.csv].ratio`, `levels[
 expression between slashes with one group, of any line or of those that match another expression:
 `/([\\d.]+) mm/ in /four landmarks/`. `max(...)` and `min(...)` take one value of several
 (`max(levels[*].ml)`); `1000*` before a place converts the unit. A figure is compared at the
-rounding at which the page quotes it. A value of "within" (default 1) allows that many times the
-half unit of the last digit, for what differs between processors.
+rounding at which the page quotes it.
 
 Real data are below CARINA_TEST_DATA, or ../shared/data beside the project. A run whose data are
 missing is named as skipped.
@@ -189,11 +188,11 @@ def value_at(output, place):
     return float(factor) * {"max": max, "min": min}.get(choice and choice[1], max)(numbers)
 
 
-def agrees(quoted, value, within=1.0):
+def agrees(quoted, value):
     """Whether the value rounds to what is quoted."""
     number = decimal.Decimal(quoted.replace(",", ""))
     half = decimal.Decimal(1).scaleb(number.as_tuple().exponent) / 2
-    return abs(float(number) - value) <= within * float(half) * (1 + 1e-9) + 1e-12
+    return abs(float(number) - value) <= float(half) * (1 + 1e-9) + 1e-12
 
 
 def written(quoted, value):
@@ -275,7 +274,7 @@ def faults_of(table, text, outputs, tell=print, news=None):
             output, differ = outputs(command, run.get("display", False)), []
             for (quoted, span), place in zip(found, places):
                 value = value_at(output, place)
-                if not agrees(quoted, value, run.get("within", 1.0)):
+                if not agrees(quoted, value):
                     differ.append(f"    quotes {quoted}, now {value:.6g} ({place})\n")
                     if news is not None:
                         news[span] = written(quoted, value)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Re-runs the commands of a page of docs and compares their output with the figures on the page.
 
-    tests/docs/figures.py BUILD PAGE...           PAGE as in figures/PAGE.json: synchronisation, README
+    tests/docs/figures.py BUILD PAGE...           PAGE as in figures/PAGE.json: patient
     tests/docs/figures.py --write BUILD PAGE...   writes what the commands give now into the page
     tests/docs/figures.py --uncovered             lists figures in sections without a command
 
@@ -39,7 +39,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = pathlib.Path(__file__).resolve().parent / "figures"
-FIGURE = r"[-+]?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?"
+FIGURE = r"[-+]?\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?"
 UNIT = re.compile(r"(?<![\w.])\d[\d.,]*(?:e-?\d+)? ?(?:%|°|(?:mm|cm|m|ml|l|L|ms|s|us|ns|min|deg|degrees|"
                   r"MB|MB/s|kbit/s|bytes/s|frames/s|cmH2O|ml/kg)\b)")
 COMMAND = re.compile(r"carina[- ]lab|\./carina (?:lab|bench|demo|test)|build/release/|ctest ")

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -120,6 +121,9 @@ class Found(unittest.TestCase):
     def test_refuses_several_values_where_one_is_meant(self):
         with self.assertRaises(figures.Fault):
             figures.value_at(OUTPUT, "drops[*].ms")
+
+    def test_takes_a_comma_for_part_of_a_figure_only_between_thousands(self):
+        self.assertEqual(["1,250", "12", "13", "0.5"], re.findall(figures.FIGURE, "1,250 12, 13, 0.5"))
 
     def test_replaces_and_appends_options(self):
         self.assertEqual("carina-lab drop --height-m 3 --mass-kg 1 --prone",

@@ -89,6 +89,10 @@ void TestPatientDimensions::airwayIsMadeToAMeasuredLength()
             who.teethToCarina = beyond;
             QCOMPARE(dimensionsFor(who).error().code, Errc::OutOfRange);
         }
+        for (const Length end : {range.least, range.most}) {
+            who.teethToCarina = end;
+            QVERIFY(dimensionsFor(who).has_value());
+        }
     }
 }
 

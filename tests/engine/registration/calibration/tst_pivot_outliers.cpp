@@ -52,6 +52,21 @@ private Q_SLOTS:
         QVERIFY(worst < kClaim.si);
     }
 
+    /// Half of the poses in the divot are enough; of one less the figures are given, and a refusal.
+    void judgesBetweenHalfOfThePosesAndFewer()
+    {
+        for (const int inside : {20, 19}) {
+            auto X_TS = swung(40, degrees(30.0));
+            for (std::size_t i = std::size_t(inside); i < X_TS.size(); ++i)
+                X_TS[i] = RigidTransform::translation({0.0, 0.0, 0.1 * double(i)}) * X_TS[i];
+            const auto pivot = calibratePivot(X_TS);
+            QVERIFY2(pivot.has_value(), pivot ? "" : pivot.error().detail.c_str());
+            QCOMPARE(pivot->outliers, 40 - inside);
+            QCOMPARE(pivot->refusal.has_value(), inside < 20);
+            QVERIFY((pivot->p_SQ - kTip_S).norm() < 1e-6);
+        }
+    }
+
     void leavesOutliersOut_data()
     {
         QTest::addColumn<int>("every");

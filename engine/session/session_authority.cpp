@@ -1,6 +1,8 @@
 #include "engine/session/session_authority.h"
 
 #include "engine/session/facts/fact_rules.h"
+#include "engine/session/facts/plain_name.h"
+#include "engine/session/participant_limits.h"
 #include "engine/session/respiration/respiration_rules.h"
 
 #include <algorithm>
@@ -117,15 +119,13 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
         body);
 }
 
-/// What a trainee or an observer may do: come, go, and (a trainee) share what is their own, ask for
-/// what is not, and say when the manikin of their station breathes.
+/// What a trainee may do: share what is their own, ask for what is not, and say when the manikin of
+/// their station breathes. An observer may do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
     return std::visit(
-        Overloaded{[&](const fact::ParticipantJoined& f) { return f.participant == author.id; },
-                   [&](const fact::ParticipantLeft& f) { return f.participant == author.id; },
-                   [&](const fact::ObjectShared& f) {
+        Overloaded{[&](const fact::ObjectShared& f) {
                        const auto known = state.objects().find(f.object);
                        return author.role == Role::Trainee && f.owner == author.id
                               && (known == state.objects().end()
@@ -143,10 +143,58 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         body);
 }
 
-/// Nobody else creates a session or knows all that was decided by the time of a checkpoint.
+/// Nobody else creates a session, knows all that was decided by the time of a checkpoint, or sees
+/// who comes and goes.
 bool isOfTheHostAlone(const FactBody& body)
 {
-    return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint>(body);
+    return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint, fact::ParticipantJoined,
+                   fact::ParticipantLeft>(body);
+}
+
+/// Nobody takes a name that looks like that of somebody else who is present, or of the host.
+Result<void> checkLook(const SessionState& state, const fact::ParticipantJoined& joined)
+{
+    const std::string look = lookOf(joined.name);
+    for (const auto& [id, other] : state.participants())
+        if (id != joined.participant && (other.present || id == kHost)
+            && lookOf(other.name) == look)
+            return fail(Errc::NameUnclear, other.name);
+    return {};
+}
+
+/// As many participants and objects as their roles may have.
+Result<void> checkNumbers(const SessionState& state, const FactBody& body)
+{
+    if (const auto* joined = std::get_if<fact::ParticipantJoined>(&body)) {
+        const auto present =
+            std::ranges::count_if(state.participants(), [joined](const auto& entry) {
+                const Participant& other = entry.second;
+                return other.present && other.role == joined->role
+                       && other.id != joined->participant;
+            });
+        const bool isNew = !state.participants().contains(joined->participant);
+        if (std::size_t(present) >= mostPresentOf(joined->role)
+            || (isNew && state.participants().size() >= kMostParticipants))
+            return fail(Errc::SessionFull);
+        return checkLook(state, *joined);
+    }
+    const auto* shared = std::get_if<fact::ObjectShared>(&body);
+    if (shared == nullptr || shared->owner == kHost || state.objects().contains(shared->object))
+        return {};
+    std::size_t all = 0;
+    std::size_t ofKind = 0;
+    for (const auto& [id, object] : state.objects())
+        if (object.owner == shared->owner) {
+            ++all;
+            ofKind += object.kind == shared->kind ? 1 : 0;
+        }
+    const auto owner = state.participants().find(shared->owner);
+    if (owner == state.participants().end())
+        return {}; // refused by who may share what
+    const bool isTrainee = owner->second.role == Role::Trainee;
+    if (all >= mostObjectsOf(owner->second.role) || (isTrainee && ofKind >= kMostOfAKind))
+        return fail(Errc::NotPermitted, "no more objects of this kind");
+    return {};
 }
 
 Result<void> checkPermission(const SessionState& state, ParticipantId authorId, StationId station,
@@ -265,6 +313,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
                 [&] { return checkPermission(m_state, fact.author, fact.station, fact.body); })
             .and_then([&] { return checkMoment(m_state, fact.body); })
             .and_then([&] { return checkBody(fact.body); })
+            .and_then([&] { return checkNumbers(m_state, fact.body); })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPhase(m_state, fact.body); })

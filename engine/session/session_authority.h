@@ -38,11 +38,12 @@ public:
     ///
     /// @param proposal its author decides what is permitted. The host itself (0) may propose
     ///        everything, a participant not yet admitted (kNobody) may join, instructors may
-    ///        propose everything but SessionCreated and RespirationCheckpoint, trainees may join,
-    ///        leave, share objects as themselves, hand these over, ask for ownership and report
-    ///        breaths of the manikin at their station, observers may only join and leave, and own
-    ///        nothing.
-    /// @returns NotPermitted where the author's role does not permit it; SessionEnded after the
+    ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined and
+    ///        ParticipantLeft, trainees may share objects as themselves, hand these over, ask for
+    ///        ownership and report breaths of the manikin at their station, observers may propose
+    ///        nothing and own nothing.
+    /// @returns NotPermitted where the author's role does not permit it, or for more objects than a
+    ///          participant may share; SessionFull and NameUnclear for a join; SessionEnded after the
     ///          end, except for facts about participants and shared objects; OutOfRange for a
     ///          parameter outside the range of a patient, an unknown station, participant or
     ///          object, and a phase that cannot follow the present one; OwnerChanged for an object

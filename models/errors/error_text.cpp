@@ -111,6 +111,14 @@ public:
         case Errc::NameTaken:
             return tr("Somebody with this name and role is in the session now%1: join under "
                       "another name.");
+        case Errc::NameUnclear:
+            return tr("This name cannot be told from another one, or has characters that cannot be "
+                      "seen%1: join under a plain name of your own.");
+        case Errc::SessionFull:
+            return tr("The session is full%1: ask the instructor who can leave, or join later.");
+        case Errc::TooMuchSent:
+            return tr("This program sent more than its role may%1: wait half a minute, then join "
+                      "again.");
         case Errc::WrongCode:
             return tr("This code is not valid for the session%1: ask the instructor for the code "
                       "of your role and join with it.");

@@ -37,6 +37,7 @@ JoinField fieldOf(Errc refusal)
     case Errc::NotEnoughMemory:
         return JoinField::Code;
     case Errc::NameTaken:
+    case Errc::NameUnclear:
         return JoinField::Name;
     case Errc::CertificateExpired:
     case Errc::CertificateUntrusted:

@@ -67,7 +67,22 @@ Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId partic
         return fail(Errc::NotPermitted, "the code is one for another role");
     if (known->second.participant && *known->second.participant != participant)
         return fail(Errc::NotPermitted, "the token is somebody else's");
+    const std::scoped_lock lock{m_mutex};
+    if (!known->second.participant && m_secrets.token(role, participant))
+        return fail(Errc::NameTaken, "only its token proves who it is");
     return {};
+}
+
+void HostAccess::admitted(PeerAddress peer, ParticipantId participant)
+{
+    if (const auto known = m_peers.find(peer); known != m_peers.end())
+        known->second.participant = participant;
+}
+
+bool HostAccess::isProven(PeerAddress peer) const
+{
+    const auto known = m_peers.find(peer);
+    return known != m_peers.end() && known->second.participant.has_value();
 }
 
 Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId participant)

@@ -28,8 +28,14 @@ public:
     /// Stores what a peer proved, as long as it is connected.
     void connected(PeerAddress peer, const Credential& who);
     void disconnected(PeerAddress peer);
-    /// @returns NotPermitted for a peer that proved another role, or another participant.
+    /// @returns NotPermitted for a peer that proved another role, or another participant; NameTaken
+    ///          for one that proved a role by its code, where the participant has a token: once
+    ///          there is one, nothing else proves a return.
     [[nodiscard]] Result<void> check(PeerAddress peer, Role role, ParticipantId participant) const;
+    /// From now on this peer is that participant, and nobody else.
+    void admitted(PeerAddress peer, ParticipantId participant);
+    /// Whether the peer proved which participant it is: by a token, or by coming in before.
+    [[nodiscard]] bool isProven(PeerAddress peer) const;
 
     /// The token with which an admitted participant can join again. @returns FileUnwritable.
     [[nodiscard]] Result<AccessKey> issueToken(PeerAddress peer, ParticipantId participant);

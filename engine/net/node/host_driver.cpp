@@ -4,6 +4,7 @@
 #include "engine/net/entry/token_message.h"
 #include "engine/net/node/host_clock.h"
 #include "engine/session/facts/fact_codec.h"
+#include "engine/session/participant_limits.h"
 
 #include <QRandomGenerator>
 
@@ -102,6 +103,9 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
         [this](ParticipantId participant, LocalTime now) { left(participant, now); },
         [this](ParticipantId participant) {
             return m_authority.state().participants().at(participant).role != Role::Observer;
+        },
+        [this](ParticipantId participant) {
+            return limitsOf(m_authority.state().participants().at(participant).role);
         }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
@@ -225,12 +229,14 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     sendOwnStreams(now);
     m_core->advance(now);
     dropAbsent(now);
+    endIdlePaths(now);
     for (const EventCpo& event : m_core->takeChanged())
         m_unkept.insert_or_assign(event.object, event);
     SyncHost::Output output = m_core->take();
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core->sessionTime(now));
     show(now);
+    std::ranges::move(output.ended, std::back_inserter(m_ended));
     std::ranges::move(std::exchange(m_tokens, {}), std::back_inserter(output.datagrams));
     return std::move(output.datagrams);
 }
@@ -239,8 +245,11 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokens.empty())
         return LocalTime::min();
-    return std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
-                     m_unkept.empty() ? LocalTime::max() : m_nextKeep});
+    LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
+                               m_unkept.empty() ? LocalTime::max() : m_nextKeep});
+    for (const auto& [peer, due] : m_helloDue)
+        wake = std::min(wake, due);
+    return wake;
 }
 
 NodeDriver::Datagrams HostDriver::close(LocalTime now)
@@ -285,14 +294,16 @@ void HostDriver::show(LocalTime now)
         m_board.announce();
 }
 
-void HostDriver::connected(PeerAddress peer, const Credential& who, LocalTime)
+void HostDriver::connected(PeerAddress peer, const Credential& who, LocalTime now)
 {
     m_access->connected(peer, who);
+    m_helloDue.emplace(peer, now + kHelloWithin);
 }
 
 void HostDriver::disconnected(PeerAddress peer, LocalTime now)
 {
     m_access->disconnected(peer);
+    m_helloDue.erase(peer);
     m_core->drop(peer, now);
 }
 
@@ -313,7 +324,7 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
         m_tokens.push_back({from, encodeToken({peer->second.participant, *token})});
 }
 
-Result<ParticipantId> HostDriver::identify(const ProposalRecord& join, LocalTime now) const
+Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now) const
 {
     const auto proposal = fromRecord(join);
     if (!proposal)
@@ -323,27 +334,33 @@ Result<ParticipantId> HostDriver::identify(const ProposalRecord& join, LocalTime
         return fail(Errc::NotPermitted);
     const Participant& self = m_authority.state().participants().at(kSelf);
     if (joined->name == self.name && joined->role == self.role)
-        return kSelf;
+        return Identity{kSelf};
     return m_authority.judge(*proposal, m_core->sessionTime(now), Duration{})
         .and_then([&](const Fact& fact) {
             const ParticipantId id = std::get<fact::ParticipantJoined>(fact.body).participant;
-            return m_access->check(m_speaker, joined->role, id).map([id] { return id; });
+            return m_access->check(m_speaker, joined->role, id).map([&] {
+                return Identity{id, m_access->isProven(m_speaker)};
+            });
         });
 }
 
 Result<Admission> HostDriver::admit(const ProposalRecord& join, LocalTime now)
 {
-    const auto participant = identify(join, now);
+    const auto who = identify(join, now);
     auto proposal = fromRecord(join);
-    if (!participant || !proposal)
-        return tl::unexpected(participant ? proposal.error() : participant.error());
+    if (!who || !proposal)
+        return tl::unexpected(who ? proposal.error() : who.error());
     const auto& participants = m_authority.state().participants();
-    const auto known = participants.find(*participant);
+    const auto known = participants.find(who->participant);
+    if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now))
+        return fail(Errc::TooMuchSent);
     // The same run of a program that was given up meanwhile comes in a second time.
     if (m_authority.settled(proposal->id) && known != participants.end() && !known->second.present)
         proposal->id = ProposalId{QRandomGenerator::system()->generate64()};
     return decide(*proposal, now).map([&](const FactRecord& fact) {
-        return Admission{*participant, fact};
+        m_helloDue.erase(m_speaker);
+        m_access->admitted(m_speaker, who->participant);
+        return Admission{who->participant, fact};
     });
 }
 
@@ -351,6 +368,15 @@ void HostDriver::left(ParticipantId participant, LocalTime now)
 {
     // A store that fails is shown as the node's refusal; the participant is gone all the same.
     static_cast<void>(decideByHost(StationId{}, fact::ParticipantLeft{participant}, now));
+}
+
+void HostDriver::endIdlePaths(LocalTime now)
+{
+    for (auto path = m_helloDue.begin(); path != m_helloDue.end();) {
+        if (path->second <= now)
+            m_ended.push_back(path->first);
+        path = path->second <= now ? m_helloDue.erase(path) : std::next(path);
+    }
 }
 
 void HostDriver::dropAbsent(LocalTime now)

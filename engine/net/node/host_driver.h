@@ -13,6 +13,11 @@ namespace carina
 class HostDriver : public NodeDriver
 {
 public:
+    /// Within this time after a path was encrypted somebody has to come in over it.
+    static constexpr Duration kHelloWithin = std::chrono::seconds{2};
+    /// New participants in a second; twice as many at once.
+    static constexpr double kNewcomers = 40.0;
+
     /// Opens the session in the store, or creates one. @param board outlives the driver.
     [[nodiscard]] static Result<std::unique_ptr<HostDriver>> open(const HostSettings& settings,
                                                                   std::unique_ptr<FactStore> store,
@@ -29,6 +34,7 @@ public:
     void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
+    std::vector<PeerAddress> takeEnded() override { return std::exchange(m_ended, {}); }
     Datagrams close(LocalTime now) override;
 
 private:
@@ -43,9 +49,11 @@ private:
     [[nodiscard]] Result<FactRecord> decide(const Proposal& proposal, LocalTime now);
     [[nodiscard]] Result<FactRecord> decideByHost(StationId station, FactBody body, LocalTime now);
     [[nodiscard]] Result<FactRecord> enter(const Fact& fact);
-    [[nodiscard]] Result<ParticipantId> identify(const ProposalRecord& join, LocalTime now) const;
+    [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
     [[nodiscard]] Result<Admission> admit(const ProposalRecord& join, LocalTime now);
     void left(ParticipantId participant, LocalTime now);
+    /// Ends paths over which nobody came in.
+    void endIdlePaths(LocalTime now);
     /// Enters that participants of the last run who did not return have left.
     void dropAbsent(LocalTime now);
 
@@ -61,8 +69,11 @@ private:
     NodeBoard& m_board;
     std::unique_ptr<SyncHost> m_core;
     std::unique_ptr<HostAccess> m_access;
-    PeerAddress m_speaker = 0; // sender of the datagram being handled
-    Datagrams m_tokens;        // to be sent
+    PeerAddress m_speaker = 0;                   // sender of the datagram being handled
+    std::map<PeerAddress, LocalTime> m_helloDue; // paths over which nobody has come in yet
+    TokenBucket m_newcomers;
+    std::vector<PeerAddress> m_ended; // paths to be closed
+    Datagrams m_tokens;               // to be sent
     Publications m_publications;
     std::uint16_t m_epoch = 0;
     std::map<ObjectId, EventCpo> m_unkept; // not stored on disk yet

@@ -21,6 +21,8 @@ public:
     /// to send.
     [[nodiscard]] virtual Datagrams advance(LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const = 0;
+    /// Paths to close, once what the last advance() returned is sent.
+    [[nodiscard]] virtual std::vector<PeerAddress> takeEnded() { return {}; }
     /// Ends the session at this node. @returns the last datagrams to send.
     [[nodiscard]] virtual Datagrams close(LocalTime now) = 0;
 };

@@ -26,6 +26,8 @@ void NodeLoop::serve()
     m_transport->serve(*m_driver, monotonicNow());
     const LocalTime now = monotonicNow();
     send(m_driver->advance(now), now);
+    for (const PeerAddress ended : m_driver->takeEnded())
+        m_transport->end(ended, *m_driver, now);
     sleepUntil(std::min(m_driver->nextWake(), m_transport->nextWake()), monotonicNow());
 }
 

@@ -81,6 +81,16 @@ void HostTransport::send(PeerAddress to, std::span<const std::byte> bytes)
         path->second->dtls.writeDatagramEncrypted(&m_socket, viewOf(bytes));
 }
 
+void HostTransport::end(PeerAddress peer, TransportListener& listener, LocalTime now)
+{
+    const auto path = std::ranges::find_if(
+        m_paths, [peer](const auto& entry) { return entry.second->address == peer; });
+    if (path == m_paths.end())
+        return;
+    path->second->dtls.shutdown(&m_socket);
+    drop(path, listener, now);
+}
+
 void HostTransport::close()
 {
     for (const auto& [from, path] : m_paths)
@@ -115,9 +125,11 @@ void HostTransport::take(const RawDatagram& datagram, TransportListener& listene
 
 void HostTransport::greet(const Endpoint& from, const RawDatagram& hello, LocalTime now)
 {
-    if (!m_limiter.admits(sourcePrefix(from), now)
-        || !m_verifier.verifyClient(&m_socket, hello.bytes, hello.from, hello.port))
-        return; // else it was sent its cookie, and comes again with it
+    if (!m_verifier.verifyClient(&m_socket, hello.bytes, hello.from, hello.port))
+        return; // it was sent its cookie, and comes again with it
+    // Only now is the source proved: a forged one cannot use up its owner's share.
+    if (!m_limiter.admits(sourcePrefix(from), now))
+        return;
     const auto began = [&](const Associations& associations) {
         const auto known = associations.find(from);
         return known != associations.end() && known->second->hello == hello.bytes;

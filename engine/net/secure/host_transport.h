@@ -12,7 +12,8 @@ namespace carina
 /// The host's transport: one UDP socket, and a DTLS association for each authenticated peer.
 ///
 /// A ClientHello from an unknown source is answered with a cookie, and no state is stored for it;
-/// the rate of ClientHellos of each source is limited. An existing path is replaced only by an
+/// the rate of ClientHellos with a cookie is limited for each source, so that nobody else can use a
+/// source's share up. An existing path is replaced only by an
 /// authenticated one: a ClientHello with a forged source address does not affect its owner. With a
 /// wrong key the last message of the handshake cannot be decrypted; the client is then sent an
 /// unencrypted alert, and its handshake is dropped. A host with a certificate requires the proof of
@@ -49,6 +50,7 @@ public:
     void serve(TransportListener& listener, LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
     void send(PeerAddress to, std::span<const std::byte> bytes) override;
+    void end(PeerAddress peer, TransportListener& listener, LocalTime now) override;
     void close() override;
     [[nodiscard]] std::uint16_t port() const override { return m_socket.localPort(); }
 

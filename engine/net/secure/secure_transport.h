@@ -39,6 +39,8 @@ public:
     [[nodiscard]] virtual LocalTime nextWake() const = 0;
     /// Sends a datagram; it is dropped where the path has ended.
     virtual void send(PeerAddress to, std::span<const std::byte> bytes) = 0;
+    /// Ends one path; the listener hears of it. At a client nothing.
+    virtual void end(PeerAddress /*peer*/, TransportListener& /*listener*/, LocalTime /*now*/) {}
     /// Informs the peers that their paths end.
     virtual void close() = 0;
     /// The local UDP port for peers; 0 at a client.

@@ -22,8 +22,9 @@ struct SyncClient::Visitor {
     void operator()(const Welcome& welcome) const { client.welcomed(welcome, now); }
     void operator()(const HelloRefused& refused) const
     {
-        if (client.m_state != State::Connected)
-            client.m_helloRefused = refused.reason;
+        if (client.m_state == State::Connected)
+            client.reconnect(now);
+        client.m_helloRefused = refused.reason;
     }
     void operator()(const ConnectionUnknown&) const
     {

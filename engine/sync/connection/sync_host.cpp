@@ -37,7 +37,7 @@ struct SyncHost::Visitor {
 
     void take(const auto& action) const
     {
-        if (host.m_rules.mayAct(peer.participant))
+        if (host.m_rules.mayAct(peer.participant) && peer.budget.takesEvent(now))
             host.m_actions.take(from, action, host.sessionTime(now), now);
     }
 };
@@ -53,6 +53,9 @@ SyncHost::SyncHost(const SessionKey& session, std::vector<FactRecord> log, Durat
 
 void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
+    const auto found = m_peers.find(from);
+    if (found != m_peers.end() && !found->second.budget.takesDatagram(bytes.size(), now))
+        return;
     const auto datagram = decodeDatagram(bytes);
     if (!datagram) {
         if (datagram.error().code == Errc::VersionMismatch)
@@ -66,7 +69,6 @@ void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, Local
         if (const auto* greeting = std::get_if<Hello>(&record))
             return hello(from, header, *greeting, now);
 
-    const auto found = m_peers.find(from);
     const bool leaves = std::ranges::any_of(datagram->records, [](const WireRecord& record) {
         return std::holds_alternative<Goodbye>(record);
     });
@@ -87,6 +89,7 @@ void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, Local
 void SyncHost::advance(LocalTime now)
 {
     dropSilentPeers(now);
+    endExceedingPeers(now);
     m_actions.advance(sessionTime(now), now);
     const bool tick = m_streams.isDue(now);
     for (auto& [address, peer] : m_peers)
@@ -171,9 +174,12 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
         remove(from, now);
     append(admission->fact);
     const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
-    Peer peer{PeerLink{header.connection, m_clockOffset, now}, admission->participant,
-              static_cast<std::uint16_t>(admission->fact.number.value), hello.join.id,
-              FactSender{continues ? hello.lastFact : FactNumber{}}};
+    Peer peer{PeerLink{header.connection, m_clockOffset, now},
+              admission->participant,
+              static_cast<std::uint16_t>(admission->fact.number.value),
+              hello.join.id,
+              FactSender{continues ? hello.lastFact : FactNumber{}},
+              PeerBudget{m_rules.limits(admission->participant)}};
     peer.link.heard(header, now);
     m_peers.emplace(from, std::move(peer));
     m_actions.join(from, admission->participant, now);
@@ -183,15 +189,19 @@ Result<Admission> SyncHost::admit(PeerAddress from, const Hello& hello, LocalTim
 {
     ProposalRecord join = hello.join;
     join.author = kNobody;
-    const auto participant = m_rules.identify(join, now);
-    if (!participant)
-        return tl::unexpected(participant.error());
+    const auto who = m_rules.identify(join, now);
+    if (!who)
+        return tl::unexpected(who.error());
+    if (isBarred(who->participant, now))
+        return fail(Errc::TooMuchSent);
+    // The id of a join is in its fact, which everybody gets: it proves nothing by itself.
     const bool taken = std::ranges::any_of(m_peers, [&](const auto& entry) {
         const auto& [address, peer] = entry;
-        return address != from && peer.participant == *participant && peer.join != join.id
+        const bool isSameRun = who->isProven && peer.join == join.id;
+        return address != from && peer.participant == who->participant && !isSameRun
                && now < peer.link.lastHeard() + kNameHeld;
     });
-    if (taken || *participant == kHost)
+    if (taken || who->participant == kHost)
         return fail(Errc::NameTaken);
     return m_rules.admit(join, now);
 }
@@ -216,6 +226,11 @@ void SyncHost::forgetParticipant(ParticipantId participant)
 
 void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
 {
+    if (!peer.budget.takesProposal(now)) {
+        if (peer.budget.answers(now))
+            peer.outbox.emplace_back(ProposalRefused{proposal.id, Errc::TooMuchSent});
+        return;
+    }
     proposal.author = peer.participant;
     const auto fact = m_rules.decide(proposal, now);
     if (fact)
@@ -224,11 +239,15 @@ void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
         peer.outbox.emplace_back(ProposalRefused{proposal.id, fact.error().code});
 }
 
-void SyncHost::takeStreams(const Peer& peer, const StreamGroup& group, LocalTime now)
+void SyncHost::takeStreams(Peer& peer, const StreamGroup& group, LocalTime now)
 {
-    if (group.owner != peer.participant || group.epoch != peer.epoch)
+    if (group.owner != peer.participant || group.epoch != peer.epoch
+        || !peer.budget.takesSamples(group.streams.size(), now))
         return;
+    const SessionTime latest = sessionTime(now) + kLargestAhead + roundTripOf(peer.link) / 2;
     for (const StreamCpo& cpo : group.streams) {
+        if (cpo.time > latest)
+            continue;
         const StreamSample sample{group.owner, group.epoch, group.station, cpo};
         if (m_streams.take(sample, sessionTime(now)))
             m_output.streams.push_back(sample);
@@ -243,6 +262,28 @@ void SyncHost::dropSilentPeers(LocalTime now)
             silent.push_back(address);
     for (const PeerAddress address : silent)
         remove(address, now);
+}
+
+void SyncHost::endExceedingPeers(LocalTime now)
+{
+    std::erase_if(m_barredUntil, [now](const auto& entry) { return entry.second <= now; });
+    std::vector<PeerAddress> exceeding;
+    for (const auto& [address, peer] : m_peers)
+        if (peer.budget.isFarExceeded())
+            exceeding.push_back(address);
+    for (const PeerAddress address : exceeding) {
+        const Peer& peer = m_peers.at(address);
+        m_barredUntil.insert_or_assign(peer.participant, now + kBarred);
+        answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent}, now);
+        m_output.ended.push_back(address);
+        remove(address, now);
+    }
+}
+
+bool SyncHost::isBarred(ParticipantId participant, LocalTime now) const
+{
+    const auto barred = m_barredUntil.find(participant);
+    return barred != m_barredUntil.end() && now < barred->second;
 }
 
 void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)

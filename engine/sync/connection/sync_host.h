@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/sync/actions/host_actions.h"
 #include "engine/sync/clock/peer_clock.h"
+#include "engine/sync/connection/peer_budget.h"
 #include "engine/sync/connection/peer_link.h"
 #include "engine/sync/facts/fact_replication.h"
 #include "engine/sync/streams/host_streams.h"
@@ -21,10 +22,16 @@ struct Admission {
     FactRecord fact;
 };
 
+/// Whom a join would be admitted as.
+struct Identity {
+    ParticipantId participant;
+    bool isProven = false; ///< by a secret that only this participant and the host have
+};
+
 /// Callbacks into the session, which decides, and has each fact that it returns on disk.
 struct HostRules {
     /// The participant that a join would be admitted as; changes nothing.
-    std::function<Result<ParticipantId>(const ProposalRecord& join, LocalTime)> identify;
+    std::function<Result<Identity>(const ProposalRecord& join, LocalTime)> identify;
     /// Admits a participant. A repeated join gets the fact it already has.
     std::function<Result<Admission>(const ProposalRecord& join, LocalTime)> admit;
     /// Enters a proposal into the log. A repeated proposal gets the fact it already has.
@@ -33,6 +40,8 @@ struct HostRules {
     std::function<void(ParticipantId, LocalTime)> left;
     /// Whether a participant's role permits acting on objects, including its own.
     std::function<bool(ParticipantId)> mayAct;
+    /// What is taken from a participant.
+    std::function<PeerLimits(ParticipantId)> limits;
 };
 
 /// The session host's end, without socket, clock or thread: replicates the log to every peer,
@@ -43,6 +52,11 @@ public:
     /// A program from which a datagram arrived less than this ago keeps its participant against
     /// another program with the same name and role.
     static constexpr Duration kNameHeld = std::chrono::milliseconds{600};
+    /// For this long a participant whose program sent far too much stays out.
+    static constexpr Duration kBarred = std::chrono::seconds{30};
+    /// How far a sample may be ahead of the session, beside half the round trip of its path: a
+    /// clock is not better known than that.
+    static constexpr Duration kLargestAhead = std::chrono::milliseconds{5};
     /// Upper limit of slowestPath(), by which effect times are delayed.
     static constexpr Duration kLongestPath = std::chrono::seconds{1};
 
@@ -53,6 +67,7 @@ public:
         };
         std::vector<Addressed> datagrams;
         std::vector<StreamSample> streams; ///< of other participants
+        std::vector<PeerAddress> ended;    ///< paths that are to be closed after the datagrams
     };
 
     struct Peer {
@@ -61,6 +76,7 @@ public:
         std::uint16_t epoch;
         ProposalId join; ///< identifies one run of a program
         FactSender facts;
+        PeerBudget budget;
         bool welcome = true; ///< a Welcome is to be sent
         bool answer = false; ///< a datagram is to be sent at once
         std::vector<WireRecord> outbox{};
@@ -123,8 +139,10 @@ private:
     void remove(PeerAddress address, LocalTime now);
     void forgetParticipant(ParticipantId participant);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
-    void takeStreams(const Peer& peer, const StreamGroup& group, LocalTime now);
+    void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);
     void dropSilentPeers(LocalTime now);
+    void endExceedingPeers(LocalTime now);
+    [[nodiscard]] bool isBarred(ParticipantId participant, LocalTime now) const;
     void sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now);
     void answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,
                         LocalTime now);
@@ -135,6 +153,7 @@ private:
     Duration m_clockOffset;
     HostRules m_rules;
     std::map<PeerAddress, Peer> m_peers;
+    std::map<ParticipantId, LocalTime> m_barredUntil;
     HostStreams m_streams;
     HostActions m_actions;
     Output m_output;

@@ -31,7 +31,8 @@ enum class RecordKind : std::uint8_t {
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
 constexpr std::array kWireReasons{Errc::NotPermitted,    Errc::SessionEnded, Errc::NameTaken,
                                   Errc::OutOfRange,      Errc::StoreFailed,  Errc::PacketMalformed,
-                                  Errc::VersionMismatch, Errc::NotFinite,    Errc::OwnerChanged};
+                                  Errc::VersionMismatch, Errc::NotFinite,    Errc::OwnerChanged,
+                                  Errc::NameUnclear,     Errc::SessionFull,  Errc::TooMuchSent};
 
 void writeReason(ByteWriter& out, Errc reason)
 {

@@ -1,3 +1,4 @@
+#include "engine/session/participant_limits.h"
 #include "tests/engine/session/facts/judging.h"
 #include "tests/support/test_class.h"
 
@@ -18,6 +19,9 @@ private Q_SLOTS:
     void takesOnlyPeopleAndObjectsAfterTheEnd();
     void createsFirstAndOnce();
     void refusesValuesThatNoPatientHas();
+    void refusesANameThatLooksLikeAnothers();
+    void limitsObjectsByRole();
+    void takesAsManyAsItsRolesHave();
     void knowsTheStationItIsAbout_data();
     void knowsTheStationItIsAbout();
     void hearsOfAManikinFromThoseWhoAreAtIt();
@@ -87,19 +91,19 @@ void TestSessionPermissions::permitsByRole_data()
     row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{}; });
     row("leaves a checkpoint", "ynnnnn", [](auto) { return sampleCheckpoint(); });
     row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
-    row("comes back", "yyyyny", [&](auto id) { return joinAs(state, id); });
-    row("comes back under its number", "nyyynn", [&](ParticipantId id) {
+    row("comes back", "ynnnny", [&](auto id) { return joinAs(state, id); });
+    row("comes back under its number", "nnnnnn", [&](ParticipantId id) {
         fact::ParticipantJoined joined = joinAs(state, id);
         joined.participant = id == kSampleHost ? kStranger : id;
         return joined;
     });
-    row("brings a new trainee", "yynnny", [](auto) {
+    row("brings a new trainee", "ynnnny", [](auto) {
         return fact::ParticipantJoined{{}, Role::Trainee, "New"};
     });
-    row("makes Tom an instructor", "yynnny", [](auto) {
+    row("makes Tom, who is here, an instructor", "nnnnnn", [](auto) {
         return fact::ParticipantJoined{{}, Role::Instructor, "Tom"};
     });
-    row("sends the other trainee away", "yynnnn",
+    row("sends the other trainee away", "ynnnnn",
         [](auto) { return fact::ParticipantLeft{kSampleOtherTrainee}; });
     row("shares its own stylus", "yyynnn", [](auto id) {
         return fact::ObjectShared{{}, id, ObjectKind::Stylus, "stylus"};
@@ -129,7 +133,7 @@ void TestSessionPermissions::permitsByRole_data()
         << int(kSampleOtherTrainee.value) << false;
     for (std::size_t i = 1; i < 4; ++i)
         QTest::addRow("%s leaves", authorNames[i])
-            << FactBody{fact::ParticipantLeft{authors[i]}} << int(authors[i].value) << true;
+            << FactBody{fact::ParticipantLeft{authors[i]}} << int(authors[i].value) << false;
 }
 
 void TestSessionPermissions::permitsByRole()
@@ -193,7 +197,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd()
 {
     QFETCH(const FactBody, body);
     QFETCH(const QByteArray, expected);
-    QCOMPARE(verdict(judgeBy(authorityIn(SessionPhase::Ended), kSampleInstructor, body)), expected);
+    QCOMPARE(verdict(judgeBy(authorityIn(SessionPhase::Ended), kSampleHost, body)), expected);
 }
 
 void TestSessionPermissions::createsFirstAndOnce()
@@ -221,6 +225,72 @@ void TestSessionPermissions::refusesValuesThatNoPatientHas()
     QCOMPARE(verdict(judgeBy(authority, kNobody,
                              fact::ParticipantJoined{{}, Role::Trainee, std::string(65, 'x')})),
              QByteArray{"out of range"});
+}
+
+/// Of somebody who is present, and of the host; who is away has no claim to a look.
+void TestSessionPermissions::refusesANameThatLooksLikeAnothers()
+{
+    LogWriter writer = sampleSession();
+    writer.add(kNow, fact::ParticipantJoined{kSampleHost, Role::Instructor, "Dr. Hall"});
+    writer.add(kNow, fact::ParticipantLeft{kSampleOtherTrainee});
+    const SessionAuthority authority{writer.log()};
+    const auto joining = [&](Role role, const char* name) {
+        return verdict(judgeBy(authority, kNobody, fact::ParticipantJoined{{}, role, name}));
+    };
+    for (const char* name : {"TOM", "T\u043em", "To m", "dr. hall", "Tom\u200b"})
+        QCOMPARE(joining(Role::Observer, name), QByteArray{"name unclear"});
+    QCOMPARE(joining(Role::Trainee, "Tom"), QByteArray{"fine"}); // comes back
+    QCOMPARE(joining(Role::Observer, "tess"), QByteArray{"fine"});
+    QCOMPARE(joining(Role::Trainee, "Tim"), QByteArray{"fine"});
+}
+
+/// A trainee has one object of each kind and an observer none; the host as many as it likes.
+void TestSessionPermissions::limitsObjectsByRole()
+{
+    LogWriter writer = sampleSession();
+    const SessionAuthority authority{writer.log()};
+    const auto sharing = [](const SessionAuthority& judge, ParticipantId who, ObjectKind kind,
+                            const char* name) {
+        return verdict(judgeBy(judge, who, fact::ObjectShared{{}, who, kind, name}));
+    };
+    QCOMPARE(sharing(authority, kSampleTrainee, ObjectKind::Tube, "second tube"),
+             QByteArray{"not permitted"});
+    QCOMPARE(sharing(authority, kSampleTrainee, ObjectKind::Tube, "tube"), QByteArray{"fine"});
+    QCOMPARE(sharing(authority, kSampleTrainee, ObjectKind::Stylus, "stylus"), QByteArray{"fine"});
+    for (std::size_t i = 0; i < mostObjectsOf(Role::Instructor); ++i) {
+        const std::string name = "object " + std::to_string(i);
+        writer.add(kNow, fact::ObjectShared{ObjectId{std::uint16_t(10 + i)}, kSampleInstructor,
+                                            ObjectKind::Tube, name});
+        writer.add(kNow, fact::ObjectShared{ObjectId{std::uint16_t(200 + i)}, kSampleHost,
+                                            ObjectKind::Tube, name});
+    }
+    const SessionAuthority full{writer.log()};
+    QCOMPARE(sharing(full, kSampleInstructor, ObjectKind::Tube, "one more"),
+             QByteArray{"not permitted"});
+    QCOMPARE(sharing(full, kSampleInstructor, ObjectKind::Tube, "object 0"), QByteArray{"fine"});
+    QCOMPARE(sharing(full, kSampleHost, ObjectKind::Tube, "one more"), QByteArray{"fine"});
+}
+
+void TestSessionPermissions::takesAsManyAsItsRolesHave()
+{
+    LogWriter writer = sampleSession();
+    for (std::size_t i = 1; i < mostPresentOf(Role::Observer); ++i)
+        writer.add(kNow, fact::ParticipantJoined{ParticipantId{std::uint16_t(100 + i)},
+                                                 Role::Observer, "observer " + std::to_string(i)});
+    const auto joining = [](const LogWriter& log, Role role) {
+        return verdict(judgeBy(SessionAuthority{log.log()}, kNobody,
+                               fact::ParticipantJoined{{}, role, "One more"}));
+    };
+    QCOMPARE(joining(writer, Role::Observer), QByteArray{"session full"});
+    QCOMPARE(joining(writer, Role::Trainee), QByteArray{"fine"});
+    writer.add(kNow, fact::ParticipantLeft{ParticipantId{101}});
+    QCOMPARE(joining(writer, Role::Observer), QByteArray{"fine"});
+    for (std::size_t i = 0; writer.log().size() < 2 * kMostParticipants; ++i) {
+        const ParticipantId id{std::uint16_t(1000 + i)};
+        writer.add(kNow, fact::ParticipantJoined{id, Role::Trainee, "t" + std::to_string(i)});
+        writer.add(kNow, fact::ParticipantLeft{id});
+    }
+    QCOMPARE(joining(writer, Role::Trainee), QByteArray{"session full"});
 }
 
 void TestSessionPermissions::knowsTheStationItIsAbout_data()

@@ -1,5 +1,6 @@
 #include "engine/net/node/client_driver.h"
 #include "engine/session/facts/fact_codec.h"
+#include "engine/session/participant_limits.h"
 #include "tests/support/test_class.h"
 
 namespace carina::client_driver_test
@@ -31,12 +32,15 @@ struct Pair {
         : host{SessionKey{std::byte{1}},
                log,
                1000h,
-               {[](const ProposalRecord&, LocalTime) { return ParticipantId{5}; },
+               {[](const ProposalRecord&, LocalTime) {
+                    return Identity{ParticipantId{5}, true};
+                },
                 [log](const ProposalRecord&, LocalTime) {
                     return Admission{ParticipantId{5}, log.back()};
                 },
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
-                [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; }}},
+                [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; },
+                [](ParticipantId) { return limitsOf(Role::Instructor); }}},
           client{{0, "Anna", role, StationId{}}, board, now}
     {
         client.connected(kHost, {}, now);

@@ -1,5 +1,10 @@
+#include "engine/net/entry/session_identity.h"
 #include "tests/engine/net/node/nodes.h"
+#include "tests/engine/net/secure/transports.h"
 #include "tests/support/test_class.h"
+
+#include <QDir>
+#include <QTemporaryDir>
 
 namespace carina::node_recovery_test
 {
@@ -86,20 +91,46 @@ private Q_SLOTS:
     void restartedTraineeIsTheSameParticipant()
     {
         MemoryDisk disk;
+        const QTemporaryDir tokens;
         const auto instructor = host(disk);
-        auto anna = join(*instructor, "Anna");
+        JoinSettings settings = joinSettings(*instructor, "Anna");
+        settings.tokens = tokens.path().toStdString();
+        auto anna = join(settings);
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir{tokens.path()}.isEmpty(), kSoonMs);
         const ParticipantId id = anna->self();
         const auto present = [&] { return instructor->state()->participants().at(id).present; };
         QVERIFY(present());
         anna.reset();
         QTRY_VERIFY_WITH_TIMEOUT(!present(), kSoonMs);
-        anna = join(*instructor, "Anna");
+        // Her name and the code of her role are known to others, too.
+        const auto impostor = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(impostor->refusal(), kSoonMs);
+        QCOMPARE(impostor->refusal()->code, Errc::NameTaken);
+        anna = join(settings);
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
         QCOMPARE(anna->self(), id);
+        QCOMPARE(impostor->self(), kNobody);
         QTRY_VERIFY_WITH_TIMEOUT(present(), kSoonMs);
         QTRY_COMPARE_WITH_TIMEOUT(anna->state()->lastApplied(), instructor->state()->lastApplied(),
                                   kSoonMs);
+    }
+
+    /// A path over which nobody comes in is closed; one that somebody came in over stays.
+    void pathsWithoutAHelloAreClosed()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto anna = join(*instructor, "Anna");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        const AccessKey key = *cheapKey(instructor->joinCodes().at(Role::Observer),
+                                        sessionKey(instructor->state()->sessionId()));
+        RawClient silent{instructor->port(),
+                         "observer:" + instructor->state()->sessionId() + ":new", key};
+        QTRY_VERIFY_WITH_TIMEOUT(silent.isIn(), kSoonMs);
+        const std::size_t answers = silent.answers.size();
+        QTRY_COMPARE_WITH_TIMEOUT(silent.answers.size(), answers + 1, 4000); // close_notify
+        QVERIFY(isIn(*anna));
     }
 
     void participantsWhoDoNotReturnToARestartedHostAreGone()
@@ -135,8 +166,10 @@ private Q_SLOTS:
         QCOMPARE(usurper->refusal()->code, Errc::NameTaken);
         QCOMPARE(other->self(), kNobody);
         QCOMPARE(linkOf(*other), LinkState::Connecting);
-        // Another role is another person.
-        const auto watcher = join(*instructor, "Anna", Role::Observer);
+        const auto mimic = join(*instructor, "\u0410nna", Role::Observer); // Cyrillic
+        QTRY_VERIFY_WITH_TIMEOUT(mimic->refusal(), kSoonMs);
+        QCOMPARE(mimic->refusal()->code, Errc::NameUnclear);
+        const auto watcher = join(*instructor, "Otto", Role::Observer);
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*watcher), kSoonMs);
     }
 

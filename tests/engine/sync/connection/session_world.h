@@ -41,7 +41,9 @@ struct TestSession {
     std::vector<FactRecord> disk;
     std::vector<std::pair<ParticipantId, LocalTime>> departures;
     std::set<ParticipantId> observers; ///< who may not act
-    Ownership ownership{kNobody, 1};   ///< of the one object
+    bool areProven = true;             ///< whether each proves by a secret who it is
+    PeerLimits limits{1e4, 1e7, 1e4, 1e4, 1e4};
+    Ownership ownership{kNobody, 1}; ///< of the one object
 
     [[nodiscard]] static std::vector<std::byte> body(const std::string& text)
     {
@@ -90,11 +92,16 @@ struct TestSession {
     }
     [[nodiscard]] HostRules rules()
     {
-        return {[this](const ProposalRecord& join, LocalTime) { return identify(join); },
+        return {[this](const ProposalRecord& join, LocalTime) {
+                    return identify(join).map([this](ParticipantId id) {
+                        return Identity{id, areProven};
+                    });
+                },
                 [this](const ProposalRecord& join, LocalTime) { return admit(join); },
                 [this](const ProposalRecord& proposal, LocalTime) { return decide(proposal); },
                 [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },
-                [this](ParticipantId who) { return !observers.contains(who); }};
+                [this](ParticipantId who) { return !observers.contains(who); },
+                [this](ParticipantId) { return limits; }};
     }
 };
 

@@ -97,6 +97,17 @@ private Q_SLOTS:
         QVERIFY(alone.session.departures.empty());
     }
 
+    /// The id of a join is in its fact, which everybody has: who only knows that is not let in.
+    void idOfAJoinIsNoProof()
+    {
+        HostAlone alone;
+        alone.session.areProven = false;
+        QVERIFY(isWelcomed(alone.greet(1, 10, 77, kNow)));
+        const auto refused = alone.greet(2, 11, 77, kNow + 1ms);
+        QCOMPARE(std::get<HelloRefused>(refused.at(0)).reason, Errc::NameTaken);
+        QVERIFY(alone.host.peers().contains(1));
+    }
+
     void nameIsHeldFor600Milliseconds()
     {
         HostAlone alone;
@@ -121,7 +132,9 @@ private Q_SLOTS:
     {
         HostAlone alone;
         HostRules rules = alone.session.rules();
-        rules.identify = [](const ProposalRecord&, LocalTime) { return ParticipantId{0}; };
+        rules.identify = [](const ProposalRecord&, LocalTime) {
+            return Identity{ParticipantId{0}};
+        };
         alone.host = SyncHost{SessionKey{}, {}, 1000h, rules};
         const auto refused = alone.greet(1, 10, 77, kNow);
         QCOMPARE(std::get<HelloRefused>(refused.at(0)).reason, Errc::NameTaken);

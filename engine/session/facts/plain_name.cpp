@@ -1,0 +1,67 @@
+#include "engine/session/facts/plain_name.h"
+
+#include <unicode/uchar.h>
+#include <unicode/unistr.h>
+#include <unicode/uspoof.h>
+
+namespace carina
+{
+namespace
+{
+
+bool isUnseen(UChar32 character)
+{
+    constexpr std::uint32_t kUnseen = U_GC_CC_MASK | U_GC_CF_MASK | U_GC_CS_MASK | U_GC_CO_MASK
+                                      | U_GC_CN_MASK | U_GC_ZL_MASK | U_GC_ZP_MASK;
+    return (U_MASK(u_charType(character)) & kUnseen) != 0
+           || u_hasBinaryProperty(character, UCHAR_DEFAULT_IGNORABLE_CODE_POINT);
+}
+
+const USpoofChecker* checker()
+{
+    static USpoofChecker* const only = [] {
+        UErrorCode status = U_ZERO_ERROR;
+        return uspoof_open(&status);
+    }();
+    return only;
+}
+
+icu::UnicodeString unicode(std::string_view utf8)
+{
+    return icu::UnicodeString::fromUTF8({utf8.data(), static_cast<std::int32_t>(utf8.size())});
+}
+
+} // namespace
+
+Result<void> checkName(std::string_view utf8)
+{
+    const icu::UnicodeString name = unicode(utf8);
+    const std::int32_t characters = name.countChar32();
+    if (characters == 0 || characters > kLongestName)
+        return fail(Errc::NameUnclear, "1 to " + std::to_string(kLongestName) + " characters");
+    for (std::int32_t i = 0; i < name.length(); i = name.moveIndex32(i, 1))
+        if (isUnseen(name.char32At(i)))
+            return fail(Errc::NameUnclear);
+    const bool isPadded = u_isUWhiteSpace(name.char32At(0))
+                          || u_isUWhiteSpace(name.char32At(name.moveIndex32(name.length(), -1)));
+    return isPadded ? fail(Errc::NameUnclear) : Result<void>{};
+}
+
+std::string lookOf(std::string_view utf8)
+{
+    icu::UnicodeString name = unicode(utf8);
+    name.foldCase();
+    for (std::int32_t i = 0; i < name.length();)
+        if (u_isUWhiteSpace(name.charAt(i)))
+            name.remove(i, 1);
+        else
+            ++i;
+    icu::UnicodeString skeleton;
+    UErrorCode status = U_ZERO_ERROR;
+    uspoof_getSkeletonUnicodeString(checker(), 0, name, skeleton, &status);
+    std::string look;
+    (U_SUCCESS(status) ? skeleton : name).foldCase().toUTF8String(look);
+    return look;
+}
+
+} // namespace carina

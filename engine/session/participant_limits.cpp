@@ -1,0 +1,53 @@
+#include "engine/session/participant_limits.h"
+
+namespace carina
+{
+
+PeerLimits limitsOf(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return {.datagrams = 2000.0,
+                .bytes = 1e6,
+                .proposals = 100.0,
+                .events = 400.0,
+                .samples = 2000.0};
+    case Role::Trainee:
+        return {.datagrams = 2000.0,
+                .bytes = 5e5,
+                .proposals = 20.0,
+                .events = 400.0,
+                .samples = 1000.0};
+    case Role::Observer:
+        return {.datagrams = 2000.0, .bytes = 2e5, .proposals = 2.0, .events = 0.0, .samples = 0.0};
+    }
+    return {};
+}
+
+std::size_t mostObjectsOf(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return 64;
+    case Role::Trainee:
+        return 8;
+    case Role::Observer:
+        return 0;
+    }
+    return 0;
+}
+
+std::size_t mostPresentOf(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return 64;
+    case Role::Trainee:
+        return 256;
+    case Role::Observer:
+        return 128;
+    }
+    return 0;
+}
+
+} // namespace carina

@@ -1,0 +1,121 @@
+#include "engine/sync/connection/peer_budget.h"
+#include "tests/engine/sync/connection/session_world.h"
+#include "tests/support/test_class.h"
+
+namespace carina::peer_budget_test
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+constexpr LocalTime kStart{100s};
+constexpr PeerLimits kLimits{
+    .datagrams = 100.0, .bytes = 1e4, .proposals = 10.0, .events = 20.0, .samples = 60.0};
+
+} // namespace
+
+/// What the host takes from a participant.
+class TestPeerBudget : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void bucketHoldsTwoSecondsWorthAndFills()
+    {
+        TokenBucket bucket;
+        int taken = 0;
+        for (int i = 0; i < 100; ++i)
+            taken += bucket.take(1.0, 10.0, kStart) ? 1 : 0;
+        QCOMPARE(taken, 20);
+        QVERIFY(!bucket.take(1.0, 10.0, kStart + 99ms));
+        QVERIFY(bucket.take(1.0, 10.0, kStart + 100ms));
+        for (int i = 0; i < 100; ++i)
+            taken += bucket.take(1.0, 10.0, kStart + 1h) ? 1 : 0;
+        QCOMPARE(taken, 40);
+    }
+
+    void clockThatGoesBackFillsNothing()
+    {
+        TokenBucket bucket;
+        QVERIFY(bucket.take(20.0, 10.0, kStart));
+        QVERIFY(!bucket.take(1.0, 10.0, kStart - 1h));
+        QVERIFY(!bucket.take(1.0, 10.0, kStart));
+    }
+
+    void nothingIsTakenWhereNothingIsAllowed()
+    {
+        TokenBucket bucket;
+        QVERIFY(!bucket.take(1.0, 0.0, kStart));
+        PeerBudget budget{PeerLimits{}};
+        QVERIFY(!budget.takesEvent(kStart));
+    }
+
+    void eachKindHasItsOwnBucket()
+    {
+        PeerBudget budget{kLimits};
+        while (budget.takesProposal(kStart)) {
+        }
+        QVERIFY(budget.takesEvent(kStart) && budget.takesSamples(60, kStart)
+                && budget.takesDatagram(100, kStart));
+        QVERIFY(!budget.takesSamples(61, kStart));
+        QVERIFY(!budget.takesDatagram(20'000, kStart));
+    }
+
+    /// One and a half times the limit is only slowed; ten times is found within two seconds.
+    void onlyWhoGoesFarOverTheLimitIsDisconnected()
+    {
+        PeerBudget slow{kLimits};
+        int taken = 0;
+        for (int i = 0; i < 60 * 15; ++i)
+            taken += slow.takesProposal(kStart + i * (1'000'000'000ns / 15)) ? 1 : 0;
+        QVERIFY(!slow.isFarExceeded());
+        QVERIFY(taken >= 600 && taken <= 621);
+        PeerBudget flood{kLimits};
+        for (int i = 0; i < 200; ++i)
+            static_cast<void>(flood.takesProposal(kStart + i * 10ms));
+        QVERIFY(flood.isFarExceeded());
+    }
+
+    /// A participant who floods: the log grows by its budget alone, it is told why, and it stays
+    /// out for half a minute; the other's proposals go on.
+    void floodIsEndedAndTheOthersGoOn()
+    {
+        SessionWorld world{37};
+        world.session.limits = kLimits;
+        world.startHost();
+        world.addSite({5ms, 0ms, 0.0, 0.0});
+        world.addSite({5ms, 0ms, 0.0, 0.0});
+        world.startClient(0, "anna");
+        world.startClient(1, "ben");
+        world.run(500ms);
+        const std::size_t before = world.session.disk.size();
+        for (int i = 0; i < 100; ++i) {
+            for (int k = 0; k < 20; ++k)
+                world.propose(0, "flood");
+            if (i % 20 == 0)
+                world.propose(1, "ben's");
+            world.run(50ms);
+        }
+        QVERIFY2(world.session.disk.size() - before <= 20 + 50 + 5,
+                 qPrintable(QString::number(world.session.disk.size() - before)));
+        QCOMPARE(world.site(0).client->helloRefused(), Errc::TooMuchSent);
+        QVERIFY(world.site(1).client->helloRefused() == std::nullopt);
+        const auto bens = std::ranges::count_if(world.site(1).log, [](const FactRecord& fact) {
+            return fact.body == TestSession::body("ben's");
+        });
+        QCOMPARE(bens, 5);
+        world.startClient(0, "anna");
+        world.run(20s);
+        QCOMPARE(world.site(0).client->helloRefused(), Errc::TooMuchSent);
+        world.run(11s);
+        QVERIFY(world.site(0).client->helloRefused() == std::nullopt);
+        QCOMPARE(world.host().peers().size(), std::size_t{2});
+    }
+};
+
+CARINA_TEST(TestPeerBudget)
+
+} // namespace carina::peer_budget_test
+
+#include "tst_peer_budget.moc"

@@ -15,8 +15,9 @@ namespace carina
 
 /// Objects that one participant may have shared.
 [[nodiscard]] std::size_t mostObjectsOf(Role role);
-/// Objects of one kind that a trainee may have shared.
-inline constexpr std::size_t kMostOfAKind = 1;
+/// Objects of one kind that a trainee may have shared: who acts in `carina-lab drift --live` has
+/// two.
+inline constexpr std::size_t kMostOfAKind = 2;
 
 /// Participants that a session takes, over its whole life: their numbers and names stay in its log.
 inline constexpr std::size_t kMostParticipants = 1024;

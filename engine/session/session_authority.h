@@ -43,8 +43,8 @@ public:
     ///        ownership and report breaths of the manikin at their station, observers may propose
     ///        nothing and own nothing.
     /// @returns NotPermitted where the author's role does not permit it, or for more objects than a
-    ///          participant may share; SessionFull and NameUnclear for a join; SessionEnded after the
-    ///          end, except for facts about participants and shared objects; OutOfRange for a
+    ///          participant may share; SessionFull and NameUnclear for a join; SessionEnded after
+    ///          the end, except for facts about participants and shared objects; OutOfRange for a
     ///          parameter outside the range of a patient, an unknown station, participant or
     ///          object, and a phase that cannot follow the present one; OwnerChanged for an object
     ///          that has changed its owner meanwhile.

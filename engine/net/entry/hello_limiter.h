@@ -12,8 +12,8 @@ namespace carina
 /// Source of datagrams for rate limiting: an IPv4 address or the first 64 bits of an IPv6 address.
 using SourcePrefix = std::array<std::uint8_t, 16>;
 
-/// Rate limit of ClientHellos with a valid cookie for each source, because each costs the host more than its sender: a
-/// burst of 128, then 50 a second, as a whole class may share one address.
+/// Rate limit of ClientHellos with a valid cookie for each source, because each costs the host more
+/// than its sender: a burst of 128, then 50 a second, as a whole class may share one address.
 class HelloLimiter
 {
 public:

@@ -244,16 +244,17 @@ void TestSessionPermissions::refusesANameThatLooksLikeAnothers()
     QCOMPARE(joining(Role::Trainee, "Tim"), QByteArray{"fine"});
 }
 
-/// A trainee has one object of each kind and an observer none; the host as many as it likes.
+/// A trainee has two objects of each kind and an observer none; the host as many as it likes.
 void TestSessionPermissions::limitsObjectsByRole()
 {
     LogWriter writer = sampleSession();
+    writer.add(kNow, fact::ObjectShared{ObjectId{2}, kSampleTrainee, ObjectKind::Tube, "spare"});
     const SessionAuthority authority{writer.log()};
     const auto sharing = [](const SessionAuthority& judge, ParticipantId who, ObjectKind kind,
                             const char* name) {
         return verdict(judgeBy(judge, who, fact::ObjectShared{{}, who, kind, name}));
     };
-    QCOMPARE(sharing(authority, kSampleTrainee, ObjectKind::Tube, "second tube"),
+    QCOMPARE(sharing(authority, kSampleTrainee, ObjectKind::Tube, "third tube"),
              QByteArray{"not permitted"});
     QCOMPARE(sharing(authority, kSampleTrainee, ObjectKind::Tube, "tube"), QByteArray{"fine"});
     QCOMPARE(sharing(authority, kSampleTrainee, ObjectKind::Stylus, "stylus"), QByteArray{"fine"});

@@ -161,7 +161,8 @@ private Q_SLOTS:
         row("frame without field", "Seq_Frame0000 = 1\n", FileMalformed, "no frame number");
         row("not from frame 0", "Seq_Frame0001_Timestamp = 1\n", FileMalformed,
             "frame 1 comes where frame 0 is expected");
-        row("largest frame", "Seq_Frame18446744073709551615_Timestamp = 1\n", FileMalformed, "due");
+        row("largest frame", "Seq_Frame18446744073709551615_Timestamp = 1\n", FileMalformed,
+            "expected");
         row("status only", framed("StylusToTrackerTransformStatus", "OK"), FileMalformed, "16");
         row("pose only", framed("StylusToTrackerTransform", kIdentity), FileMalformed, "status");
         row("strange status", SequenceText{}.frame("0").tool("Stylus", kIdentity, "FINE").text(),

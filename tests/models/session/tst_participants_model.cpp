@@ -117,7 +117,8 @@ void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
 {
     Table table;
     table.node.decide(fact::ObjectShared{{}, FakeSessionNode::kTrainee, ObjectKind::Head, "head"});
-    table.node.decide(fact::ObjectShared{{}, FakeSessionNode::kObserver, ObjectKind::Head, "head"});
+    table.node.decide(
+        fact::ObjectShared{{}, FakeSessionNode::kInstructor, ObjectKind::Head, "head"});
     table.node.reports = {{ObjectId{1}, milliseconds{12}, 0.03, 1.26},
                           {ObjectId{2}, milliseconds{41}, 0.014, 0.2},
                           {ObjectId{3}, milliseconds{700}, 9.0, 99.0},
@@ -126,9 +127,9 @@ void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
     QCOMPARE(table.cell(kTraineeRow, Column::Age), QStringLiteral("41 ms"));
     QCOMPARE(table.cell(kTraineeRow, Column::DriftAngle), QStringLiteral("0.03°"));
     QCOMPARE(table.cell(kTraineeRow, Column::DriftDistance), QStringLiteral("1.3 mm"));
-    QCOMPARE(table.cell(kObserverRow, Column::Age), QStringLiteral("700 ms"));
+    QCOMPARE(table.cell(kInstructorRow, Column::Age), QStringLiteral("700 ms"));
     for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
-        QCOMPARE(table.cell(kInstructorRow, column), kNoValue);
+        QCOMPARE(table.cell(kObserverRow, column), kNoValue);
     QCOMPARE(table.model.oldestSample_ms(), std::optional{700.0});
 }
 

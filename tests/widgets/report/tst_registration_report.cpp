@@ -82,7 +82,7 @@ private Q_SLOTS:
                          "Right jaw angle 0.12 mm 0.63 mm 0.86 mm 1.22 mm|"
                          "Left tenth rib 0.13 mm 1.44 mm 0.87 mm 2.23 mm|"
                          "Right tenth rib 0.14 mm 0.35 mm 0.88 mm —");
-        row("fit", "residuals: 0.84 mm|1.19 mm|below 1.87 mm");
+        row("fit", "residuals: 0.84 mm|1.19 mm|confidence limit: 1.87 mm");
         row("stylus", "0.43 mm|0.06 mm|412|38 degrees to all sides|2026-11-21T16:40:00Z");
         row("picture", "Expected error, drawn on the skin.");
     }

@@ -148,12 +148,12 @@ private Q_SLOTS:
         const QString matrix = QStringLiteral("bad/1.txt");
         QTest::newRow("12 numbers")
             << matrix << QStringLiteral("1 0 0 1 0 1 0 2 0 0 1 3") << Errc::FileMalformed
-            << QStringLiteral("has not the 16 numbers of a pose.");
+            << QStringLiteral("does not have the 16 numbers of a pose.");
         QTest::newRow("a mirror") << matrix << QStringLiteral("1 0 0 1 0 1 0 2 0 0 -1 3 0 0 0 1")
                                   << Errc::NotARotation << QStringLiteral("mirrors.");
         QTest::newRow("a word") << matrix << QStringLiteral("1 0 0 1 0 1 0 2 0 0 one 3 0 0 0 1")
                                 << Errc::FileMalformed
-                                << QStringLiteral("has not the 16 numbers of a pose.");
+                                << QStringLiteral("does not have the 16 numbers of a pose.");
     }
 
     void refusesWhatTellsNoTip()

@@ -54,8 +54,7 @@ private Q_SLOTS:
     void eachKindHasItsOwnBucket()
     {
         PeerBudget budget{kLimits};
-        while (budget.takesProposal(kStart)) {
-        }
+        while (budget.takesProposal(kStart)) {}
         QVERIFY(budget.takesEvent(kStart) && budget.takesSamples(60, kStart)
                 && budget.takesDatagram(100, kStart));
         QVERIFY(!budget.takesSamples(61, kStart));

@@ -187,7 +187,7 @@ private Q_SLOTS:
         row("proposal with the longest length", 3, 11, "ff ff", "body length");
         row("hello without a proposal", 6, 35, "00 00", "body length");
         row("reason zero", 5, 9, "00", "reason");
-        row("reason above the last", 5, 9, "0a", "reason");
+        row("reason above the last", 5, 9, "0d", "reason");
         row("reason above all", 8, 1, "ff", "reason");
     }
 

@@ -96,7 +96,10 @@ demo_headless() {
 
 demo() {
     local out='' seconds=24 size=1280x800 anatomy='' site='' register=no patient=() view=()
+    local known=' --register --site --output --headless --anatomy --patient --seconds --size '
     while [ $# -gt 0 ]; do
+        [[ $known == *" $1 "* ]] || refuse "demo does not know $1, or was given it twice"
+        known=${known/" $1 "/ }
         if [ "$1" = --register ]; then
             register=yes
             shift
@@ -111,7 +114,6 @@ demo() {
             --patient) patient=(--patient "$2") ;;
             --seconds) seconds=$2 ;;
             --size) size=$2 ;;
-            *) refuse "demo does not know $1" ;;
         esac
         shift 2
     done

@@ -42,9 +42,14 @@ void prepareProgram(QApplication& application)
         QApplication::installTranslator(translator);
 }
 
-/// @returns WrongOption where there are more words than this that no option takes.
+/// @returns WrongOption for an option that is given twice, and where there are more words than this
+///          that no option takes.
 Result<void> checkWords(const QCommandLineParser& parser, qsizetype most)
 {
+    const QStringList given = parser.optionNames();
+    for (const QString& option : given)
+        if (given.count(option) > 1)
+            return fail(Errc::WrongOption, "--" + option.toStdString() + " is given twice");
     const QStringList words = parser.positionalArguments();
     if (words.size() > most)
         return fail(Errc::WrongOption, "unexpected argument '" + words[most].toStdString() + "'");

@@ -11,10 +11,14 @@ in vec4 shade;
 flat in vec3 part; // id, region, material
 
 uniform vec3 eyePosition;
-uniform mat4 errorQuadric;   // [p 1] Q [p 1]^T is the squared error at p, in widths of a band
-uniform float firstBand;     // where it begins, in widths of a band
+uniform mat4 errorQuadric; // [p 1] Q [p 1]^T is the squared error at p, in widths of a band
+uniform float firstBand;   // where it begins, in widths of a band
 uniform float bandCount;
-uniform mat4 bandColors[10]; // columns: of the band; of the line where it begins
+struct Band {
+    vec3 color;
+    vec3 line; // the colour of the line where it begins
+};
+uniform Band bands[10];
 
 out vec4 fragment;
 
@@ -42,7 +46,7 @@ void main()
     float away = abs(error - line) / max(perPixel, 1e-9);
     float ink = (1.0 - smoothstep(kHalfLine - 0.5, kHalfLine + 0.5, away))
                 * (1.0 - smoothstep(kDense, 2.0 * kDense, perPixel));
-    vec3 color = mix(bandColors[bandAt(error)][0].rgb, bandColors[bandAt(line + 0.5)][1].rgb, ink);
+    vec3 color = mix(bands[bandAt(error)].color, bands[bandAt(line + 0.5)].line, ink);
     float facing = abs(dot(normalize(worldNormal), normalize(eyePosition - worldPosition)));
     float tone = mix(kEdgeTone, 1.0, smoothstep(0.0, 0.6, facing));
     fragment = vec4(color * tone, part.z < kVeil ? 1.0 : shade.a);

@@ -20,8 +20,11 @@ uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; l
 // Columns: descent, forward, flare, lift; bulkBack, bulkDown, shrink, shift; of the right lung,
 // then of the left.
 #ifdef MANY_REGIONS
-uniform mat4 motions[11]; // by region
-mat4 motion;              // of this vertex's
+struct Region {
+    mat4 motion;
+};
+uniform Region regions[11];
+mat4 motion; // of this vertex's region
 #else
 uniform mat4 motion;
 #endif
@@ -239,7 +242,7 @@ vec4 shadeAt(vec3 position, vec3 normal)
 void main()
 {
 #ifdef MANY_REGIONS
-    motion = motions[int(vertexPart.y)];
+    motion = regions[int(vertexPart.y)].motion;
 #endif
     vec3 position;
     vec3 normal;

@@ -4,6 +4,7 @@
 #include "widgets/scene/look/organ_shader.h"
 
 #include <QMatrix4x4>
+#include <QVector3D>
 #include <QVector4D>
 #include <Qt3DRender/QEffect>
 #include <Qt3DRender/QFilterKey>
@@ -14,6 +15,7 @@
 #include <Qt3DRender/QTechnique>
 
 #include <algorithm>
+#include <string>
 
 namespace carina
 {
@@ -72,27 +74,32 @@ QMatrix4x4 quadricUniform(const ErrorMap& map)
     return quadric;
 }
 
-QVector4D light(const QColor& color) { return {color.redF(), color.greenF(), color.blueF(), 1.0F}; }
+QVector3D light(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
 
-/// A matrix for each band that there may be, as error_map.frag reads it.
-QVariantList colorUniform(int count)
+/// Bands beyond the last one get its colours.
+void setColors(const ErrorUniforms& uniforms, int count)
 {
-    QVariantList colors;
     for (int band = 0; band < kMostErrorBands; ++band) {
         const int drawn = std::min(band, count - 1);
-        QMatrix4x4 columns;
-        columns.setColumn(0, light(bandColor(drawn, count)));
-        columns.setColumn(1, light(isolineColor(drawn, count)));
-        colors.push_back(columns);
+        const ErrorUniforms::Band& set = uniforms.bands[static_cast<std::size_t>(band)];
+        set.color->setValue(light(bandColor(drawn, count)));
+        set.line->setValue(light(isolineColor(drawn, count)));
     }
-    return colors;
 }
 
 ErrorUniforms errorUniforms(Qt3DCore::QNode* parent)
 {
-    return {uniform("errorQuadric", QMatrix4x4{}, parent), uniform("firstBand", 0.0F, parent),
-            uniform("bandCount", 1.0F, parent),
-            uniform("bandColors[0]", colorUniform(1), parent)}; // as OpenGL names an array
+    ErrorUniforms made{uniform("errorQuadric", QMatrix4x4{}, parent),
+                       uniform("firstBand", 0.0F, parent),
+                       uniform("bandCount", 1.0F, parent),
+                       {}};
+    for (std::size_t band = 0; band < made.bands.size(); ++band) {
+        const std::string name = "bands[" + std::to_string(band) + "].";
+        made.bands[band] = {uniform((name + "color").c_str(), QVector3D{}, parent),
+                            uniform((name + "line").c_str(), QVector3D{}, parent)};
+    }
+    setColors(made, 1);
+    return made;
 }
 
 } // namespace
@@ -113,13 +120,20 @@ OrganEffects::OrganEffects(Qt3DCore::QNode* parent)
              {layer.surface.drawn, layer.surface.coming, layer.id.drawn, layer.id.coming})
             technique->addRenderPass(each);
         layer.effect->addTechnique(technique);
-        for (Qt3DRender::QParameter* parameter :
-             {m_cut.section, m_cut.cutAway, m_error.quadric, m_error.firstBand, m_error.bandCount,
-              m_error.bandColors})
+        for (Qt3DRender::QParameter* parameter : parameters())
             layer.effect->addParameter(parameter);
     }
     askForPrograms();
     usePrograms(); // nothing is drawn yet that could be left out
+}
+
+std::vector<Qt3DRender::QParameter*> OrganEffects::parameters() const
+{
+    std::vector all{m_cut.section, m_cut.cutAway, m_error.quadric, m_error.firstBand,
+                    m_error.bandCount};
+    for (const ErrorUniforms::Band& band : m_error.bands)
+        all.insert(all.end(), {band.color, band.line});
+    return all;
 }
 
 Qt3DRender::QEffect* OrganEffects::of(DrawLayer layer) const
@@ -181,7 +195,7 @@ void OrganEffects::setErrorMap(const std::optional<ErrorMap>& map)
     m_error.quadric->setValue(quadricUniform(*map));
     m_error.firstBand->setValue(static_cast<float>(bands.first));
     m_error.bandCount->setValue(static_cast<float>(bands.count));
-    m_error.bandColors->setValue(colorUniform(bands.count));
+    setColors(m_error, bands.count);
 }
 
 } // namespace carina

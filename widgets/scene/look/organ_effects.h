@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace Qt3DCore
 {
@@ -39,7 +40,11 @@ struct ErrorUniforms {
     Qt3DRender::QParameter* quadric;
     Qt3DRender::QParameter* firstBand;
     Qt3DRender::QParameter* bandCount;
-    Qt3DRender::QParameter* bandColors;
+    struct Band {
+        Qt3DRender::QParameter* color;
+        Qt3DRender::QParameter* line; ///< the colour of the line where it begins
+    };
+    std::array<Band, kMostErrorBands> bands; ///< singly: Qt 6.4 leaks a list each time it is set
 };
 
 /// One effect per draw layer, each with a surface pass and an id pass, and the parameters common to
@@ -74,6 +79,7 @@ private:
         std::array<std::array<Qt3DRender::QShaderProgram*, 2>, 2> surfacePrograms{};
         std::array<Qt3DRender::QShaderProgram*, 2> idPrograms{};
     };
+    [[nodiscard]] std::vector<Qt3DRender::QParameter*> parameters() const;
     void askForPrograms();
     void usePrograms();
 

@@ -9,7 +9,7 @@ namespace carina
 /// a software renderer evaluates both sides of a branch and reads indexed uniforms for each vertex
 /// separately.
 struct OrganShader {
-    bool hasManyRegions = true; ///< uniform motions[], by region; else one uniform motion
+    bool hasManyRegions = true; ///< uniform regions[].motion; else one uniform motion
     bool movesJaw = true;       ///< uniforms throat and jaw; else the jaw stays as in the surfaces
 };
 [[nodiscard]] QByteArray organVertexShader(const OrganShader& needs);

@@ -175,9 +175,9 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.setUniformValue("modelNormalMatrix", QMatrix3x3{});
     program.setUniformValue("chest", chestUniform(field));
     const auto region = static_cast<int>(m_region);
-    const QString motions = QStringLiteral("motions[%1]").arg(region);
+    const QString inRegion = QStringLiteral("regions[%1].motion").arg(region);
     program.setUniformValue(
-        program.uniformLocation(m_shader.hasManyRegions ? motions : QStringLiteral("motion")),
+        program.uniformLocation(m_shader.hasManyRegions ? inRegion : QStringLiteral("motion")),
         motionUniform(motion));
     program.setUniformValue("throat", throatUniform(throat.field));
     program.setUniformValue("jaw", jawUniform(throat.X_AJ));

@@ -70,6 +70,17 @@ Qt3DCore::QAttribute* cornerList(Qt3DCore::QBuffer* corners)
     return attribute;
 }
 
+std::vector<Qt3DRender::QParameter*> motionParameters(bool hasManyRegions)
+{
+    if (!hasManyRegions)
+        return {new Qt3DRender::QParameter(QStringLiteral("motion"), QMatrix4x4{})};
+    std::vector<Qt3DRender::QParameter*> parameters;
+    for (std::size_t region = 0; region < kChestRegions; ++region)
+        parameters.push_back(new Qt3DRender::QParameter(
+            QStringLiteral("regions[%1].motion").arg(region), QMatrix4x4{}));
+    return parameters;
+}
+
 /// Explicit bounds spare Qt 3D a scan of all positions. Nothing is culled by them.
 void setBounds(Qt3DRender::QGeometryRenderer* renderer, const std::vector<SurfaceVertex>& vertices)
 {
@@ -95,7 +106,7 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_cornerList(cornerList(m_corners)),
       m_X_AF(new Qt3DCore::QTransform),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
-      m_motion(new Qt3DRender::QParameter),
+      m_motions(motionParameters(!m_key.region)),
       m_throat(new Qt3DRender::QParameter(QStringLiteral("throat"), throatUniform({}))),
       m_jaw(new Qt3DRender::QParameter(QStringLiteral("jaw"), jawUniform({})))
 {
@@ -108,13 +119,12 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
     m_renderer->setGeometry(geometry);
     m_renderer->setPrimitiveType(Qt3DRender::QGeometryRenderer::Triangles);
     setBounds(m_renderer, surface.vertices);
-    m_motion->setName(m_key.region ? QStringLiteral("motion")
-                                   : QStringLiteral("motions[0]")); // as OpenGL names an array
     setMotion({});
     auto* material = new Qt3DRender::QMaterial;
     material->setEffect(effect);
     material->addParameter(m_chest);
-    material->addParameter(m_motion);
+    for (Qt3DRender::QParameter* motion : m_motions)
+        material->addParameter(motion);
     material->addParameter(m_throat);
     material->addParameter(m_jaw);
     m_entity->addComponent(m_renderer);
@@ -127,13 +137,11 @@ SurfaceEntity::~SurfaceEntity() = default;
 void SurfaceEntity::setMotion(const BreathingChest& chest)
 {
     if (m_key.region) {
-        m_motion->setValue(motionUniform(chest.of(*m_key.region)));
+        m_motions.front()->setValue(motionUniform(chest.of(*m_key.region)));
         return;
     }
-    QVariantList motions;
-    for (const ChestMotion& motion : chest.motion)
-        motions.push_back(motionUniform(motion));
-    m_motion->setValue(motions);
+    for (std::size_t region = 0; region < kChestRegions; ++region)
+        m_motions[region]->setValue(motionUniform(chest.motion[region]));
 }
 
 void SurfaceEntity::apply(const SceneFrame& frame)

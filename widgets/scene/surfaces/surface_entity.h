@@ -64,7 +64,9 @@ private:
     Qt3DCore::QAttribute* m_cornerList;
     Qt3DCore::QTransform* m_X_AF;
     Qt3DRender::QParameter* m_chest;
-    Qt3DRender::QParameter* m_motion;
+    /// Of its region, or of each region, by ChestRegion. One parameter for each matrix: Qt 6.4
+    /// leaks a list each time it is set.
+    std::vector<Qt3DRender::QParameter*> m_motions;
     Qt3DRender::QParameter* m_throat;
     Qt3DRender::QParameter* m_jaw;
     bool m_isPlaced = true;

@@ -14,7 +14,7 @@ std::span<const Command> commands()
                                 treCommand(),                                           //
                                 trackCommand(),                                         //
                                 driftCommand(),   driftNodeCommand(), figuresCommand(), //
-                                carryCommand(),   handshakeCommand(),                   //
+                                carryCommand(),   handshakeCommand(), soakCommand(),    //
                                 renderCommand(),  summaryCommand()};
     return all;
 }

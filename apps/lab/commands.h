@@ -30,6 +30,8 @@ namespace carina::lab
 
 [[nodiscard]] Command renderCommand();
 
+[[nodiscard]] Command soakCommand();
+
 [[nodiscard]] Command summaryCommand();
 
 [[nodiscard]] Command trackCommand();

@@ -6,6 +6,7 @@
 #include <QSqlQuery>
 #include <QVariant>
 
+#include <functional>
 #include <initializer_list>
 
 namespace carina
@@ -18,8 +19,27 @@ namespace carina
 [[nodiscard]] Result<QSqlQuery> executeSql(const QSqlDatabase& database, const QString& sql,
                                            std::initializer_list<QVariant> values = {});
 
-/// Opens the file of a session's store for exclusive use, and creates a new store where the file is
-/// empty or does not exist. @returns as openFactStore
-[[nodiscard]] Result<void> prepareStore(QSqlDatabase& database);
+/// Runs several, up to the first that fails.
+[[nodiscard]] Result<void> executeAll(const QSqlDatabase& database,
+                                      std::initializer_list<QString> statements);
+
+/// Runs `work` in a transaction, which is rolled back where it fails.
+[[nodiscard]] Result<void> inTransaction(const QSqlDatabase& database,
+                                         const std::function<Result<void>()>& work);
+
+/// A connection of Qt to an SQLite file under a name of its own, for one thread.
+class SqlConnection
+{
+public:
+    explicit SqlConnection(const QString& path);
+    SqlConnection(const SqlConnection&) = delete;
+    SqlConnection& operator=(const SqlConnection&) = delete;
+    ~SqlConnection();
+
+    [[nodiscard]] QSqlDatabase database() const { return QSqlDatabase::database(m_name, false); }
+
+private:
+    QString m_name;
+};
 
 } // namespace carina

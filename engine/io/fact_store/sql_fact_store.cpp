@@ -1,205 +1,184 @@
 #include "engine/io/fact_store/sql_fact_store.h"
 
 #include "engine/io/fact_store/sql_database.h"
-#include "engine/sync/wire/cpo_codec.h"
+#include "engine/io/fact_store/store_file.h"
 
+#include <QDir>
 #include <QFile>
-#include <QSqlError>
+#include <QFileInfo>
 
-#include <atomic>
-#include <limits>
-#include <optional>
-#include <span>
+#include <functional>
 #include <thread>
+#include <utility>
 
 namespace carina
 {
-
 namespace
 {
 
-template <class Number> bool fits(qint64 value)
-{
-    return value >= 0 && value <= qint64{std::numeric_limits<Number>::max()};
-}
-
-/// The fact in a row of load's query; nothing where a value is out of its range.
-std::optional<FactRecord> readFact(const QSqlQuery& row)
-{
-    const qint64 author = row.value(2).toLongLong();
-    const qint64 station = row.value(3).toLongLong();
-    const QByteArray body = row.value(6).toByteArray();
-    if (!fits<std::uint16_t>(author) || !fits<std::uint16_t>(station)
-        || std::size_t(body.size()) > kLargestFactBody)
-        return std::nullopt;
-    const auto bytes = std::as_bytes(std::span{body.constData(), std::size_t(body.size())});
-    return FactRecord{FactNumber{row.value(0).toULongLong()},
-                      ProposalId{std::uint64_t(row.value(1).toLongLong())},
-                      ParticipantId{std::uint16_t(author)},
-                      StationId{std::uint16_t(station)},
-                      SessionTime{Duration{row.value(4).toLongLong()}},
-                      SessionTime{Duration{row.value(5).toLongLong()}},
-                      {bytes.begin(), bytes.end()}};
-}
-
-/// Keeps one connection, of the thread that used it last: Qt ties a connection to its thread.
+/// Keeps one connection, of the thread that used it last: Qt ties a connection to its thread. Keeps
+/// what is stored in memory too, for a new file where the first is lost.
 class SqlFactStore final : public FactStore
 {
 public:
     explicit SqlFactStore(QString path) : m_path{std::move(path)} {}
-    SqlFactStore(const SqlFactStore&) = delete;
-    SqlFactStore& operator=(const SqlFactStore&) = delete;
-    ~SqlFactStore() override { close(); }
 
-    /// The connection of this thread.
-    Result<QSqlDatabase> connection()
+    Result<void> open()
     {
-        if (m_thread == std::this_thread::get_id())
-            return QSqlDatabase::database(m_name, false);
-        close();
-        static std::atomic<int> count{0};
-        m_name = QStringLiteral("carina fact store %1").arg(++count);
-        QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
-        database.setDatabaseName(m_path);
-        if (const Result<void> ready = prepareStore(database); !ready) {
-            database = {};
-            close();
-            return tl::unexpected(ready.error());
-        }
-        m_thread = std::this_thread::get_id();
-        return database;
+        if (!QFile::exists(m_path))
+            if (const Result<void> created = createStoreFile(m_path, {}); !created)
+                return created;
+        return connection().map([](const QSqlDatabase&) {});
     }
 
     Result<std::vector<FactRecord>> load() override
     {
-        const Result<QSqlDatabase> database = connection();
-        if (!database)
-            return tl::unexpected(database.error());
-        // A body that is too long is cut short before it is read, and then refused.
-        Result<QSqlQuery> rows = executeSql(
-            *database, QStringLiteral("SELECT number, proposal, author, station, committed_ns,"
-                                      " effect_ns, substr(body, 1, %1) FROM fact ORDER BY number")
-                           .arg(kLargestFactBody + 1));
-        if (!rows)
-            return tl::unexpected(rows.error());
-        std::vector<FactRecord> facts;
-        while (rows->next()) {
-            std::optional<FactRecord> fact = readFact(*rows);
-            if (!fact || fact->number.value != facts.size() + 1)
-                return fail(Errc::StoreCorrupt,
-                            m_path.toStdString() + ": fact " + std::to_string(facts.size() + 1));
-            facts.push_back(*std::move(fact));
-        }
-        if (rows->lastError().isValid())
-            return tl::unexpected(storeError(m_path, rows->lastError()));
-        return facts;
+        return remember().map([this] { return m_content->facts; });
     }
 
     Result<void> append(const FactRecord& fact) override
     {
-        const Result<QSqlDatabase> database = connection();
-        if (!database)
-            return tl::unexpected(database.error());
-        const qint64 number = qint64(fact.number.value);
-        QByteArray body{""}; // empty is not NULL
-        body.append(reinterpret_cast<const char*>(fact.body.data()), qsizetype(fact.body.size()));
-        const Result<QSqlQuery> stored =
-            executeSql(*database,
-                       QStringLiteral("INSERT INTO fact SELECT ?, ?, ?, ?, ?, ?, ?"
-                                      " WHERE ? = (SELECT ifnull(max(number), 0) + 1 FROM fact)"),
-                       {number, qint64(fact.proposal.value), fact.author.value, fact.station.value,
-                        qint64(fact.committed.time_since_epoch().count()),
-                        qint64(fact.effect.time_since_epoch().count()), body, number});
-        if (!stored)
-            return tl::unexpected(stored.error());
-        if (stored->numRowsAffected() != 1)
-            return fail(Errc::StoreFailed, m_path.toStdString() + ": fact " + std::to_string(number)
-                                               + " is not the next");
-        return {};
+        return remember()
+            .and_then([&]() -> Result<void> {
+                if (fact.number.value == m_content->facts.size() + 1)
+                    return {};
+                return fail(Errc::StoreFailed, m_path.toStdString() + ": fact "
+                                                   + std::to_string(fact.number.value)
+                                                   + " is not the next");
+            })
+            .and_then([&] {
+                return store(
+                    [&](const QSqlDatabase& database) { return insertFact(database, fact); },
+                    [&](StoreContent& content) { content.facts.push_back(fact); });
+            });
     }
 
     Result<std::optional<ClockAnchor>> clockAnchor() override
     {
-        const Result<QSqlDatabase> database = connection();
-        if (!database)
-            return tl::unexpected(database.error());
-        Result<QSqlQuery> row =
-            executeSql(*database, QStringLiteral("SELECT boot_id, offset_ns FROM clock_anchor"));
-        if (!row)
-            return tl::unexpected(row.error());
-        if (row->next())
-            return ClockAnchor{row->value(0).toString().toStdString(),
-                               Duration{row->value(1).toLongLong()}};
-        if (row->lastError().isValid())
-            return tl::unexpected(storeError(m_path, row->lastError()));
-        return std::nullopt;
+        return remember().map([this] { return m_content->anchor; });
     }
 
     Result<void> setClockAnchor(const ClockAnchor& anchor) override
     {
-        const Result<QSqlDatabase> database = connection();
-        if (!database)
-            return tl::unexpected(database.error());
-        const Result<QSqlQuery> stored = executeSql(
-            *database, QStringLiteral("INSERT OR REPLACE INTO clock_anchor VALUES (0, ?, ?)"),
-            {QString::fromStdString(anchor.bootId), qint64(anchor.offset.count())});
-        if (!stored)
-            return tl::unexpected(stored.error());
-        return {};
+        return remember().and_then([&] {
+            return store(
+                [&](const QSqlDatabase& database) { return writeAnchor(database, anchor); },
+                [&](StoreContent& content) { content.anchor = anchor; });
+        });
     }
 
     Result<std::vector<EventCpo>> actions() override
     {
-        const Result<QSqlDatabase> database = connection();
-        if (!database)
-            return tl::unexpected(database.error());
-        Result<QSqlQuery> rows = executeSql(
-            *database,
-            QStringLiteral("SELECT substr(cpo, 1, %1) FROM action").arg(kEventCpoBytes + 1));
-        if (!rows)
-            return tl::unexpected(rows.error());
-        std::vector<EventCpo> actions;
-        while (rows->next()) {
-            const QByteArray cpo = rows->value(0).toByteArray();
-            ByteReader in{std::as_bytes(std::span{cpo.constData(), std::size_t(cpo.size())})};
-            actions.push_back(readEventCpo(in));
-            if (!in.ok() || in.remaining() != 0)
-                return fail(Errc::StoreCorrupt, m_path.toStdString() + ": an action");
-        }
-        if (rows->lastError().isValid())
-            return tl::unexpected(storeError(m_path, rows->lastError()));
-        return actions;
+        return remember().map([this] {
+            std::vector<EventCpo> actions;
+            for (const auto& [object, event] : m_content->actions)
+                actions.push_back(event);
+            return actions;
+        });
     }
 
     Result<void> keepAction(const EventCpo& event) override
     {
-        const Result<QSqlDatabase> database = connection();
-        if (!database)
-            return tl::unexpected(database.error());
-        std::vector<std::byte> bytes;
-        ByteWriter out{bytes};
-        writeEventCpo(out, event);
-        const QByteArray cpo{reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())};
-        const Result<QSqlQuery> stored =
-            executeSql(*database, QStringLiteral("INSERT OR REPLACE INTO action VALUES (?, ?)"),
-                       {event.object.value, cpo});
-        if (!stored)
-            return tl::unexpected(stored.error());
-        return {};
+        return remember().and_then([&] {
+            return store([&](const QSqlDatabase& database) { return writeAction(database, event); },
+                         [&](StoreContent& content) {
+                             content.actions.insert_or_assign(event.object, event);
+                         });
+        });
+    }
+
+    Result<std::optional<std::filesystem::path>> keepWhole() override
+    {
+        return remember().and_then([this] { return wholeFile(); }).map([this](const QSqlDatabase&) {
+            return std::exchange(m_moved, std::nullopt);
+        });
     }
 
 private:
-    void close()
+    using Write = std::function<Result<void>(const QSqlDatabase&)>;
+
+    /// The connection of this thread.
+    Result<QSqlDatabase> connection()
     {
-        if (!m_name.isEmpty())
-            QSqlDatabase::removeDatabase(m_name);
-        m_name.clear();
-        m_thread = {};
+        if (m_connection && m_thread == std::this_thread::get_id())
+            return m_connection->database();
+        m_connection.reset(); // which gives its lock back
+        m_connection = std::make_unique<SqlConnection>(m_path);
+        QSqlDatabase database = m_connection->database();
+        if (const Result<void> ready = openStoreFile(database); !ready) {
+            database = {};
+            m_connection.reset();
+            return tl::unexpected(ready.error());
+        }
+        m_thread = std::this_thread::get_id();
+        m_stamp = StoreStamp::of(m_path);
+        return database;
+    }
+
+    /// Reads the file into memory, the first time.
+    Result<void> remember()
+    {
+        if (m_content)
+            return {};
+        return connection().and_then(readContent).map([this](StoreContent content) {
+            m_content = std::move(content);
+            m_stamp = StoreStamp::of(m_path); // reading creates the -wal
+        });
+    }
+
+    /// The connection to a file in which everything is: where somebody deleted, replaced or changed
+    /// the file since the last write, that of a new one. @pre remember()
+    Result<QSqlDatabase> wholeFile()
+    {
+        if (!StoreStamp::of(m_path).isUnchanged(m_stamp))
+            m_isLost = true;
+        if (m_isLost)
+            if (const Result<void> saved = saveToNewFile(*m_content); !saved)
+                return tl::unexpected(saved.error());
+        return connection();
+    }
+
+    /// Stores something, on the disk and then in memory. The file may be lost between the check
+    /// before and the write, so it is checked again after it.
+    Result<void> store(const Write& write, const std::function<void(StoreContent&)>& add)
+    {
+        const Result<void> written = wholeFile().and_then(write);
+        const StoreStamp stamp = StoreStamp::of(m_path);
+        if (stamp.isSameFiles(m_stamp)) {
+            m_stamp = stamp;
+            if (written)
+                add(*m_content);
+            return written;
+        }
+        m_isLost = true;
+        StoreContent content = *m_content;
+        add(content);
+        return saveToNewFile(std::move(content));
+    }
+
+    /// The new file is opened by who uses it next.
+    Result<void> saveToNewFile(StoreContent content)
+    {
+        m_connection.reset();
+        QDir{}.mkpath(QFileInfo{m_path}.path());
+        const QString next = freeNameBeside(m_path);
+        if (const Result<void> created = createStoreFile(next, content); !created)
+            return created;
+        m_content = std::move(content);
+        m_path = next;
+        m_stamp = StoreStamp::of(next);
+        m_moved = QFile::encodeName(next).toStdString();
+        m_isLost = false;
+        return {};
     }
 
     QString m_path;
-    QString m_name; ///< of the connection; empty while there is none
+    std::unique_ptr<SqlConnection> m_connection;
     std::thread::id m_thread;
+    std::optional<StoreContent> m_content;
+    StoreStamp m_stamp; // of the last write
+    bool m_isLost = false;
+    std::optional<std::filesystem::path> m_moved; // not told yet
 };
 
 } // namespace
@@ -207,7 +186,7 @@ private:
 Result<std::unique_ptr<FactStore>> openFactStore(const std::filesystem::path& path)
 {
     auto store = std::make_unique<SqlFactStore>(QFile::decodeName(path.c_str()));
-    if (const auto opened = store->connection(); !opened)
+    if (const Result<void> opened = store->open(); !opened)
         return tl::unexpected(opened.error());
     return store;
 }

@@ -5,6 +5,8 @@
 #include <QString>
 #include <QTemporaryFile>
 
+#include <cerrno>
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace carina
@@ -19,6 +21,19 @@ std::error_code makeFolder(const std::filesystem::path& folder)
     if (!folder.empty())
         std::filesystem::create_directories(folder, error);
     return error;
+}
+
+/// A new name in a folder is only on the disk once the folder is. Some file systems cannot sync a
+/// folder, and one may be closed to reading.
+bool syncFolder(const std::filesystem::path& folder)
+{
+    const int opened =
+        open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0)
+        return errno == EACCES;
+    const bool synced = fsync(opened) == 0 || errno == EINVAL;
+    close(opened);
+    return synced;
 }
 
 } // namespace
@@ -45,7 +60,7 @@ Result<void> writeWholeFile(const std::filesystem::path& file, std::string_view 
     QSaveFile target{QString::fromStdString(file.string())};
     const auto size = static_cast<qint64>(bytes.size());
     if (error || !target.open(QIODevice::WriteOnly) || target.write(bytes.data(), size) != size
-        || !target.commit())
+        || !target.commit() || !syncFolder(file.parent_path()))
         return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
     return {};
 }
@@ -58,12 +73,20 @@ Result<void> writePrivateFile(const std::filesystem::path& file, std::string_vie
     const auto size = static_cast<qint64>(bytes.size());
     const bool written = !error && target.open() && target.write(bytes.data(), size) == size
                          && target.flush() && fsync(target.handle()) == 0;
-    if (written)
-        std::filesystem::rename(target.fileName().toStdString(), file, error);
-    if (!written || error)
+    if (!written)
         return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
     target.setAutoRemove(false);
-    return {};
+    return placeFile(target.fileName().toStdString(), file);
+}
+
+Result<void> placeFile(const std::filesystem::path& finished, const std::filesystem::path& file)
+{
+    std::error_code error;
+    std::filesystem::rename(finished, file, error);
+    if (!error && syncFolder(file.parent_path()))
+        return {};
+    std::filesystem::remove(finished, error);
+    return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
 }
 
 Result<void> openFolder(const std::filesystem::path& folder)

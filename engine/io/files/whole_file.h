@@ -24,6 +24,11 @@ namespace carina
 [[nodiscard]] Result<void> writePrivateFile(const std::filesystem::path& file,
                                             std::string_view bytes);
 
+/// Moves a finished file to its name, in the same folder, for good: the folder is synced to disk.
+/// @returns FileUnwritable
+[[nodiscard]] Result<void> placeFile(const std::filesystem::path& finished,
+                                     const std::filesystem::path& file);
+
 /// Creates a folder where it does not exist and checks that it can be written to, so that long work
 /// does not fail at its end.
 /// @returns FileUnwritable with the folder.

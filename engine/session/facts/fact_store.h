@@ -4,6 +4,7 @@
 #include "engine/sync/facts/fact_record.h"
 #include "engine/sync/wire/event_cpo.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ class FactStore
 public:
     virtual ~FactStore() = default;
 
-    /// All facts, in order. @returns StoreCorrupt where a number is missing.
+    /// All facts, in order. @returns StoreCorrupt where a number is missing or a fact was changed.
     [[nodiscard]] virtual Result<std::vector<FactRecord>> load() = 0;
     /// Appends a fact. On success it survives kill -9 and power loss. @returns StoreFailed
     /// otherwise.
@@ -39,6 +40,11 @@ public:
     /// Stores an action, replacing the last on the same object. On success it survives kill -9 and
     /// power loss.
     [[nodiscard]] virtual Result<void> keepAction(const EventCpo& event) = 0;
+
+    /// Checks that the log still is where it was stored. Where somebody deleted, replaced or changed
+    /// it meanwhile, everything is saved anew elsewhere; append does the same.
+    /// @returns the new file, once; StoreFailed where it cannot be saved, and is tried again.
+    [[nodiscard]] virtual Result<std::optional<std::filesystem::path>> keepWhole() = 0;
 };
 
 } // namespace carina

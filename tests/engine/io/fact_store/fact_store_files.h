@@ -2,7 +2,9 @@
 
 #include "engine/io/fact_store/sql_fact_store.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -38,6 +40,14 @@ inline void fill(const std::filesystem::path& path, std::uint64_t facts)
         QVERIFY(store->append(numbered(number)));
 }
 
+/// A folder in memory, where the system has one: thousands of stores are opened in it.
+inline QString fastFolder()
+{
+    const QString memory = QStringLiteral("/dev/shm");
+    return (QFileInfo{memory}.isWritable() ? memory : QDir::tempPath())
+           + QStringLiteral("/carina-XXXXXX");
+}
+
 /// Paths of files that do not exist yet, in a folder that goes with this object.
 class FreshFiles
 {
@@ -49,9 +59,15 @@ public:
     }
 
 private:
-    QTemporaryDir m_folder;
+    QTemporaryDir m_folder{fastFolder()};
     int m_count = 0;
 };
+
+inline QByteArray bytesOf(const std::filesystem::path& path)
+{
+    QFile file{QFile::decodeName(path.c_str())};
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+}
 
 inline void write(const std::filesystem::path& path, const QByteArray& bytes)
 {

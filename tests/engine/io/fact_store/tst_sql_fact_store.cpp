@@ -17,6 +17,8 @@ private Q_SLOTS:
     void givesBackWhatItTook();
     void startsEmpty();
     void goesOnWhereItStopped();
+    void takesTheLargestValues();
+    void letsOnlyItsOwnerReadIt();
     void takesOnlyTheNextNumber_data();
     void takesOnlyTheNextNumber();
     void keepsTheLastClockAnchor();
@@ -64,10 +66,6 @@ void TestSqlFactStore::startsEmpty()
     const auto store = opened(m_files.next());
     QVERIFY(store->load()->empty());
     QVERIFY(!store->clockAnchor()->has_value());
-
-    const std::filesystem::path emptyFile = m_files.next(); // what a crash may leave of a new store
-    write(emptyFile, {});
-    QVERIFY(opened(emptyFile)->load()->empty());
 }
 
 void TestSqlFactStore::goesOnWhereItStopped()
@@ -77,6 +75,33 @@ void TestSqlFactStore::goesOnWhereItStopped()
     const auto store = opened(path);
     QVERIFY(store->append(numbered(4)));
     QCOMPARE(store->load()->size(), std::size_t{4});
+}
+
+void TestSqlFactStore::takesTheLargestValues()
+{
+    const std::filesystem::path path = m_files.next();
+    const FactRecord largest{FactNumber{1},
+                             ProposalId{~std::uint64_t{0}},
+                             ParticipantId{65535},
+                             StationId{65535},
+                             SessionTime{Duration::max()},
+                             SessionTime{Duration::min()},
+                             std::vector<std::byte>(kLargestFactBody, std::byte{255})};
+    QVERIFY(opened(path)->append(largest));
+    QVERIFY(opened(path)->load()->front() == largest);
+}
+
+void TestSqlFactStore::letsOnlyItsOwnerReadIt()
+{
+    using std::filesystem::perms;
+    const std::filesystem::path path = m_files.next();
+    fill(path, 1);
+    std::filesystem::permissions(path, perms{0644}); // as earlier versions left it
+    const auto store = opened(path);
+    QVERIFY(store->append(numbered(2)));
+    for (const auto& file : std::filesystem::directory_iterator{path.parent_path()})
+        if (file.path().string().starts_with(path.string()))
+            QCOMPARE(file.status().permissions(), perms::owner_read | perms::owner_write);
 }
 
 void TestSqlFactStore::takesOnlyTheNextNumber_data()

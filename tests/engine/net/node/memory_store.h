@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 
 #include <memory>
+#include <utility>
 
 namespace carina
 {
@@ -14,8 +15,9 @@ struct MemoryDisk {
     std::vector<FactRecord> facts;
     std::optional<ClockAnchor> anchor;
     std::vector<EventCpo> actions;
-    bool full = false;    ///< nothing can be written
-    QTemporaryDir folder; ///< for what lies beside the store
+    bool full = false;                          ///< nothing can be written
+    std::optional<std::filesystem::path> moved; ///< what keepWhole tells next
+    QTemporaryDir folder;                       ///< for what lies beside the store
 };
 
 /// A FactStore on a MemoryDisk.
@@ -48,6 +50,12 @@ public:
                       [&](const auto& kept) { return kept.object == event.object; });
         m_disk.actions.push_back(event);
         return {};
+    }
+    Result<std::optional<std::filesystem::path>> keepWhole() override
+    {
+        if (m_disk.full)
+            return fail(Errc::StoreFailed, "disk full");
+        return std::exchange(m_disk.moved, std::nullopt);
     }
 
 private:

@@ -11,7 +11,7 @@ namespace carina
 /// Reads a site file: a JSON object with lengths in millimetres, angles in degrees, poses as four
 /// rows of four numbers and times as in ISO 8601. Unknown values are left out.
 ///
-///     schema        "carina.site/3"
+///     schema        "carina.site/4"
 ///     step          "overview", "tracker", "stylus", "landmarks", "touch", "fit" or "verify"
 ///     operator      text
 ///     tracker       text
@@ -33,17 +33,20 @@ namespace carina
 ///                   p_AQ_mm, p_TQ_mm, error_mm and bound_mm; stale
 ///     display       p_HDl_mm, p_HDr_mm, p_HQ_screen_centre_mm, screen_width_mm, screen_height_mm
 ///     manikin       see manikin_json.h
+///     digest        of all other fields (checkDigest of them as JSON without blanks, in the order
+///                   of their names), 40 hexadecimal digits
 ///
 /// stale is the input changed after the result: "tracker", "stylus", "landmarks", "manikin",
-/// "touches" or "fit". The earlier versions "carina.site/2", without manikin and localisations, and
-/// "carina.site/1", with one "stylus" and fewer fields, are read too.
+/// "touches" or "fit". The earlier versions are read too: "carina.site/3" without a digest, which
+/// is what a person writes by hand, "carina.site/2" without manikin and localisations, and
+/// "carina.site/1" with one "stylus" and fewer fields.
 ///
 /// @returns FileNotFound, FileUnreadable, FileEmpty; UnknownFormat for another schema;
-///          FileMalformed where a field is missing, of the wrong type, unknown, or contradicts
-///          another. The detail names file, field and fault.
+///          FileMalformed where the digest does not match, or a field is missing, of the wrong
+///          type, unknown, or contradicts another. The detail names file, field and fault.
 [[nodiscard]] Result<Site> readSiteFile(const std::filesystem::path& file);
 
-/// Writes a site file atomically.
+/// Writes a site file atomically, for its owner's eyes only: it names the operator.
 /// @returns FileUnwritable; FileMalformed for a site that readSiteFile would refuse, which leaves
 ///          the file as it was.
 [[nodiscard]] Result<void> writeSiteFile(const std::filesystem::path& file, const Site& site);

@@ -253,7 +253,7 @@ private Q_SLOTS:
         QVERIFY(site->registration->covariance_A.isZero());
         QVERIFY(site->registration->madeAt.empty() && !site->verification);
         QVERIFY(writeSiteFile(path(), *site));
-        QVERIFY(bytes().contains("carina.site/3"));
+        QVERIFY(bytes().contains("carina.site/4"));
         QVERIFY(readSiteFile(path()).has_value());
     }
 

@@ -6,6 +6,8 @@
 #include "tests/support/test_class.h"
 
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 
 #include <random>
@@ -30,6 +32,15 @@ void addColumns()
     QTest::addColumn<QString>("fault");
 }
 
+/// The file of a version that had no digests yet.
+std::string withoutDigest(const QByteArray& file)
+{
+    QJsonObject object = QJsonDocument::fromJson(file).object();
+    object.remove(QStringLiteral("digest"));
+    object.insert(QStringLiteral("schema"), QStringLiteral("carina.site/3"));
+    return QJsonDocument{object}.toJson().toStdString();
+}
+
 } // namespace
 
 class TestSiteFileFaults : public QObject
@@ -42,6 +53,16 @@ private:
     std::filesystem::path path() const
     {
         return (m_folder.path() + QStringLiteral("/site.json")).toStdString();
+    }
+
+    [[nodiscard]] QByteArray bytes() const
+    {
+        QFile file{QString::fromStdString(path().string())};
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+    }
+    [[nodiscard]] QByteArray written() const
+    {
+        return writeSiteFile(path(), wholeSite()) ? bytes() : QByteArray{};
     }
 
     void isRefused()
@@ -267,20 +288,17 @@ private Q_SLOTS:
 
     void refusesAnotherVersion()
     {
-        writeFile(path(), json("{'schema': 'carina.site/4', 'step': 'fit'}"));
+        writeFile(path(), json("{'schema': 'carina.site/5', 'step': 'fit'}"));
         const auto site = readSiteFile(path());
         QVERIFY(!site);
         QCOMPARE(site.error().code, Errc::UnknownFormat);
     }
 
-    /// Bytes struck, doubled and left out at random: it is refused, or it is a site that can be
-    /// written and read again.
+    /// Bytes struck, doubled and left out at random in a file without a digest: it is refused, or
+    /// it is a site that can be written and read again.
     void survivesDamagedFiles()
     {
-        QVERIFY(writeSiteFile(path(), wholeSite()));
-        QFile file{QString::fromStdString(path().string())};
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const std::string whole = file.readAll().toStdString();
+        const std::string whole = withoutDigest(written());
         const std::string alphabet = "0123456789-.,:{}[]\"etrufalsn ";
         std::mt19937 random{2019};
         int read = 0;
@@ -310,12 +328,53 @@ private Q_SLOTS:
         QVERIFY(read > kDamaged / 100 && read < kDamaged / 2);
     }
 
-    void refusesEveryCutOffFile()
+    /// Every bit of a small file flipped, one after another: it is refused and left alone, or what
+    /// it says is the same (another blank, another line end).
+    void noticesEveryFlippedBit()
+    {
+        const Site small{.operatorName = "A", .styluses = {wholeSite().styluses[0]}};
+        QVERIFY(writeSiteFile(path(), small));
+        const QByteArray whole = bytes();
+        const QJsonObject content = QJsonDocument::fromJson(whole).object();
+        int harmless = 0;
+        for (qsizetype bit = 0; bit < 8 * whole.size(); ++bit) {
+            QByteArray flipped = whole;
+            flipped[bit / 8] = char(flipped[bit / 8] ^ (1 << bit % 8));
+            writeFile(path(), flipped.toStdString());
+            const auto site = readSiteFile(path());
+            QCOMPARE(bytes(), flipped);
+            if (!site)
+                continue;
+            ++harmless;
+            QVERIFY2(QJsonDocument::fromJson(flipped).object() == content,
+                     flipped.mid(std::max(qsizetype{0}, bit / 8 - 20), 40).constData());
+        }
+        QVERIFY(harmless < whole.size());
+    }
+
+    void needsADigestOnlyInFilesThatHaveThem()
+    {
+        const QByteArray whole = written();
+        writeFile(path(), withoutDigest(whole));
+        QVERIFY(readSiteFile(path()).has_value());
+        QJsonObject object = QJsonDocument::fromJson(whole).object();
+        object.remove(QStringLiteral("digest"));
+        writeFile(path(), QJsonDocument{object}.toJson().toStdString());
+        const auto site = readSiteFile(path());
+        QCOMPARE(site.error().code, Errc::FileMalformed);
+        QVERIFY(site.error().detail.ends_with("does not match its digest"));
+    }
+
+    void letsOnlyItsOwnerReadIt()
     {
         QVERIFY(writeSiteFile(path(), wholeSite()));
-        QFile file{QString::fromStdString(path().string())};
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray whole = file.readAll().trimmed();
+        QCOMPARE(std::filesystem::status(path()).permissions(),
+                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    }
+
+    void refusesEveryCutOffFile()
+    {
+        const QByteArray whole = written().trimmed();
         for (qsizetype length = 0; length < whole.size(); length += 13) {
             writeFile(path(), whole.first(length).toStdString());
             const auto site = readSiteFile(path());

@@ -49,6 +49,8 @@ enum class Errc : std::uint8_t {
     AddressInUse,    ///< the port is taken
     StoreFailed,     ///< the fact log could not be written
     StoreCorrupt,    ///< the fact log could not be read completely
+    StoreReplaced,   ///< the file of the fact log was deleted, replaced or changed while it was open
+    ClockLost,       ///< the stored clock of a session contradicts its log
     NotPermitted,    ///< the role may not do this
     SessionEnded,    ///< the session takes no more changes
     NameTaken,       ///< a participant with this name and role is in the session

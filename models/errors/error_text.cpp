@@ -99,11 +99,18 @@ public:
         case Errc::AddressInUse:
             return tr("Another program uses this port%1: close it or choose another port.");
         case Errc::StoreFailed:
-            return tr("The session could not be saved%1: check the free space, and that no other "
-                      "program has it open.");
+            return tr("The session could not be saved%1: check the free space, that you may write "
+                      "there, and that no other program has it open.");
         case Errc::StoreCorrupt:
             return tr("The saved session is damaged%1: restore it from a copy, or start a new "
-                      "session under another name.");
+                      "session.");
+        case Errc::StoreReplaced:
+            return tr(
+                "The file of this session was deleted or changed by somebody else%1: "
+                "everything is saved in a new file, which goes on; find out what changed it.");
+        case Errc::ClockLost:
+            return tr("The clock of the saved session is wrong%1: its time goes on from the last "
+                      "change; check the times in its report.");
         case Errc::NotPermitted:
             return tr("Your role may not do this%1: ask an instructor.");
         case Errc::SessionEnded:

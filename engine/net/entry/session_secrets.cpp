@@ -78,6 +78,14 @@ Result<AccessKey> SessionSecrets::issueToken(Role role, ParticipantId participan
     return issued->second;
 }
 
+Result<void> SessionSecrets::moveBeside(std::filesystem::path file)
+{
+    if (m_file.empty())
+        return {};
+    m_file = file.replace_extension(m_file.extension());
+    return write();
+}
+
 Result<void> SessionSecrets::read()
 {
     const auto json = readJsonFile(m_file, kSecretsSchema);

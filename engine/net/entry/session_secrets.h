@@ -35,6 +35,10 @@ public:
     /// token exists.
     [[nodiscard]] Result<AccessKey> issueToken(Role role, ParticipantId participant);
 
+    /// Keeps the secrets beside another file from now on, under its name and their ending; in
+    /// memory if they were so far. @returns FileUnwritable.
+    [[nodiscard]] Result<void> moveBeside(std::filesystem::path file);
+
 private:
     SessionSecrets(std::filesystem::path file, std::string sessionId);
 

@@ -53,6 +53,12 @@ HostTransport::KeyAnswer HostAccess::keyOf(const PskIdentity& identity) const
     return {who.participant ? State::Unknown : State::NotYet, {}};
 }
 
+Result<void> HostAccess::moveBeside(const std::filesystem::path& store)
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_secrets.moveBeside(store);
+}
+
 void HostAccess::connected(PeerAddress peer, const Credential& who)
 {
     m_peers.insert_or_assign(peer, who);

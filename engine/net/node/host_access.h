@@ -25,6 +25,9 @@ public:
     /// The key that a peer with this identity must have. May be called from any thread.
     [[nodiscard]] HostTransport::KeyAnswer keyOf(const PskIdentity& identity) const;
 
+    /// Keeps the secrets beside the new file of the store from now on. @returns FileUnwritable.
+    [[nodiscard]] Result<void> moveBeside(const std::filesystem::path& store);
+
     /// Stores what a peer proved, as long as it is connected.
     void connected(PeerAddress peer, const Credential& who);
     void disconnected(PeerAddress peer);

@@ -1,5 +1,7 @@
 #include "engine/net/node/host_clock.h"
 
+#include "engine/core/clock_shift.h"
+
 #include <fstream>
 
 namespace carina
@@ -21,6 +23,18 @@ std::string readBootId()
     return id;
 }
 
+bool contradictsLog(const ClockAnchor& anchor, const std::string& bootId, SessionTime lastCommitted,
+                    LocalTime now)
+{
+    // The offset at which no time has passed since the last fact, and that at which the session
+    // went on ever since the machine started, by a clock that may be shifted for a test.
+    const Duration started = lastCommitted.time_since_epoch();
+    const Duration smallest = started - now.time_since_epoch();
+    const Duration largest = started + ClockShift::kLargestOffset;
+    return !bootId.empty() && anchor.bootId == bootId
+           && (anchor.offset < smallest || anchor.offset > largest);
+}
+
 Duration sessionClockOffset(const std::optional<ClockAnchor>& anchor, const std::string& bootId,
                             std::optional<SessionTime> lastCommitted, LocalTime now,
                             std::uint64_t random)
@@ -28,7 +42,8 @@ Duration sessionClockOffset(const std::optional<ClockAnchor>& anchor, const std:
     if (!lastCommitted)
         return kEarliestEpoch + Duration{static_cast<Duration::rep>(random % kEpochSpread)}
                - now.time_since_epoch();
-    if (anchor && !bootId.empty() && anchor->bootId == bootId)
+    if (anchor && !bootId.empty() && anchor->bootId == bootId
+        && !contradictsLog(*anchor, bootId, *lastCommitted, now))
         return anchor->offset;
     return lastCommitted->time_since_epoch() - now.time_since_epoch();
 }

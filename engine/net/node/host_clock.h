@@ -13,9 +13,14 @@ namespace carina
 /// system does not provide it.
 [[nodiscard]] std::string readBootId();
 
+/// Whether an anchor of this boot contradicts the log: by it the session would now be before its
+/// last fact, or have gone on since for a day longer than the machine is running.
+[[nodiscard]] bool contradictsLog(const ClockAnchor& anchor, const std::string& bootId,
+                                  SessionTime lastCommitted, LocalTime now);
+
 /// Session time less local time at a host. A new session begins at a random session time. After a
 /// restart of the host within one boot, session time continues as if there had been none; after a
-/// reboot it continues from the last committed fact.
+/// reboot, or with an anchor that contradicts the log, it continues from the last committed fact.
 ///
 /// @param anchor stored by the last run of this session's host
 /// @param lastCommitted time of the last fact of the log; nothing for a new session

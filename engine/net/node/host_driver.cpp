@@ -20,6 +20,7 @@ constexpr ParticipantId kSelf{0};
 constexpr StationId kFirstStation{0};
 /// Shortest interval of storing actions, so that rapid actions do not keep the disk busy.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
+constexpr Duration kWatchInterval = std::chrono::milliseconds{500};
 constexpr const char* kFirstStationName = "Station 1";
 
 std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
@@ -68,6 +69,8 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
         return tl::unexpected(access.error());
     driver->m_access = *std::move(access);
     board.setJoinCodes(driver->m_access->codes());
+    if (*anchor && lastCommitted && contradictsLog(**anchor, bootId, *lastCommitted, now))
+        driver->m_storeFault = Error{Errc::ClockLost, {}};
     driver->startCore(sessionId, *std::move(records), offset);
     if (const auto resumed = driver->resumeActions(now); !resumed)
         return tl::unexpected(resumed.error());
@@ -223,8 +226,26 @@ void HostDriver::keepActions(LocalTime now)
     m_nextKeep = now + kKeepInterval;
 }
 
+void HostDriver::watchStore(LocalTime now)
+{
+    if (now < m_nextWatch)
+        return;
+    m_nextWatch = now + kWatchInterval;
+    const auto moved = m_store->keepWhole();
+    if (moved && !*moved) {
+        if (m_storeFault && m_storeFault->code == Errc::StoreFailed)
+            m_storeFault.reset(); // it can be written again
+        return;
+    }
+    m_storeFault = moved ? Error{Errc::StoreReplaced, (*moved)->string()} : moved.error();
+    if (const auto kept = moved ? m_access->moveBeside(**moved) : Result<void>{}; !kept)
+        m_storeFault = kept.error();
+    m_refusal = m_storeFault; // in front of what was told before
+}
+
 NodeDriver::Datagrams HostDriver::advance(LocalTime now)
 {
+    watchStore(now);
     keepActions(now); // those of the last turn, which are on their way by now
     sendOwnStreams(now);
     m_core->advance(now);
@@ -246,7 +267,7 @@ LocalTime HostDriver::nextWake() const
     if (!m_tokens.empty())
         return LocalTime::min();
     LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
-                               m_unkept.empty() ? LocalTime::max() : m_nextKeep});
+                               m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
     for (const auto& [peer, due] : m_helloDue)
         wake = std::min(wake, due);
     return wake;
@@ -289,7 +310,7 @@ void HostDriver::show(LocalTime now)
     for (const auto& [address, peer] : m_core->peers())
         view.links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
     m_board.showPaths(view, now, [&] { return measurePaths(now); });
-    view.refusal = m_refusal ? m_refusal : m_access->fault();
+    view.refusal = m_refusal ? m_refusal : m_storeFault ? m_storeFault : m_access->fault();
     if (m_board.show(std::move(view)))
         m_board.announce();
 }

@@ -59,6 +59,8 @@ private:
 
     [[nodiscard]] Result<void> resumeActions(LocalTime now);
     void keepActions(LocalTime now);
+    /// Looks after the file of the store, twice a second.
+    void watchStore(LocalTime now);
     void share(const SharedObject& object);
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
@@ -79,6 +81,8 @@ private:
     std::map<ObjectId, EventCpo> m_unkept; // not stored on disk yet
     LocalTime m_nextKeep{};
     LocalTime m_returnsEnd; // until then participants of the last run may return
+    LocalTime m_nextWatch{};
+    std::optional<Error> m_storeFault; // what happened to the store, until the end
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;
 };

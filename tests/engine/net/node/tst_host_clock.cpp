@@ -45,6 +45,35 @@ private Q_SLOTS:
         QCOMPARE(SessionTime{kNow.time_since_epoch() + offset}, kLast);
     }
 
+    void anchorThatContradictsTheLogIsNotBelieved_data()
+    {
+        QTest::addColumn<qint64>("offset_ns");
+        QTest::addColumn<bool>("believed");
+        const auto row = [](const char* name, Duration offset, bool believed) {
+            QTest::newRow(name) << qint64{offset.count()} << believed;
+        };
+        const Duration last = kLast.time_since_epoch();
+        const Duration running = kNow.time_since_epoch();
+        row("at the last fact", last - running, true);
+        row("since the machine started", last, true);
+        row("a day before the machine started", last + 24h, true);
+        row("before the last fact", last - running - 1ns, false);
+        row("for longer than that", last + 24h + 1ns, false);
+        row("largest number", Duration::max(), false);
+        row("smallest number", Duration::min(), false);
+    }
+    void anchorThatContradictsTheLogIsNotBelieved()
+    {
+        QFETCH(const qint64, offset_ns);
+        QFETCH(const bool, believed);
+        const ClockAnchor anchor{"boot one", Duration{offset_ns}};
+        QCOMPARE(contradictsLog(anchor, "boot one", kLast, kNow), !believed);
+        const Duration offset = sessionClockOffset(anchor, "boot one", kLast, kNow, 1);
+        QCOMPARE(offset,
+                 believed ? anchor.offset : kLast.time_since_epoch() - kNow.time_since_epoch());
+        QVERIFY(!contradictsLog(anchor, "boot two", kLast, kNow)); // nor needed
+    }
+
     void unknownBootGoesOnFromTheLastFact()
     {
         const ClockAnchor nameless{"", 7000s};

@@ -156,8 +156,17 @@ bool hasEnded(const SessionNode& node)
     return now && node.state()->phaseAt(*now) == SessionPhase::Ended;
 }
 
+/// Whether a person can be asked to begin anew, because what is stored cannot be read.
+bool mayBeginAnew(const Error& error)
+{
+    return program::isSeenOnly()
+           && (error.code == Errc::StoreCorrupt || error.code == Errc::UnknownFormat
+               || error.code == Errc::FileMalformed);
+}
+
 /// The stored session, or a new one where that was asked for, nothing is stored, or what is stored
-/// has ended.
+/// has ended, or cannot be read and a person wants to begin anew; it stays where it is.
+/// @returns Cancelled where the person does not.
 Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parser,
                                                  const Reach& reach)
 {
@@ -167,9 +176,12 @@ Result<std::unique_ptr<SessionNode>> hostSession(const QCommandLineParser& parse
     if (parser.isSet(QStringLiteral("new")))
         return hostFile(newSessionFile(folder), reach);
     auto node = hostFile(latestSessionFile(folder), reach);
-    if (!node || !hasEnded(**node))
+    if (node ? !hasEnded(**node) : !mayBeginAnew(node.error()))
         return node;
-    node->reset(); // gives the port back
+    if (!node && !program::askInstead(node.error(), words("Start a new session")))
+        return fail(Errc::Cancelled);
+    if (node)
+        node->reset(); // gives the port back
     return hostFile(newSessionFile(folder), reach);
 }
 

@@ -11,7 +11,11 @@
 #include <QFile>
 #include <QStandardPaths>
 #include <QStringList>
+#include <QTextStream>
 #include <QThread>
+
+#include <cstdio>
+#include <optional>
 
 namespace carina::program
 {
@@ -28,20 +32,66 @@ const QString kData = QStringLiteral("data");
 const QString kHostName = QStringLiteral("host-name");
 const QString kAuthority = QStringLiteral("authority");
 
-Result<JoinCode> codeInFile(const QString& file, Role role)
+const QString kStandardInput = QStringLiteral("-");
+
+Result<std::string> textOf(const QString& file)
 {
     const QDeadlineTimer deadline{kCodeFilePatience_ms};
     while (!QFile::exists(file) && !deadline.hasExpired())
         QThread::msleep(kLookAgain_ms);
-    const auto text = readWholeFile(file.toStdString());
+    return readWholeFile(file.toStdString());
+}
+
+/// The code of the role in a line: "role code", or a code alone; nothing in the line of another.
+std::optional<Result<JoinCode>> codeInLine(const QString& line, Role role)
+{
+    const QStringList words = line.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    if (words.isEmpty())
+        return std::nullopt;
+    if (words.size() == 1)
+        return JoinCode::parse(words[0].toStdString());
+    return words[0].toStdString() == roleWord(role)
+               ? std::optional{JoinCode::parse(words[1].toStdString())}
+               : std::nullopt;
+}
+
+Result<JoinCode> noCode(const QString& source, Role role)
+{
+    return fail(Errc::FileMalformed,
+                source.toStdString() + ": it has no code for a " + std::string{roleWord(role)});
+}
+
+/// Not until the end of the input: a person types one line.
+Result<JoinCode> codeInStandardInput(Role role)
+{
+    QTextStream input{stdin};
+    QString line;
+    while (input.readLineInto(&line))
+        if (const auto code = codeInLine(line, role))
+            return *code;
+    return noCode(QStringLiteral("standard input"), role);
+}
+
+Result<JoinCode> codeInFile(const QString& file, Role role)
+{
+    if (file == kStandardInput)
+        return codeInStandardInput(role);
+    const auto text = textOf(file);
     if (!text)
         return tl::unexpected(text.error());
-    const std::string_view word = roleWord(role);
     for (const QString& line : QString::fromStdString(*text).split(QLatin1Char('\n')))
-        if (line.section(QLatin1Char(' '), 0, 0).toStdString() == word)
-            return JoinCode::parse(line.section(QLatin1Char(' '), 1).toStdString());
-    return fail(Errc::FileMalformed,
-                file.toStdString() + ": it has no code for a " + std::string{word});
+        if (const auto code = codeInLine(line, role))
+            return *code;
+    return noCode(file, role);
+}
+
+/// Everybody on this computer can see the words that a program was started with.
+void warnOfCodeInSight()
+{
+    std::fprintf(stderr, "%s\n",
+                 qPrintable(QApplication::translate(
+                     "Entry", "Everybody on this computer can read a code on the command line: "
+                              "leave it in a file, or type it, with --code-file.")));
 }
 
 } // namespace
@@ -53,15 +103,16 @@ void addEntryOptions(QCommandLineParser& parser)
         QApplication::translate("Entry", "A link to a session, which the instructor's window "
                                          "shows: it contains address, port, role and code."),
         QStringLiteral("[carina:join?...]"));
-    parser.addOption(
-        {kCode,
-         QApplication::translate(
-             "Entry",
-             "The code of your role, from the instructor's window; needed only the first time."),
-         QStringLiteral("CODE")});
+    parser.addOption({kCode,
+                      QApplication::translate("Entry", "The code of your role, from the "
+                                                       "instructor's window; needed the first "
+                                                       "time only. Others on this computer can "
+                                                       "read it here: rather use --code-file."),
+                      QStringLiteral("CODE")});
     parser.addOption({kCodeFile,
-                      QApplication::translate("Entry", "Read the code from this file of the "
-                                                       "instructor's --codes."),
+                      QApplication::translate("Entry", "Read the code from this file: one of the "
+                                                       "instructor's --codes, or a code alone; - "
+                                                       "is standard input."),
                       QStringLiteral("FILE")});
     parser.addOption({kHost,
                       QApplication::translate("Entry", "Address of the instructor's computer."),
@@ -86,11 +137,15 @@ Result<void> readEntryOptions(const QCommandLineParser& parser, JoinSettings& se
 {
     settings.address = parser.value(kHost).toStdString();
     settings.tokens = QDir{parser.value(kData)}.filePath(QStringLiteral("tokens")).toStdString();
+    if (const auto opened = openFolder(settings.tokens); !opened)
+        return opened;
     if (parser.isSet(kHostName) || parser.isSet(kAuthority))
         settings.certificate = ExpectedHost{parser.value(kHostName).toStdString(),
                                             parser.value(kAuthority).toStdString()};
     if (!parser.isSet(kCode) && !parser.isSet(kCodeFile))
         return {};
+    if (parser.isSet(kCode))
+        warnOfCodeInSight();
     const auto code = parser.isSet(kCode) ? JoinCode::parse(parser.value(kCode).toStdString())
                                           : codeInFile(parser.value(kCodeFile), settings.role);
     if (!code)
@@ -111,6 +166,7 @@ Result<QString> linkArgument(const QCommandLineParser& parser)
             return fail(Errc::WrongOption,
                         "the link contains address, port, role and code: leave out --"
                             + said.toStdString());
+    warnOfCodeInSight();
     return link;
 }
 

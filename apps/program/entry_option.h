@@ -12,10 +12,12 @@ namespace carina::program
 /// the host; and a positional join link instead of them.
 void addEntryOptions(QCommandLineParser& parser);
 
-/// Copies the options into the settings, with the code of settings.role. Waits up to 30 s for a
-/// file of codes that does not exist yet, so that host and guest can be started at the same time.
-/// @returns WrongCode for an invalid code; FileNotFound after 30 s; FileMalformed for a file
-///          without a code of the role.
+/// Copies the options into the settings, with the code of settings.role. A code on the command line
+/// is warned of, here and in linkArgument: in a file, or from standard input, nobody else sees it.
+/// Waits up to 30 s for a file of codes that does not exist yet, so that host and guest can be
+/// started at the same time.
+/// @returns FileUnwritable for a folder of keys that cannot be written; WrongCode for an invalid
+///          code; FileNotFound after 30 s; FileMalformed for a file without a code of the role.
 [[nodiscard]] Result<void> readEntryOptions(const QCommandLineParser& parser,
                                             JoinSettings& settings);
 

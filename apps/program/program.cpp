@@ -7,11 +7,14 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTranslator>
 
 #include <algorithm>
 #include <cstdio>
 #include <string_view>
+#include <unistd.h>
 
 namespace carina::program
 {
@@ -56,6 +59,16 @@ Result<void> checkWords(const QCommandLineParser& parser, qsizetype most)
     return {};
 }
 
+/// A window with an error, and a button to leave.
+void fillBox(QMessageBox& box, const Error& error)
+{
+    box.setIcon(QMessageBox::Critical);
+    box.setWindowTitle(QCoreApplication::applicationName());
+    box.setText(errorText(error));
+    box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    box.addButton(QMessageBox::Close);
+}
+
 Result<int> checkedRun(const Program& program, const QCommandLineParser& parser)
 {
     if (const auto right = checkWords(parser, program.mostWords); !right)
@@ -81,7 +94,31 @@ int runProgram(const Program& program, int argc, char** argv)
     prepareProgram(application);
     parser.process(application);
     const Result<int> status = checkedRun(program, parser);
-    return status ? *status : refuse(status.error());
+    if (status)
+        return *status;
+    const int failed = refuse(status.error());
+    if (isSeenOnly() && !parser.isSet(kMeasure) && status.error().code != Errc::Cancelled) {
+        QMessageBox box;
+        fillBox(box, status.error());
+        box.exec();
+    }
+    return failed;
+}
+
+bool isSeenOnly()
+{
+    return isatty(STDERR_FILENO) == 0 && qEnvironmentVariableIsEmpty("CARINA_UNATTENDED")
+           && QGuiApplication::platformName() != QStringLiteral("offscreen");
+}
+
+bool askInstead(const Error& error, const QString& action)
+{
+    warn(error);
+    QMessageBox box;
+    fillBox(box, error);
+    const QPushButton* instead = box.addButton(action, QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == instead;
 }
 
 void prepareDisplay()

@@ -23,7 +23,7 @@ struct Program {
 
 /// The `main` of a program with a window: shows help, which needs no display; creates the
 /// application with theme and translations; refuses unknown options; runs the program and writes
-/// its error to stderr.
+/// its error to stderr, and shows it in a window where nobody reads stderr (isSeenOnly).
 /// @returns the exit status: 1 after an error
 int runProgram(const Program& program, int argc, char** argv);
 
@@ -56,6 +56,15 @@ void addSizeOption(QCommandLineParser& parser);
 
 /// A UDP port from `--port`. @returns WrongOption for something else.
 [[nodiscard]] Result<std::uint16_t> portOption(const QCommandLineParser& parser);
+
+/// Whether a person sees the windows of this program, and not its stderr, because it was started
+/// from an icon: stderr is no terminal. Scripts set CARINA_UNATTENDED so that nothing waits for a
+/// person.
+[[nodiscard]] bool isSeenOnly();
+
+/// Shows an error in a window and asks whether to do something else instead.
+/// @param action the words on the button for it
+[[nodiscard]] bool askInstead(const Error& error, const QString& action);
 
 /// Writes an error to stderr; the program continues.
 void warn(const Error& error);

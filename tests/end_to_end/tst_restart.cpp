@@ -1,6 +1,7 @@
 #include "tests/end_to_end/program.h"
 #include "tests/support/test_class.h"
 
+#include <QDir>
 #include <QTemporaryDir>
 
 namespace carina::restart_test
@@ -100,6 +101,61 @@ private Q_SLOTS:
                  lastTold[QStringLiteral("session_id")]);
         QVERIFY(std::abs(sessionLessLocal_ms(m_instructor->shown()) - sessionLessLocal_ms(lastTold))
                 < kSameClock_ms);
+    }
+
+    /// The store is deleted while the session goes on; the host is killed and started again.
+    void sessionOutlivesItsDeletedFile()
+    {
+        QDir folder{m_folder->path()};
+        const QStringList stores{QStringLiteral("session-*.sqlite*")};
+        const QStringList before = folder.entryList(stores);
+        const QJsonValue session = m_instructor->shown()[QStringLiteral("session_id")];
+        for (const QString& file : before)
+            QVERIFY(folder.remove(file));
+        QTRY_VERIFY_WITH_TIMEOUT(!folder.entryList(stores).isEmpty(), kBackWithin_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !folder.entryList({QStringLiteral("session-*_2.secrets")}).isEmpty(), kBackWithin_ms);
+        const qint64 facts = m_instructor->shown()[QStringLiteral("facts")].toInteger();
+        m_instructor->kill();
+        m_instructor->start();
+        comesBack(*m_instructor);
+        QCOMPARE(m_instructor->shown()[QStringLiteral("session_id")], session);
+        QVERIFY(m_instructor->shown()[QStringLiteral("facts")].toInteger() > facts);
+        QVERIFY(m_trainee->shown()[QStringLiteral("session_id")] == session);
+    }
+
+    /// From an icon nobody reads stderr: a damaged store is said in a window that waits.
+    void damagedStoreIsSaidInAWindow_data()
+    {
+        QTest::addColumn<bool>("attended");
+        QTest::newRow("from an icon") << true;
+        QTest::newRow("from a script") << false;
+    }
+    void damagedStoreIsSaidInAWindow()
+    {
+        QFETCH(const bool, attended);
+        const QTemporaryDir data;
+        QFile empty{data.filePath(QStringLiteral("session-20260101-000000-000.sqlite"))};
+        QVERIFY(empty.open(QIODevice::WriteOnly));
+        QProcessEnvironment around = QProcessEnvironment::systemEnvironment();
+        around.remove(QStringLiteral("CARINA_UNATTENDED"));
+        if (!attended)
+            around.insert(QStringLiteral("CARINA_UNATTENDED"), QStringLiteral("1"));
+        QProcess instructor;
+        instructor.setProcessEnvironment(around);
+        instructor.start(QStringLiteral(CARINA_INSTRUCTOR),
+                         {QStringLiteral("--patient"), QStringLiteral("child"),
+                          QStringLiteral("--data"), data.path()});
+        QVERIFY(instructor.waitForStarted(kPatience_ms));
+        QByteArray said;
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (said += instructor.readAllStandardError()).contains("it is empty"), kPatience_ms);
+        QCOMPARE(instructor.waitForFinished(kBackWithin_ms), !attended);
+        if (!attended)
+            QCOMPARE(instructor.exitCode(), 1);
+        instructor.kill();
+        QVERIFY(instructor.waitForFinished() || !attended);
+        QCOMPARE(empty.size(), qint64{0});
     }
 
     void whoIsRefusedFailsToMeasure()

@@ -49,16 +49,16 @@ enum class Errc : std::uint8_t {
     AddressInUse,    ///< the port is taken
     StoreFailed,     ///< the fact log could not be written
     StoreCorrupt,    ///< the fact log could not be read completely
-    StoreReplaced,   ///< the file of the fact log was deleted, replaced or changed while it was open
-    ClockLost,       ///< the stored clock of a session contradicts its log
-    NotPermitted,    ///< the role may not do this
-    SessionEnded,    ///< the session takes no more changes
-    NameTaken,       ///< a participant with this name and role is in the session
-    NameUnclear,     ///< a name with invisible characters, or one that looks like another's
-    SessionFull,     ///< no more participants of this role are taken
-    TooMuchSent,     ///< more than a participant of this role may send
-    WrongCode,       ///< not a join code of this session and role
-    WrongLink,       ///< a text that is not a link to a session
+    StoreReplaced, ///< the file of the fact log was deleted, replaced or changed while it was open
+    ClockLost,     ///< the stored clock of a session contradicts its log
+    NotPermitted,  ///< the role may not do this
+    SessionEnded,  ///< the session takes no more changes
+    NameTaken,     ///< a participant with this name and role is in the session
+    NameUnclear,   ///< a name with invisible characters, or one that looks like another's
+    SessionFull,   ///< no more participants of this role are taken
+    TooMuchSent,   ///< more than a participant of this role may send
+    WrongCode,     ///< not a join code of this session and role
+    WrongLink,     ///< a text that is not a link to a session
     NotEnoughMemory, ///< too little memory to derive a key from a join code
     OwnerChanged,    ///< the object has another owner in the meantime
     SetNotNamed,     ///< no station of the session has the requested patient

@@ -41,8 +41,8 @@ public:
     /// power loss.
     [[nodiscard]] virtual Result<void> keepAction(const EventCpo& event) = 0;
 
-    /// Checks that the log still is where it was stored. Where somebody deleted, replaced or changed
-    /// it meanwhile, everything is saved anew elsewhere; append does the same.
+    /// Checks that the log still is where it was stored. Where somebody deleted, replaced or
+    /// changed it meanwhile, everything is saved anew elsewhere; append does the same.
     /// @returns the new file, once; StoreFailed where it cannot be saved, and is tried again.
     [[nodiscard]] virtual Result<std::optional<std::filesystem::path>> keepWhole() = 0;
 };

@@ -29,7 +29,8 @@ LIBRARY_OF_PREFIX = [
     ("GL/", "OpenGL"), ("benchmark/", "Google Benchmark"),
     ("qrencode.h", "libqrencode"), ("png.h", "libpng"), ("turbojpeg.h", "libjpeg-turbo"),
     ("arpa/", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),
-    ("signal.h", "POSIX"), ("poll.h", "POSIX"), ("pthread.h", "POSIX"), ("malloc.h", "glibc"),
+    ("dlfcn.h", "POSIX"), ("signal.h", "POSIX"), ("poll.h", "POSIX"), ("pthread.h", "POSIX"),
+    ("malloc.h", "glibc"),
 ]
 
 

@@ -50,13 +50,14 @@ private Q_SLOTS:
         const auto row = [](const char* name, const Harm& harm) { QTest::newRow(name) << harm; };
         row("deleted", [](const QString& file) { QVERIFY(QFile::remove(file)); });
         row("its changes deleted",
-            [](const QString& file) { QVERIFY(QFile::remove(file + "-wal")); });
+            [](const QString& file) { QVERIFY(QFile::remove(file + QStringLiteral("-wal"))); });
         row("replaced", [](const QString& file) {
-            writeOver(file + "x");
-            QVERIFY(QFile::remove(file) && QFile::rename(file + "x", file));
+            writeOver(file + QStringLiteral("x"));
+            QVERIFY(QFile::remove(file) && QFile::rename(file + QStringLiteral("x"), file));
         });
-        row("moved away",
-            [](const QString& file) { QVERIFY(QFile::rename(file, file + "-moved")); });
+        row("moved away", [](const QString& file) {
+            QVERIFY(QFile::rename(file, file + QStringLiteral("-moved")));
+        });
         row("written over", [](const QString& file) { writeOver(file); });
         row("made empty", [](const QString& file) { QVERIFY(QFile::resize(file, 0)); });
         row("deleted with its folder",

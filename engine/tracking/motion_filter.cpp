@@ -1,5 +1,6 @@
 #include "engine/tracking/motion_filter.h"
 
+#include "engine/core/expects.h"
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"
 
@@ -97,6 +98,15 @@ std::optional<Motion> MotionFilter::motion() const
     if (m_samples < kSamplesNeeded)
         return std::nullopt;
     return Motion{.v_FO = m_positionFilter.rate(), .w_FO = m_rotationFilter.rate()};
+}
+
+RigidTransform MotionFilter::predicted(SessionTime t) const
+{
+    CARINA_EXPECTS(m_samples >= kSamplesNeeded);
+    const double dt = toSeconds(t - m_time);
+    AccelerationFilter rotation = m_rotationFilter;
+    AccelerationFilter position = m_positionFilter;
+    return {rotationFromVector(rotation.predict(dt)) * m_q_FO, m_p_FO + position.predict(dt)};
 }
 
 } // namespace carina

@@ -71,6 +71,9 @@ public:
 
     /// The motion at the newest sample; nothing before kSamplesNeeded samples.
     [[nodiscard]] std::optional<Motion> motion() const;
+    /// The filtered pose X_FO, extrapolated to t with the estimated acceleration.
+    /// @pre motion() has a value.
+    [[nodiscard]] RigidTransform predicted(SessionTime t) const;
 
 private:
     void begin(const PoseSample& sample);

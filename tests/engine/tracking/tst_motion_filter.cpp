@@ -71,14 +71,6 @@ Errors errorsOf(const std::vector<PoseSample>& samples,
     return errors;
 }
 
-/// As viewers do: from the pose of a sample with its motion.
-RigidTransform extrapolated(const PoseSample& sample, const Motion& motion, SessionTime t)
-{
-    const double dt = toSeconds(t - sample.time);
-    return {rotationFromVector(dt * motion.w_FO) * sample.X_FO.rotation(),
-            sample.X_FO.translation() + dt * motion.v_FO};
-}
-
 Errors errorsOfFilter(const std::vector<PoseSample>& samples,
                       const std::function<RigidTransform(SessionTime)>& truth)
 {
@@ -88,8 +80,7 @@ Errors errorsOfFilter(const std::vector<PoseSample>& samples,
         if (samples[index].time > newest)
             filter.add(samples[index]);
         newest = samples[index].time;
-        return filter.motion() ? extrapolated(samples[index], *filter.motion(), t)
-                               : samples[index].X_FO;
+        return filter.motion() ? filter.predicted(t) : samples[index].X_FO;
     });
 }
 
@@ -148,6 +139,9 @@ private Q_SLOTS:
         }
         QVERIFY((filter.motion()->w_FO - w).norm() < 1e-6);
         QVERIFY((filter.motion()->v_FO - v).norm() < 1e-6);
+        const RigidTransform ahead = filter.predicted(SessionTime{6s});
+        QVERIFY(angleBetween(ahead.rotation(), rotationFromVector(6.0 * w)).si < 1e-5);
+        QVERIFY((ahead.translation() - 6.0 * v).norm() < 1e-5);
     }
 
     void findsAConstantAcceleration()
@@ -161,6 +155,9 @@ private Q_SLOTS:
             filter.add(sampleAt(fromSeconds(i / 100.0), poseAt(i / 100.0)));
         QVERIFY((filter.motion()->w_FO - 2.4 * axis).norm() < 1e-4);
         QVERIFY((filter.motion()->v_FO - 3.0 * axis).norm() < 1e-4);
+        const RigidTransform ahead = filter.predicted(SessionTime{3100ms});
+        QVERIFY(angleBetween(ahead.rotation(), poseAt(3.1).rotation()).si < 1e-4);
+        QVERIFY((ahead.translation() - poseAt(3.1).translation()).norm() < 1e-4);
     }
 
     void firstGainsAreThoseOfKalman()

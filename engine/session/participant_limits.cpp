@@ -11,7 +11,7 @@ PeerLimits limitsOf(Role role)
                 .bytes = 1e6,
                 .proposals = 100.0,
                 .events = 400.0,
-                .samples = 2000.0};
+                .samples = 4000.0};
     case Role::Trainee:
         return {.datagrams = 2000.0,
                 .bytes = 5e5,
@@ -41,11 +41,11 @@ std::size_t mostPresentOf(Role role)
 {
     switch (role) {
     case Role::Instructor:
-        return 64;
+        return 32;
     case Role::Trainee:
-        return 256;
+        return 160;
     case Role::Observer:
-        return 128;
+        return 64;
     }
     return 0;
 }

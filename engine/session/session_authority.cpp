@@ -151,15 +151,17 @@ bool isOfTheHostAlone(const FactBody& body)
                    fact::ParticipantLeft>(body);
 }
 
-/// Nobody takes a name that looks like that of somebody else who is present, or of the host.
-Result<void> checkLook(const SessionState& state, const fact::ParticipantJoined& joined)
+/// Whoever is new takes a plain name, and none that looks like that of a participant there ever
+/// was. Only a proposal is judged by this, not a log that is read: it depends on the version of
+/// Unicode.
+Result<void> checkNewName(const SessionState& state, const fact::ParticipantJoined& joined)
 {
-    const std::string look = lookOf(joined.name);
+    if (state.participants().contains(joined.participant))
+        return {}; // comes back
     for (const auto& [id, other] : state.participants())
-        if (id != joined.participant && (other.present || id == kHost)
-            && lookOf(other.name) == look)
+        if (lookAlike(other.name, joined.name))
             return fail(Errc::NameUnclear, other.name);
-    return {};
+    return checkName(joined.name);
 }
 
 /// As many participants and objects as their roles may have.
@@ -176,7 +178,7 @@ Result<void> checkNumbers(const SessionState& state, const FactBody& body)
         if (std::size_t(present) >= mostPresentOf(joined->role)
             || (isNew && state.participants().size() >= kMostParticipants))
             return fail(Errc::SessionFull);
-        return checkLook(state, *joined);
+        return checkNewName(state, *joined);
     }
     const auto* shared = std::get_if<fact::ObjectShared>(&body);
     if (shared == nullptr || shared->owner == kHost || state.objects().contains(shared->object))

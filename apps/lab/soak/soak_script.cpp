@@ -47,7 +47,8 @@ JoinSettings SoakScript::entry(Role role, const char* name) const
             .participantName = name,
             .role = role,
             .station = kStation,
-            .code = m_codes.at(role)};
+            .code = m_codes.at(role),
+            .tokens = m_tokens.path().toStdString()};
 }
 
 bool SoakScript::isReady() const

@@ -3,6 +3,8 @@
 #include "apps/lab/soak/soak_experiment.h"
 #include "engine/net/node/session_node.h"
 
+#include <QTemporaryDir>
+
 namespace carina::lab
 {
 
@@ -36,6 +38,7 @@ private:
     SoakSettings m_settings;
     std::uint16_t m_port;
     JoinCodes m_codes;
+    QTemporaryDir m_tokens; ///< by which a guest comes back as the same participant
     std::unique_ptr<SessionNode> m_instructor;
     std::unique_ptr<SessionNode> m_guest; ///< null while the observer is away
     int m_patients = 0;

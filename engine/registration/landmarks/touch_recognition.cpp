@@ -272,6 +272,10 @@ Result<void> check(const TouchesSoFar& earlier, const Vec3& p_TQ)
     return checkPoint(p_TQ, "the touch");
 }
 
+/// Manikins of other sizes than these, relative to the anatomy, are not looked for.
+constexpr double kLeastSize = 0.8;
+constexpr double kMostSize = 1.25;
+
 /// What a touch is that lies where a landmark of a larger or smaller manikin would be.
 std::optional<TouchFinding> ofAnotherSize(const TouchesSoFar& earlier, const Vec3& p_TQ, Length fle,
                                           std::size_t landmark)
@@ -283,7 +287,7 @@ std::optional<TouchFinding> ofAnotherSize(const TouchesSoFar& earlier, const Vec
         if (earlier.p_TQ[i])
             pairs.push_back({earlier.p_AQ[i], *earlier.p_TQ[i]});
     const Result<ManikinScale> size = manikinScale(pairs);
-    if (!size || !size->isOff())
+    if (!size || !size->isOff() || size->scale < kLeastSize || size->scale > kMostSize)
         return std::nullopt;
     std::vector<Vec3> scaled{earlier.p_AQ.begin(), earlier.p_AQ.end()};
     for (Vec3& p_AQ : scaled)
@@ -307,6 +311,9 @@ Result<TouchFinding> recogniseTouch(const TouchesSoFar& earlier, const Vec3& p_T
     TouchFinding found = Recognition{earlier, p_TQ, fle}.finding(proposed);
     if (found.verdict != TouchVerdict::Nowhere)
         return found;
+    if (proposed)
+        if (auto asked = ofAnotherSize(earlier, p_TQ, fle, *proposed))
+            return *asked;
     return ofAnotherSize(earlier, p_TQ, fle, found.landmark).value_or(std::move(found));
 }
 

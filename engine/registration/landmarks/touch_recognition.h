@@ -60,7 +60,8 @@ struct TouchFinding {
 /// then finds the one that explains them.
 ///
 /// A touch that is nowhere is judged again with the landmarks at the size of the manikin, where the
-/// touches show that it differs from that of the anatomy (manikinScale).
+/// touches, four or more with this one, show that it differs from that of the anatomy
+/// (manikinScale).
 ///
 /// @param p_TQ     the new touch, in T, metres
 /// @param fle      the fiducial localisation error, RMS, above 0

@@ -1,7 +1,6 @@
 #include "engine/session/facts/fact_rules.h"
 
 #include "engine/session/facts/number_check.h"
-#include "engine/session/facts/plain_name.h"
 #include "engine/session/facts/utf8.h"
 #include "engine/session/respiration/respiration_rules.h"
 
@@ -35,7 +34,7 @@ struct BodyCheck {
     Result<void> operator()(const fact::StationAdded& f) const { return checkTexts({&f.name}); }
     Result<void> operator()(const fact::ParticipantJoined& f) const
     {
-        return checkTexts({&f.name}).and_then([&] { return checkName(f.name); });
+        return checkTexts({&f.name});
     }
     Result<void> operator()(const fact::ParticipantLeft&) const { return {}; }
     Result<void> operator()(const fact::ObjectShared& f) const { return checkTexts({&f.name}); }

@@ -31,6 +31,27 @@ icu::UnicodeString unicode(std::string_view utf8)
     return icu::UnicodeString::fromUTF8({utf8.data(), static_cast<std::int32_t>(utf8.size())});
 }
 
+icu::UnicodeString withoutBlanks(std::string_view utf8)
+{
+    icu::UnicodeString name = unicode(utf8);
+    for (std::int32_t i = 0; i < name.length();)
+        if (u_isUWhiteSpace(name.charAt(i)))
+            name.remove(i, 1);
+        else
+            ++i;
+    return name;
+}
+
+icu::UnicodeString folded(icu::UnicodeString name) { return name.foldCase(); }
+
+icu::UnicodeString skeletonOf(const icu::UnicodeString& name)
+{
+    icu::UnicodeString skeleton;
+    UErrorCode status = U_ZERO_ERROR;
+    uspoof_getSkeletonUnicodeString(checker(), 0, name, skeleton, &status);
+    return U_SUCCESS(status) ? skeleton : name;
+}
+
 } // namespace
 
 Result<void> checkName(std::string_view utf8)
@@ -47,21 +68,12 @@ Result<void> checkName(std::string_view utf8)
     return isPadded ? fail(Errc::NameUnclear) : Result<void>{};
 }
 
-std::string lookOf(std::string_view utf8)
+bool lookAlike(std::string_view utf8, std::string_view otherUtf8)
 {
-    icu::UnicodeString name = unicode(utf8);
-    name.foldCase();
-    for (std::int32_t i = 0; i < name.length();)
-        if (u_isUWhiteSpace(name.charAt(i)))
-            name.remove(i, 1);
-        else
-            ++i;
-    icu::UnicodeString skeleton;
-    UErrorCode status = U_ZERO_ERROR;
-    uspoof_getSkeletonUnicodeString(checker(), 0, name, skeleton, &status);
-    std::string look;
-    (U_SUCCESS(status) ? skeleton : name).foldCase().toUTF8String(look);
-    return look;
+    const icu::UnicodeString name = withoutBlanks(utf8);
+    const icu::UnicodeString other = withoutBlanks(otherUtf8);
+    return skeletonOf(folded(name)) == skeletonOf(folded(other))
+           || folded(skeletonOf(name)) == folded(skeletonOf(other));
 }
 
 } // namespace carina

@@ -17,8 +17,9 @@ inline constexpr int kLongestName = 64;
 /// @returns NameUnclear otherwise, and for more than kLongestName characters.
 [[nodiscard]] Result<void> checkName(std::string_view utf8);
 
-/// Two names look alike where these are equal: the skeleton of Unicode Technical Standard 39
-/// ("Unicode Security Mechanisms") of the name without differences of case and of blanks.
-[[nodiscard]] std::string lookOf(std::string_view utf8);
+/// Whether two names look alike, by the skeletons of Unicode Technical Standard 39 ("Unicode
+/// Security Mechanisms") of the names without blanks: as they are (capital I and small l), or
+/// without differences of case. Names that differ in case alone look alike, too.
+[[nodiscard]] bool lookAlike(std::string_view utf8, std::string_view otherUtf8);
 
 } // namespace carina

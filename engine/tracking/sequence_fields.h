@@ -8,10 +8,13 @@
 #include <string_view>
 #include <system_error>
 
-/// Parses the values of the `key = value` lines of a sequence file. The parsers return nothing
-/// where the text, as a whole, is not such a value.
+/// Parses the values in files of poses. The parsers return nothing where the text, as a whole, is
+/// not such a value.
 namespace carina::field
 {
+
+/// Largest amount of a time in a file: a century, so that two times can be subtracted.
+inline constexpr double kLongestSeconds = 3e9;
 
 /// The text without blanks (and the CR of a CRLF) at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

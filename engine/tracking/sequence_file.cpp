@@ -19,7 +19,6 @@ namespace
 constexpr std::string_view kFramePrefix = "Seq_Frame";
 constexpr std::string_view kTransformSuffix = "ToTrackerTransform";
 constexpr std::string_view kStatusSuffix = "ToTrackerTransformStatus";
-constexpr double kLongestSeconds = 3e9; // a century, so that two times can be subtracted
 // Devices round what they report: the matrices of real recordings are up to 5e-4 off a rotation.
 constexpr double kOrthonormal = 5e-3;
 
@@ -156,7 +155,7 @@ Result<SessionTime> SequenceReader::frameTime()
         return badFrame(Errc::FileMalformed, "its Timestamp is missing or not a number");
     if (!std::isfinite(*seconds))
         return badFrame(Errc::NotFinite, "its Timestamp is not finite");
-    if (std::abs(*seconds) > kLongestSeconds)
+    if (std::abs(*seconds) > field::kLongestSeconds)
         return badFrame(Errc::OutOfRange, "its Timestamp is more than a century");
     const SessionTime time{fromSeconds(*seconds)};
     if (m_lastTime && time < *m_lastTime)

@@ -43,7 +43,7 @@ std::size_t mostPresentOf(Role role)
     case Role::Instructor:
         return 32;
     case Role::Trainee:
-        return 160;
+        return 224;
     case Role::Observer:
         return 64;
     }

@@ -21,7 +21,7 @@ inline constexpr std::size_t kMostOfAKind = 2;
 
 /// Participants that a session takes, over its whole life: their numbers and names stay in its log.
 inline constexpr std::size_t kMostParticipants = 1024;
-/// Of the participants of a role that are present at once; together as many as the host has paths.
+/// Of the participants of a role that are present at once.
 [[nodiscard]] std::size_t mostPresentOf(Role role);
 
 } // namespace carina

@@ -268,8 +268,8 @@ LocalTime HostDriver::nextWake() const
         return LocalTime::min();
     LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
                                m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
-    for (const auto& [peer, due] : m_helloDue)
-        wake = std::min(wake, due);
+    for (const auto& [address, path] : m_paths)
+        wake = std::min(wake, path.idleSince + kHelloWithin);
     return wake;
 }
 
@@ -317,14 +317,15 @@ void HostDriver::show(LocalTime now)
 
 void HostDriver::connected(PeerAddress peer, const Credential& who, LocalTime now)
 {
+    endOldestIdlePath(who);
     m_access->connected(peer, who);
-    m_helloDue.emplace(peer, now + kHelloWithin);
+    m_paths.emplace(peer, Path{who, now});
 }
 
 void HostDriver::disconnected(PeerAddress peer, LocalTime now)
 {
     m_access->disconnected(peer);
-    m_helloDue.erase(peer);
+    m_paths.erase(peer);
     m_core->drop(peer, now);
 }
 
@@ -379,7 +380,6 @@ Result<Admission> HostDriver::admit(const ProposalRecord& join, LocalTime now)
     if (m_authority.settled(proposal->id) && known != participants.end() && !known->second.present)
         proposal->id = ProposalId{QRandomGenerator::system()->generate64()};
     return decide(*proposal, now).map([&](const FactRecord& fact) {
-        m_helloDue.erase(m_speaker);
         m_access->admitted(m_speaker, who->participant);
         return Admission{who->participant, fact};
     });
@@ -393,11 +393,28 @@ void HostDriver::left(ParticipantId participant, LocalTime now)
 
 void HostDriver::endIdlePaths(LocalTime now)
 {
-    for (auto path = m_helloDue.begin(); path != m_helloDue.end();) {
-        if (path->second <= now)
-            m_ended.push_back(path->first);
-        path = path->second <= now ? m_helloDue.erase(path) : std::next(path);
+    for (auto& [address, path] : m_paths) {
+        if (m_core->peers().contains(address)) {
+            path.idleSince = now;
+        } else if (now >= path.idleSince + kHelloWithin) {
+            m_ended.push_back(address);
+            path.idleSince = now; // it is told as disconnected next
+        }
     }
+}
+
+void HostDriver::endOldestIdlePath(const Credential& who)
+{
+    std::vector<std::map<PeerAddress, Path>::value_type> idle;
+    std::ranges::copy_if(m_paths, std::back_inserter(idle), [&](const auto& entry) {
+        return entry.second.who == who && !m_core->peers().contains(entry.first);
+    });
+    if (idle.size() < (who.participant ? kMostIdleOfToken : kMostIdleOfCode))
+        return;
+    const auto& [address, path] = *std::ranges::min_element(
+        idle, {}, [](const auto& entry) { return entry.second.idleSince; });
+    m_ended.push_back(address);
+    m_paths.erase(address);
 }
 
 void HostDriver::dropAbsent(LocalTime now)

@@ -13,8 +13,12 @@ namespace carina
 class HostDriver : public NodeDriver
 {
 public:
-    /// Within this time after a path was encrypted somebody has to come in over it.
+    /// A path over which nobody takes part is ended after this time.
     static constexpr Duration kHelloWithin = std::chrono::seconds{2};
+    /// Such paths of one credential, a role's code or a participant's token: the one that has been
+    /// idle longest is ended for a new one, so that who has one code cannot keep out the others.
+    static constexpr std::size_t kMostIdleOfCode = 64;
+    static constexpr std::size_t kMostIdleOfToken = 4;
     /// New participants in a second; twice as many at once.
     static constexpr double kNewcomers = 40.0;
 
@@ -52,8 +56,15 @@ private:
     [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
     [[nodiscard]] Result<Admission> admit(const ProposalRecord& join, LocalTime now);
     void left(ParticipantId participant, LocalTime now);
-    /// Ends paths over which nobody came in.
+    /// An encrypted path.
+    struct Path {
+        Credential who;
+        LocalTime idleSince{}; ///< nobody has taken part over it from then on
+    };
+
     void endIdlePaths(LocalTime now);
+    /// Makes room for one more path of this credential.
+    void endOldestIdlePath(const Credential& who);
     /// Enters that participants of the last run who did not return have left.
     void dropAbsent(LocalTime now);
 
@@ -71,8 +82,8 @@ private:
     NodeBoard& m_board;
     std::unique_ptr<SyncHost> m_core;
     std::unique_ptr<HostAccess> m_access;
-    PeerAddress m_speaker = 0;                   // sender of the datagram being handled
-    std::map<PeerAddress, LocalTime> m_helloDue; // paths over which nobody has come in yet
+    PeerAddress m_speaker = 0; // sender of the datagram being handled
+    std::map<PeerAddress, Path> m_paths;
     TokenBucket m_newcomers;
     std::vector<PeerAddress> m_ended; // paths to be closed
     Datagrams m_tokens;               // to be sent

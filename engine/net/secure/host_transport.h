@@ -31,7 +31,8 @@ public:
     static constexpr std::size_t kDatagramsPerTurn = 256;
     /// At once; the oldest is dropped for a new one.
     static constexpr std::size_t kMostHandshakes = 64;
-    static constexpr std::size_t kMostPaths = 256;
+    /// Those of all participants who may be present, and idle ones: the host ends these soon.
+    static constexpr std::size_t kMostPaths = 1536;
     static constexpr Duration kHandshakeTimeout = std::chrono::seconds{5};
     static constexpr Duration kPathTimeout = std::chrono::seconds{10}; ///< without a datagram
 

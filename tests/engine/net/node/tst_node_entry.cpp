@@ -117,6 +117,44 @@ private Q_SLOTS:
         QCOMPARE(greet(**host, anothersToken, Role::Trainee).refusal->code, Errc::NotPermitted);
     }
 
+    void idlePathsOfOneCodeAreReplacedByTheirOwnNewOnes()
+    {
+        MemoryDisk disk;
+        NodeBoard board;
+        const LocalTime start = monotonicNow();
+        const auto host =
+            HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk), board, start);
+        QVERIFY(host);
+        constexpr PeerAddress kTrainee = 1000;
+        (*host)->connected(kTrainee, {Role::Trainee, std::nullopt}, start);
+        for (PeerAddress peer = 1; peer <= HostDriver::kMostIdleOfCode; ++peer)
+            (*host)->connected(peer, {Role::Observer, std::nullopt},
+                               start + peer * std::chrono::microseconds{1});
+        QVERIFY((*host)->takeEnded().empty());
+        (*host)->connected(500, {Role::Observer, std::nullopt}, start + 1ms);
+        QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{1});
+
+        constexpr ParticipantId kAnna{3};
+        for (PeerAddress peer = 600; peer <= 600 + HostDriver::kMostIdleOfToken; ++peer)
+            (*host)->connected(peer, {Role::Observer, kAnna}, start + peer * 1us);
+        QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{600});
+    }
+
+    void pathsWithoutAParticipantAreEnded()
+    {
+        MemoryDisk disk;
+        NodeBoard board;
+        const LocalTime start = monotonicNow();
+        const auto host =
+            HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk), board, start);
+        QVERIFY(host);
+        (*host)->connected(5, {Role::Trainee, std::nullopt}, start);
+        static_cast<void>((*host)->advance(start + HostDriver::kHelloWithin - 1ms));
+        QVERIFY((*host)->takeEnded().empty());
+        static_cast<void>((*host)->advance(start + HostDriver::kHelloWithin));
+        QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{5});
+    }
+
     void observersChangeNothing()
     {
         MemoryDisk disk;

@@ -12,9 +12,10 @@ std::span<const Command> commands()
                                 deformCommand(),                      //
                                 fitCommand(),     icpCommand(),       pivotCommand(),
                                 treCommand(),                                           //
-                                trackCommand(),                                         //
+                                predictCommand(), trackCommand(),                       //
                                 driftCommand(),   driftNodeCommand(), figuresCommand(), //
-                                carryCommand(),   handshakeCommand(), soakCommand(),    //
+                                attackCommand(),  carryCommand(),     handshakeCommand(),
+                                soakCommand(), //
                                 renderCommand(),  summaryCommand()};
     return all;
 }

@@ -20,6 +20,7 @@ namespace carina::lab
 
 [[nodiscard]] Command figuresCommand();
 
+[[nodiscard]] Command attackCommand();
 [[nodiscard]] Command carryCommand();
 [[nodiscard]] Command handshakeCommand();
 
@@ -34,6 +35,7 @@ namespace carina::lab
 
 [[nodiscard]] Command summaryCommand();
 
+[[nodiscard]] Command predictCommand();
 [[nodiscard]] Command trackCommand();
 
 /// All of them, in the order in which `carina-lab help` lists them.

@@ -2,8 +2,6 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/soak/soak_experiment.h"
 
-#include <QCoreApplication>
-#include <QDir>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -92,16 +90,11 @@ Result<SoakSettings> settingsOf(const Words& words)
     for (const auto& count : {patients, joins, events})
         if (!count)
             return tl::unexpected(count.error());
-    const QDir programs{words.has(soak_option::kPrograms)
-                            ? words.text(soak_option::kPrograms)
-                            : QCoreApplication::applicationDirPath() + QStringLiteral("/..")};
     return SoakSettings{.length = fromSeconds(60.0 * *minutes),
                         .patients = static_cast<int>(*patients),
                         .joins = static_cast<int>(*joins),
                         .events = static_cast<int>(*events),
-                        .console =
-                            programs.filePath(QStringLiteral("instructor/carina-instructor")),
-                        .trainee = programs.filePath(QStringLiteral("trainee/carina-trainee"))};
+                        .programs = SessionPrograms::in(words.text(soak_option::kPrograms))};
 }
 
 QJsonObject reportOf(const SoakFigures& figures, const SoakSettings& settings, double limit)

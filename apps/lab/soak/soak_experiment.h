@@ -1,10 +1,8 @@
 #pragma once
 
+#include "apps/lab/programs/started_session.h"
 #include "apps/lab/soak/trend.h"
-#include "engine/core/result.h"
 #include "engine/core/session_time.h"
-
-#include <QString>
 
 #include <string>
 #include <vector>
@@ -18,8 +16,7 @@ struct SoakSettings {
     int patients = 200; ///< changes of the patient
     int joins = 200;    ///< an observer comes in, stays for a while and leaves
     int events = 600;   ///< changes of the breathing, and pauses
-    QString console;    ///< the program
-    QString trainee;    ///< the program
+    SessionPrograms programs;
 };
 
 /// What a program held in the course of the soak; times in minutes.

@@ -1,4 +1,4 @@
-#include "apps/lab/soak/watched_program.h"
+#include "apps/lab/programs/watched_program.h"
 
 #include <QDir>
 #include <QFile>

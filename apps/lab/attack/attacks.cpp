@@ -1,0 +1,397 @@
+#include "apps/lab/attack/attacks.h"
+
+#include "engine/session/facts/fact_codec.h"
+
+#include <QSslPreSharedKeyAuthenticator>
+
+#include <array>
+#include <random>
+
+namespace carina::lab
+{
+namespace
+{
+
+constexpr unsigned kSeed = 20;
+
+WayIn wayIn(const Target& target, Role role)
+{
+    return {target.port, role, target.codes.at(role), target.derive};
+}
+
+/// One who comes in under a name of its own and then sends something in each turn.
+class Participating : public Attack
+{
+public:
+    Participating(const Target& target, Role role)
+        : m_name{target.attacker}, m_intruder{wayIn(target, role)}
+    {
+    }
+
+    void step() final
+    {
+        if (!m_intruder.isIn())
+            return;
+        const LocalTime now = monotonicNow();
+        if (m_intruder.ended() != m_endedBefore || (!m_intruder.welcome() && now >= m_nextHello)) {
+            m_endedBefore = m_intruder.ended();
+            m_nextHello = now + std::chrono::milliseconds{200};
+            m_intruder.hello(m_name, ProposalId{m_random()}, ++m_connection);
+        }
+        if (m_intruder.welcome())
+            flood(m_intruder);
+    }
+    [[nodiscard]] std::int64_t sent() const final { return m_intruder.sent(); }
+
+protected:
+    virtual void flood(Intruder& intruder) = 0;
+
+    std::mt19937_64 m_random{kSeed};
+
+private:
+    std::string m_name;
+    Intruder m_intruder;
+    int m_endedBefore = 0;
+    std::uint32_t m_connection = 1;
+    LocalTime m_nextHello{};
+};
+
+/// Proposes as much as fits into some datagrams.
+class Proposing : public Participating
+{
+public:
+    using Participating::Participating;
+
+protected:
+    void flood(Intruder& intruder) override
+    {
+        std::vector<WireRecord> proposals;
+        for (int i = 0; i < kProposals; ++i)
+            proposals.emplace_back(toRecord(Proposal{ProposalId{m_random()}, kNobody,
+                                                     kAttackedStation, body(*intruder.welcome())}));
+        intruder.send(proposals);
+    }
+
+private:
+    static constexpr int kProposals = 100;
+
+    [[nodiscard]] virtual FactBody body(const Welcome& welcome) = 0;
+};
+
+class Leaving : public Proposing
+{
+public:
+    explicit Leaving(const Target& target) : Proposing{target, Role::Observer} {}
+
+private:
+    FactBody body(const Welcome& welcome) override
+    {
+        return fact::ParticipantLeft{welcome.participant};
+    }
+};
+
+class Sharing : public Proposing
+{
+public:
+    explicit Sharing(const Target& target) : Proposing{target, Role::Trainee} {}
+
+private:
+    FactBody body(const Welcome& welcome) override
+    {
+        return fact::ObjectShared{ObjectId{}, welcome.participant, ObjectKind::Tube,
+                                  std::to_string(m_random())};
+    }
+};
+
+class Breathing : public Proposing
+{
+public:
+    explicit Breathing(const Target& target) : Proposing{target, Role::Trainee} {}
+
+private:
+    FactBody body(const Welcome&) override { return fact::ManikinBreathed{}; }
+};
+
+/// Shares a tube and streams samples of it that are ahead of the session.
+class FalseTube : public Participating
+{
+public:
+    explicit FalseTube(const Target& target) : Participating{target, Role::Trainee} {}
+
+protected:
+    void flood(Intruder& intruder) override
+    {
+        const Welcome& me = *intruder.welcome();
+        if (!m_shared) {
+            m_shared = true;
+            const WireRecord proposal = toRecord(
+                Proposal{ProposalId{m_random()}, kNobody, kAttackedStation,
+                         fact::ObjectShared{ObjectId{}, me.participant, ObjectKind::Tube, "Tube"}});
+            intruder.send(std::span{&proposal, 1});
+        }
+        StreamGroup group{me.participant, me.epoch, kAttackedStation, {}};
+        for (std::uint16_t object = 1; object <= kStreamsPerGroup; ++object)
+            group.streams.push_back(
+                {.object = ObjectId{object},
+                 .sequence = ++m_sequence,
+                 .time = intruder.sessionNow() + std::chrono::milliseconds{12}});
+        const WireRecord record = group;
+        intruder.send(std::span{&record, 1});
+    }
+
+private:
+    bool m_shared = false;
+    std::uint16_t m_sequence = 0;
+};
+
+/// Acts on objects that are not its own.
+class ForeignActions : public Participating
+{
+public:
+    explicit ForeignActions(const Target& target) : Participating{target, Role::Trainee} {}
+
+protected:
+    void flood(Intruder& intruder) override
+    {
+        std::vector<WireRecord> events;
+        for (std::uint16_t object = 1; object <= kObjects; ++object)
+            events.emplace_back(EventBeat{ObjectId{object}, 0, ++m_action});
+        intruder.send(events);
+    }
+
+private:
+    static constexpr std::uint16_t kObjects = 100;
+    std::uint32_t m_action = 0;
+};
+
+/// Sends what is no datagram.
+class Garbage : public Participating
+{
+public:
+    explicit Garbage(const Target& target) : Participating{target, Role::Observer} {}
+
+protected:
+    void flood(Intruder& intruder) override
+    {
+        for (int i = 0; i < kDatagrams; ++i) {
+            std::array<std::byte, 800> bytes{};
+            for (std::byte& byte : bytes)
+                byte = std::byte(m_random());
+            intruder.sendBytes(bytes);
+        }
+    }
+
+private:
+    static constexpr int kDatagrams = 10;
+};
+
+/// Wants to come in as a trainee who is present, by the id with which that one came in.
+class Impostor : public Attack
+{
+public:
+    explicit Impostor(const Target& target)
+        : m_name{target.attacker},
+          m_victim{target.victim},
+          m_watcher{wayIn(target, Role::Observer)},
+          m_impostor{wayIn(target, Role::Trainee)}
+    {
+    }
+
+    void step() override
+    {
+        if (!m_watcher.isIn() || !m_impostor.isIn())
+            return;
+        if (!m_watcher.welcome() && m_connection % kTurns == 1)
+            m_watcher.hello(m_name, ProposalId{kSeed}, m_connection);
+        for (const FactRecord& record : m_watcher.facts()) {
+            const auto fact = fromRecord(record);
+            const auto* joined = fact ? std::get_if<fact::ParticipantJoined>(&fact->body) : nullptr;
+            if (joined != nullptr && joined->name == m_victim)
+                m_join = record.proposal;
+        }
+        ++m_connection;
+        if (m_join)
+            m_impostor.hello(m_victim, *m_join, m_connection);
+    }
+    [[nodiscard]] std::int64_t sent() const override { return m_impostor.sent(); }
+
+private:
+    static constexpr std::uint32_t kTurns = 100;
+    std::string m_name;
+    std::string m_victim;
+    Intruder m_watcher;
+    Intruder m_impostor;
+    std::optional<ProposalId> m_join;
+    std::uint32_t m_connection = 1;
+};
+
+/// Comes in over one path under ever new names.
+class Names : public Attack
+{
+public:
+    explicit Names(const Target& target)
+        : m_name{target.attacker}, m_intruder{wayIn(target, Role::Trainee)}
+    {
+    }
+
+    void step() override
+    {
+        if (!m_intruder.isIn())
+            return;
+        for (int i = 0; i < kHellos; ++i) {
+            ++m_names;
+            m_intruder.hello(m_name + std::to_string(m_names), ProposalId{m_names}, m_names);
+        }
+    }
+    [[nodiscard]] std::int64_t sent() const override { return m_names; }
+
+private:
+    static constexpr int kHellos = 5;
+    std::string m_name;
+    Intruder m_intruder;
+    std::uint32_t m_names = 0;
+};
+
+/// Opens paths over which nobody comes in.
+class IdlePaths : public Attack
+{
+public:
+    explicit IdlePaths(const Target& target)
+        : m_target{target},
+          m_credentials{Role::Observer, target.codes.at(Role::Observer),
+                        TokenFolder{{}, Role::Observer, "Intruder"}, target.derive}
+    {
+    }
+
+    void step() override
+    {
+        const LocalTime now = monotonicNow();
+        for (const auto& path : m_paths)
+            path->serve([](std::span<const std::byte>, LocalTime) {});
+        if (now < m_next)
+            return;
+        m_next = now + std::chrono::milliseconds{15};
+        if (m_paths.size() == kPaths)
+            m_paths.erase(m_paths.begin());
+        ++m_opened;
+        m_paths.push_back(std::make_unique<ClientPath>(
+            QHostAddress{QHostAddress::LocalHost}, m_target.port, m_credentials, m_nothing, [] {},
+            now));
+    }
+    [[nodiscard]] std::int64_t sent() const override { return m_opened; }
+
+private:
+    static constexpr std::size_t kPaths = 400;
+    Target m_target;
+    ClientCredentials m_credentials;
+    std::optional<ExpectedCertificate> m_nothing;
+    std::vector<std::unique_ptr<ClientPath>> m_paths;
+    LocalTime m_next{};
+    std::int64_t m_opened = 0;
+};
+
+/// Sends ClientHellos without a cookie, from one address.
+class ClientHellos : public Attack
+{
+public:
+    explicit ClientHellos(const Target& target) : m_port{target.port}
+    {
+        // The first datagram of a handshake, sent to a socket of our own.
+        QUdpSocket ear;
+        ear.bind(QHostAddress::LocalHost);
+        m_socket.bind(QHostAddress::LocalHost);
+        QDtls dtls{QSslSocket::SslClientMode};
+        dtls.setPeer(QHostAddress{QHostAddress::LocalHost}, ear.localPort());
+        prepareDtls(dtls, QByteArray{});
+        dtls.doHandshake(&m_socket);
+        if (ear.waitForReadyRead(1000))
+            if (const auto datagram = readRaw(ear))
+                m_hello = datagram->bytes;
+    }
+
+    void step() override
+    {
+        for (int i = 0; i < kHellos && !m_hello.isEmpty(); ++i, ++m_sent)
+            m_socket.writeDatagram(m_hello, QHostAddress{QHostAddress::LocalHost}, m_port);
+        while (readRaw(m_socket)) {}
+    }
+    [[nodiscard]] std::int64_t sent() const override { return m_sent; }
+
+private:
+    static constexpr int kHellos = 5;
+    std::uint16_t m_port;
+    QUdpSocket m_socket;
+    QByteArray m_hello;
+    std::int64_t m_sent = 0;
+};
+
+/// All kinds at once, some twice.
+class Together : public Attack
+{
+public:
+    explicit Together(const Target& target)
+    {
+        const std::span<const AttackKind> kinds = attackKinds();
+        const auto single = kinds.first(kinds.size() - 1); // without this one
+        for (std::size_t i = 0; i < kAttackers; ++i) {
+            Target own = target;
+            own.attacker += ' ' + std::to_string(i);
+            m_attacks.push_back(single[i % single.size()].begin(own));
+        }
+    }
+
+    void step() override
+    {
+        for (const auto& attack : m_attacks)
+            attack->step();
+    }
+    [[nodiscard]] std::int64_t sent() const override
+    {
+        std::int64_t sum = 0;
+        for (const auto& attack : m_attacks)
+            sum += attack->sent();
+        return sum;
+    }
+
+private:
+    static constexpr std::size_t kAttackers = 16;
+    std::vector<std::unique_ptr<Attack>> m_attacks;
+};
+
+template <class Kind> std::unique_ptr<Attack> begin(const Target& target)
+{
+    return std::make_unique<Kind>(target);
+}
+
+} // namespace
+
+std::span<const AttackKind> attackKinds()
+{
+    // One for each coming and going of those who take part: attacker, newcomer, watcher.
+    constexpr double kComings = 20.0;
+    static constexpr std::array kKinds{
+        AttackKind{"leaving", "an observer proposes that it leaves, without end", kComings, 0.0,
+                   begin<Leaving>},
+        AttackKind{"sharing", "a trainee shares ever more tubes", kComings + 8.0, 0.0,
+                   begin<Sharing>},
+        AttackKind{"breathing", "a trainee proposes breaths of the manikin without end", kComings,
+                   22.0, begin<Breathing>},
+        AttackKind{"impostor", "a trainee says Hello with the join of one who is present", kComings,
+                   0.0, begin<Impostor>},
+        AttackKind{"client-hellos", "ClientHellos without a cookie", kComings, 0.0,
+                   begin<ClientHellos>},
+        AttackKind{"paths", "an observer opens paths and says no Hello", kComings, 0.0,
+                   begin<IdlePaths>},
+        AttackKind{"false-tube", "a trainee streams a second tube, 12 ms ahead of the session",
+                   kComings, 0.0, begin<FalseTube>},
+        AttackKind{"actions", "a trainee acts on what is not its own", kComings, 0.0,
+                   begin<ForeignActions>},
+        AttackKind{"names", "a trainee comes in under ever new names over one path", kComings, 0.0,
+                   begin<Names>},
+        AttackKind{"garbage", "an observer sends bytes at random", kComings, 0.0, begin<Garbage>},
+        AttackKind{"together", "sixteen attackers, in all these ways at once", 16.0 * kComings,
+                   44.0, begin<Together>}};
+    return kKinds;
+}
+
+} // namespace carina::lab

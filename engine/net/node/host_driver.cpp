@@ -376,13 +376,25 @@ Result<Admission> HostDriver::admit(const ProposalRecord& join, LocalTime now)
     const auto known = participants.find(who->participant);
     if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now))
         return fail(Errc::TooMuchSent);
-    // The same run of a program that was given up meanwhile comes in a second time.
-    if (m_authority.settled(proposal->id) && known != participants.end() && !known->second.present)
-        proposal->id = ProposalId{QRandomGenerator::system()->generate64()};
+    // A repeat gets the fact it has. Not the same run of a program that was given up meanwhile and
+    // comes in a second time, nor who uses the id of another's proposal, which everybody knows.
+    const bool isPresent = known != participants.end() && known->second.present;
+    if (m_authority.settled(proposal->id)
+        && !(isPresent && isJoinOf(proposal->id, who->participant)))
+        proposal->id = ProposalId{hostRandom()};
     return decide(*proposal, now).map([&](const FactRecord& fact) {
         m_access->admitted(m_speaker, who->participant);
         return Admission{who->participant, fact};
     });
+}
+
+bool HostDriver::isJoinOf(ProposalId proposal, ParticipantId participant) const
+{
+    const auto number = m_authority.settled(proposal);
+    const auto fact = number ? fromRecord(m_core->log()[number->value - 1])
+                             : Result<Fact>{fail(Errc::OutOfRange)};
+    const auto* joined = fact ? std::get_if<fact::ParticipantJoined>(&fact->body) : nullptr;
+    return joined != nullptr && joined->participant == participant;
 }
 
 void HostDriver::left(ParticipantId participant, LocalTime now)

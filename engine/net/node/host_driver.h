@@ -55,6 +55,8 @@ private:
     [[nodiscard]] Result<FactRecord> enter(const Fact& fact);
     [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
     [[nodiscard]] Result<Admission> admit(const ProposalRecord& join, LocalTime now);
+    /// Whether the proposal became the fact that this participant joined.
+    [[nodiscard]] bool isJoinOf(ProposalId proposal, ParticipantId participant) const;
     void left(ParticipantId participant, LocalTime now);
     /// An encrypted path.
     struct Path {

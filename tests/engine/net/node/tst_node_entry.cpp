@@ -1,6 +1,8 @@
 #include "engine/net/node/client_driver.h"
 #include "engine/net/node/host_access.h"
 #include "engine/net/node/host_driver.h"
+#include "engine/session/facts/fact_codec.h"
+#include "engine/sync/wire/datagram_codec.h"
 #include "tests/engine/net/node/nodes.h"
 #include "tests/support/test_class.h"
 
@@ -47,6 +49,18 @@ NodeBoard::View greet(HostDriver& host, const Credential& proved, Role role)
     }
     host.disconnected(kGuest, now);
     return board.view();
+}
+
+/// A datagram in which a trainee of this name says Hello with this id.
+std::vector<std::byte> hello(ProposalId id, const char* name)
+{
+    const WireRecord record =
+        Hello{{},
+              {},
+              toRecord(Proposal{id, kNobody, kStation,
+                                fact::ParticipantJoined{ParticipantId{}, Role::Trainee, name}})};
+    return packDatagrams(std::span{&record, 1}, [] { return BundleHeader{.connection = 1}; })
+        .front();
 }
 
 } // namespace
@@ -153,6 +167,28 @@ private Q_SLOTS:
         QVERIFY((*host)->takeEnded().empty());
         static_cast<void>((*host)->advance(start + HostDriver::kHelloWithin));
         QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{5});
+    }
+
+    void idOfAnothersProposalBringsANewcomerInAsItself()
+    {
+        MemoryDisk disk;
+        NodeBoard board;
+        const LocalTime now = monotonicNow();
+        const auto host =
+            HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk), board, now);
+        QVERIFY(host);
+        constexpr ProposalId kEverybodyKnows{20};
+        constexpr PeerAddress kAnna = 5;
+        constexpr PeerAddress kMallory = 6;
+        (*host)->connected(kAnna, {Role::Trainee, std::nullopt}, now);
+        (*host)->receive(kAnna, hello(kEverybodyKnows, "Anna"), now);
+        (*host)->connected(kMallory, {Role::Trainee, std::nullopt}, now);
+        (*host)->receive(kMallory, hello(kEverybodyKnows, "Mallory"), now);
+        static_cast<void>((*host)->advance(now));
+        std::vector<std::string> names;
+        for (const auto& [id, participant] : board.view().state->participants())
+            names.push_back(participant.name);
+        QCOMPARE(names, (std::vector<std::string>{"Dr Hall", "Anna", "Mallory"}));
     }
 
     void observersChangeNothing()

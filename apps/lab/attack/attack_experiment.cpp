@@ -136,8 +136,8 @@ private:
         workFor(m_settings.length, [] {});
         figures.before = m_witness->take();
 
-        auto attack =
-            kind.begin({m_session->port(), m_session->codes(), m_derive, StartedSession::kTrainee});
+        auto attack = kind.begin({m_session->port(), m_session->codes(), m_derive,
+                                  StartedSession::kTrainee, std::string{"Intruder "} + kind.name});
         const LocalTime began = monotonicNow();
         workFor(kNewcomerAfter, [&] { attack->step(); });
         figures.joined = newcomer(*attack);

@@ -60,6 +60,9 @@ void Intruder::receive(PeerAddress, std::span<const std::byte> bytes, LocalTime 
             m_welcome = *welcome;
             m_header.sender = welcome->participant;
         }
+        if (const auto* refused = std::get_if<HelloRefused>(&record)) {
+            m_helloRefused = refused->reason;
+        }
         if (const auto* fact = std::get_if<FactRecord>(&record))
             m_facts.push_back(*fact);
     }

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] int ended() const { return m_ended; }
     /// As whom the host admitted it last; nothing before.
     [[nodiscard]] const std::optional<Welcome>& welcome() const { return m_welcome; }
+    /// Why the host refused its last Hello, if it did.
+    [[nodiscard]] const std::optional<Errc>& helloRefused() const { return m_helloRefused; }
     /// The facts that the host sent, in order of arrival.
     [[nodiscard]] const std::vector<FactRecord>& facts() const { return m_facts; }
     /// Datagrams sent over the path.
@@ -61,6 +63,7 @@ private:
     PeerAddress m_path = 0;
     int m_ended = 0;
     std::optional<Welcome> m_welcome;
+    std::optional<Errc> m_helloRefused;
     std::vector<FactRecord> m_facts;
     BundleHeader m_header; ///< of the next datagram
     Duration m_sessionOffset{};

@@ -51,7 +51,8 @@ constexpr Key kError{"per_min_se",
                      2};
 } // namespace soak_key
 
-/// Standard errors by which a slope must lie above its limit to be called growth.
+/// Standard errors by which a slope must lie below its limit to be called level: one that is not
+/// known well enough is not acceptable.
 constexpr double kSignificant = 2.0;
 constexpr double kMostPerMinute = 0.05; ///< descriptors or threads: three in an hour
 
@@ -66,17 +67,17 @@ QJsonObject courseOf(const std::vector<TimedFigure>& figures)
             {soak_key::kError, trend.standardError}};
 }
 
-bool growsBeyond(const std::vector<TimedFigure>& figures, double limit)
+bool staysBelow(const std::vector<TimedFigure>& figures, double limit)
 {
     const Trend trend = trendOf(figures);
-    return trend.slope - kSignificant * trend.standardError > limit;
+    return trend.slope + kSignificant * trend.standardError < limit;
 }
 
 bool isLevel(const SoakedProgram& program, double limit_kb_per_min)
 {
-    return !growsBeyond(program.memory_kb, limit_kb_per_min)
-           && !growsBeyond(program.descriptors, kMostPerMinute)
-           && !growsBeyond(program.threads, kMostPerMinute);
+    return staysBelow(program.memory_kb, limit_kb_per_min)
+           && staysBelow(program.descriptors, kMostPerMinute)
+           && staysBelow(program.threads, kMostPerMinute);
 }
 
 Result<SoakSettings> settingsOf(const Words& words)
@@ -140,12 +141,13 @@ Command soakCommand()
         .summary = "runs console and trainee for long and measures what they hold",
         .uses = {{.lines = {"[--minutes T] [--patients N] [--joins N] [--events N]",
                             "[--programs DIR] [--limit-kb-per-min K]"},
-                  .text = "Starts a console and a trainee with a simulated tracker in a session of "
-                          "their own, changes the patient and its breathing, lets an observer come "
-                          "and go, and samples each second what both programs hold of memory, "
-                          "descriptors and threads. Memory, descriptors and threads may not rise "
-                          "beyond twice the standard error above their limits: --limit-kb-per-min, "
-                          "and 0.05 per minute. Needs a display.",
+                  .text =
+                      "Starts a console and a trainee with a simulated tracker in a session of "
+                      "their own, changes the patient and its breathing, lets an observer come "
+                      "and go, and samples each second what both programs hold of memory, "
+                      "descriptors and threads. The slopes of memory, descriptors and threads plus "
+                      "twice their standard errors must stay below their limits: "
+                      "--limit-kb-per-min, and 0.05 per minute. Needs a display.",
                   .options = {soak_option::kMinutes, soak_option::kPatients, soak_option::kJoins,
                               soak_option::kEvents, soak_option::kPrograms, soak_option::kLimit},
                   .schema = soak_key::kSchema,

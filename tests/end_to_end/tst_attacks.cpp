@@ -1,0 +1,62 @@
+#include "tests/support/test_class.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+
+namespace carina::attacks_test
+{
+
+/// What one who knows a code can do to a console and a trainee. The bounds are those of
+/// `carina-lab attack`.
+class TestAttacks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sessionHolds_data()
+    {
+        QTest::addColumn<QString>("attack");
+        for (const char* attack : {"leaving", "sharing", "breathing", "impostor", "client-hellos",
+                                   "paths", "false-tube", "actions", "names", "garbage"})
+            QTest::newRow(attack) << QString::fromLatin1(attack);
+    }
+
+    void sessionHolds()
+    {
+        QFETCH(QString, attack);
+        const QJsonObject figures = attacked({QStringLiteral("--only"), attack});
+        const QJsonArray attacks = figures[QLatin1StringView{"attacks"}].toArray();
+        QCOMPARE(attacks.size(), qsizetype{1});
+        const QJsonObject figure = attacks.first().toObject();
+        QVERIFY(figure[QLatin1StringView{"sent"}].toInt() > kLeastSent);
+        QVERIFY2(figure[QLatin1StringView{"holds"}].toBool(),
+                 QJsonDocument{figure}.toJson().constData());
+    }
+
+    void oneAfterTheOtherEndNoProgram() { QVERIFY(!attacked({}).isEmpty()); }
+
+private:
+    static constexpr int kLeastSent = 100;
+
+    /// What carina-lab printed; nothing where it could not print.
+    static QJsonObject attacked(const QStringList& more)
+    {
+        QProcess lab;
+        lab.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        lab.start(
+            QStringLiteral(CARINA_LAB),
+            QStringList{QStringLiteral("attack"), QStringLiteral("--seconds"), QStringLiteral("5")}
+                + more);
+        if (!lab.waitForFinished(300'000))
+            return {};
+        return QJsonDocument::fromJson(lab.readAllStandardOutput()).object();
+    }
+};
+
+CARINA_SCREEN_TEST(TestAttacks)
+
+} // namespace carina::attacks_test
+
+#include "tst_attacks.moc"

@@ -41,8 +41,8 @@ struct ManikinProfile {
     friend bool operator==(const ManikinProfile&, const ManikinProfile&) = default;
 };
 
-/// The range of teethToCarina in a profile: a six-year-old's at the least, a tall man's at the
-/// most.
+/// Limits of plausibility of teethToCarina in a profile, chosen by us so that a slip of the pen or
+/// of the unit is refused. They are no measurements; what is between them need not be right.
 inline constexpr Length kLeastTeethToCarina = millimetres(100.0);
 inline constexpr Length kMostTeethToCarina = millimetres(350.0);
 

@@ -1,6 +1,7 @@
 #include "engine/lungs/mechanics/lung_condition.h"
 
 #include "engine/core/expects.h"
+#include "engine/lungs/mechanics/lung_dynamics.h"
 
 #include <algorithm>
 #include <array>
@@ -53,29 +54,16 @@ bool affects(const LungCondition& condition, std::size_t lung)
 
 Volume ceilingOf(const PressureVolumeCurve& curve) { return curve.floor + curve.span; }
 
-/// Where lung and wall pull alike: between the floor of the curve and the volume at which a lung
-/// that lacks nothing rests, by bisection.
-Volume restOf(const LungMechanics& lung)
-{
-    constexpr int kHalvings = 60;
-    Volume least = lung.curve.floor;
-    Volume greatest = lung.wallVolume;
-    for (int i = 0; i < kHalvings; ++i) {
-        const Volume middle = 0.5 * (least + greatest);
-        const Pressure wall =
-            lung.wallRecoil + Pressure{(lung.wallVolume - middle).si / lung.wall.si};
-        (lung.curve.pressureAt(middle) < wall ? least : greatest) = middle;
-    }
-    return greatest;
-}
-
-/// Leaves a share of the lung open. The wall comes in and pulls more on what is left.
-void closeAllBut(LungMechanics& lung, double open)
+/// Leaves a share of the lung open, which rested at `restBefore` between its wall and what gas is
+/// in the pleural space. The wall comes in and pulls more on what is left.
+void closeAllBut(LungMechanics& lung, double open, Volume restBefore)
 {
     const PressureVolumeCurve& before = lung.curve;
-    const Volume restBefore = restOf(lung);
+    const Volume nearEnd = kStraightShare * before.span;
+    restBefore = std::clamp(restBefore, before.floor + nearEnd, ceilingOf(before) - nearEnd);
     const Volume rest = before.floor + open * (restBefore - before.floor);
-    const Pressure recoil = lung.wallRecoil + Pressure{(lung.wallVolume - rest).si / lung.wall.si};
+    const Pressure recoil =
+        before.pressureAt(restBefore) + Pressure{(restBefore - rest).si / lung.wall.si};
     lung.curve = PressureVolumeCurve::through(before.floor, before.floor + open * before.span, rest,
                                               recoil, open * before.complianceAt(restBefore));
 }
@@ -87,9 +75,9 @@ double tiredEffort(double fatigue, double compliance)
     return fatigue * (1.0 + 1.0 / compliance) / 2.0;
 }
 
-void makeArds(LungMechanics& lung, double severity)
+void makeArds(LungMechanics& lung, double severity, Volume restBefore)
 {
-    closeAllBut(lung, lookedUp(kArdsOpen, severity));
+    closeAllBut(lung, lookedUp(kArdsOpen, severity), restBefore);
     lung.limbSpread = (1.0 + severity) * lung.limbSpread;
     lung.alveolarDeadSpace =
         lung.alveolarDeadSpace
@@ -173,12 +161,12 @@ void narrowTrachea(RespiratorySystem& system, double severity)
         lung.bronchi = std::min(1.0, open / kLeastOpen) * lung.bronchi;
 }
 
-void afflict(LungMechanics& lung, const LungCondition& condition)
+void afflict(LungMechanics& lung, const LungCondition& condition, Volume restBefore)
 {
     const double severity = condition.severity;
     switch (condition.kind) {
     case ConditionKind::Ards:
-        return makeArds(lung, severity);
+        return makeArds(lung, severity, restBefore);
     case ConditionKind::Copd:
         return makeCopd(lung, severity);
     case ConditionKind::Asthma:
@@ -186,7 +174,7 @@ void afflict(LungMechanics& lung, const LungCondition& condition)
     case ConditionKind::TensionPneumothorax:
         return makeTension(lung, severity);
     case ConditionKind::Atelectasis:
-        closeAllBut(lung, 1.0 - 0.9 * severity);
+        closeAllBut(lung, 1.0 - 0.9 * severity, restBefore);
         lung.bronchi = (1.0 - 0.9 * severity) * lung.bronchi;
         return;
     case ConditionKind::Obstruction:
@@ -301,6 +289,7 @@ RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungConditio
         narrowTrachea(system, severity);
         return system;
     }
+    const ChestContent rest = restingContent(healthy);
     for (std::size_t i = 0; i < 2; ++i) {
         const LungMechanics& other = healthy.lungs[1 - i];
         if (isMainstem && !affects(condition, i))
@@ -313,7 +302,7 @@ RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungConditio
                              alone ? givenWay(healthy, other, severity * other.wallRecoil)
                                    : Volume{});
         }
-        afflict(system.lungs[i], condition);
+        afflict(system.lungs[i], condition, rest[i].gas);
     }
     useMuscles(condition, system);
     // The tidal volumes of the table are breathed on top of what stays behind.

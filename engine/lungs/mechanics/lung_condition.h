@@ -68,24 +68,35 @@ inline constexpr std::size_t kMostConditions = 6;
 /// them (docs/mechanics.md names each source):
 ///
 /// - Ards: the open share of the lung falls to 0.7, 0.5, 0.4, and with it compliance, resting
-///   volume and capacity; alveolar dead space; reduced muscle effort.
+///   volume and capacity; the limbs of the curve 1 + s times as far apart; alveolar dead space of
+///   0, 0.03, 0.15 L in an adult. Muscles: strength 0.76, 0.52, 0.28 times, the effort of exhausted
+///   ones as it leaves that share of the tidal volume; I:E 1.4, 2.2, 3 times.
 /// - Copd: bronchial resistance 1.9, 3.8, 5.3 times; resting volume 1.77, capacity 1.40 and
-///   residual volume 2.42 times at 0.9; compliance up to 1.4 times; alveolar dead space. Bronchi
-///   are compressed during expiration: their resistance to gas that leaves is 3.9, 6.8, 9.7 times
-///   that to gas that enters.
-/// - Asthma: resistance of the whole natural airway 1 + 14 s times, the increase in the bronchi.
+///   residual volume 2.42 times at 0.9; compliance 1, 1.1, 1.4 times; the recoil of the wall
+///   1 - 0.5 s times; alveolar dead space of 0.3, 0.6, 0.9 L in an adult. Bronchi are compressed
+///   during expiration: their resistance to gas that leaves is 3.9, 6.8, 9.7 times that to gas that
+///   enters, and below a closing volume of 1.7 s times the resting volume they narrow besides.
+///   Muscles: strength 0.87, 0.76, 0.64 times, the effort of exhausted ones as it leaves that share
+///   of the tidal volume, more by what stays behind of a quiet breath; I:E 0.7, 0.44, 0.24 times.
+/// - Asthma: resistance of the whole natural airway 1 + 14 s times, the increase in the bronchi;
+///   their resistance to gas that leaves 1 + 1.3 s times that to gas that enters; a closing volume
+///   of 1.6 s times the resting volume.
 /// - SimplePneumothorax: gas in the pleural space, at a pressure s of the way from the pleural to
-///   that of the room; the lung rests at 1 - 0.75 s of its volume.
+///   that of the room; the lung rests at 1 - 0.75 s of its volume, and span and bronchi narrow with
+///   it.
 /// - TensionPneumothorax: a one-way tear of size s lets gas from the airway into the pleural space
-///   as long as the condition lasts.
-/// - Atelectasis: 0.9 s of the lung is closed.
+///   as long as the condition lasts; none leaves before it ends.
+/// - Atelectasis: 0.9 s of the lung is closed, of what gas in the pleural space has left open;
+///   compliance, resting volume, capacity and bronchial conductance fall with it.
 /// - MainstemIntubation: the tube is in the main bronchus of `side`. A share s of the section of
 ///   the other main bronchus is closed, and the blood absorbs gas behind it down to 0.45 of the
-///   resting volume.
+///   resting volume, with a rate constant of s in 3 minutes.
 /// - Obstruction: a share s of the section is closed: of the trachea or tube for Both, else of a
 ///   main bronchus. The conductance of a bronchus goes with the square of its open section; a
 ///   trachea of which the last hundredth closes blocks both lungs.
 /// - StiffChest: the compliance of the wall is divided by 1 + 4 s.
+///
+/// A condition of one lung changes strength, effort and I:E by half as much.
 ///
 /// @pre severity within 0..1; MainstemIntubation has one side.
 [[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,

@@ -172,14 +172,20 @@ void RespiratoryFold::sumUpBreath()
                                 * last.rate.si};
 }
 
+/// The alveolar ventilation that keeps the carbon dioxide normal: that of the set breath in health,
+/// or of quiet breathing where nothing of the set breath gets beyond the dead space.
+VolumeFlow RespiratoryFold::wantedVentilation() const
+{
+    BreathingPattern breath = patternAsSet();
+    if (breath.tidalVolume <= m_healthy.anatomicalDeadSpace)
+        breath = restingPattern(m_settings.build);
+    return {(breath.tidalVolume - m_healthy.anatomicalDeadSpace).si * breath.rate.si};
+}
+
 /// Carbon dioxide and tiredness after the breath that ends.
 void RespiratoryFold::takeDrive(double seconds)
 {
-    const BreathingPattern set = patternAsSet();
-    const Volume fresh = set.tidalVolume - m_healthy.anatomicalDeadSpace;
-    if (fresh.si <= 0.0)
-        return;
-    const VolumeFlow wanted{fresh.si * set.rate.si};
+    const VolumeFlow wanted = wantedVentilation();
     DriveState& drive = m_state.drive;
     const Pressure mean = meanMuscleShare(m_state.breath.inspiratoryFraction) * m_state.effort;
     drive.tiredness = tirednessAfter(seconds, drive, mean, m_state.system.strength);

@@ -88,7 +88,9 @@ struct RespiratoryState {
 ///
 /// The pattern that is set is that of a healthy patient. Where a spontaneous breath brings less
 /// alveolar ventilation than it does in health, CO2 accumulates and raises effort and rate, until
-/// the muscles tire (ventilatory_drive.h).
+/// the muscles tire (ventilatory_drive.h). A set tidal volume that does not exceed the anatomical
+/// dead space ventilates nobody: such a patient needs the ventilation of quiet breathing
+/// (restingPattern).
 class RespiratoryFold
 {
 public:
@@ -132,6 +134,7 @@ private:
     [[nodiscard]] Pressure effortOfHealth(const BreathingPattern& pattern);
     [[nodiscard]] Frequency ownRate() const;
     [[nodiscard]] BreathingPattern patternAsSet() const;
+    [[nodiscard]] VolumeFlow wantedVentilation() const;
     void sumUpBreath();
     void takeDrive(double seconds);
     void beginBreath();

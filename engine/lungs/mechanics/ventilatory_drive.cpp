@@ -14,8 +14,6 @@ constexpr double kRateShare = 0.25;     // of the rise of the effort
 constexpr double kMostOfStrength = 0.5; // that a patient uses for breathing
 /// Of the strength, what exhausted muscles have lost.
 constexpr double kLostStrength = 0.5;
-/// CO2 tension below which muscles recover.
-constexpr double kRecovering = 1.1;
 
 /// Effort that is wanted, as a multiple of the quiet one.
 double demandOf(const DriveState& state)
@@ -55,7 +53,7 @@ double tirednessAfter(double seconds, const DriveState& before, Pressure mean, d
     const double index = mean.si / std::max(1.0, left * kGreatestInspiratoryPressure.si);
     if (index > kFatigueIndex)
         return std::min(1.0, before.tiredness + seconds * std::pow(index, 3.6) / (0.1 * kMinute));
-    if (before.carbonDioxide < kRecovering)
+    if (before.carbonDioxide < kRecoveringCarbonDioxide)
         return std::max(0.0, before.tiredness - seconds / kRecovery);
     return before.tiredness;
 }

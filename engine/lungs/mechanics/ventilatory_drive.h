@@ -38,8 +38,9 @@ struct DriveState {
 /// Tiredness after a time of breathing. The tension-time index is the muscles' mean pressure over
 /// what they can generate. Above 0.15 they are exhausted after 0.1 min / index^3.6 (Bellemare and
 /// Grassino, J Appl Physiol 1982;53:1190); tired muscles can generate less, so that this runs on by
-/// itself. They recover in kRecovery once ventilation and carbon dioxide are near normal, because
-/// hypercapnia weakens the diaphragm (Juan et al., N Engl J Med 1984;310:874).
+/// itself. They recover in kRecovery while the index is not above 0.15 and carbon dioxide is below
+/// kRecoveringCarbonDioxide, because hypercapnia weakens the diaphragm (Juan et al., N Engl J Med
+/// 1984;310:874); ventilation matters only by the carbon dioxide it leaves.
 /// @param mean pressure of the inspiratory muscles, averaged over whole breaths
 [[nodiscard]] double tirednessAfter(double seconds, const DriveState& before, Pressure mean,
                                     double strength);
@@ -58,5 +59,7 @@ inline constexpr double kMostRate = 2.2; ///< 35 per minute in an adult (ours)
 inline constexpr double kMostCarbonDioxide = 4.0;
 inline constexpr double kFatigueIndex = 0.15;
 inline constexpr double kRecovery = 900.0; ///< s (ours)
+/// CO2 tension below which tired muscles recover, as a multiple of the quiet one (ours).
+inline constexpr double kRecoveringCarbonDioxide = 1.1;
 
 } // namespace carina

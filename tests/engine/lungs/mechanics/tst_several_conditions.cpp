@@ -39,6 +39,7 @@ private Q_SLOTS:
     void isTheSameInAnyOrder();
     void isWhatEachAloneMakes();
     void addsTheResistancesUp();
+    void closesAShareOfWhatThePleuralGasHasLeft();
     void breathesWithEveryTwo_data();
     void breathesWithEveryTwo();
 };
@@ -91,6 +92,24 @@ void TestSeveralConditions::addsTheResistancesUp()
     VERIFY_WITHIN(both.lungs[0].compression,
                   with(Asthma, 0.6).lungs[0].compression * with(Copd, 0.6).lungs[0].compression,
                   1e-12);
+}
+
+/// Without a mediastinum that gives way, a lung that is closed by a share rests at the open share
+/// of its gas above the floor, whether or not there is gas in the pleural space.
+void TestSeveralConditions::closesAShareOfWhatThePleuralGasHasLeft()
+{
+    RespiratorySystem chest = healthy();
+    chest.mediastinum = {};
+    const auto rest = [&chest](const LungConditions& conditions) {
+        return restingContent(afflicted(chest, conditions))[0].gas;
+    };
+    const Volume floor = chest.lungs[0].curve.floor;
+    for (const double severity : {0.0, 0.3, 0.6, 0.9}) {
+        const LungCondition gas{SimplePneumothorax, severity, Right};
+        const Volume before = rest({gas});
+        const Volume after = rest({gas, {Atelectasis, 0.6, Right}});
+        VERIFY_WITHIN(inMillilitres(after - floor), 0.46 * inMillilitres(before - floor), 0.01);
+    }
 }
 
 void TestSeveralConditions::breathesWithEveryTwo_data()

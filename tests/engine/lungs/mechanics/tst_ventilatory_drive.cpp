@@ -36,6 +36,7 @@ private Q_SLOTS:
     void severeArdsBreathesHarderFirstAndTiresLater();
     void hasTheTimesOfTheDiseaseInOwnBreathsOnly();
     void restsOnAVentilator();
+    void strugglesWhereNoSetBreathGetsBeyondTheDeadSpace();
 };
 
 /// 4 mmHg a minute from 40.
@@ -153,6 +154,24 @@ void TestVentilatoryDrive::restsOnAVentilator()
         fold.step();
     QVERIFY(fold.state().drive.carbonDioxide < 1.1);
     QCOMPARE(fold.state().drive.tiredness, 0.0);
+}
+
+/// At first nothing is ventilated, as in apnoea; then breaths grow until some air arrives.
+void TestVentilatoryDrive::strugglesWhereNoSetBreathGetsBeyondTheDeadSpace()
+{
+    RespiratorySettings shallow = settingsWith(VentilationMode::Spontaneous, {});
+    shallow.pattern.tidalVolume = millilitres(100.0);
+    RespiratoryFold fold = after(kMinute / 6, shallow);
+    QCOMPARE(fold.lastBreath().alveolarVentilation.si, 0.0);
+    VERIFY_WITHIN(fold.state().drive.carbonDioxide, 1.0 + 10.0 / kStoreTime, 0.01);
+    const Pressure quiet = fold.state().effort;
+    for (int i = 0; i < 10 * kMinute; ++i)
+        fold.step();
+    QVERIFY(fold.state().drive.carbonDioxide > 1.1);
+    QVERIFY(fold.state().effort > 2.0 * quiet);
+    QVERIFY(fold.lastBreath().rate > 1.2 * shallow.pattern.rate);
+    QVERIFY(fold.lastBreath().tidalVolume > healthySystem({}).anatomicalDeadSpace);
+    QVERIFY(litresPerMin(fold.lastBreath().alveolarVentilation) > 2.0);
 }
 
 CARINA_TEST(TestVentilatoryDrive)

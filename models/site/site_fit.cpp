@@ -30,11 +30,19 @@ std::vector<LandmarkResidual> residualsOf(const Site& site, const ManikinFit& fi
     return residuals;
 }
 
-/// Refits with some touches of before replace the estimate of before: it is no other one.
+/// Whether the last estimate is of touches that are in this fit, too.
 bool sharesTouches(const Site& site)
 {
-    return std::ranges::any_of(freshTouches(site),
-                               [](const TouchedPoint* touch) { return touch->isFitted; });
+    return !site.localisations.empty()
+           && std::ranges::any_of(freshTouches(site),
+                                  [](const TouchedPoint* touch) { return touch->isFitted; });
+}
+
+/// Whether the last estimate is that of another person, who is known.
+bool isAnothers(const Site& site)
+{
+    const std::string& name = site.localisations.back().operatorName;
+    return !name.empty() && name != site.operatorName;
 }
 
 /// What is known of this person's error from other registrations.
@@ -115,7 +123,9 @@ Result<Site> withFit(Site site, const FitInputs& inputs)
     const Result<ManikinFit> fitted = fitManikin(landmarks);
     if (!fitted)
         return tl::unexpected(fitted.error());
-    if (sharesTouches(site) && !site.localisations.empty())
+    const bool isShared = sharesTouches(site);
+    const bool isMixed = isShared && isAnothers(site); // so that it is an estimate of neither
+    if (isShared && !isMixed)
         site.localisations.pop_back();
     const StylusTip* stylus = site.stylus(inputs.tool);
     const auto error = errorOf(site, *fitted, stylus ? stylus->covariance_S : Mat3::Zero());
@@ -134,7 +144,8 @@ Result<Site> withFit(Site site, const FitInputs& inputs)
                                   .operatorName = site.operatorName};
     noteProbes(registration, inputs, fitted->X_TM);
     site.registration = std::move(registration);
-    noteLocalisation(site, error->own);
+    if (!isMixed)
+        noteLocalisation(site, error->own);
     if (site.verification)
         makeStale(site.verification->stale, StaleCause::Fit);
     return site;

@@ -26,7 +26,9 @@ struct FitInputs {
 
 /// The anatomy fitted to the touched landmarks that are not stale. The error of a touch is
 /// estimated from its residuals and from earlier registrations by the same person at this site,
-/// unless a touch is in both. Its own estimate is kept for later ones.
+/// unless a touch is in both. Its own estimate is kept for later ones: in place of the person's
+/// earlier one that shares touches with it, and not at all where that is another person's, whose
+/// estimate stays as it is.
 /// @returns TooFewLandmarks without a catalogue; the errors of fitManikin.
 [[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
 

@@ -51,7 +51,7 @@ struct TouchedPoint {
     Vec3 p_TQ = Vec3::Zero();     ///< in the tracker frame T, metres
     double spread = 0.0;          ///< of the tip's positions while it was held there, metres
     Quat q_TS = Quat::Identity(); ///< orientation of the stylus
-    bool isFitted = false;        ///< it is in the registration, or in one before it
+    bool isFitted = false;        ///< it is in one of Site::localisations
     std::optional<StaleCause> stale{};
 };
 
@@ -140,8 +140,8 @@ struct Site {
     std::optional<LandmarkCatalogue> catalogue{};
     std::vector<TouchedPoint> touched{}; ///< of the catalogue, none twice
     std::optional<SiteRegistration> registration{};
-    /// Of the registrations made here, oldest first; no two share a touch. The last is that of the
-    /// registration.
+    /// Of the registrations made here, oldest first; no two share a touch. The registration is in
+    /// the last one, unless another person's touches are in it, too.
     std::vector<SiteLocalisation> localisations{};
     /// While the manikin is registered again after it was moved: the landmarks touched so far.
     std::optional<std::vector<TouchedPoint>> relay{};

@@ -11,10 +11,11 @@ inline const std::string kTool = "Stylus";
 inline const std::string kTracker = "Tracker A";
 inline const RigidTransform kX_TA{rotationFromVector({0.2, 1.0, -0.4}), {0.05, -0.1, -1.1}};
 
-inline LandmarkCatalogue eightLandmarks()
+inline const LandmarkCatalogue& eightLandmarks()
 {
-    return ribCageAndJawCatalogue(ribCageCatalogue(metres(1.7), "0f3a"),
-                                  furtherPlaces(metres(1.7)));
+    static const LandmarkCatalogue catalogue =
+        ribCageAndJawCatalogue(ribCageCatalogue(metres(1.7), "0f3a"), furtherPlaces(metres(1.7)));
+    return catalogue;
 }
 
 inline StylusTip someTip()

@@ -233,6 +233,50 @@ private Q_SLOTS:
         QCOMPARE(site.localisations.size(), std::size_t{3});
     }
 
+    /// Who touches some landmarks again, of those that another person touched, leaves the other's
+    /// estimate as it is; who touches all of them gets one.
+    void keepsTheEstimateOfWhoeverTouchedTheOthers()
+    {
+        std::mt19937 random{14};
+        Site site = touchedBy(random, kHand);
+        const auto fitBy = [&](const char* name, std::size_t from, std::size_t to) {
+            site.operatorName = name;
+            for (std::size_t i = from; i < to; ++i) {
+                const Landmark& landmark = eightLandmarks().landmarks[i];
+                site = withTouch(std::move(site), landmark.name,
+                                 touchAt(landmark.p_AQ, anyError(random, kHand)));
+            }
+            site = withFit(std::move(site), {.tool = kTool, .at = "2004-03-27T10:15:00Z"}).value();
+        };
+        fitBy("A. Frei", 0, 8);
+        const double first = site.localisations.back().rms;
+        fitBy("M. Keller", 0, 2);
+        QCOMPARE(site.localisations.size(), std::size_t{1});
+        QCOMPARE(site.localisations.back().operatorName, std::string{"A. Frei"});
+        QCOMPARE(site.localisations.back().rms, first);
+        QVERIFY(site.registration->fle != first); // of the touches that were fitted
+        fitBy("M. Keller", 2, 8);
+        QCOMPARE(site.localisations.size(), std::size_t{2});
+        QCOMPARE(site.localisations.back().operatorName, std::string{"M. Keller"});
+        QCOMPARE(site.registration->pooled, 0);
+        fitBy("A. Frei", 0, 8);
+        QCOMPARE(site.registration->pooled, 1);
+        QCOMPARE(site.localisations.front().rms, first);
+    }
+
+    /// A name that is given after the fit replaces nobody's.
+    void givesAnEstimateOfNobodyAName()
+    {
+        std::mt19937 random{15};
+        Site site = touchedBy(random, kHand);
+        for (const char* name : {"", "A. Frei"}) {
+            site.operatorName = name;
+            site = withFit(std::move(site), {.tool = kTool, .at = "2004-03-27T10:15:00Z"}).value();
+            QCOMPARE(site.localisations.size(), std::size_t{1});
+            QCOMPARE(site.localisations.front().operatorName, std::string{name});
+        }
+    }
+
     void tellsWhatToExpectWhereItCounts()
     {
         std::mt19937 random{3};

@@ -33,7 +33,7 @@ Result<QJsonObject> describeSetOf(const Words& words)
     const bool isImport = asksFor(words, kImport);
     if (words.files().size() != 2 || (!isImport && !asksFor(words, kList))
         || words.has(anatomy_option::kSet) || words.has(kPatient))
-        return fail(Errc::OutOfRange, kAnatomyReminder);
+        return fail(Errc::WrongOption, kAnatomyReminder);
     const auto begin = monotonicNow();
     const auto loaded =
         loadAnatomySet(words.files()[1].toStdString(), AnatomyCache::defaultFolder(), {},

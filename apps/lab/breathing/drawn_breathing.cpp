@@ -107,8 +107,8 @@ Result<DrawnBreathing> drawBreathing(const Anatomy& anatomy, std::span<const Bre
     if (lungs->parts().empty())
         return fail(Errc::NothingRecognised, anatomy.name + " has no lungs.");
     if (level && *level >= lungs->levelCount())
-        return fail(Errc::OutOfRange, anatomy.name + " has levels 0 to "
-                                          + std::to_string(lungs->levelCount() - 1) + ".");
+        return fail(Errc::WrongOption, anatomy.name + " has levels 0 to "
+                                           + std::to_string(lungs->levelCount() - 1) + ".");
     const auto frc =
         DrawnLungs::of(*lungs, 0).and_then([](DrawnLungs onCard) { return onCard.volumes({}); });
     if (!frc)

@@ -5,6 +5,8 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonValue>
+#include <QVariant>
 
 #include <cstdio>
 
@@ -13,15 +15,37 @@ namespace carina::lab
 namespace
 {
 
+constexpr int kWrongUse = 2; ///< exit status
+
 void print(std::FILE* stream, const QByteArray& text)
 {
     std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()), stream);
 }
 
+QJsonValue rounded(const QJsonValue& value)
+{
+    constexpr int kDigits = 12;
+    if (value.isObject()) {
+        QJsonObject object = value.toObject();
+        for (auto field = object.begin(); field != object.end(); ++field)
+            *field = rounded(*field);
+        return object;
+    }
+    if (value.isArray()) {
+        QJsonArray array;
+        for (const QJsonValue each : value.toArray())
+            array.append(rounded(each));
+        return array;
+    }
+    if (value.toVariant().typeId() == QMetaType::Double)
+        return QByteArray::number(value.toDouble(), 'g', kDigits).toDouble();
+    return value;
+}
+
 /// What a command printed, and on stderr what it warns of.
 void printObject(const QJsonObject& object)
 {
-    print(stdout, QJsonDocument{object}.toJson());
+    print(stdout, printed(object));
     for (const QJsonValue warning : object.value(kWarnings).toArray())
         print(stderr, "warning: " + warning.toString().toUtf8() + '\n');
 }
@@ -44,7 +68,13 @@ int refuseName(const QString& name)
     print(stderr, name.isEmpty() ? QByteArray{"carina-lab needs a command"}
                                  : "carina-lab has no command '" + name.toUtf8() + '\'');
     print(stderr, "; 'carina-lab help' lists them, 'carina-lab help COMMAND' describes one.\n");
-    return 2;
+    return kWrongUse;
+}
+
+int pointToHelp(const QString& name)
+{
+    print(stderr, "'carina-lab help " + name.toUtf8() + "' describes its options.\n");
+    return kWrongUse;
 }
 
 int printHelp(std::span<const Command> commands, const QString& name)
@@ -67,6 +97,11 @@ Result<QJsonObject> Command::run(const QStringList& arguments) const
                 *reminder == '\0' ? words.error().detail : words.error().detail + ' ' + reminder);
 }
 
+QByteArray printed(const QJsonObject& object)
+{
+    return QJsonDocument{rounded(object).toObject()}.toJson();
+}
+
 int runCommandLine(std::span<const Command> commands, const QStringList& arguments)
 {
     const QString name = arguments.value(1);
@@ -80,7 +115,7 @@ int runCommandLine(std::span<const Command> commands, const QStringList& argumen
     const Result<QJsonObject> object = command->run(arguments.mid(2));
     if (!object) {
         print(stderr, QByteArray::fromStdString(object.error().detail) + '\n');
-        return 1;
+        return object.error().code == Errc::WrongOption ? pointToHelp(name) : 1;
     }
     printObject(*object);
     return object->value(kAcceptable).toBool(true) ? 0 : 1;

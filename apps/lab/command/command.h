@@ -59,7 +59,7 @@ struct Command {
     Result<QJsonObject> (*experiment)(const Words& words);
 
     /// Reads the words after the name and runs the experiment.
-    /// @returns OutOfRange with a sentence about the words that are wrong; the error of
+    /// @returns WrongOption with a sentence about the words that are wrong; the error of
     ///          the experiment
     [[nodiscard]] Result<QJsonObject> run(const QStringList& arguments) const;
 };
@@ -71,10 +71,15 @@ inline constexpr Key kWarnings{"warnings", "sentences about what may be wrong; o
 inline constexpr Key kAcceptable{"acceptable",
                                  "whether the result may be used; if not, the exit status is 1"};
 
+/// An object as it is printed. Numbers have twelve significant digits: more are noise of rounding,
+/// such as 0.30000000000000004.
+[[nodiscard]] QByteArray printed(const QJsonObject& object);
+
 /// Runs carina-lab, which has these commands, on a whole command line: prints the object on stdout
-/// and returns 0 (1 where its kAcceptable is false), or one sentence on stderr and returns 1 (2 for
-/// a command there is not). With --help anywhere after the name, or help before it, prints the page
-/// of the command.
+/// and returns 0 (1 where its kAcceptable is false), or one sentence on stderr and returns 1. Words
+/// that cannot be used (WrongOption, and a command there is not) return 2, with a second sentence
+/// that names the help. With --help anywhere after the name, or help before it, prints the page of
+/// the command.
 int runCommandLine(std::span<const Command> commands, const QStringList& arguments);
 
 } // namespace carina::lab

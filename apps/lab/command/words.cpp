@@ -37,7 +37,7 @@ Result<Words> Words::read(const Command& command, const QStringList& arguments)
         return words.refuse(QStringLiteral("has no option %1.").arg(asTyped(unknown.front())));
     if (!parsed) // a value that is missing, or one that is too many
         return fail(
-            Errc::OutOfRange,
+            Errc::WrongOption,
             (words.m_command + QStringLiteral(": ") + words.m_parser->errorText()).toStdString());
     const QStringList given = words.m_parser->optionNames();
     for (const QString& option : given) {
@@ -101,7 +101,7 @@ tl::unexpected<Error> Words::unknownWord(const Option& option, const QStringList
 
 tl::unexpected<Error> Words::refuse(const QString& sentence) const
 {
-    return fail(Errc::OutOfRange, (m_command + QLatin1Char(' ') + sentence).toStdString());
+    return fail(Errc::WrongOption, (m_command + QLatin1Char(' ') + sentence).toStdString());
 }
 
 } // namespace carina::lab

@@ -17,7 +17,7 @@ namespace carina::lab
 class Words
 {
 public:
-    /// @returns OutOfRange for an option that is not declared or given twice, a value that is
+    /// @returns WrongOption for an option that is not declared or given twice, a value that is
     ///          missing or one too many, or more files than the command takes; the sentence names
     ///          it.
     [[nodiscard]] static Result<Words> read(const Command& command, const QStringList& arguments);
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] QStringList files() const;
 
     /// The number given for an option, between two bounds.
-    /// @returns OutOfRange for anything else, NaN included, and where it is not given
+    /// @returns WrongOption for anything else, NaN included, and where it is not given
     [[nodiscard]] Result<double> number(const Option& option, double least, double greatest) const;
     /// The same; `otherwise`, which need not lie between them, where it is not given.
     [[nodiscard]] Result<double> number(const Option& option, double least, double greatest,
@@ -40,7 +40,7 @@ public:
 
     /// What the word given for an option stands for: `value` of the one of `known` that has it for
     /// a name; what a value begins as where the option is not given.
-    /// @returns OutOfRange for any other word
+    /// @returns WrongOption for any other word
     template <class Named, std::size_t Count, class Value>
     [[nodiscard]] Result<Value> word(const Option& option, const std::array<Named, Count>& known,
                                      Value Named::*value) const

@@ -197,9 +197,10 @@ Result<QJsonObject> runDeform(const Words& words)
     const bool hasVolume = words.has(deform_option::kInspired);
     if (const std::string wrong = faultOf(hasLandmarks, !anatomy.isEmpty(), hasVolume);
         !wrong.empty())
-        return fail(Errc::OutOfRange, wrong
-                                          + " deform needs --landmarks FILE, --fit DIR or both, or "
-                                            "--fissures DIR and perhaps --inspired-ml.");
+        return fail(Errc::WrongOption,
+                    wrong
+                        + " deform needs --landmarks FILE, --fit DIR or both, or "
+                          "--fissures DIR and perhaps --inspired-ml.");
     const auto inspired_ml =
         words.number(deform_option::kInspired, 0.0, 10'000.0, kUsualInspired_ml);
     if (!inspired_ml)

@@ -46,7 +46,7 @@ QString inLatin1(std::string_view name)
 
 tl::unexpected<Error> driftRefusal(const QString& sentence)
 {
-    return fail(Errc::OutOfRange, "drift: " + sentence.toStdString());
+    return fail(Errc::WrongOption, "drift: " + sentence.toStdString());
 }
 
 /// Whether the options go together, whatever their values are.

@@ -63,9 +63,9 @@ struct FiguresRequest {
 Result<void> checkFigureOptions(const Words& words)
 {
     if (words.text(figures_option::kFolder).isEmpty())
-        return fail(Errc::OutOfRange, "figures: --out DIR is missing.");
+        return fail(Errc::WrongOption, "figures: --out DIR is missing.");
     if (words.has(figures_option::kWarmUp) && !words.has(figures_option::kLive))
-        return fail(Errc::OutOfRange, "figures: --warm-up-s goes with --live.");
+        return fail(Errc::WrongOption, "figures: --warm-up-s goes with --live.");
     return {};
 }
 

@@ -112,7 +112,7 @@ Result<Length> positiveMillimetres(const Words& words, const Option& option, Len
     bool isNumber = false;
     const double mm = words.text(option).toDouble(&isNumber);
     if (!isNumber || !std::isfinite(mm) || mm <= 0.0)
-        return fail(Errc::OutOfRange,
+        return fail(Errc::WrongOption,
                     "--" + std::string{option.name} + " needs a number of millimetres above 0.");
     return millimetres(mm);
 }

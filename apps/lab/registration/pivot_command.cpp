@@ -35,7 +35,8 @@ constexpr Key kPivot{"pivot_mm", "[x, y, z] of the divot in the frame of the pos
 constexpr Key kRms{"rms_mm", "root mean square distance of the tips from the divot"};
 constexpr Key kUncertainty{"uncertainty_mm",
                            "root mean square error of the tip that this noise causes"};
-constexpr Key kReason{"reason", "where it is not acceptable: why, in words; else null"};
+constexpr Key kReason{"reason", "where it is not acceptable: why, in words; else null. Poses "
+                                "that determine no result at all have no figures but `poses`"};
 constexpr Key kAxisSchema{"schema", "carina.spin/1"};
 constexpr Key kAxis{"axis", "[x, y, z] of the axis in the frame of the tool, of length 1"};
 constexpr Key kAxisPoint{"axis_point_mm",
@@ -190,7 +191,23 @@ Result<QJsonObject> describeAxis(std::span<const RigidTransform> poses, const Ve
     object.insert(pivot_key::kWobble, inDegrees(spin->wobble));
     object.insert(pivot_key::kAxisRms, inMillimetres(metres(spin->rms)));
     object.insert(pivot_key::kAxisUncertainty, inDegrees(spin->uncertainty));
+    object.insert(kAcceptable, true);
+    object.insert(pivot_key::kReason, QJsonValue{});
     return object;
+}
+
+/// Whether sound poses were refused for how the tool was moved.
+bool isOfTheMotion(Errc code)
+{
+    return code == Errc::NotEnoughMotion || code == Errc::NotEnoughSpin || code == Errc::ToolMoved;
+}
+
+QJsonObject withoutFigures(const Key& schema, std::size_t poses, const std::string& reason)
+{
+    return {{schema, QLatin1StringView{schema.help}},
+            {pivot_key::kPoses, static_cast<qint64>(poses)},
+            {kAcceptable, false},
+            {pivot_key::kReason, QString::fromStdString(reason)}};
 }
 
 /// What is asked of the poses; a point ahead where it is the axis.
@@ -202,7 +219,7 @@ struct PivotQuestion {
 
 tl::unexpected<Error> wrongUse(const std::string& fault)
 {
-    return fail(Errc::OutOfRange, fault + ' ' + kPivotReminder);
+    return fail(Errc::WrongOption, fault + ' ' + kPivotReminder);
 }
 
 /// Three numbers with commas between them.
@@ -250,11 +267,15 @@ Result<QJsonObject> runPivot(const Words& words)
         return tl::unexpected(poses.error());
     auto object = question->p_S_ahead ? describeAxis(*poses, *question->p_S_ahead)
                                       : describeTip(*poses, question->limit);
-    if (!object)
-        return fail(object.error().code, question->path.toStdString() + " does not determine the "
-                                             + (question->p_S_ahead ? "axis" : "tip") + ": "
-                                             + object.error().detail + ".");
-    return object;
+    if (object)
+        return object;
+    const std::string reason = question->path.toStdString() + " does not determine the "
+                               + (question->p_S_ahead ? "axis" : "tip") + ": "
+                               + object.error().detail + ".";
+    if (isOfTheMotion(object.error().code))
+        return withoutFigures(question->p_S_ahead ? pivot_key::kAxisSchema : pivot_key::kTipSchema,
+                              poses->size(), reason);
+    return fail(object.error().code, reason);
 }
 
 std::vector<Note> poseNotes()
@@ -280,7 +301,8 @@ Use tipUse()
                 "consensus, with the same draws each time). Where the result is uncertain, "
                 "lean the stylus towards least_turned. A set of which fewer than half agree, or "
                 "whose rms_mm is above 1.5, is printed as not acceptable; the registration "
-                "program refuses it.",
+                "program refuses it. So is one that was turned too little, or about one axis "
+                "only, which determines no tip.",
             .notes = poseNotes(),
             .options = {pivot_option::kLimit},
             .schema = pivot_key::kTipSchema,
@@ -299,9 +321,10 @@ Use axisUse()
             .options = {pivot_option::kSpin},
             .schema = pivot_key::kAxisSchema,
             .keys = {pivot_key::kAxis, pivot_key::kAxisPoint, pivot_key::kWobble,
-                     pivot_key::kAxisRms, pivot_key::kAxisUncertainty, pivot_key::kPoses,
-                     pivot_key::kOutliers, pivot_key::kCoverage, pivot_key::kDirection,
-                     pivot_key::kTurn, pivot_key::kLeastTurned}};
+                     pivot_key::kAxisRms, pivot_key::kAxisUncertainty, kAcceptable,
+                     pivot_key::kReason, pivot_key::kPoses, pivot_key::kOutliers,
+                     pivot_key::kCoverage, pivot_key::kDirection, pivot_key::kTurn,
+                     pivot_key::kLeastTurned}};
 }
 
 } // namespace

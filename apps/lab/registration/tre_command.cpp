@@ -234,7 +234,7 @@ std::string faultOf(const Words& words)
 Result<QJsonObject> runTre(const Words& words)
 {
     if (const std::string wrong = faultOf(words); !wrong.empty())
-        return fail(Errc::OutOfRange, wrong + ' ' + kTreReminder);
+        return fail(Errc::WrongOption, wrong + ' ' + kTreReminder);
     const Result<Task> task = taskOf(words);
     if (!task)
         return tl::unexpected(task.error());

@@ -79,8 +79,8 @@ private Q_SLOTS:
 
     void saysWhatIsWrong()
     {
-        QVERIFY(anatomyCommand().run({}).error().code == Errc::OutOfRange);
-        QVERIFY(run("show").error().code == Errc::OutOfRange);
+        QVERIFY(anatomyCommand().run({}).error().code == Errc::WrongOption);
+        QVERIFY(run("show").error().code == Errc::WrongOption);
         const auto missing =
             anatomyCommand().run({QStringLiteral("list"), m_set + QStringLiteral("/none")});
         QVERIFY(missing.error().code == Errc::FileNotFound);

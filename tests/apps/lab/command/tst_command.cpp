@@ -4,6 +4,7 @@
 #include "tests/support/test_class.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 
 #include <array>
 
@@ -88,6 +89,16 @@ private Q_SLOTS:
         QCOMPARE(status({}), 2);
     }
 
+    /// Of words that cannot be used, whichever part of a command finds out.
+    void endsWithTwoAfterWrongWords()
+    {
+        QCOMPARE(status({QStringLiteral("count"), QStringLiteral("--speed")}), 2);
+        QCOMPARE(status({QStringLiteral("count"), QStringLiteral("a"), QStringLiteral("b")}), 2);
+        QCOMPARE(status({QStringLiteral("count"), QStringLiteral("--limit")}), 2);
+        QCOMPARE(status({QStringLiteral("count"), QStringLiteral("--limit=11")}), 2);
+        QCOMPARE(status({QStringLiteral("count"), QStringLiteral("--limit=7")}), 0);
+    }
+
     void helpsWithoutRunning()
     {
         runs = 0;
@@ -148,6 +159,21 @@ private Q_SLOTS:
                  QStringLiteral("count needs --limit with a number from 0.5 to 10."));
         QCOMPARE(refusalOf({QStringLiteral("--limit"), QStringLiteral("2.5")}),
                  QStringLiteral("count needs --limit with a whole number from 1 to 10."));
+    }
+
+    void printsNumbersWithoutTheNoiseOfRounding()
+    {
+        const double sum = 0.1 + 0.2;
+        const qint64 whole = 9'007'199'254'740'993; // no double has it
+        const QByteArray text =
+            printed({{kCount, sum},
+                     {kSchema, whole},
+                     {kWarnings, QJsonArray{QJsonObject{{kCount, 1e-9 * sum}}, -sum, true}}});
+        QVERIFY2(!text.contains("0000000"), text.constData());
+        for (const char* part : {"0.3,", "9007199254740993", "3e-10", "-0.3,", "true"})
+            QVERIFY2(text.contains(part), text.constData());
+        const QJsonObject back = QJsonDocument::fromJson(text).object();
+        QVERIFY(std::abs(back.value(kCount).toDouble() - sum) < 1e-12 * sum);
     }
 
     void refusesWordsThatArePartOfNoPage()

@@ -204,7 +204,7 @@ void TestDeformCommand::refusesWhatItCannotUse()
                       QStringLiteral("500")},
           QStringList{QStringLiteral("--fissures"), m_folder->path(),
                       QStringLiteral("--inspired-ml"), QStringLiteral("much")}})
-        QCOMPARE(deformWith(arguments).error().code, Errc::OutOfRange);
+        QCOMPARE(deformWith(arguments).error().code, Errc::WrongOption);
 }
 
 void TestDeformCommand::namesTheWordThatIsWrong()

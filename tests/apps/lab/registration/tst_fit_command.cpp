@@ -260,7 +260,7 @@ private Q_SLOTS:
         QFETCH(QStringList, arguments);
         const auto object = fit(arguments);
         QVERIFY(!object);
-        QCOMPARE(object.error().code, Errc::OutOfRange);
+        QCOMPARE(object.error().code, Errc::WrongOption);
     }
 
     void fitsTheRecordingOfEightLandmarksAsWellAsIsKnown()

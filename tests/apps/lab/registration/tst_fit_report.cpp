@@ -236,7 +236,7 @@ private Q_SLOTS:
         QFETCH(QString, sentence);
         const auto object = fit(QStringList{QStringLiteral("pairs.csv")} + options);
         QVERIFY(!object);
-        QCOMPARE(object.error().code, Errc::OutOfRange);
+        QCOMPARE(object.error().code, Errc::WrongOption);
         QCOMPARE(QString::fromStdString(object.error().detail), sentence);
     }
 

@@ -165,7 +165,7 @@ private Q_SLOTS:
               QStringList{QStringLiteral("box.obj")}}) {
             const auto object = icpCommand().run(arguments);
             QVERIFY(!object);
-            QCOMPARE(object.error().code, Errc::OutOfRange);
+            QCOMPARE(object.error().code, Errc::WrongOption);
         }
     }
 

@@ -107,10 +107,47 @@ private Q_SLOTS:
         const auto swungOnly =
             pivotCommand().run({m_folder.write("swung.csv", tableOf(swung())),
                                 QStringLiteral("--spin"), QStringLiteral("0,0,-1")});
-        QVERIFY(!swungOnly);
-        QVERIFY2(swungOnly.error().detail.find("does not determine the axis: ")
-                     != std::string::npos,
-                 swungOnly.error().detail.c_str());
+        QVERIFY(swungOnly.has_value());
+        QVERIFY(!swungOnly->value(QStringLiteral("acceptable")).toBool(true));
+        QVERIFY(swungOnly->value(QStringLiteral("reason"))
+                    .toString()
+                    .contains(QStringLiteral("does not determine the axis: ")));
+        QVERIFY(object->value(QStringLiteral("acceptable")).toBool());
+    }
+
+    /// Sound poses of which none tells where the tip is: an object that says so, without figures.
+    void printsWhyTurnsTellNoTip_data()
+    {
+        QTest::addColumn<Vec3>("across");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("not turned")
+            << Vec3{0.0, 0.0, 0.0} << QStringLiteral("the stylus was hardly turned: ");
+        QTest::newRow("about one axis only")
+            << Vec3{0.5, 0.0, 0.0} << QStringLiteral("the stylus was turned about one axis only: ");
+    }
+    void printsWhyTurnsTellNoTip()
+    {
+        QFETCH(Vec3, across);
+        QFETCH(QString, reason);
+        std::vector<RigidTransform> poses;
+        for (int i = 0; i < kPoses; ++i) {
+            const Quat turn = rotationFromVector(std::sin(0.2 * i) * across);
+            poses.push_back({turn, kDivot_mm - turn * kTip_S_mm});
+        }
+        const QString path = m_folder.write("turned.csv", tableOf(poses));
+        const auto object = pivotCommand().run({path});
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+        QCOMPARE(object->value(QStringLiteral("schema")).toString(),
+                 QStringLiteral("carina.pivot/1"));
+        QVERIFY(!object->value(QStringLiteral("acceptable")).toBool(true));
+        QCOMPARE(object->value(QStringLiteral("poses")).toInt(), kPoses);
+        QVERIFY(!object->contains(QStringLiteral("tip_mm")));
+        const QString said = object->value(QStringLiteral("reason")).toString();
+        QVERIFY2(said.startsWith(path) && said.contains(reason), qPrintable(said));
+        const std::array commands{pivotCommand()};
+        QCOMPARE(
+            runCommandLine(commands, {QStringLiteral("carina-lab"), QStringLiteral("pivot"), path}),
+            1);
     }
 
     void saysWhatIsWrongWithItsWords_data()

@@ -192,7 +192,7 @@ private Q_SLOTS:
         QFETCH(QString, sentence);
         const auto object = treCommand().run(words.split(QLatin1Char(' '), Qt::SkipEmptyParts));
         QVERIFY(!object);
-        QCOMPARE(object.error().code, Errc::OutOfRange);
+        QCOMPARE(object.error().code, Errc::WrongOption);
         const QString detail = QString::fromStdString(object.error().detail);
         QVERIFY2(detail.startsWith(sentence), qPrintable(detail));
     }

@@ -117,7 +117,7 @@ void TestErrorPictures::refusesWhatIsNoRegistration()
     const auto object =
         lab::renderCommand().run({QStringLiteral("--error-map"), folder.path(), option, value});
     QVERIFY(!object.has_value());
-    QCOMPARE(object.error().code, Errc::OutOfRange);
+    QCOMPARE(object.error().code, Errc::WrongOption);
 }
 
 CARINA_SCREEN_TEST(TestErrorPictures)

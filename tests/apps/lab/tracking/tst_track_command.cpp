@@ -164,12 +164,13 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("words");
         QTest::addColumn<Errc>("code");
         const QString recording = QStringLiteral("--recording");
-        QTest::newRow("no flag") << QStringList{} << Errc::OutOfRange;
-        QTest::newRow("no file named") << QStringList{recording} << Errc::OutOfRange;
+        QTest::newRow("no flag") << QStringList{} << Errc::WrongOption;
+        QTest::newRow("no file named") << QStringList{recording} << Errc::WrongOption;
         QTest::newRow("another flag")
-            << QStringList{QStringLiteral("--file"), QStringLiteral("a")} << Errc::OutOfRange;
+            << QStringList{QStringLiteral("--file"), QStringLiteral("a")} << Errc::WrongOption;
         QTest::newRow("more words")
-            << QStringList{recording, QStringLiteral("a"), QStringLiteral("b")} << Errc::OutOfRange;
+            << QStringList{recording, QStringLiteral("a"), QStringLiteral("b")}
+            << Errc::WrongOption;
         QTest::newRow("no such file")
             << QStringList{recording, QStringLiteral("nowhere.igs.mha")} << Errc::FileNotFound;
     }

@@ -5,7 +5,6 @@
 #include "widgets/scene/view/graphics.h"
 #include "widgets/theme/dark_theme.h"
 
-#include <QApplication>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -34,6 +33,14 @@ bool asksForHelp(int argc, char** argv)
     });
 }
 
+/// What Qt warns of while it looks for a platform, such as one that it cannot use, is kept back:
+/// the next one is tried, and checkGraphics says so in a sentence where there is no display.
+void tellUnlessAWarning(QtMsgType type, const QMessageLogContext& context, const QString& text)
+{
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
+}
+
 /// Theme and translations.
 void prepareProgram(QApplication& application)
 {
@@ -45,14 +52,28 @@ void prepareProgram(QApplication& application)
         QApplication::installTranslator(translator);
 }
 
-/// @returns WrongOption for an option that is given twice, and where there are more words than this
-///          that no option takes.
-Result<void> checkWords(const QCommandLineParser& parser, qsizetype most)
+/// A letter has one dash, a word two.
+std::string asTyped(const QString& option)
 {
+    return (option.size() == 1 ? "-" : "--") + option.toStdString();
+}
+
+/// @returns WrongOption for an option that there is not, that lacks its value or is given twice,
+///          and where there are more words than this that no option takes.
+Result<void> readWords(QCommandLineParser& parser, qsizetype most)
+{
+    if (!parser.parse(QCoreApplication::arguments())) {
+        const QStringList unknown = parser.unknownOptionNames();
+        if (!unknown.isEmpty())
+            return fail(Errc::WrongOption, "there is no option " + asTyped(unknown.front()));
+        QString fault = parser.errorText(); // a sentence that names the option as typed
+        fault.chop(fault.endsWith(QLatin1Char('.')) ? 1 : 0);
+        return fail(Errc::WrongOption, fault.toStdString());
+    }
     const QStringList given = parser.optionNames();
     for (const QString& option : given)
         if (given.count(option) > 1)
-            return fail(Errc::WrongOption, "--" + option.toStdString() + " is given twice");
+            return fail(Errc::WrongOption, asTyped(option) + " is given twice");
     const QStringList words = parser.positionalArguments();
     if (words.size() > most)
         return fail(Errc::WrongOption, "unexpected argument '" + words[most].toStdString() + "'");
@@ -69,9 +90,9 @@ void fillBox(QMessageBox& box, const Error& error)
     box.addButton(QMessageBox::Close);
 }
 
-Result<int> checkedRun(const Program& program, const QCommandLineParser& parser)
+Result<int> checkedRun(const Program& program, QCommandLineParser& parser)
 {
-    if (const auto right = checkWords(parser, program.mostWords); !right)
+    if (const auto right = readWords(parser, program.mostWords); !right)
         return tl::unexpected(right.error());
     return program.run(parser);
 }
@@ -89,10 +110,8 @@ int runProgram(const Program& program, int argc, char** argv)
         const QCoreApplication application{argc, argv};
         parser.process(application); // which ends here
     }
-    prepareDisplay();
-    QApplication application{argc, argv};
-    prepareProgram(application);
-    parser.process(application);
+    const auto application = makeApplication(argc, argv);
+    prepareProgram(*application);
     const Result<int> status = checkedRun(program, parser);
     if (status)
         return *status;
@@ -121,13 +140,19 @@ bool askInstead(const Error& error, const QString& action)
     return box.clickedButton() == instead;
 }
 
-void prepareDisplay()
+std::unique_ptr<QApplication> makeApplication(int& argc, char** argv)
 {
     // Qt tries them in turn, and ends a program that none of them suits.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")
         && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "xcb;offscreen");
     prepareGraphics();
+    if (!qEnvironmentVariableIsEmpty("QT_DEBUG_PLUGINS"))
+        return std::make_unique<QApplication>(argc, argv);
+    const QtMessageHandler before = qInstallMessageHandler(tellUnlessAWarning);
+    auto application = std::make_unique<QApplication>(argc, argv);
+    qInstallMessageHandler(before);
+    return application;
 }
 
 Result<void> checkGraphics()
@@ -203,7 +228,7 @@ void warn(const Error& error) { std::fprintf(stderr, "%s\n", qPrintable(errorTex
 int refuse(const Error& error)
 {
     warn(error);
-    return 1;
+    return error.code == Errc::WrongOption ? 2 : 1;
 }
 
 } // namespace carina::program

@@ -2,9 +2,12 @@
 
 #include "engine/core/result.h"
 
+#include <QApplication>
 #include <QCommandLineParser>
 #include <QSize>
 #include <QString>
+
+#include <memory>
 
 namespace carina::program
 {
@@ -24,7 +27,7 @@ struct Program {
 /// The `main` of a program with a window: shows help, which needs no display; creates the
 /// application with theme and translations; refuses unknown options; runs the program and writes
 /// its error to stderr, and shows it in a window where nobody reads stderr (isSeenOnly).
-/// @returns the exit status: 1 after an error
+/// @returns the exit status: 2 after a command line that cannot be used, 1 after another error
 int runProgram(const Program& program, int argc, char** argv);
 
 /// The options for measuring a program.
@@ -34,10 +37,10 @@ struct MeasureOptions {
     QSize size{1280, 800};
 };
 
-/// Selects OpenGL settings and the display platform; to be called before the application is
-/// created. Without a display the program still starts, to report wrong options or, by
-/// checkGraphics, that there is no display.
-void prepareDisplay();
+/// The application, with OpenGL settings and the display platform selected. Without a display it
+/// still starts, to report wrong options or, by checkGraphics, that there is no display; what Qt
+/// warns of meanwhile is kept back unless QT_DEBUG_PLUGINS is set. `argc` must outlive it.
+[[nodiscard]] std::unique_ptr<QApplication> makeApplication(int& argc, char** argv);
 
 /// @returns NoGraphics if there is no display or no OpenGL.
 [[nodiscard]] Result<void> checkGraphics();
@@ -69,7 +72,8 @@ void addSizeOption(QCommandLineParser& parser);
 /// Writes an error to stderr; the program continues.
 void warn(const Error& error);
 
-/// Writes the error that ends the program to stderr, and returns the exit status.
+/// Writes the error that ends the program to stderr.
+/// @returns the exit status: 2 for WrongOption, else 1
 int refuse(const Error& error);
 
 } // namespace carina::program

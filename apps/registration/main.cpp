@@ -166,12 +166,9 @@ Result<int> run(const QCommandLineParser& parser)
     if (parser.isSet(kMeasure))
         if (const auto opened = openFolder(parser.value(kMeasure).toStdString()); !opened)
             return tl::unexpected(opened.error());
-    if (!parser.isSet(kSimulatedTracker)) {
-        std::fprintf(stderr, "%s\n",
-                     qPrintable(words("This version supports the simulated tracker only: "
-                                      "start it with --simulated-tracker.")));
-        return 1;
-    }
+    if (!parser.isSet(kSimulatedTracker))
+        return fail(Errc::WrongOption, "this version supports the simulated tracker only, and "
+                                       "needs --simulated-tracker");
     if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
     const auto patient = program::choosePatient(parser);

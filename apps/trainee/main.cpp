@@ -195,8 +195,8 @@ Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role
     const double rate = parser.value(kManikinBreathes).toDouble(&isNumber);
     if (!isNumber
         || !(rate >= inPerMinute(kSlowestManikin) && rate <= inPerMinute(kFastestManikin)))
-        return fail(Errc::OutOfRange,
-                    "--manikin-breathes " + parser.value(kManikinBreathes).toStdString());
+        return fail(Errc::WrongOption, "--manikin-breathes needs a number from 4 to 60, not '"
+                                           + parser.value(kManikinBreathes).toStdString() + "'");
     hardware.manikinBreathes = perMinute(rate);
     return hardware;
 }

@@ -24,6 +24,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("program");
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("said");
+        QTest::addColumn<int>("status");
         const QStringList wrongSize{QStringLiteral("--size"), QStringLiteral("foo")};
         const QStringList unknown{QStringLiteral("--bogus")};
         for (const char* display : {"", ":31999"})
@@ -32,9 +33,12 @@ private Q_SLOTS:
                 const auto row = [&](const char* what) -> QTestData& {
                     return QTest::addRow("%s, %s, display '%s'", name, what, display);
                 };
-                row("size") << where << path << wrongSize << QStringLiteral("--size needs WxH");
-                row("unknown") << where << path << unknown << QStringLiteral("bogus");
-                row("nothing wrong") << where << path << right << QStringLiteral("no display");
+                row("size") << where << path << wrongSize << QStringLiteral("--size needs WxH")
+                            << 2;
+                row("unknown") << where << path << unknown << QStringLiteral("option --bogus") << 2;
+                row("no value") << where << path << QStringList{QStringLiteral("--size")}
+                                << QStringLiteral("after '--size'") << 2;
+                row("nothing wrong") << where << path << right << QStringLiteral("no display") << 1;
             }
     }
     void saysWhatIsWrong()
@@ -43,6 +47,7 @@ private Q_SLOTS:
         QFETCH(QString, program);
         QFETCH(QStringList, arguments);
         QFETCH(QString, said);
+        QFETCH(int, status);
         QProcessEnvironment around = QProcessEnvironment::systemEnvironment();
         for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
             around.remove(QString::fromLatin1(name));
@@ -53,9 +58,11 @@ private Q_SLOTS:
         process.start(program, arguments);
         QVERIFY(process.waitForFinished(kPatience_ms));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-        QCOMPARE(process.exitCode(), 1);
+        QCOMPARE(process.exitCode(), status);
         const QByteArray words = process.readAllStandardError();
         QVERIFY2(words.contains(said.toUtf8()), words.constData());
+        QVERIFY2(words.count('\n') == 1, words.constData()); // that sentence alone
+        QCOMPARE(words.contains("--help"), status == 2);
     }
 
 private:

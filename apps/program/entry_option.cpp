@@ -39,7 +39,7 @@ Result<std::string> textOf(const QString& file)
     const QDeadlineTimer deadline{kCodeFilePatience_ms};
     while (!QFile::exists(file) && !deadline.hasExpired())
         QThread::msleep(kLookAgain_ms);
-    return readWholeFile(file.toStdString());
+    return readWholeFile(file.toStdString(), kCredentialLimit);
 }
 
 /// The code of the role in a line: "role code", or a code alone; nothing in the line of another.

@@ -7,6 +7,7 @@
 #include "apps/program/site_option.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
+#include "engine/io/files/file_limit.h"
 #include "models/patient/shared_patient.h"
 #include "ui/trainee/trainee_window.h"
 #include "widgets/scene/view/scene_view.h"
@@ -172,7 +173,10 @@ Result<std::optional<TrackerSequence>> recording(const QCommandLineParser& parse
     if (!hasSite)
         return fail(Errc::WrongOption, "--recorded-tracker: it needs --site, which says where the "
                                        "patient lies");
-    auto sequence = readSequenceFile(parser.value(kRecordedTracker).toStdString());
+    const std::filesystem::path file{parser.value(kRecordedTracker).toStdString()};
+    auto sequence = readableSize(file, kMeasurementLimit).and_then([&](std::uint64_t) {
+        return readSequenceFile(file);
+    });
     if (!sequence)
         return tl::unexpected(sequence.error());
     return std::optional{*std::move(sequence)};

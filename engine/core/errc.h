@@ -33,7 +33,9 @@ enum class Errc : std::uint8_t {
     FileNotFound,      ///< no such file or folder
     FileUnreadable,    ///< it exists but cannot be read
     FileEmpty,         ///< it has no content
+    FileTooLarge,      ///< more than is read of a file of its kind
     FileMalformed,     ///< it is truncated or does not follow its format
+    NotConfined,       ///< the program that reads foreign files cannot be confined
     FileUnwritable,    ///< it cannot be written
     UnknownFormat,     ///< no reader for this kind of file
     NothingRecognised, ///< a folder without any usable part

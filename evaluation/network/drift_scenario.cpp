@@ -1,5 +1,7 @@
 #include "evaluation/network/drift_scenario.h"
 
+#include "engine/io/files/file_limit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -114,6 +116,9 @@ Result<DriftScenario> readTrace(const std::string& file)
     if (!in)
         return fail(Errc::FileNotFound,
                     file + " is neither a trace file nor one of the scenarios " + allNames());
+    if (const auto size = readableSize(file, kMeasurementLimit);
+        !size && size.error().code == Errc::FileTooLarge)
+        return tl::unexpected(size.error());
     std::vector<TracePoint> points;
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {

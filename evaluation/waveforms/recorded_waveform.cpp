@@ -1,5 +1,7 @@
 #include "evaluation/waveforms/recorded_waveform.h"
 
+#include "engine/io/files/file_limit.h"
+
 #include <QFile>
 
 #include <algorithm>
@@ -133,6 +135,8 @@ Result<RecordedWaveform> readWaveform(const QString& file)
     QFile source{file};
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, name + " cannot be opened.");
+    if (const auto good = checkSize(name, std::uint64_t(source.size()), kMeasurementLimit); !good)
+        return tl::unexpected(good.error());
     const QList<QByteArray> lines = source.readAll().split('\n');
     const QList<QByteArray> first = lines.front().trimmed().split(',');
     const QList<QByteArray> header = lines.value(1).trimmed().split(',');

@@ -73,8 +73,14 @@ public:
             return tr("A file cannot be read%1: check that you may read it.");
         case Errc::FileEmpty:
             return tr("A file is empty%1: copy or export it again.");
+        case Errc::FileTooLarge:
+            return tr("A file is too large%1: choose a smaller one, or reduce it in the program it "
+                      "comes from.");
         case Errc::FileMalformed:
             return tr("A file is damaged or incomplete%1: copy or export it again.");
+        case Errc::NotConfined:
+            return tr("Foreign files are not read, because this system cannot confine the program "
+                      "that reads them%1: run Carina on a Linux kernel with seccomp.");
         case Errc::FileUnwritable:
             return tr(
                 "A file cannot be written%1: check the free space and that you may write there.");

@@ -1,5 +1,7 @@
 #include "models/station/frame_log.h"
 
+#include "engine/io/files/file_limit.h"
+
 #include <QFile>
 #include <QSaveFile>
 #include <QStringList>
@@ -105,6 +107,9 @@ Result<std::vector<LoggedFrame>> readFrames(const QString& path)
     QFile file{path};
     if (!file.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, path.toStdString());
+    const std::string name = path.toStdString();
+    if (const auto good = checkSize(name, std::uint64_t(file.size()), kMeasurementLimit); !good)
+        return tl::unexpected(good.error());
     std::vector<LoggedFrame> frames;
     int number = 1;
     if (file.readLine() != header())

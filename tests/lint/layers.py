@@ -30,7 +30,7 @@ LIBRARY_OF_PREFIX = [
     ("qrencode.h", "libqrencode"), ("png.h", "libpng"), ("turbojpeg.h", "libjpeg-turbo"),
     ("arpa/", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),
     ("dlfcn.h", "POSIX"), ("signal.h", "POSIX"), ("poll.h", "POSIX"), ("pthread.h", "POSIX"),
-    ("malloc.h", "glibc"),
+    ("malloc.h", "glibc"), ("linux/", "Linux"), ("seccomp.h", "libseccomp"),
 ]
 
 

@@ -1,5 +1,7 @@
 #include "apps/lab/command/csv_table.h"
 
+#include "engine/io/files/file_limit.h"
+
 #include <QFile>
 
 namespace carina::lab
@@ -25,6 +27,8 @@ Result<CsvTable> CsvTable::read(const QString& file, std::initializer_list<const
         return fail(Errc::FileNotFound, "There is no file " + name + ".");
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, name + " cannot be opened.");
+    if (const auto good = checkSize(name, std::uint64_t(source.size()), kMeasurementLimit); !good)
+        return tl::unexpected(good.error());
     QByteArray bytes = source.readAll();
     if (bytes.startsWith("\xEF\xBB\xBF"))
         bytes.remove(0, 3);

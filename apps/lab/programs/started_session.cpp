@@ -87,7 +87,7 @@ Result<void> StartedSession::readCodes()
 {
     if (!waitFor([&] { return QFile::exists(m_codesFile); }))
         return fail(Errc::HostSilent, "the console wrote no codes");
-    const auto text = readWholeFile(m_codesFile.toStdString());
+    const auto text = readWholeFile(m_codesFile.toStdString(), kCredentialLimit);
     if (!text)
         return tl::unexpected(text.error());
     for (const QString& line : QString::fromStdString(*text).split(QLatin1Char('\n'))) {

@@ -81,7 +81,7 @@ Result<std::vector<Vec3>> readSwab(const QString& file)
 
 Result<RigidTransform> readStart(const QString& file)
 {
-    const Result<std::string> bytes = readWholeFile(file.toStdString());
+    const Result<std::string> bytes = readWholeFile(file.toStdString(), kDescriptionLimit);
     if (!bytes)
         return tl::unexpected(bytes.error());
     const Result<QJsonObject> object = jsonObjectIn(*bytes);

@@ -3,6 +3,7 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/registration/landmark_table.h"
 #include "apps/lab/registration/recorded_stylus.h"
+#include "engine/io/files/file_limit.h"
 #include "engine/io/files/json_fields.h"
 #include "engine/registration/calibration/pivot_calibration.h"
 #include "engine/registration/calibration/spin_calibration.h"
@@ -104,6 +105,8 @@ Result<RigidTransform> readPoseText(const QString& file)
     QFile source{file};
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileUnreadable, name + " cannot be read.");
+    if (const auto good = checkSize(name, std::uint64_t(source.size()), kDescriptionLimit); !good)
+        return tl::unexpected(good.error());
     const QString text = QString::fromLatin1(source.readAll());
     static const QRegularExpression kBetween{QStringLiteral("[\\s,;]+")};
     const QStringList words = text.split(kBetween, Qt::SkipEmptyParts);

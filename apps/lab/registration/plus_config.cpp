@@ -1,6 +1,7 @@
 #include "apps/lab/registration/plus_config.h"
 
 #include "engine/core/units.h"
+#include "engine/io/files/file_limit.h"
 
 #include <QFile>
 #include <QXmlStreamReader>
@@ -55,6 +56,8 @@ Result<PlusConfig> readPlusConfig(const QString& file)
     QFile source{file};
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, name + " cannot be opened.");
+    if (const auto good = checkSize(name, std::uint64_t(source.size()), kDescriptionLimit); !good)
+        return tl::unexpected(good.error());
     QXmlStreamReader xml{&source};
     PlusConfig config;
     bool hasTip = false;

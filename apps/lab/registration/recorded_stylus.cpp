@@ -1,5 +1,6 @@
 #include "apps/lab/registration/recorded_stylus.h"
 
+#include "engine/io/files/file_limit.h"
 #include "engine/tracking/sequence_file.h"
 
 #include <algorithm>
@@ -57,7 +58,10 @@ std::vector<PoseSample> inReferenceFrame(const RecordedTool& stylus, const Recor
 
 Result<RecordedStylus> readRecordedStylus(const QString& file)
 {
-    const Result<TrackerSequence> sequence = readSequenceFile(file.toStdString());
+    const Result<TrackerSequence> sequence =
+        readableSize(file.toStdString(), kMeasurementLimit).and_then([&](std::uint64_t) {
+            return readSequenceFile(file.toStdString());
+        });
     if (!sequence)
         return tl::unexpected(sequence.error());
     const RecordedTool* stylus = stylusIn(*sequence);

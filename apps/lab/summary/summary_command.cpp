@@ -3,6 +3,7 @@
 #include "apps/lab/summary/breath_estimate.h"
 #include "apps/lab/summary/drift_between.h"
 #include "apps/lab/summary/volume_between.h"
+#include "engine/io/files/file_limit.h"
 #include "models/station/frame_log.h"
 
 #include <QDir>
@@ -112,6 +113,9 @@ Result<QJsonObject> readObject(const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound,
                     "No " + path.toStdString() + ". Run ./carina demo --headless DIR first.");
+    const std::string name = path.toStdString();
+    if (const auto good = checkSize(name, std::uint64_t(file.size()), kDescriptionLimit); !good)
+        return tl::unexpected(good.error());
     const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
     if (!document.isObject())
         return fail(Errc::FileMalformed, path.toStdString() + " is not a JSON object.");

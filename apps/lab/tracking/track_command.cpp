@@ -2,6 +2,7 @@
 #include "apps/lab/commands.h"
 #include "engine/core/units.h"
 #include "engine/geometry/mesh/triangle_mesh.h"
+#include "engine/io/files/file_limit.h"
 #include "engine/tracking/sequence_file.h"
 
 #include <QJsonArray>
@@ -113,7 +114,10 @@ Result<QJsonObject> track(const Words& words)
     if (!words.has(track_option::kRecording))
         return words.refuse(QStringLiteral("needs --recording FILE and nothing else."));
     const QString file = words.text(track_option::kRecording);
-    const Result<TrackerSequence> sequence = readSequenceFile(file.toStdString());
+    const Result<TrackerSequence> sequence =
+        readableSize(file.toStdString(), kMeasurementLimit).and_then([&](std::uint64_t) {
+            return readSequenceFile(file.toStdString());
+        });
     if (!sequence)
         return tl::unexpected(sequence.error());
     QJsonArray tools;

@@ -29,7 +29,8 @@ std::filesystem::path AnatomyCache::setFile(const std::string& contentHash) cons
 
 std::optional<std::string> AnatomyCache::contentHash(const std::string& listingHash) const
 {
-    const Result<std::string> hash = readWholeFile(m_folder / (listingHash + ".listing"));
+    const Result<std::string> hash =
+        readWholeFile(m_folder / (listingHash + ".listing"), kDescriptionLimit);
     if (!hash || !isSetHash(*hash))
         return std::nullopt;
     return *hash;
@@ -38,7 +39,7 @@ std::optional<std::string> AnatomyCache::contentHash(const std::string& listingH
 Result<ImportedSet> AnatomyCache::load(const std::string& contentHash) const
 {
     const std::filesystem::path file = setFile(contentHash);
-    const Result<MappedFile> mapped = MappedFile::of(file);
+    const Result<MappedFile> mapped = MappedFile::of(file, kCachedSetLimit);
     if (!mapped)
         return tl::unexpected(mapped.error());
     auto set = decodeSet(mapped->bytes());

@@ -123,7 +123,7 @@ Result<ImportedSet> CarriedSets::load(const std::string& digest,
                                       const std::string& contentHash) const
 {
     const std::filesystem::path file = this->file(digest);
-    const Result<std::string> text = readWholeFile(file);
+    const Result<std::string> text = readWholeFile(file, kCarriedSetLimit);
     if (!text)
         return tl::unexpected(text.error());
     const auto bytes = std::as_bytes(std::span{*text});

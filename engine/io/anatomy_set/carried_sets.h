@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/anatomy_set/imported_set.h"
+#include "engine/io/files/file_limit.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -55,7 +56,7 @@ class CarriedSets
 {
 public:
     /// Largest set that is sent or accepted.
-    static constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;
+    static constexpr std::uint64_t kMostBytes = kCarriedSetLimit.mostBytes;
     static constexpr std::size_t kLongestLicence = 1024;
 
     /// Returns the free bytes on the disk of a folder.

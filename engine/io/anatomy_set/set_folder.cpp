@@ -1,5 +1,7 @@
 #include "engine/io/anatomy_set/set_folder.h"
 
+#include "engine/io/files/folder_path.h"
+#include "engine/io/files/open_file.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/io/mesh/surface_format.h"
 #include "engine/io/mesh/surface_text.h"
@@ -30,12 +32,41 @@ bool isCompanion(const fs::path& file)
     return kEndings.contains(ending);
 }
 
+void addLength(QCryptographicHash& hash, std::uint64_t length)
+{
+    hash.addData(QByteArray::number(qulonglong(length)) + ' ');
+}
+
 /// Hashes a text so that no other sequence of texts gives the same bytes.
 void addText(QCryptographicHash& hash, std::string_view text)
 {
-    const QByteArray length = QByteArray::number(static_cast<qulonglong>(text.size())) + ' ';
-    hash.addData(length);
+    addLength(hash, text.size());
     hash.addData(QByteArrayView{text.data(), static_cast<qsizetype>(text.size())});
+}
+
+/// Hashes the content of a file as addText does, piece by piece. Of a file that is too large the
+/// importer uses nothing, and here only its size counts.
+void addFile(QCryptographicHash& hash, const fs::path& root, const std::string& file)
+{
+    const auto opened = pathWithin(root, file).and_then([](const fs::path& found) {
+        return OpenFile::of(found, limitOfSetFile(found));
+    });
+    if (!opened) {
+        std::error_code error;
+        const auto size = fs::file_size(root / file, error);
+        const bool tooLarge = opened.error().code == Errc::FileTooLarge;
+        return addText(hash, tooLarge ? "bytes: " + std::to_string(size) : std::string{});
+    }
+    std::vector<std::byte> piece(std::min<std::uint64_t>(kMebibyte, opened->size()));
+    addLength(hash, opened->size());
+    for (std::uint64_t left = opened->size(); left > 0;) {
+        const auto most = std::min<std::uint64_t>(left, piece.size());
+        const std::ptrdiff_t count = opened->read(std::span{piece}.first(most));
+        if (count <= 0)
+            return; // it became shorter; the importer says so
+        hash.addData(QByteArrayView{piece.data(), count});
+        left -= std::uint64_t(count);
+    }
 }
 
 std::string inHex(const QCryptographicHash& hash) { return hash.result().toHex().toStdString(); }
@@ -53,7 +84,10 @@ void forEachCompanion(const SetFolder& folder, const char* name, const Visit& vi
     for (const std::string& file : folder.companions) {
         if (fs::path{file}.filename() != name)
             continue;
-        if (const auto text = readWholeFile(folder.root / file))
+        const auto text = pathWithin(folder.root, file).and_then([](const fs::path& found) {
+            return readWholeFile(found, kDescriptionLimit);
+        });
+        if (text)
             visit(file, *text);
     }
 }
@@ -108,7 +142,7 @@ std::string contentHashOf(const SetFolder& folder)
     QCryptographicHash hash{QCryptographicHash::Sha256};
     for (const std::string& file : allFiles(folder)) {
         addText(hash, file);
-        addText(hash, readWholeFile(folder.root / file).value_or(std::string{}));
+        addFile(hash, folder.root, file);
     }
     return inHex(hash);
 }

@@ -8,6 +8,7 @@
 #include "engine/io/anatomy_set/set_frame.h"
 #include "engine/io/anatomy_set/surface_selection.h"
 #include "engine/io/files/parallel.h"
+#include "engine/io/mesh/reader_memory.h"
 #include "engine/io/mesh/surface_reader.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ Result<std::vector<Result<MeshFile>>> readAll(const SetFolder& folder,
     const auto goOn = [&](std::size_t done) {
         return progress(kShareOfReading * double(done) / double(count));
     };
-    if (!inParallel(count, makeWork, goOn))
+    if (!inParallel(count, makeWork, goOn, ReaderMemory::shares()))
         return tl::unexpected(cancelled());
     return files;
 }

@@ -215,7 +215,7 @@ Result<QJsonObject> jsonObjectIn(std::string_view text)
 
 Result<QJsonObject> readJsonFile(const std::filesystem::path& file, const QString& schema)
 {
-    const Result<std::string> bytes = readWholeFile(file);
+    const Result<std::string> bytes = readWholeFile(file, kDescriptionLimit);
     if (!bytes)
         return tl::unexpected(bytes.error());
     const Result<QJsonObject> object = jsonObjectIn(*bytes);

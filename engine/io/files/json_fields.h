@@ -77,7 +77,8 @@ private:
 [[nodiscard]] Result<QJsonObject> jsonObjectIn(std::string_view text);
 
 /// The object in a JSON file whose "schema" must be as given.
-/// @returns FileNotFound, FileUnreadable, FileEmpty; FileMalformed where it is not a JSON object;
+/// @returns FileNotFound, FileUnreadable, FileEmpty, FileTooLarge; FileMalformed where it is not a
+/// JSON object;
 ///          UnknownFormat where its schema is another. The detail begins with the file.
 [[nodiscard]] Result<QJsonObject> readJsonFile(const std::filesystem::path& file,
                                                const QString& schema);

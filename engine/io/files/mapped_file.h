@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/files/file_limit.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -17,9 +18,9 @@ namespace carina
 class MappedFile
 {
 public:
-    /// @returns FileNotFound, FileUnreadable (a folder too) or FileEmpty; the detail begins with
-    ///          the file.
-    [[nodiscard]] static Result<MappedFile> of(const std::filesystem::path& file);
+    /// @returns what readableSize returns, and FileUnreadable where it cannot be mapped.
+    [[nodiscard]] static Result<MappedFile> of(const std::filesystem::path& file,
+                                               const FileLimit& limit);
 
     MappedFile(MappedFile&& other) noexcept;
     MappedFile& operator=(MappedFile&& other) noexcept;

@@ -1,6 +1,7 @@
 #include "engine/io/files/whole_file.h"
 
-#include <QFile>
+#include "engine/io/files/open_file.h"
+
 #include <QSaveFile>
 #include <QString>
 #include <QTemporaryFile>
@@ -38,18 +39,13 @@ bool syncFolder(const std::filesystem::path& folder)
 
 } // namespace
 
-Result<std::string> readWholeFile(const std::filesystem::path& file)
+Result<std::string> readWholeFile(const std::filesystem::path& file, const FileLimit& limit)
 {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error))
-        return fail(Errc::FileNotFound, file.string() + ": no such file");
-    QFile source{QString::fromStdString(file.string())};
-    if (!std::filesystem::is_regular_file(file, error) || !source.open(QIODevice::ReadOnly))
-        return fail(Errc::FileUnreadable, file.string() + ": cannot be read");
-    std::string bytes(static_cast<std::size_t>(source.size()), '\0');
-    if (bytes.empty())
-        return fail(Errc::FileEmpty, file.string() + ": it is empty");
-    if (source.read(bytes.data(), source.size()) != source.size())
+    const auto opened = OpenFile::of(file, limit);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    std::string bytes(static_cast<std::size_t>(opened->size()), '\0');
+    if (opened->read(std::as_writable_bytes(std::span{bytes})) != std::ptrdiff_t(bytes.size()))
         return fail(Errc::FileUnreadable, file.string() + ": cannot be read whole");
     return bytes;
 }

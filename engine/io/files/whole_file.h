@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/files/file_limit.h"
 
 #include <filesystem>
 #include <string>
@@ -9,10 +10,10 @@
 namespace carina
 {
 
-/// All bytes of a file.
-/// @returns FileNotFound, FileUnreadable (also for a folder) or FileEmpty; the detail begins with
-///          the file.
-[[nodiscard]] Result<std::string> readWholeFile(const std::filesystem::path& file);
+/// All bytes of a file, whose size is looked at before anything is read.
+/// @returns what readableSize returns, and FileUnreadable where it became shorter meanwhile.
+[[nodiscard]] Result<std::string> readWholeFile(const std::filesystem::path& file,
+                                                const FileLimit& limit);
 
 /// Writes a file atomically: into a temporary file beside it, synced to disk and renamed. Creates
 /// its folders.

@@ -1,3 +1,5 @@
+#include "engine/io/files/file_limit.h"
+#include "engine/io/files/folder_path.h"
 #include "engine/io/mesh/surface_check.h"
 
 #include <QJsonArray>
@@ -51,6 +53,27 @@ double componentsOf(const QString& type)
     return found == kComponents.end() ? 0.0 : found->second;
 }
 
+/// Whether a buffer in a file of its own lies within the folder and is as long as declared.
+Result<void> checkBuffer(const std::string& uri, const std::optional<std::filesystem::path>& folder,
+                         double declared)
+{
+    const std::string name =
+        QByteArray::fromPercentEncoding(QByteArray::fromStdString(uri)).toStdString();
+    if (!folder || name.starts_with('/') || name.find("..") != std::string::npos)
+        return badGltf("a buffer outside its folder: " + uri);
+    const auto file = pathWithin(*folder, name);
+    if (!file && file.error().code == Errc::FileNotFound)
+        return fail(Errc::FileNotFound, "its buffer " + uri + " is missing");
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto size = readableSize(*file, kSurfaceLimit);
+    if (!size)
+        return tl::unexpected(size.error());
+    if (static_cast<double>(*size) < declared)
+        return badGltf("truncated: its buffer " + uri + " is too short");
+    return {};
+}
+
 /// The length of each buffer, having made sure that its bytes are there.
 /// @param binaryChunk length of the binary chunk of a GLB.
 Result<std::vector<double>> bufferLengths(const QJsonObject& root,
@@ -72,15 +95,8 @@ Result<std::vector<double>> bufferLengths(const QJsonObject& root,
                 return fail(Errc::FileMalformed, "truncated: a buffer is not there whole");
             continue;
         }
-        const std::filesystem::path name{uri};
-        if (!folder || name.is_absolute() || uri.find("..") != std::string::npos)
-            return fail(Errc::FileMalformed, "a buffer outside its folder: " + uri);
-        std::error_code error;
-        const auto size = std::filesystem::file_size(*folder / name, error);
-        if (error)
-            return fail(Errc::FileNotFound, "its buffer " + uri + " is missing");
-        if (static_cast<double>(size) < *declared)
-            return fail(Errc::FileMalformed, "truncated: its buffer " + uri + " is too short");
+        if (const auto there = checkBuffer(uri, folder, *declared); !there)
+            return tl::unexpected(there.error());
     }
     return lengths;
 }

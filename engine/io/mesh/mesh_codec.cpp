@@ -18,8 +18,9 @@ static_assert(std::endian::native == std::endian::little,
 static_assert(sizeof(Vec3f) == 12 && sizeof(Triangle) == 12 && sizeof(Rgb) == 3);
 
 /// Their places here are in files: add at the end.
-constexpr std::array kFileErrors{Errc::NotFinite, Errc::FileNotFound,  Errc::FileUnreadable,
-                                 Errc::FileEmpty, Errc::FileMalformed, Errc::UnknownFormat};
+constexpr std::array kFileErrors{Errc::NotFinite,    Errc::FileNotFound,  Errc::FileUnreadable,
+                                 Errc::FileEmpty,    Errc::FileMalformed, Errc::UnknownFormat,
+                                 Errc::FileTooLarge, Errc::NotConfined};
 
 template <class Item> void writeItems(ByteWriter& writer, const std::vector<Item>& items)
 {

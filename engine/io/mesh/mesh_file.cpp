@@ -1,6 +1,8 @@
 #include "engine/io/mesh/mesh_file.h"
 
 #include "engine/geometry/mesh/mesh_weld.h"
+#include "engine/io/files/file_limit.h"
+#include "engine/io/files/folder_path.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/io/mesh/surface_check.h"
 #include "engine/io/mesh/surface_format.h"
@@ -156,24 +158,31 @@ Result<MeshFile> readScene(const aiScene& scene, SurfaceTexture texture, const s
     return file;
 }
 
-/// Opens what lies in one folder or below it and nothing else, whatever a file refers to.
+/// Opens what lies in one folder or below it, within the limits of its kind, and nothing else,
+/// whatever a file refers to. Why it refused a file becomes one of the faults.
 class FolderFiles : public Assimp::DefaultIOSystem
 {
 public:
-    explicit FolderFiles(const std::filesystem::path& folder)
-        : m_folder(std::filesystem::weakly_canonical(folder))
+    FolderFiles(std::filesystem::path folder, std::vector<Error>& faults)
+        : m_folder(std::move(folder)), m_faults(faults)
     {
     }
 
     Assimp::IOStream* Open(const char* file, const char* mode) override
     {
-        const auto inside = std::filesystem::weakly_canonical(file).lexically_relative(m_folder);
-        return inside.empty() || *inside.begin() == ".." ? nullptr
-                                                         : DefaultIOSystem::Open(file, mode);
+        const auto found = pathWithin(m_folder, file);
+        const auto size =
+            found ? readableSize(*found, limitOfSetFile(*found)) : tl::unexpected(found.error());
+        if (size)
+            return DefaultIOSystem::Open(found->c_str(), mode);
+        if (size.error().code != Errc::FileNotFound)
+            m_faults.push_back(size.error());
+        return nullptr;
     }
 
 private:
     std::filesystem::path m_folder;
+    std::vector<Error>& m_faults;
 };
 
 /// Whether a file may refer to others: the materials of an OBJ, the buffers of a glTF.
@@ -187,19 +196,23 @@ Result<MeshFile> parse(const std::filesystem::path& file, SurfaceFormat format,
 {
     const bool linear = format == SurfaceFormat::Gltf || format == SurfaceFormat::Glb;
     const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    std::vector<Error> refused;
     Assimp::Importer importer;
     try {
-        importer.SetIOHandler(new FolderFiles{folder}); // the importer owns it
+        importer.SetIOHandler(new FolderFiles{folder, refused}); // the importer owns it
         const aiScene* scene =
             refersToFiles(format)
-                ? importer.ReadFile(file.string(), aiProcess_Triangulate)
+                ? importer.ReadFile((folder / file.filename()).string(), aiProcess_Triangulate)
                 : importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate,
                                               endingOf(format));
         if (scene == nullptr)
             return fail(Errc::FileMalformed, importer.GetErrorString());
         const bool text = format == SurfaceFormat::Obj || format == SurfaceFormat::Ply;
-        return readScene(*scene, {*scene, folder, linear}, file.stem().string(),
-                         text ? notesIn(bytes) : SurfaceNotes{});
+        auto read = readScene(*scene, {*scene, folder, linear}, file.stem().string(),
+                              text ? notesIn(bytes) : SurfaceNotes{});
+        if (read)
+            read->textureFaults.insert(read->textureFaults.end(), refused.begin(), refused.end());
+        return read;
     } catch (const std::exception& thrown) {
         return fail(Errc::FileMalformed, thrown.what());
     }
@@ -209,7 +222,10 @@ Result<MeshFile> parse(const std::filesystem::path& file, SurfaceFormat format,
 
 Result<MeshFile> readMeshFile(const std::filesystem::path& file)
 {
-    const auto bytes = readWholeFile(file);
+    const auto bytes =
+        pathWithin(file.parent_path(), file.filename()).and_then([](const auto& found) {
+            return readWholeFile(found, kSurfaceLimit);
+        });
     if (!bytes)
         return tl::unexpected(bytes.error());
     const auto named = [&](const Error& error) {

@@ -1,12 +1,21 @@
 #include "engine/io/mesh/surface_reader.h"
 
+#include "engine/io/files/file_limit.h"
+#include "engine/io/files/folder_path.h"
 #include "engine/io/mesh/mesh_file_codec.h"
+#include "engine/io/mesh/reader_memory.h"
+#include "engine/io/mesh/surface_reader_exit.h"
 #include "engine/sync/wire/byte_buffer.h"
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QFileInfo>
 #include <QProcess>
+#include <QStringList>
+
+#include <algorithm>
+#include <csignal>
+#include <utility>
 
 namespace carina
 {
@@ -14,6 +23,7 @@ namespace
 {
 
 constexpr std::uint64_t kLongestAnswer = std::uint64_t{1} << 31;
+constexpr int kPatience = 10; ///< files that others may read before this one has its turn
 
 /// Beside the running program as in a package, else where it was built.
 QString readerProgram()
@@ -38,27 +48,59 @@ SurfaceReader::~SurfaceReader() { stop(); }
 
 void SurfaceReader::stop()
 {
-    if (!m_process)
-        return;
-    m_process->kill();
-    m_process->waitForFinished();
-    m_process.reset();
+    if (m_process) {
+        m_process->kill();
+        m_process->waitForFinished();
+        m_process.reset();
+    }
+    ReaderMemory::giveBack(std::exchange(m_shares, 0));
 }
 
-Result<void> SurfaceReader::start()
+Result<void> SurfaceReader::start(const std::filesystem::path& folder, unsigned shares)
 {
-    if (m_process)
+    const bool tired = m_spent >= m_limitPerFile;
+    if (m_process && m_folder == folder && m_shares >= shares && !tired)
         return {};
+    stop();
+    if (!ReaderMemory::take(shares, kPatience * m_limitPerFile))
+        return fail(Errc::FileUnreadable, "too many other files are being read");
+    m_shares = shares;
+    m_folder = folder;
+    m_spent = {};
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(2 * m_limitPerFile);
     m_process = std::make_unique<QProcess>();
     m_process->setStandardErrorFile(QProcess::nullDevice());
-    m_process->start(readerProgram(), QStringList{});
+    m_process->start(readerProgram(), {QString::fromStdString(folder.string()),
+                                       QString::number(ReaderMemory::bytesOf(shares)),
+                                       QString::number(std::max<std::int64_t>(1, seconds.count())),
+                                       QString::number(QCoreApplication::applicationPid())});
     if (m_process->waitForStarted())
         return {};
-    m_process.reset();
+    stop();
     return fail(Errc::FileUnreadable, "the program that reads surfaces cannot be started");
 }
 
-Result<std::vector<std::byte>> SurfaceReader::answerTo(const std::filesystem::path& file)
+Error SurfaceReader::whyItEnded() const
+{
+    const int code = m_process->exitCode(); // or the signal that ended it
+    if (m_process->exitStatus() == QProcess::CrashExit) {
+        if (code == SIGSYS)
+            return {Errc::FileMalformed, "its reader was ended because it asked for what a reader "
+                                         "may not do: the file may be an attack"};
+        if (code == SIGXCPU)
+            return {Errc::FileMalformed, "reading it takes too much processor time"};
+        return {Errc::FileMalformed, "its format library fails on it"};
+    }
+    if (code == reader_exit::kOutOfMemory)
+        return {Errc::FileTooLarge, "reading it takes more than "
+                                        + std::to_string(ReaderMemory::bytesOf(m_shares) >> 20U)
+                                        + " MiB of memory"};
+    if (code == reader_exit::kNotConfined)
+        return {Errc::NotConfined, "the program that reads surfaces cannot be confined"};
+    return {Errc::FileMalformed, "its format library ended its reader"};
+}
+
+SurfaceReader::Answer SurfaceReader::answerTo(const std::filesystem::path& file)
 {
     const std::string path = file.string();
     std::vector<std::byte> request;
@@ -67,6 +109,7 @@ Result<std::vector<std::byte>> SurfaceReader::answerTo(const std::filesystem::pa
     m_process->write(path.data(), qint64(path.size()));
 
     const QDeadlineTimer deadline{m_limitPerFile};
+    const std::uint64_t longest = std::min(kLongestAnswer, ReaderMemory::bytesOf(m_shares));
     QByteArray answer;
     std::uint64_t length = 0;
     while (length == 0 || std::uint64_t(answer.size()) < sizeof length + length) {
@@ -74,24 +117,45 @@ Result<std::vector<std::byte>> SurfaceReader::answerTo(const std::filesystem::pa
             return fail(Errc::FileMalformed, "reading it takes too long");
         if (!m_process->waitForReadyRead(int(deadline.remainingTime()))
             && m_process->state() != QProcess::Running)
-            return fail(Errc::FileMalformed, "its format library fails on it");
+            return tl::unexpected(whyItEnded());
         answer += m_process->readAllStandardOutput();
         if (length == 0 && std::size_t(answer.size()) >= sizeof length)
             length = ByteReader{std::as_bytes(std::span{answer.constData(), sizeof length})}
                          .number<std::uint64_t>();
-        if (length > kLongestAnswer)
-            return fail(Errc::FileMalformed, "it holds more than can be read");
+        if (length > longest)
+            return fail(Errc::FileTooLarge, "it holds more than can be read");
     }
+    m_spent += m_limitPerFile - std::chrono::milliseconds{deadline.remainingTime()};
     const auto bytes = std::as_bytes(std::span{answer.constData(), std::size_t(answer.size())});
     return std::vector<std::byte>{bytes.begin() + sizeof length, bytes.end()};
 }
 
+SurfaceReader::Answer SurfaceReader::attempt(const std::filesystem::path& file, unsigned shares)
+{
+    if (const auto started = start(file.parent_path(), shares); !started)
+        return tl::unexpected(started.error());
+    auto answer = answerTo(file);
+    if (!answer || shares > 1 || ReaderMemory::isWantedWhole())
+        stop();
+    return answer;
+}
+
 Result<MeshFile> SurfaceReader::read(const std::filesystem::path& file)
 {
-    if (const auto started = start(); !started)
-        return aboutFile(file, started.error().code, started.error().detail);
-    const auto answer = answerTo(file);
-    auto read = answer ? decodeMeshFile(*answer) : tl::unexpected(answer.error());
+    // Both are said again by the program that reads it, but here it costs no program.
+    const auto good =
+        pathWithin(file.parent_path(), file.filename()).and_then([](const auto& found) {
+            return readableSize(found, kSurfaceLimit);
+        });
+    if (!good)
+        return tl::unexpected(good.error());
+    std::error_code error;
+    const auto absolute = std::filesystem::absolute(file, error);
+    const auto path = std::filesystem::canonical(absolute.parent_path(), error) / file.filename();
+    auto answer = attempt(path, 1);
+    if (!answer && answer.error().code == Errc::FileTooLarge)
+        answer = attempt(path, ReaderMemory::shares());
+    auto read = answer.and_then([](const auto& bytes) { return decodeMeshFile(bytes); });
     if (read)
         return std::move(*read);
     stop();

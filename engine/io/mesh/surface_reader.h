@@ -13,9 +13,11 @@ class QProcess;
 namespace carina
 {
 
-/// Reads surface files in a separate process, carina-surface-reader, which is limited to 4 GiB of
-/// memory and cannot write files. A file that crashes the process or exceeds the time limit gives
-/// an error that names the file; the next file gets a new process.
+/// Reads surface files in a separate process, carina-surface-reader, which is confined (confine) to
+/// the folder of the file and to a share of ReaderMemory. A file for which the share is too little
+/// is read again with all of that memory. A file that crashes the process or exceeds a limit gives
+/// an error that names the file; the next file gets a new process, as does a file of another
+/// folder.
 ///
 /// To be used in the thread that created it, which must be Qt's (QThread or the main thread).
 class SurfaceReader
@@ -24,17 +26,27 @@ public:
     explicit SurfaceReader(std::chrono::milliseconds limitPerFile = std::chrono::seconds{60});
     ~SurfaceReader();
 
-    /// As readMeshFile. Also FileMalformed where the process crashed or took too long, and
-    /// FileUnreadable where the process cannot be started.
+    /// As readMeshFile. Also FileTooLarge where reading takes too much memory, FileMalformed where
+    /// the process crashed, took too long or was ended because it asked for what a reader may not
+    /// do; FileUnreadable where the process cannot be started, NotConfined where the system cannot
+    /// confine it.
     [[nodiscard]] Result<MeshFile> read(const std::filesystem::path& file);
 
 private:
-    Result<void> start();
-    Result<std::vector<std::byte>> answerTo(const std::filesystem::path& file);
+    /// What came of one attempt.
+    using Answer = Result<std::vector<std::byte>>;
+
+    Answer attempt(const std::filesystem::path& file, unsigned shares);
+    Result<void> start(const std::filesystem::path& folder, unsigned shares);
+    Answer answerTo(const std::filesystem::path& file);
+    [[nodiscard]] Error whyItEnded() const;
     void stop();
 
     std::chrono::milliseconds m_limitPerFile;
     std::unique_ptr<QProcess> m_process;
+    std::filesystem::path m_folder;      ///< the process may read
+    unsigned m_shares = 0;               ///< of ReaderMemory that the process has
+    std::chrono::milliseconds m_spent{}; ///< in the process, with files before
 };
 
 } // namespace carina

@@ -1,5 +1,6 @@
 #include "engine/io/mesh/surface_texture.h"
 
+#include "engine/io/files/folder_path.h"
 #include "engine/io/files/whole_file.h"
 
 #include <assimp/material.h>
@@ -142,15 +143,20 @@ Result<Picture> SurfaceTexture::readPicture(const std::string& name) const
             return fail(Errc::UnknownFormat, "a picture without a format");
         return decodePicture({reinterpret_cast<const char*>(inside->pcData), inside->mWidth});
     }
-    std::filesystem::path file{
-        QByteArray::fromPercentEncoding(QByteArray::fromStdString(name)).toStdString()};
-    if (file.is_absolute() || name.find("..") != std::string::npos
-        || name.find('\\') != std::string::npos) // as another machine knows it
-        file = name.substr(name.find_last_of("/\\") + 1);
-    const auto bytes = readWholeFile(m_folder / file);
-    if (!bytes)
-        return fail(bytes.error().code,
+    std::string decoded =
+        QByteArray::fromPercentEncoding(QByteArray::fromStdString(name)).toStdString();
+    if (decoded.starts_with('/') || decoded.find("..") != std::string::npos
+        || decoded.find('\\') != std::string::npos) // as another machine knows it
+        decoded.erase(0, decoded.find_last_of("/\\") + 1);
+    const auto bytes =
+        pathWithin(m_folder, decoded).and_then([](const std::filesystem::path& file) {
+            return readWholeFile(file, kPictureLimit);
+        });
+    if (!bytes && bytes.error().code == Errc::FileNotFound)
+        return fail(Errc::FileNotFound,
                     "there is no such picture in the folder of the file that names it");
+    if (!bytes)
+        return tl::unexpected(bytes.error());
     return decodePicture(*bytes);
 }
 

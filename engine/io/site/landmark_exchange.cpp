@@ -54,7 +54,7 @@ Result<LandmarkCatalogue> importLandmarks(const std::filesystem::path& file, std
     const auto format = formatOf(file);
     if (!format)
         return tl::unexpected(format.error());
-    const Result<std::string> bytes = readWholeFile(file);
+    const Result<std::string> bytes = readWholeFile(file, kDescriptionLimit);
     if (!bytes)
         return tl::unexpected(bytes.error());
     auto catalogue = (*format)->decode(*bytes);

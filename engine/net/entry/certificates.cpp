@@ -20,8 +20,9 @@ const QString kAnyHost = QStringLiteral("carina");
 
 Result<QByteArray> pemIn(const std::filesystem::path& file)
 {
-    return readWholeFile(file).map(
-        [](const std::string& text) { return QByteArray::fromStdString(text); });
+    return readWholeFile(file, kCredentialLimit).map([](const std::string& text) {
+        return QByteArray::fromStdString(text);
+    });
 }
 
 Result<QList<QSslCertificate>> certificatesIn(const std::filesystem::path& file)

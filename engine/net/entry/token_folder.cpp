@@ -21,7 +21,7 @@ std::optional<TokenFolder::Token> TokenFolder::find(const std::string& sessionId
         return known->second;
     if (m_folder.empty())
         return std::nullopt;
-    const auto text = readWholeFile(fileOf(sessionId));
+    const auto text = readWholeFile(fileOf(sessionId), kCredentialLimit);
     if (!text)
         return std::nullopt;
     // "participant key"

@@ -38,7 +38,7 @@ private Q_SLOTS:
     {
         const std::string bytes = std::string(100'000, 'x') + '\0' + "end";
         test::writeFile(at("whole"), bytes);
-        const auto mapped = MappedFile::of(at("whole"));
+        const auto mapped = MappedFile::of(at("whole"), kDescriptionLimit);
         QVERIFY(mapped);
         QVERIFY(textOf(*mapped) == bytes);
     }
@@ -46,18 +46,18 @@ private Q_SLOTS:
     void staysWhatItWasWhenAnotherTakesItsPlace()
     {
         test::writeFile(at("replaced"), "before");
-        const auto mapped = MappedFile::of(at("replaced"));
+        const auto mapped = MappedFile::of(at("replaced"), kDescriptionLimit);
         QVERIFY(writeWholeFile(at("replaced"), "later"));
         QCOMPARE(textOf(*mapped), std::string{"before"});
-        QCOMPARE(textOf(*MappedFile::of(at("replaced"))), std::string{"later"});
+        QCOMPARE(textOf(*MappedFile::of(at("replaced"), kDescriptionLimit)), std::string{"later"});
     }
 
     void movesWithItsBytes()
     {
         test::writeFile(at("one"), "one");
         test::writeFile(at("other"), "other");
-        auto one = MappedFile::of(at("one"));
-        auto other = MappedFile::of(at("other"));
+        auto one = MappedFile::of(at("one"), kDescriptionLimit);
+        auto other = MappedFile::of(at("other"), kDescriptionLimit);
         *one = std::move(*other);
         QCOMPARE(textOf(*one), std::string{"other"});
         const MappedFile third{std::move(*one)};
@@ -68,9 +68,9 @@ private Q_SLOTS:
     void saysWhyThereIsNothing()
     {
         test::writeFile(at("empty"), "");
-        QCOMPARE(MappedFile::of(at("none")).error().code, Errc::FileNotFound);
-        QCOMPARE(MappedFile::of(at("empty")).error().code, Errc::FileEmpty);
-        const auto folder = MappedFile::of(at("."));
+        QCOMPARE(MappedFile::of(at("none"), kDescriptionLimit).error().code, Errc::FileNotFound);
+        QCOMPARE(MappedFile::of(at("empty"), kDescriptionLimit).error().code, Errc::FileEmpty);
+        const auto folder = MappedFile::of(at("."), kDescriptionLimit);
         QCOMPARE(folder.error().code, Errc::FileUnreadable);
         QVERIFY(folder.error().detail.starts_with(at(".").string()));
     }

@@ -32,10 +32,12 @@ private Q_SLOTS:
         const bool kept = writePrivateFile("key", "y").has_value();
         QVERIFY(QDir::setCurrent(before));
         QVERIFY(opened && written && kept);
-        QCOMPARE(*readWholeFile(folder.filePath(QStringLiteral("site.json")).toStdString()),
+        QCOMPARE(*readWholeFile(folder.filePath(QStringLiteral("site.json")).toStdString(),
+                                kDescriptionLimit),
                  std::string{"x"});
-        QCOMPARE(*readWholeFile(folder.filePath(QStringLiteral("key")).toStdString()),
-                 std::string{"y"});
+        QCOMPARE(
+            *readWholeFile(folder.filePath(QStringLiteral("key")).toStdString(), kDescriptionLimit),
+            std::string{"y"});
     }
 
     void folderThatTakesNothingIsNamed()

@@ -160,8 +160,8 @@ bool hasEnded(const SessionNode& node)
 bool mayBeginAnew(const Error& error)
 {
     return program::isSeenOnly()
-           && (error.code == Errc::StoreCorrupt || error.code == Errc::UnknownFormat
-               || error.code == Errc::FileMalformed);
+           && (error.code == Errc::StoreCorrupt || error.code == Errc::StoreTooOld
+               || error.code == Errc::UnknownFormat || error.code == Errc::FileMalformed);
 }
 
 /// The stored session, or a new one where that was asked for, nothing is stored, or what is stored

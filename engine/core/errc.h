@@ -51,11 +51,12 @@ enum class Errc : std::uint8_t {
     AddressInUse,    ///< the port is taken
     StoreFailed,     ///< the fact log could not be written
     StoreCorrupt,    ///< the fact log could not be read completely
+    StoreTooOld,     ///< the fact log is of an earlier version of Carina and cannot be read
     StoreReplaced, ///< the file of the fact log was deleted, replaced or changed while it was open
     ClockLost,     ///< the stored clock of a session contradicts its log
     NotPermitted,  ///< the role may not do this
     SessionEnded,  ///< the session takes no more changes
-    NameTaken,     ///< a participant with this name and role is in the session
+    NameTaken,     ///< the name and role of another program, or of who has a token for them
     NameUnclear,   ///< a name with invisible characters, or one that looks like another's
     SessionFull,   ///< no more participants of this role are taken
     TooMuchSent,   ///< more than a participant of this role may send

@@ -110,6 +110,9 @@ public:
         case Errc::StoreCorrupt:
             return tr("The saved session is damaged%1: restore it from a copy, or start a new "
                       "session.");
+        case Errc::StoreTooOld:
+            return tr("This session was saved by an earlier version of Carina%1: open it with that "
+                      "version, or start a new session.");
         case Errc::StoreReplaced:
             return tr(
                 "The file of this session was deleted or changed by somebody else%1: "
@@ -122,8 +125,8 @@ public:
         case Errc::SessionEnded:
             return tr("The session has ended%1: start a new one to make changes.");
         case Errc::NameTaken:
-            return tr("Somebody with this name and role is in the session now%1: join under "
-                      "another name.");
+            return tr("This name and role are in use by another computer, or were%1: choose "
+                      "another name, or ask the instructor.");
         case Errc::NameUnclear:
             return tr("This name cannot be told from another one, or has characters that cannot be "
                       "seen%1: join under a plain name of your own.");

@@ -94,19 +94,17 @@ ClockAnchor anchorIn(const QSqlQuery& row)
 }
 
 // What is too long is cut short before it is read, and then refused.
-QString selectFacts(const QString& digest)
+QString selectFacts()
 {
     return QStringLiteral("SELECT number, proposal, author, station, committed_ns, effect_ns,"
-                          " substr(body, 1, %1), %2 FROM fact ORDER BY number")
-        .arg(kLargestFactBody + 1)
-        .arg(digest);
+                          " substr(body, 1, %1), digest FROM fact ORDER BY number")
+        .arg(kLargestFactBody + 1);
 }
 
-QString selectActions(const QString& digest)
+QString selectActions()
 {
-    return QStringLiteral("SELECT object, substr(cpo, 1, %1), %2 FROM action")
-        .arg(kEventCpoBytes + 1)
-        .arg(digest);
+    return QStringLiteral("SELECT object, substr(cpo, 1, %1), digest FROM action")
+        .arg(kEventCpoBytes + 1);
 }
 
 /// Calls `take(row)` for every row until one fails.
@@ -129,64 +127,40 @@ Result<void> done(const Result<QSqlQuery>& query)
     return query.map([](const QSqlQuery&) {});
 }
 
-/// Facts without a look at their digests.
-Result<std::vector<FactRecord>> readFactsWithoutDigest(const QSqlDatabase& database)
+/// Calls `store(item)` for every item until one fails.
+template <class Items, class Store> Result<void> forEach(const Items& items, const Store& store)
 {
-    std::vector<FactRecord> facts;
-    return forEachRow(database, selectFacts(QStringLiteral("NULL")),
-                      [&](const QSqlQuery& row) -> Result<void> {
-                          const auto fact = factIn(row);
-                          if (!fact || fact->number.value != facts.size() + 1)
-                              return corrupt(database, "fact " + std::to_string(facts.size() + 1));
-                          facts.push_back(*fact);
-                          return {};
-                      })
-        .map([&] { return std::move(facts); });
-}
-
-Result<void> addFactDigests(const QSqlDatabase& database)
-{
-    const auto facts = readFactsWithoutDigest(database);
-    if (!facts)
-        return tl::unexpected(facts.error());
-    for (const FactRecord& fact : *facts)
-        if (const auto set = executeSql(database,
-                                        QStringLiteral("UPDATE fact SET digest = ? WHERE number ="
-                                                       " ?"),
-                                        {factDigest(fact), qint64(fact.number.value)});
-            !set)
-            return tl::unexpected(set.error());
+    for (const auto& item : items)
+        if (const Result<void> stored = store(item); !stored)
+            return stored;
     return {};
 }
 
-Result<void> addActionDigests(const QSqlDatabase& database)
+Result<void> insertFact(const QSqlDatabase& database, const FactRecord& fact)
 {
-    std::vector<EventCpo> actions;
-    return forEachRow(database, selectActions(QStringLiteral("NULL")),
-                      [&](const QSqlQuery& row) -> Result<void> {
-                          const auto event = actionIn(row.value(1).toByteArray());
-                          if (!event)
-                              return corrupt(database, "an action");
-                          actions.push_back(*event);
-                          return {};
-                      })
-        .and_then([&]() -> Result<void> {
-            for (const EventCpo& event : actions)
-                if (const auto set = writeAction(database, event); !set)
-                    return set;
-            return {};
-        });
+    const qint64 number = qint64(fact.number.value);
+    const Result<QSqlQuery> stored =
+        executeSql(database,
+                   QStringLiteral("INSERT INTO fact SELECT ?, ?, ?, ?, ?, ?, ?, ?"
+                                  " WHERE ? = (SELECT ifnull(max(number), 0) + 1 FROM fact)"),
+                   {number, qint64(fact.proposal.value), fact.author.value, fact.station.value,
+                    nanoseconds(fact.committed), nanoseconds(fact.effect), qtBytes(fact.body),
+                    factDigest(fact), number});
+    if (!stored)
+        return tl::unexpected(stored.error());
+    if (stored->numRowsAffected() != 1)
+        return fail(Errc::StoreFailed, database.databaseName().toStdString() + ": fact "
+                                           + std::to_string(number) + " is not the next");
+    return {};
 }
 
-Result<void> addAnchorDigest(const QSqlDatabase& database)
+Result<void> writeAction(const QSqlDatabase& database, const EventCpo& event)
 {
-    std::optional<ClockAnchor> anchor;
-    return forEachRow(database, QStringLiteral("SELECT boot_id, offset_ns FROM clock_anchor"),
-                      [&](const QSqlQuery& row) -> Result<void> {
-                          anchor = anchorIn(row);
-                          return {};
-                      })
-        .and_then([&] { return anchor ? writeAnchor(database, *anchor) : Result<void>{}; });
+    const QByteArray cpo = actionBytes(event);
+    return done(executeSql(database,
+                           QStringLiteral("INSERT OR REPLACE INTO action VALUES (?, ?,"
+                                          " ?)"),
+                           {event.object.value, cpo, checkDigest(cpo)}));
 }
 
 } // namespace
@@ -206,23 +180,10 @@ Result<void> createRows(const QSqlDatabase& database)
                         " digest BLOB NOT NULL) STRICT")});
 }
 
-Result<void> addDigests(const QSqlDatabase& database)
-{
-    return executeAll(database,
-                      {QStringLiteral("CREATE TABLE IF NOT EXISTS action"
-                                      " (object INTEGER PRIMARY KEY, cpo BLOB NOT NULL) STRICT"),
-                       QStringLiteral("ALTER TABLE fact ADD COLUMN digest BLOB"),
-                       QStringLiteral("ALTER TABLE clock_anchor ADD COLUMN digest BLOB"),
-                       QStringLiteral("ALTER TABLE action ADD COLUMN digest BLOB")})
-        .and_then([&] { return addFactDigests(database); })
-        .and_then([&] { return addAnchorDigest(database); })
-        .and_then([&] { return addActionDigests(database); });
-}
-
 Result<std::vector<FactRecord>> readFacts(const QSqlDatabase& database)
 {
     std::vector<FactRecord> facts;
-    return forEachRow(database, selectFacts(QStringLiteral("digest")),
+    return forEachRow(database, selectFacts(),
                       [&](const QSqlQuery& row) -> Result<void> {
                           auto fact = factIn(row);
                           if (!fact || fact->number.value != facts.size() + 1
@@ -234,22 +195,11 @@ Result<std::vector<FactRecord>> readFacts(const QSqlDatabase& database)
         .map([&] { return std::move(facts); });
 }
 
-Result<void> insertFact(const QSqlDatabase& database, const FactRecord& fact)
+Result<void> insertFacts(const QSqlDatabase& database, std::span<const FactRecord> facts)
 {
-    const qint64 number = qint64(fact.number.value);
-    const Result<QSqlQuery> stored =
-        executeSql(database,
-                   QStringLiteral("INSERT INTO fact SELECT ?, ?, ?, ?, ?, ?, ?, ?"
-                                  " WHERE ? = (SELECT ifnull(max(number), 0) + 1 FROM fact)"),
-                   {number, qint64(fact.proposal.value), fact.author.value, fact.station.value,
-                    nanoseconds(fact.committed), nanoseconds(fact.effect), qtBytes(fact.body),
-                    factDigest(fact), number});
-    if (!stored)
-        return tl::unexpected(stored.error());
-    if (stored->numRowsAffected() != 1)
-        return fail(Errc::StoreFailed, database.databaseName().toStdString() + ": fact "
-                                           + std::to_string(number) + " is not the next");
-    return {};
+    return inTransaction(database, [&] {
+        return forEach(facts, [&](const FactRecord& fact) { return insertFact(database, fact); });
+    });
 }
 
 Result<std::optional<ClockAnchor>> readAnchor(const QSqlDatabase& database)
@@ -278,7 +228,7 @@ Result<void> writeAnchor(const QSqlDatabase& database, const ClockAnchor& anchor
 Result<std::vector<EventCpo>> readActions(const QSqlDatabase& database)
 {
     std::vector<EventCpo> actions;
-    return forEachRow(database, selectActions(QStringLiteral("digest")),
+    return forEachRow(database, selectActions(),
                       [&](const QSqlQuery& row) -> Result<void> {
                           const QByteArray cpo = row.value(1).toByteArray();
                           const auto event = actionIn(cpo);
@@ -291,13 +241,11 @@ Result<std::vector<EventCpo>> readActions(const QSqlDatabase& database)
         .map([&] { return std::move(actions); });
 }
 
-Result<void> writeAction(const QSqlDatabase& database, const EventCpo& event)
+Result<void> writeActions(const QSqlDatabase& database, std::span<const EventCpo> events)
 {
-    const QByteArray cpo = actionBytes(event);
-    return done(executeSql(database,
-                           QStringLiteral("INSERT OR REPLACE INTO action VALUES (?, ?,"
-                                          " ?)"),
-                           {event.object.value, cpo, checkDigest(cpo)}));
+    return inTransaction(database, [&] {
+        return forEach(events, [&](const EventCpo& event) { return writeAction(database, event); });
+    });
 }
 
 Result<StoreContent> readContent(const QSqlDatabase& database)
@@ -322,16 +270,15 @@ Result<StoreContent> readContent(const QSqlDatabase& database)
 Result<void> writeContent(const QSqlDatabase& database, const StoreContent& content)
 {
     return inTransaction(database, [&]() -> Result<void> {
-        for (const FactRecord& fact : content.facts)
-            if (const auto stored = insertFact(database, fact); !stored)
-                return stored;
+        const Result<void> facts = forEach(
+            content.facts, [&](const FactRecord& fact) { return insertFact(database, fact); });
+        if (!facts)
+            return facts;
         if (content.anchor)
             if (const auto stored = writeAnchor(database, *content.anchor); !stored)
                 return stored;
-        for (const auto& [object, event] : content.actions)
-            if (const auto stored = writeAction(database, event); !stored)
-                return stored;
-        return {};
+        return forEach(content.actions,
+                       [&](const auto& entry) { return writeAction(database, entry.second); });
     });
 }
 

@@ -5,6 +5,7 @@
 #include <QSqlDatabase>
 
 #include <map>
+#include <span>
 
 namespace carina
 {
@@ -22,20 +23,20 @@ struct StoreContent {
 
 /// Creates the tables of a new store. @pre a transaction is open.
 [[nodiscard]] Result<void> createRows(const QSqlDatabase& database);
-/// Adds the digests to a store from before there were any (and the table of actions, to one from
-/// before there were actions). @pre a transaction is open.
-[[nodiscard]] Result<void> addDigests(const QSqlDatabase& database);
 
 /// All facts. @returns StoreCorrupt also where a number is missing.
 [[nodiscard]] Result<std::vector<FactRecord>> readFacts(const QSqlDatabase& database);
-/// @returns StoreFailed also for a fact that is not the next.
-[[nodiscard]] Result<void> insertFact(const QSqlDatabase& database, const FactRecord& fact);
+/// Appends facts in one transaction. @returns StoreFailed also for one that is not the next.
+[[nodiscard]] Result<void> insertFacts(const QSqlDatabase& database,
+                                       std::span<const FactRecord> facts);
 
 [[nodiscard]] Result<std::optional<ClockAnchor>> readAnchor(const QSqlDatabase& database);
 [[nodiscard]] Result<void> writeAnchor(const QSqlDatabase& database, const ClockAnchor& anchor);
 
 [[nodiscard]] Result<std::vector<EventCpo>> readActions(const QSqlDatabase& database);
-[[nodiscard]] Result<void> writeAction(const QSqlDatabase& database, const EventCpo& event);
+/// Stores actions in one transaction.
+[[nodiscard]] Result<void> writeActions(const QSqlDatabase& database,
+                                        std::span<const EventCpo> events);
 
 [[nodiscard]] Result<StoreContent> readContent(const QSqlDatabase& database);
 /// Into an empty store, in one transaction.

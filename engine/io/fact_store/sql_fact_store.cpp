@@ -36,21 +36,14 @@ public:
         return remember().map([this] { return m_content->facts; });
     }
 
-    Result<void> append(const FactRecord& fact) override
+    Result<void> append(std::span<const FactRecord> facts) override
     {
-        return remember()
-            .and_then([&]() -> Result<void> {
-                if (fact.number.value == m_content->facts.size() + 1)
-                    return {};
-                return fail(Errc::StoreFailed, m_path.toStdString() + ": fact "
-                                                   + std::to_string(fact.number.value)
-                                                   + " is not the next");
-            })
-            .and_then([&] {
-                return store(
-                    [&](const QSqlDatabase& database) { return insertFact(database, fact); },
-                    [&](StoreContent& content) { content.facts.push_back(fact); });
-            });
+        return remember().and_then([&] { return areNext(facts); }).and_then([&] {
+            return store([&](const QSqlDatabase& database) { return insertFacts(database, facts); },
+                         [&](StoreContent& content) {
+                             content.facts.insert(content.facts.end(), facts.begin(), facts.end());
+                         });
+        });
     }
 
     Result<std::optional<ClockAnchor>> clockAnchor() override
@@ -77,13 +70,15 @@ public:
         });
     }
 
-    Result<void> keepAction(const EventCpo& event) override
+    Result<void> keepActions(std::span<const EventCpo> events) override
     {
         return remember().and_then([&] {
-            return store([&](const QSqlDatabase& database) { return writeAction(database, event); },
-                         [&](StoreContent& content) {
-                             content.actions.insert_or_assign(event.object, event);
-                         });
+            return store(
+                [&](const QSqlDatabase& database) { return writeActions(database, events); },
+                [&](StoreContent& content) {
+                    for (const EventCpo& event : events)
+                        content.actions.insert_or_assign(event.object, event);
+                });
         });
     }
 
@@ -113,6 +108,18 @@ private:
         m_thread = std::this_thread::get_id();
         m_stamp = StoreStamp::of(m_path);
         return database;
+    }
+
+    /// @pre remember()
+    [[nodiscard]] Result<void> areNext(std::span<const FactRecord> facts) const
+    {
+        std::uint64_t last = m_content->facts.size();
+        for (const FactRecord& fact : facts)
+            if (fact.number.value != ++last)
+                return fail(Errc::StoreFailed, m_path.toStdString() + ": fact "
+                                                   + std::to_string(fact.number.value)
+                                                   + " is not the next");
+        return {};
     }
 
     /// Reads the file into memory, the first time.

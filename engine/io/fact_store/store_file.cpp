@@ -20,7 +20,8 @@ namespace
 
 constexpr int kStoreApplicationId = 0x4352'4e41; // "CRNA", read by file(1) and by us
 constexpr int kStoreVersion = 2;
-constexpr int kVersionWithoutDigests = 1;
+// Of a time when some facts were encoded otherwise.
+constexpr int kUnreadableVersion = 1;
 
 const QString kChanges = QStringLiteral("-wal");
 
@@ -51,8 +52,7 @@ Result<bool> isCutOff(const QSqlDatabase& database)
 
 /// That the database is ours and whole. A file that a crash left with changes beside it, in its
 /// -wal, may end in half a page, which they mend.
-/// @returns its version
-Result<int> checkSchema(const QSqlDatabase& database, bool hasChangesBeside)
+Result<void> checkSchema(const QSqlDatabase& database, bool hasChangesBeside)
 {
     const std::string path = database.databaseName().toStdString();
     const auto application = readOne(database, QStringLiteral("PRAGMA application_id"));
@@ -63,7 +63,9 @@ Result<int> checkSchema(const QSqlDatabase& database, bool hasChangesBeside)
             return tl::unexpected(answer->error());
     if (application->toInt() != kStoreApplicationId)
         return fail(Errc::UnknownFormat, path);
-    if (version->toInt() != kStoreVersion && version->toInt() != kVersionWithoutDigests)
+    if (version->toInt() == kUnreadableVersion)
+        return fail(Errc::StoreTooOld, path);
+    if (version->toInt() != kStoreVersion)
         return fail(Errc::UnknownFormat, path + ": version " + std::to_string(version->toInt()));
     if (check->toString() != QStringLiteral("ok"))
         return fail(Errc::StoreCorrupt, path + ": " + check->toString().toStdString());
@@ -72,16 +74,7 @@ Result<int> checkSchema(const QSqlDatabase& database, bool hasChangesBeside)
         return tl::unexpected(cutOff.error());
     if (*cutOff && !hasChangesBeside)
         return fail(Errc::StoreCorrupt, path + ": cut off");
-    return version->toInt();
-}
-
-Result<void> upgrade(const QSqlDatabase& database, int version)
-{
-    if (version == kStoreVersion)
-        return {};
-    return inTransaction(database, [&] {
-        return addDigests(database).and_then([&] { return setVersion(database); });
-    });
+    return {};
 }
 
 void closeToOthers(const QString& path)
@@ -147,11 +140,10 @@ Result<void> openStoreFile(QSqlDatabase& database)
         return tl::unexpected(storeError(path, database.lastError()));
     return executeAll(database, {QStringLiteral("PRAGMA locking_mode = EXCLUSIVE")})
         .and_then([&] { return checkSchema(database, hasChangesBeside); })
-        .and_then([&](int version) {
+        .and_then([&] {
             closeToOthers(path);
             return executeAll(database, {QStringLiteral("PRAGMA journal_mode = WAL"),
-                                         QStringLiteral("PRAGMA synchronous = FULL")})
-                .and_then([&] { return upgrade(database, version); });
+                                         QStringLiteral("PRAGMA synchronous = FULL")});
         });
 }
 

@@ -15,10 +15,10 @@ namespace carina
 /// @returns StoreFailed
 [[nodiscard]] Result<void> createStoreFile(const QString& path, const StoreContent& content);
 
-/// Opens the file of a store for exclusive use, adds what an earlier version of Carina left out,
-/// and takes other users' access away.
+/// Opens the file of a store for exclusive use and takes other users' access away.
 /// @returns StoreCorrupt for a file that is empty, truncated or not a database, UnknownFormat for a
-///          database of another program or of a newer Carina, StoreFailed
+///          database of another program or of a newer Carina, StoreTooOld for one of an earlier
+///          Carina, StoreFailed; the file is as it was then.
 [[nodiscard]] Result<void> openStoreFile(QSqlDatabase& database);
 
 /// Which files a store consists of, and when they were last written: the database and its log of

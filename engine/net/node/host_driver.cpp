@@ -21,6 +21,8 @@ constexpr StationId kFirstStation{0};
 /// Shortest interval of storing actions, so that rapid actions do not keep the disk busy.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
 constexpr Duration kWatchInterval = std::chrono::milliseconds{500};
+/// A path is not idle as long as its participant's join may wait for a slow disk.
+constexpr Duration kJoinStoredWithin = std::chrono::seconds{10};
 constexpr const char* kFirstStationName = "Station 1";
 
 std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
@@ -53,6 +55,9 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
     const auto anchor = store->clockAnchor();
     if (!anchor)
         return tl::unexpected(anchor.error());
+    const auto actions = store->actions();
+    if (!actions)
+        return tl::unexpected(actions.error());
 
     const bool isNew = records->empty();
     const std::string bootId = readBootId();
@@ -61,9 +66,8 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
     if (const auto kept = store->setClockAnchor({bootId, offset}); !kept)
         return tl::unexpected(kept.error());
 
-    std::unique_ptr<HostDriver> driver{
-        new HostDriver{std::move(store), SessionAuthority{*facts}, board, now}};
-    const std::string sessionId = isNew ? newSessionId() : driver->m_authority.state().sessionId();
+    std::unique_ptr<HostDriver> driver{new HostDriver{SessionAuthority{*facts}, board, now}};
+    const std::string sessionId = isNew ? newSessionId() : driver->m_stored.state().sessionId();
     auto access = HostAccess::open(settings.secrets, sessionId, settings.derive);
     if (!access)
         return tl::unexpected(access.error());
@@ -72,22 +76,21 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
     if (*anchor && lastCommitted && contradictsLog(**anchor, bootId, *lastCommitted, now))
         driver->m_storeFault = Error{Errc::ClockLost, {}};
     driver->startCore(sessionId, *std::move(records), offset);
-    if (const auto resumed = driver->resumeActions(now); !resumed)
-        return tl::unexpected(resumed.error());
-    const auto ready =
-        (isNew ? driver->begin(settings, sessionId, now) : Result<void>{}).and_then([&] {
-            return driver->joinItself(settings.participantName, now);
-        });
-    if (!ready)
-        return tl::unexpected(ready.error());
+    driver->resumeActions(*actions, now);
+    if (const auto begun = isNew ? driver->begin(settings, sessionId, now) : Result<void>{}; !begun)
+        return tl::unexpected(begun.error());
+    driver->joinItself(settings.participantName, now);
+    if (const auto kept = store->append(driver->notHandedOver()); !kept)
+        return fail(Errc::StoreFailed, kept.error().detail);
+    driver->stored(driver->m_unstored.size());
+    driver->m_writer = std::make_unique<StoreWriter>(std::move(store));
     driver->show(now);
     return driver;
 }
 
-HostDriver::HostDriver(std::unique_ptr<FactStore> store, SessionAuthority authority,
-                       NodeBoard& board, LocalTime now)
-    : m_store{std::move(store)},
-      m_authority{std::move(authority)},
+HostDriver::HostDriver(SessionAuthority authority, NodeBoard& board, LocalTime now)
+    : m_decided{authority},
+      m_stored{std::move(authority)},
       m_board{board},
       m_returnsEnd{now + kPeerTimeout}
 {
@@ -99,82 +102,115 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
     HostRules rules{
         [this](const ProposalRecord& join, LocalTime now) { return identify(join, now); },
         [this](const ProposalRecord& join, LocalTime now) { return admit(join, now); },
-        [this](const ProposalRecord& record, LocalTime now) {
-            return fromRecord(record).and_then(
-                [&](const Proposal& proposal) { return decide(proposal, now); });
+        [this](PeerAddress peer, ParticipantId participant) {
+            m_access->admitted(peer, participant);
         },
+        [this](ProposalId proposal) { return m_decided.settled(proposal).has_value(); },
+        [this](const ProposalRecord& record, LocalTime now) { return decideForPeer(record, now); },
         [this](ParticipantId participant, LocalTime now) { left(participant, now); },
         [this](ParticipantId participant) {
-            return m_authority.state().participants().at(participant).role != Role::Observer;
+            return m_stored.state().participants().at(participant).role != Role::Observer;
         },
         [this](ParticipantId participant) {
-            return limitsOf(m_authority.state().participants().at(participant).role);
+            return limitsOf(m_stored.state().participants().at(participant).role);
         }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
-    for (const auto& [id, object] : m_authority.state().objects())
+    for (const auto& [id, object] : m_stored.state().objects())
         share(object);
 }
 
-Result<void> HostDriver::resumeActions(LocalTime now)
+void HostDriver::resumeActions(const std::vector<EventCpo>& actions, LocalTime now)
 {
-    return m_store->actions().map([&](const std::vector<EventCpo>& actions) {
-        for (EventCpo event : actions) {
-            // After a reboot the session goes on from its last fact, which may be before this.
-            event.start = std::min(event.start, m_core->sessionTime(now));
-            m_core->restore(event);
-        }
-    });
+    for (EventCpo event : actions) {
+        // After a reboot the session goes on from its last fact, which may be before this.
+        event.start = std::min(event.start, m_core->sessionTime(now));
+        m_core->restore(event);
+    }
 }
 
 Result<void> HostDriver::begin(const HostSettings& settings, const std::string& sessionId,
                                LocalTime now)
 {
     return decideByHost(kFirstStation, fact::SessionCreated{settings.sessionName, sessionId}, now)
-        .and_then([&](const FactRecord&) {
+        .and_then([&] {
             return decideByHost(kFirstStation, fact::StationAdded{kFirstStationName}, now);
-        })
-        .map([](const FactRecord&) {});
+        });
 }
 
-Result<void> HostDriver::joinItself(const std::string& name, LocalTime now)
+void HostDriver::joinItself(const std::string& name, LocalTime now)
 {
     // Not judged: the authority would give the host a number as it does to everybody else.
     const SessionTime time = m_core->sessionTime(now);
-    const FactNumber number{m_core->log().size() + 1};
+    const FactNumber number{m_decided.state().lastApplied().value + 1};
     const fact::ParticipantJoined joined{kSelf, Role::Instructor, name};
     m_epoch = static_cast<std::uint16_t>(number.value);
-    return enter({number, ProposalId{hostRandom()}, kSelf, kFirstStation, time, time, joined})
-        .map([](const FactRecord&) {});
+    enter({number, ProposalId{hostRandom()}, kSelf, kFirstStation, time, time, joined});
 }
 
-Result<FactRecord> HostDriver::decide(const Proposal& proposal, LocalTime now)
+Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
 {
-    if (const auto number = m_authority.settled(proposal.id))
-        return m_core->log()[number->value - 1];
-    return m_authority.judge(proposal, m_core->sessionTime(now), m_core->slowestPath())
-        .and_then([this](const Fact& fact) { return enter(fact); });
+    if (const auto number = m_decided.settled(proposal.id))
+        return *number;
+    return m_decided.judge(proposal, m_core->sessionTime(now), m_core->slowestPath() + m_storing)
+        .map([this](const Fact& fact) {
+            enter(fact);
+            return fact.number;
+        });
 }
 
-Result<FactRecord> HostDriver::decideByHost(StationId station, FactBody body, LocalTime now)
+Result<void> HostDriver::decideForPeer(const ProposalRecord& proposal, LocalTime now)
 {
-    auto fact = decide({ProposalId{hostRandom()}, kSelf, station, std::move(body)}, now);
-    if (!fact)
-        m_refusal = fact.error();
-    return fact;
+    if (m_unstored.size() >= kMostUnstored)
+        return fail(Errc::StoreFailed, "the disk is too slow");
+    return fromRecord(proposal)
+        .and_then([&](const Proposal& read) { return decide(read, now); })
+        .map([](FactNumber) {});
 }
 
-Result<FactRecord> HostDriver::enter(const Fact& fact)
+Result<void> HostDriver::decideByHost(StationId station, FactBody body, LocalTime now)
 {
-    const FactRecord record = toRecord(fact);
-    if (const auto stored = m_store->append(record); !stored)
-        return fail(Errc::StoreFailed, stored.error().detail);
-    m_authority.commit(fact);
-    m_core->append(record);
-    if (const auto object = objectOf(fact.body))
-        share(m_authority.state().objects().at(*object));
-    m_shownState.reset();
-    return record;
+    const auto fact = decide({ProposalId{hostRandom()}, kSelf, station, std::move(body)}, now);
+    if (fact)
+        return {};
+    m_refusal = fact.error();
+    return tl::unexpected(fact.error());
+}
+
+void HostDriver::enter(const Fact& fact)
+{
+    m_decided.commit(fact);
+    m_unstored.push_back({fact, toRecord(fact)});
+}
+
+std::vector<FactRecord> HostDriver::notHandedOver() const
+{
+    std::vector<FactRecord> facts;
+    for (std::size_t i = m_handedOver; i < m_unstored.size(); ++i)
+        facts.push_back(m_unstored[i].record);
+    return facts;
+}
+
+void HostDriver::stored(std::size_t count)
+{
+    for (; count > 0; --count) {
+        const auto& [fact, record] = m_unstored.front();
+        m_stored.commit(fact);
+        m_core->append(record);
+        if (const auto object = objectOf(fact.body))
+            share(m_stored.state().objects().at(*object));
+        m_unstored.pop_front();
+        m_shownState.reset();
+    }
+}
+
+void HostDriver::giveUp(const Error& why, LocalTime now)
+{
+    // What was decided since was decided on the ground of what is not stored.
+    for (const auto& [fact, record] : std::exchange(m_unstored, {}))
+        m_core->giveUp(record, Errc::StoreFailed, now);
+    m_decided = m_stored;
+    m_refusal = Error{Errc::StoreFailed, why.detail};
 }
 
 void HostDriver::share(const SharedObject& object)
@@ -210,28 +246,52 @@ void HostDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
 
 void HostDriver::sendOwnStreams(LocalTime now)
 {
-    for (auto& [station, object] : m_publications.takeUnknown(m_authority.state(), kSelf))
+    for (auto& [station, object] : m_publications.takeUnknown(m_decided.state(), kSelf))
         static_cast<void>(decideByHost(station, std::move(object), now)); // a refusal is shown
-    for (const auto& [station, cpo] : m_publications.sample(m_authority.state(), kSelf, now))
+    for (const auto& [station, cpo] : m_publications.sample(m_stored.state(), kSelf, now))
         m_core->publish({kSelf, m_epoch, station, cpo}, now);
 }
 
-void HostDriver::keepActions(LocalTime now)
+void HostDriver::handOver(LocalTime now)
 {
-    if (m_unkept.empty() || now < m_nextKeep)
+    if (m_writer->isBusy())
         return;
-    for (const auto& [object, event] : std::exchange(m_unkept, {}))
-        if (const auto kept = m_store->keepAction(event); !kept)
-            m_refusal = kept.error();
-    m_nextKeep = now + kKeepInterval;
-}
-
-void HostDriver::watchStore(LocalTime now)
-{
-    if (now < m_nextWatch)
+    StoreJob job;
+    job.facts = notHandedOver();
+    if (now >= m_nextKeep) {
+        for (const auto& [object, event] : std::exchange(m_unkept, {}))
+            job.actions.push_back(event);
+        m_nextKeep = now + kKeepInterval;
+    }
+    if (job.facts.empty() && job.actions.empty() && now < m_nextWatch)
         return;
     m_nextWatch = now + kWatchInterval;
-    const auto moved = m_store->keepWhole();
+    m_handedOver = m_unstored.size();
+    m_handedOverAt = now;
+    m_writer->write(std::move(job));
+}
+
+void HostDriver::takeReport(LocalTime now)
+{
+    if (const auto report = m_writer->take())
+        take(*report, now);
+}
+
+void HostDriver::take(const StoreReport& report, LocalTime now)
+{
+    m_storing = std::min(now - m_handedOverAt, kLongestStoring);
+    const std::size_t facts = std::exchange(m_handedOver, 0);
+    if (report.facts)
+        stored(facts);
+    else
+        giveUp(report.facts.error(), now);
+    if (!report.actions)
+        m_refusal = report.actions.error();
+    takeMoved(report.moved);
+}
+
+void HostDriver::takeMoved(const Result<std::optional<std::filesystem::path>>& moved)
+{
     if (moved && !*moved) {
         if (m_storeFault && m_storeFault->code == Errc::StoreFailed)
             m_storeFault.reset(); // it can be written again
@@ -245,14 +305,14 @@ void HostDriver::watchStore(LocalTime now)
 
 NodeDriver::Datagrams HostDriver::advance(LocalTime now)
 {
-    watchStore(now);
-    keepActions(now); // those of the last turn, which are on their way by now
+    takeReport(now);
     sendOwnStreams(now);
     m_core->advance(now);
     dropAbsent(now);
     endIdlePaths(now);
     for (const EventCpo& event : m_core->takeChanged())
         m_unkept.insert_or_assign(event.object, event);
+    handOver(now);
     SyncHost::Output output = m_core->take();
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core->sessionTime(now));
@@ -266,8 +326,9 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokens.empty())
         return LocalTime::min();
-    LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
-                               m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
+    LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd});
+    if (!m_writer->isBusy()) // which wakes by its report
+        wake = std::min({wake, m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
     for (const auto& [address, path] : m_paths)
         wake = std::min(wake, path.idleSince + kHelloWithin);
     return wake;
@@ -275,8 +336,12 @@ LocalTime HostDriver::nextWake() const
 
 NodeDriver::Datagrams HostDriver::close(LocalTime now)
 {
-    m_nextKeep = now;
-    keepActions(now);
+    for (int job = 0; job < 2; ++job) { // what is under way, and what is left
+        if (m_writer->isBusy())
+            take(m_writer->wait(), now);
+        m_nextKeep = now;
+        handOver(now);
+    }
     m_core->close(now);
     return std::move(m_core->take().datagrams);
 }
@@ -299,7 +364,7 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
 void HostDriver::show(LocalTime now)
 {
     if (!m_shownState)
-        m_shownState = std::make_shared<SessionState>(m_authority.state());
+        m_shownState = std::make_shared<SessionState>(m_stored.state());
     NodeBoard::View view;
     view.self = kSelf;
     const Duration offset = m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch();
@@ -354,10 +419,10 @@ Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now)
     const auto* joined = std::get_if<fact::ParticipantJoined>(&proposal->body);
     if (!joined || joined->participant.value != 0)
         return fail(Errc::NotPermitted);
-    const Participant& self = m_authority.state().participants().at(kSelf);
+    const Participant& self = m_stored.state().participants().at(kSelf);
     if (joined->name == self.name && joined->role == self.role)
         return Identity{kSelf};
-    return m_authority.judge(*proposal, m_core->sessionTime(now), Duration{})
+    return m_decided.judge(*proposal, m_core->sessionTime(now), Duration{})
         .and_then([&](const Fact& fact) {
             const ParticipantId id = std::get<fact::ParticipantJoined>(fact.body).participant;
             return m_access->check(m_speaker, joined->role, id).map([&] {
@@ -366,40 +431,45 @@ Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now)
         });
 }
 
-Result<Admission> HostDriver::admit(const ProposalRecord& join, LocalTime now)
+Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, LocalTime now)
 {
     const auto who = identify(join, now);
     auto proposal = fromRecord(join);
     if (!who || !proposal)
         return tl::unexpected(who ? proposal.error() : who.error());
-    const auto& participants = m_authority.state().participants();
+    const auto& participants = m_decided.state().participants();
     const auto known = participants.find(who->participant);
-    if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now))
-        return fail(Errc::TooMuchSent);
+    if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now)) {
+        m_paths.at(m_speaker).idleSince = now;
+        return std::nullopt;
+    }
     // A repeat gets the fact it has. Not the same run of a program that was given up meanwhile and
     // comes in a second time, nor who uses the id of another's proposal, which everybody knows.
     const bool isPresent = known != participants.end() && known->second.present;
-    if (m_authority.settled(proposal->id)
-        && !(isPresent && isJoinOf(proposal->id, who->participant)))
+    if (m_decided.settled(proposal->id) && !(isPresent && isJoinOf(proposal->id, who->participant)))
         proposal->id = ProposalId{hostRandom()};
-    return decide(*proposal, now).map([&](const FactRecord& fact) {
-        m_access->admitted(m_speaker, who->participant);
-        return Admission{who->participant, fact};
+    return decide(*proposal, now).map([&](FactNumber joined) {
+        m_paths.at(m_speaker).idleSince = now + kJoinStoredWithin;
+        return std::optional{Admission{who->participant, joined}};
     });
 }
 
 bool HostDriver::isJoinOf(ProposalId proposal, ParticipantId participant) const
 {
-    const auto number = m_authority.settled(proposal);
-    const auto fact = number ? fromRecord(m_core->log()[number->value - 1])
-                             : Result<Fact>{fail(Errc::OutOfRange)};
+    const auto number = m_decided.settled(proposal);
+    if (!number)
+        return false;
+    const auto& log = m_core->log();
+    const auto fact =
+        fromRecord(number->value <= log.size() ? log[number->value - 1]
+                                               : m_unstored[number->value - log.size() - 1].record);
     const auto* joined = fact ? std::get_if<fact::ParticipantJoined>(&fact->body) : nullptr;
     return joined != nullptr && joined->participant == participant;
 }
 
 void HostDriver::left(ParticipantId participant, LocalTime now)
 {
-    // A store that fails is shown as the node's refusal; the participant is gone all the same.
+    // What is refused is shown as the node's refusal; the participant is gone all the same.
     static_cast<void>(decideByHost(StationId{}, fact::ParticipantLeft{participant}, now));
 }
 
@@ -435,13 +505,9 @@ void HostDriver::dropAbsent(LocalTime now)
         return;
     m_returnsEnd = LocalTime::max();
     std::vector<ParticipantId> absent;
-    for (const auto& [id, participant] : m_authority.state().participants()) {
-        const bool isHere = id == kSelf || std::ranges::any_of(m_core->peers(), [&](const auto& p) {
-                                return p.second.participant == id;
-                            });
-        if (participant.present && !isHere)
+    for (const auto& [id, participant] : m_decided.state().participants())
+        if (participant.present && id != kSelf && !m_core->isHere(id))
             absent.push_back(id);
-    }
     for (const ParticipantId id : absent)
         left(id, now);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/io/fact_store/store_writer.h"
 #include "engine/net/node/host_access.h"
 #include "engine/net/node/node_board.h"
 #include "engine/net/node/node_driver.h"
@@ -9,7 +10,10 @@
 namespace carina
 {
 
-/// The host's driver: judges proposals, stores each fact on disk and then distributes it.
+/// The host's driver: judges proposals, has each fact stored on disk and then distributes it.
+///
+/// What is decided in a turn, and while the disk works on an earlier turn, is one transaction.
+/// Until it is stored nobody hears of it, this node included.
 class HostDriver : public NodeDriver
 {
 public:
@@ -21,6 +25,10 @@ public:
     static constexpr std::size_t kMostIdleOfToken = 4;
     /// New participants in a second; twice as many at once.
     static constexpr double kNewcomers = 40.0;
+    /// Facts that are decided and not stored, from which on proposals are refused.
+    static constexpr std::size_t kMostUnstored = 4096;
+    /// By at most so much a slow disk puts off the effect of a change.
+    static constexpr Duration kLongestStoring = std::chrono::seconds{2};
 
     /// Opens the session in the store, or creates one. @param board outlives the driver.
     [[nodiscard]] static Result<std::unique_ptr<HostDriver>> open(const HostSettings& settings,
@@ -39,22 +47,34 @@ public:
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
     std::vector<PeerAddress> takeEnded() override { return std::exchange(m_ended, {}); }
+    void onNews(std::function<void()> callback) override
+    {
+        m_writer->onReport(std::move(callback));
+    }
     Datagrams close(LocalTime now) override;
 
 private:
-    HostDriver(std::unique_ptr<FactStore> store, SessionAuthority authority, NodeBoard& board,
-               LocalTime now);
+    HostDriver(SessionAuthority authority, NodeBoard& board, LocalTime now);
 
     void startCore(const std::string& sessionId, std::vector<FactRecord> log, Duration clockOffset);
     [[nodiscard]] Result<void> begin(const HostSettings& settings, const std::string& sessionId,
                                      LocalTime now);
-    [[nodiscard]] Result<void> joinItself(const std::string& name, LocalTime now);
+    void joinItself(const std::string& name, LocalTime now);
 
-    [[nodiscard]] Result<FactRecord> decide(const Proposal& proposal, LocalTime now);
-    [[nodiscard]] Result<FactRecord> decideByHost(StationId station, FactBody body, LocalTime now);
-    [[nodiscard]] Result<FactRecord> enter(const Fact& fact);
+    [[nodiscard]] Result<FactNumber> decide(const Proposal& proposal, LocalTime now);
+    [[nodiscard]] Result<void> decideForPeer(const ProposalRecord& proposal, LocalTime now);
+    [[nodiscard]] Result<void> decideByHost(StationId station, FactBody body, LocalTime now);
+    /// A fact that is decided; stored later.
+    void enter(const Fact& fact);
+    /// The facts that are decided and not handed over to the disk.
+    [[nodiscard]] std::vector<FactRecord> notHandedOver() const;
+    /// The first of the facts that are decided are on disk.
+    void stored(std::size_t count);
+    /// The facts that are decided cannot be stored: everything is as it was before them.
+    void giveUp(const Error& why, LocalTime now);
+
     [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
-    [[nodiscard]] Result<Admission> admit(const ProposalRecord& join, LocalTime now);
+    [[nodiscard]] Result<std::optional<Admission>> admit(const ProposalRecord& join, LocalTime now);
     /// Whether the proposal became the fact that this participant joined.
     [[nodiscard]] bool isJoinOf(ProposalId proposal, ParticipantId participant) const;
     void left(ParticipantId participant, LocalTime now);
@@ -70,17 +90,30 @@ private:
     /// Enters that participants of the last run who did not return have left.
     void dropAbsent(LocalTime now);
 
-    [[nodiscard]] Result<void> resumeActions(LocalTime now);
-    void keepActions(LocalTime now);
-    /// Looks after the file of the store, twice a second.
-    void watchStore(LocalTime now);
+    void resumeActions(const std::vector<EventCpo>& actions, LocalTime now);
+    /// Hands to the disk what there is, unless it is at work.
+    void handOver(LocalTime now);
+    /// Takes what the disk reports.
+    void takeReport(LocalTime now);
+    void take(const StoreReport& report, LocalTime now);
+    void takeMoved(const Result<std::optional<std::filesystem::path>>& moved);
     void share(const SharedObject& object);
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
     [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;
 
-    std::unique_ptr<FactStore> m_store;
-    SessionAuthority m_authority;
+    struct Unstored {
+        Fact fact;
+        FactRecord record;
+    };
+
+    SessionAuthority m_decided;      // by every fact that is decided
+    SessionAuthority m_stored;       // by those on disk
+    std::deque<Unstored> m_unstored; // between the two
+    std::size_t m_handedOver = 0;    // the first of them are with the writer
+    std::unique_ptr<StoreWriter> m_writer;
+    LocalTime m_handedOverAt{};
+    Duration m_storing{}; // how long the last job took
     NodeBoard& m_board;
     std::unique_ptr<SyncHost> m_core;
     std::unique_ptr<HostAccess> m_access;

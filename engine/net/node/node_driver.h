@@ -21,6 +21,8 @@ public:
     /// to send.
     [[nodiscard]] virtual Datagrams advance(LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const = 0;
+    /// Called back from any thread, from then on, when advance() is to be called at once.
+    virtual void onNews(std::function<void()> callback) { static_cast<void>(callback); }
     /// Paths to close, once what the last advance() returned is sent.
     [[nodiscard]] virtual std::vector<PeerAddress> takeEnded() { return {}; }
     /// Ends the session at this node. @returns the last datagrams to send.

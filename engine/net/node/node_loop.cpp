@@ -16,6 +16,8 @@ void NodeLoop::drive(std::unique_ptr<NodeDriver> driver, std::unique_ptr<SecureT
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &NodeLoop::serve);
     m_transport->onNews([this] { serve(); });
+    m_driver->onNews(
+        [this] { QMetaObject::invokeMethod(this, &NodeLoop::serve, Qt::QueuedConnection); });
     serve();
 }
 

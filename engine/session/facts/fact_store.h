@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,9 @@ public:
 
     /// All facts, in order. @returns StoreCorrupt where a number is missing or a fact was changed.
     [[nodiscard]] virtual Result<std::vector<FactRecord>> load() = 0;
-    /// Appends a fact. On success it survives kill -9 and power loss. @returns StoreFailed
-    /// otherwise.
-    [[nodiscard]] virtual Result<void> append(const FactRecord& fact) = 0;
+    /// Appends facts in one transaction: on success they survive kill -9 and power loss, otherwise
+    /// none of them is stored. @returns StoreFailed, also where they are not the next ones.
+    [[nodiscard]] virtual Result<void> append(std::span<const FactRecord> facts) = 0;
 
     [[nodiscard]] virtual Result<std::optional<ClockAnchor>> clockAnchor() = 0;
     [[nodiscard]] virtual Result<void> setClockAnchor(const ClockAnchor& anchor) = 0;
@@ -37,9 +38,9 @@ public:
     /// The stored actions, in no particular order.
     /// @returns StoreCorrupt for invalid contents.
     [[nodiscard]] virtual Result<std::vector<EventCpo>> actions() = 0;
-    /// Stores an action, replacing the last on the same object. On success it survives kill -9 and
-    /// power loss.
-    [[nodiscard]] virtual Result<void> keepAction(const EventCpo& event) = 0;
+    /// Stores actions in one transaction, each replacing the last on the same object. On success
+    /// they survive kill -9 and power loss, otherwise none of them is stored.
+    [[nodiscard]] virtual Result<void> keepActions(std::span<const EventCpo> events) = 0;
 
     /// Checks that the log still is where it was stored. Where somebody deleted, replaced or
     /// changed it meanwhile, everything is saved anew elsewhere; append does the same.

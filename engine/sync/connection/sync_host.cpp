@@ -88,6 +88,7 @@ void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, Local
 
 void SyncHost::advance(LocalTime now)
 {
+    welcomeArrivals(now);
     dropSilentPeers(now);
     endExceedingPeers(now);
     m_actions.advance(sessionTime(now), now);
@@ -100,6 +101,9 @@ void SyncHost::advance(LocalTime now)
 
 LocalTime SyncHost::nextWake() const
 {
+    for (const auto& [address, arrival] : m_arrivals)
+        if (arrival.admission.joined <= logEnd())
+            return LocalTime::min();
     LocalTime wake = std::min(m_actions.nextDue(), m_streams.nextDue());
     for (const auto& [address, peer] : m_peers) {
         if (peer.welcome || peer.answer || !peer.outbox.empty())
@@ -112,10 +116,22 @@ LocalTime SyncHost::nextWake() const
 
 void SyncHost::append(const FactRecord& fact)
 {
-    if (fact.number <= logEnd())
-        return;
     CARINA_EXPECTS(fact.number.value == m_log.size() + 1);
     m_log.push_back(fact);
+}
+
+void SyncHost::giveUp(const FactRecord& fact, Errc why, LocalTime now)
+{
+    for (auto& [address, peer] : m_peers)
+        if (peer.participant == fact.author)
+            peer.outbox.emplace_back(ProposalRefused{fact.proposal, why});
+    for (auto entry = m_arrivals.begin(); entry != m_arrivals.end();) {
+        const Arrival& arrival = entry->second;
+        const bool waits = arrival.admission.joined == fact.number;
+        if (waits)
+            answerStranger(entry->first, arrival.header.connection, HelloRefused{why}, now);
+        entry = waits ? m_arrivals.erase(entry) : std::next(entry);
+    }
 }
 
 void SyncHost::share(ObjectId object, const Ownership& ownership)
@@ -131,8 +147,24 @@ void SyncHost::publish(const StreamSample& sample, LocalTime now)
 
 void SyncHost::drop(PeerAddress address, LocalTime now)
 {
+    const auto arrival = m_arrivals.find(address);
+    const auto arriving = arrival == m_arrivals.end()
+                              ? std::nullopt
+                              : std::optional{arrival->second.admission.participant};
+    m_arrivals.erase(address);
     if (m_peers.contains(address))
         remove(address, now);
+    if (arriving && !isHere(*arriving))
+        m_rules.left(*arriving, now);
+}
+
+bool SyncHost::isHere(ParticipantId participant) const
+{
+    return std::ranges::any_of(
+               m_peers, [&](const auto& entry) { return entry.second.participant == participant; })
+           || std::ranges::any_of(m_arrivals, [&](const auto& entry) {
+                  return entry.second.admission.participant == participant;
+              });
 }
 
 void SyncHost::close(LocalTime now)
@@ -165,27 +197,55 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
         if (!isAfter(header.connection, peer.link.connection()))
             return;
     }
+    if (const auto arrival = m_arrivals.find(from); arrival != m_arrivals.end()) {
+        Arrival& known = arrival->second; // another program on this address has to ask again
+        if (known.hello.join.id == hello.join.id
+            && !isAfter(known.header.connection, header.connection))
+            known = {header, now, hello, known.admission};
+        return;
+    }
     const auto admission = admit(from, hello, now);
     if (!admission)
         return answerStranger(from, header.connection, HelloRefused{admission.error().code}, now);
-
-    forgetParticipant(admission->participant);
-    if (m_peers.contains(from))
-        remove(from, now);
-    append(admission->fact);
-    const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
-    Peer peer{PeerLink{header.connection, m_clockOffset, now},
-              admission->participant,
-              static_cast<std::uint16_t>(admission->fact.number.value),
-              hello.join.id,
-              FactSender{continues ? hello.lastFact : FactNumber{}},
-              PeerBudget{m_rules.limits(admission->participant)}};
-    peer.link.heard(header, now);
-    m_peers.emplace(from, std::move(peer));
-    m_actions.join(from, admission->participant, now);
+    if (!*admission)
+        return;
+    std::erase_if(m_arrivals, [&](const auto& entry) { // the same program from another address
+        return entry.second.admission.participant == (*admission)->participant;
+    });
+    m_arrivals.emplace(from, Arrival{header, now, hello, **admission});
 }
 
-Result<Admission> SyncHost::admit(PeerAddress from, const Hello& hello, LocalTime now)
+void SyncHost::welcomeArrivals(LocalTime now)
+{
+    for (auto entry = m_arrivals.begin(); entry != m_arrivals.end();) {
+        const bool isStored = entry->second.admission.joined <= logEnd();
+        if (isStored)
+            welcome(entry->first, entry->second, now);
+        entry = isStored ? m_arrivals.erase(entry) : std::next(entry);
+    }
+}
+
+void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime now)
+{
+    const auto& [header, heard, hello, admission] = arrival;
+    forgetParticipant(admission.participant);
+    if (m_peers.contains(address))
+        remove(address, now);
+    const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
+    Peer peer{PeerLink{header.connection, m_clockOffset, now},
+              admission.participant,
+              static_cast<std::uint16_t>(admission.joined.value),
+              hello.join.id,
+              FactSender{continues ? hello.lastFact : FactNumber{}},
+              PeerBudget{m_rules.limits(admission.participant)}};
+    peer.link.heard(header, heard);
+    m_peers.emplace(address, std::move(peer));
+    m_actions.join(address, admission.participant, now);
+    m_rules.entered(address, admission.participant);
+}
+
+Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& hello,
+                                                 LocalTime now)
 {
     ProposalRecord join = hello.join;
     join.author = kNobody;
@@ -195,13 +255,22 @@ Result<Admission> SyncHost::admit(PeerAddress from, const Hello& hello, LocalTim
     if (isBarred(who->participant, now))
         return fail(Errc::TooMuchSent);
     // The id of a join is in its fact, which everybody gets: it proves nothing by itself.
-    const bool taken = std::ranges::any_of(m_peers, [&](const auto& entry) {
-        const auto& [address, peer] = entry;
-        const bool isSameRun = who->isProven && peer.join == join.id;
-        return address != from && peer.participant == who->participant && !isSameRun
-               && now < peer.link.lastHeard() + kNameHeld;
-    });
-    if (taken || who->participant == kHost)
+    const auto isHeld = [&](PeerAddress by, ParticipantId as, ProposalId run, LocalTime heard) {
+        const bool isSameRun = who->isProven && run == join.id;
+        return by != from && as == who->participant && !isSameRun && now < heard + kNameHeld;
+    };
+    const bool isTaken = std::ranges::any_of(m_peers,
+                                             [&](const auto& entry) {
+                                                 const auto& [address, peer] = entry;
+                                                 return isHeld(address, peer.participant, peer.join,
+                                                               peer.link.lastHeard());
+                                             })
+                         || std::ranges::any_of(m_arrivals, [&](const auto& entry) {
+                                const auto& [address, arrival] = entry;
+                                return isHeld(address, arrival.admission.participant,
+                                              arrival.hello.join.id, arrival.heard);
+                            });
+    if (isTaken || who->participant == kHost)
         return fail(Errc::NameTaken);
     return m_rules.admit(join, now);
 }
@@ -211,7 +280,8 @@ void SyncHost::remove(PeerAddress address, LocalTime now)
     const ParticipantId participant = m_peers.at(address).participant;
     m_peers.erase(address);
     m_actions.leave(address);
-    m_rules.left(participant, now);
+    if (!isHere(participant)) // or it is coming in again
+        m_rules.left(participant, now);
 }
 
 void SyncHost::forgetParticipant(ParticipantId participant)
@@ -226,17 +296,16 @@ void SyncHost::forgetParticipant(ParticipantId participant)
 
 void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
 {
+    if (m_rules.isSettled(proposal.id))
+        return; // its fact is on its way, to the disk or to everybody
     if (!peer.budget.takesProposal(now)) {
         if (peer.budget.answers(now))
             peer.outbox.emplace_back(ProposalRefused{proposal.id, Errc::TooMuchSent});
         return;
     }
     proposal.author = peer.participant;
-    const auto fact = m_rules.decide(proposal, now);
-    if (fact)
-        append(*fact);
-    else
-        peer.outbox.emplace_back(ProposalRefused{proposal.id, fact.error().code});
+    if (const auto decided = m_rules.decide(proposal, now); !decided)
+        peer.outbox.emplace_back(ProposalRefused{proposal.id, decided.error().code});
 }
 
 void SyncHost::takeStreams(Peer& peer, const StreamGroup& group, LocalTime now)

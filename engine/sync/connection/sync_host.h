@@ -17,9 +17,10 @@ namespace carina
 /// Result of admitting a participant.
 struct Admission {
     ParticipantId participant;
-    /// The fact that the participant joined. Its number modulo 2^16 is the epoch of the
-    /// participant's streams: it increases with each joining, also across a restart of the host.
-    FactRecord fact;
+    /// The fact that the participant joined; it is welcomed once this is in the log. The number
+    /// modulo 2^16 is the epoch of the participant's streams: it increases with each joining, also
+    /// across a restart of the host.
+    FactNumber joined;
 };
 
 /// Whom a join would be admitted as.
@@ -28,14 +29,20 @@ struct Identity {
     bool isProven = false; ///< by a secret that only this participant and the host have
 };
 
-/// Callbacks into the session, which decides, and has each fact that it returns on disk.
+/// Callbacks into the session, which decides. What it decides becomes a fact of the log later, when
+/// it is on disk, by SyncHost::append, or is given up by SyncHost::giveUp.
 struct HostRules {
     /// The participant that a join would be admitted as; changes nothing.
     std::function<Result<Identity>(const ProposalRecord& join, LocalTime)> identify;
-    /// Admits a participant. A repeated join gets the fact it already has.
-    std::function<Result<Admission>(const ProposalRecord& join, LocalTime)> admit;
-    /// Enters a proposal into the log. A repeated proposal gets the fact it already has.
-    std::function<Result<FactRecord>(const ProposalRecord& proposal, LocalTime)> decide;
+    /// Admits a participant. A repeated join gets the fact it already has. Nothing where the
+    /// program is to ask again.
+    std::function<Result<std::optional<Admission>>(const ProposalRecord& join, LocalTime)> admit;
+    /// The program that is admitted is welcome now.
+    std::function<void(PeerAddress, ParticipantId)> entered;
+    /// Whether a proposal was decided before, so that there is or will be a fact of it.
+    std::function<bool(ProposalId)> isSettled;
+    /// Decides on a new proposal.
+    std::function<Result<void>(const ProposalRecord& proposal, LocalTime)> decide;
     /// A participant sent Goodbye or timed out.
     std::function<void(ParticipantId, LocalTime)> left;
     /// Whether a participant's role permits acting on objects, including its own.
@@ -100,9 +107,10 @@ public:
     [[nodiscard]] LocalTime nextWake() const;
     [[nodiscard]] Output take() { return std::exchange(m_output, {}); }
 
-    /// Appends a fact that the host itself decided and has on disk. One that is already in the log
-    /// changes nothing. @pre its number is at most one above the end of the log.
+    /// Appends a fact that is on disk now. @pre its number is the next.
     void append(const FactRecord& fact);
+    /// Tells who waits for a fact that it could not be stored.
+    void giveUp(const FactRecord& fact, Errc why, LocalTime now);
     /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
     /// Begins an action on an object of the host, now.
@@ -126,6 +134,8 @@ public:
         return SessionTime{t.time_since_epoch() + m_clockOffset};
     }
     [[nodiscard]] const std::map<PeerAddress, Peer>& peers() const { return m_peers; }
+    /// Whether a program of this participant is connected or admitted.
+    [[nodiscard]] bool isHere(ParticipantId participant) const;
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const std::vector<FactRecord>& log() const { return m_log; }
     /// Half the longest recent round trip of any peer, at most kLongestPath.
@@ -133,9 +143,19 @@ public:
 
 private:
     struct Visitor;
+    /// A program that is admitted, and whose fact is on its way to the disk.
+    struct Arrival {
+        BundleHeader header; ///< of its last Hello
+        LocalTime heard;
+        Hello hello;
+        Admission admission;
+    };
 
     void hello(PeerAddress from, const BundleHeader& header, const Hello& hello, LocalTime now);
-    [[nodiscard]] Result<Admission> admit(PeerAddress from, const Hello& hello, LocalTime now);
+    [[nodiscard]] Result<std::optional<Admission>> admit(PeerAddress from, const Hello& hello,
+                                                         LocalTime now);
+    void welcomeArrivals(LocalTime now);
+    void welcome(PeerAddress address, const Arrival& arrival, LocalTime now);
     void remove(PeerAddress address, LocalTime now);
     void forgetParticipant(ParticipantId participant);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
@@ -153,6 +173,7 @@ private:
     Duration m_clockOffset;
     HostRules m_rules;
     std::map<PeerAddress, Peer> m_peers;
+    std::map<PeerAddress, Arrival> m_arrivals;
     std::map<ParticipantId, LocalTime> m_barredUntil;
     HostStreams m_streams;
     HostActions m_actions;

@@ -32,12 +32,23 @@ inline std::unique_ptr<FactStore> opened(const std::filesystem::path& path)
     return store ? *std::move(store) : nullptr;
 }
 
+/// Appends one fact.
+inline Result<void> append(FactStore& store, const FactRecord& fact)
+{
+    return store.append(std::span{&fact, 1});
+}
+
+inline Result<void> keepAction(FactStore& store, const EventCpo& event)
+{
+    return store.keepActions(std::span{&event, 1});
+}
+
 /// A closed store with so many facts.
 inline void fill(const std::filesystem::path& path, std::uint64_t facts)
 {
     const auto store = opened(path);
     for (std::uint64_t number = 1; number <= facts; ++number)
-        QVERIFY(store->append(numbered(number)));
+        QVERIFY(append(*store, numbered(number)));
 }
 
 /// A folder in memory, where the system has one: thousands of stores are opened in it.

@@ -42,7 +42,7 @@ int storeUnderFaults(int& argc, char** argv)
         store = openFactStore(storeIn(folder));
     for (std::uint64_t number = 1; store && number <= kFacts; ++number) {
         const FactRecord fact = numbered(number);
-        if (!(*store)->append(fact) && !(*store)->append(fact))
+        if (!append(**store, fact) && !append(**store, fact))
             break;
         std::cout << "fact " << number << std::endl;
         static_cast<void>((*store)->setClockAnchor({"boot", Duration{5}}));

@@ -27,11 +27,11 @@ public:
     explicit MemoryStore(MemoryDisk& disk) : m_disk{disk} {}
 
     Result<std::vector<FactRecord>> load() override { return m_disk.facts; }
-    Result<void> append(const FactRecord& fact) override
+    Result<void> append(std::span<const FactRecord> facts) override
     {
         if (m_disk.full)
             return fail(Errc::StoreFailed, "disk full");
-        m_disk.facts.push_back(fact);
+        m_disk.facts.insert(m_disk.facts.end(), facts.begin(), facts.end());
         return {};
     }
     Result<std::optional<ClockAnchor>> clockAnchor() override { return m_disk.anchor; }
@@ -42,13 +42,15 @@ public:
     }
 
     Result<std::vector<EventCpo>> actions() override { return m_disk.actions; }
-    Result<void> keepAction(const EventCpo& event) override
+    Result<void> keepActions(std::span<const EventCpo> events) override
     {
         if (m_disk.full)
             return fail(Errc::StoreFailed, "disk full");
-        std::erase_if(m_disk.actions,
-                      [&](const auto& kept) { return kept.object == event.object; });
-        m_disk.actions.push_back(event);
+        for (const EventCpo& event : events) {
+            std::erase_if(m_disk.actions,
+                          [&](const auto& kept) { return kept.object == event.object; });
+            m_disk.actions.push_back(event);
+        }
         return {};
     }
     Result<std::optional<std::filesystem::path>> keepWhole() override

@@ -36,8 +36,9 @@ struct Pair {
                     return Identity{ParticipantId{5}, true};
                 },
                 [log](const ProposalRecord&, LocalTime) {
-                    return Admission{ParticipantId{5}, log.back()};
+                    return Admission{ParticipantId{5}, log.back().number};
                 },
+                [](PeerAddress, ParticipantId) {}, [](ProposalId) { return false; },
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
                 [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; },
                 [](ParticipantId) { return limitsOf(Role::Instructor); }}},

@@ -11,6 +11,10 @@ using namespace std::chrono_literals;
 
 /// A host whose datagrams are looked at one by one.
 struct HostAlone {
+    HostAlone() { session.host = &host; }
+    HostAlone(const HostAlone&) = delete;
+    HostAlone& operator=(const HostAlone&) = delete;
+
     /// What it answers to a Hello.
     std::vector<WireRecord> greet(PeerAddress from, std::uint32_t connection, std::uint64_t joinId,
                                   LocalTime now, const std::string& name = "anna")

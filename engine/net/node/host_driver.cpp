@@ -271,6 +271,16 @@ void HostDriver::handOver(LocalTime now)
     m_writer->write(std::move(job));
 }
 
+void HostDriver::waitForDisk(LocalTime now)
+{
+    if (m_writer->isBusy())
+        take(m_writer->wait(), now); // what is under way
+    m_nextKeep = std::min(m_nextKeep, now);
+    handOver(now);
+    if (m_writer->isBusy())
+        take(m_writer->wait(), now); // what was left
+}
+
 void HostDriver::takeReport(LocalTime now)
 {
     if (const auto report = m_writer->take())
@@ -336,12 +346,7 @@ LocalTime HostDriver::nextWake() const
 
 NodeDriver::Datagrams HostDriver::close(LocalTime now)
 {
-    for (int job = 0; job < 2; ++job) { // what is under way, and what is left
-        if (m_writer->isBusy())
-            take(m_writer->wait(), now);
-        m_nextKeep = now;
-        handOver(now);
-    }
+    waitForDisk(now);
     m_core->close(now);
     return std::move(m_core->take().datagrams);
 }
@@ -440,7 +445,7 @@ Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, L
     const auto& participants = m_decided.state().participants();
     const auto known = participants.find(who->participant);
     if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now)) {
-        m_paths.at(m_speaker).idleSince = now;
+        speakerIdleSince(now);
         return std::nullopt;
     }
     // A repeat gets the fact it has. Not the same run of a program that was given up meanwhile and
@@ -449,7 +454,7 @@ Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, L
     if (m_decided.settled(proposal->id) && !(isPresent && isJoinOf(proposal->id, who->participant)))
         proposal->id = ProposalId{hostRandom()};
     return decide(*proposal, now).map([&](FactNumber joined) {
-        m_paths.at(m_speaker).idleSince = now + kJoinStoredWithin;
+        speakerIdleSince(now + kJoinStoredWithin);
         return std::optional{Admission{who->participant, joined}};
     });
 }
@@ -471,6 +476,12 @@ void HostDriver::left(ParticipantId participant, LocalTime now)
 {
     // What is refused is shown as the node's refusal; the participant is gone all the same.
     static_cast<void>(decideByHost(StationId{}, fact::ParticipantLeft{participant}, now));
+}
+
+void HostDriver::speakerIdleSince(LocalTime time)
+{
+    if (const auto path = m_paths.find(m_speaker); path != m_paths.end())
+        path->second.idleSince = time;
 }
 
 void HostDriver::endIdlePaths(LocalTime now)

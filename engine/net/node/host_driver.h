@@ -37,6 +37,9 @@ public:
 
     [[nodiscard]] const HostAccess& access() const { return *m_access; }
 
+    /// Waits until everything decided so far is stored or given up.
+    void waitForDisk(LocalTime now);
+
     void connected(PeerAddress peer, const Credential& who, LocalTime now) override;
     void disconnected(PeerAddress peer, LocalTime now) override;
     void refused(const Error& why, LocalTime now) override;
@@ -84,6 +87,7 @@ private:
         LocalTime idleSince{}; ///< nobody has taken part over it from then on
     };
 
+    void speakerIdleSince(LocalTime time);
     void endIdlePaths(LocalTime now);
     /// Makes room for one more path of this credential.
     void endOldestIdlePath(const Credential& who);

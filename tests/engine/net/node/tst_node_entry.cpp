@@ -44,6 +44,7 @@ NodeBoard::View greet(HostDriver& host, const Credential& proved, Role role)
     for (int turn = 0; turn < 100; ++turn, now += 1ms) {
         for (const auto& [to, bytes] : guest.advance(now))
             host.receive(kGuest, bytes, now);
+        host.waitForDisk(now);
         for (const auto& [to, bytes] : host.advance(now))
             guest.receive(kPathToHost, bytes, now);
     }

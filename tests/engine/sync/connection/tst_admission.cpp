@@ -68,6 +68,69 @@ private Q_SLOTS:
         QCOMPARE(std::get<FactRecord>(answers[1]).proposal, ProposalId{77});
     }
 
+    void nobodyIsWelcomeBeforeTheFactIsOnDisk()
+    {
+        HostAlone alone;
+        alone.session.isFast = false;
+        QVERIFY(alone.greet(1, 10, 77, kNow).empty());
+        QVERIFY(alone.greet(1, 10, 77, kNow + 25ms).empty());
+        QCOMPARE(alone.session.disk.size(), std::size_t{1});
+        QVERIFY(alone.host.peers().empty());
+        QVERIFY(alone.host.isHere(ParticipantId{1}));
+        alone.host.append(alone.session.disk[0]);
+        QCOMPARE(alone.host.nextWake(), LocalTime::min());
+        alone.host.advance(kNow + 30ms);
+        const auto datagrams = alone.host.take().datagrams;
+        QCOMPARE(datagrams.size(), std::size_t{1});
+        QVERIFY(isWelcomed(decodeDatagram(datagrams[0].bytes)->records));
+        QCOMPARE(alone.host.peers().at(1).epoch, std::uint16_t{1});
+    }
+
+    void joinThatCannotBeStoredIsRefused()
+    {
+        HostAlone alone;
+        alone.session.isFast = false;
+        QVERIFY(alone.greet(1, 10, 77, kNow).empty());
+        alone.host.giveUp(alone.session.disk[0], Errc::StoreFailed, kNow);
+        const auto datagrams = alone.host.take().datagrams;
+        QCOMPARE(datagrams.size(), std::size_t{1});
+        const auto records = decodeDatagram(datagrams[0].bytes)->records;
+        QCOMPARE(std::get<HelloRefused>(records.at(0)).reason, Errc::StoreFailed);
+        QVERIFY(!alone.host.isHere(ParticipantId{1}));
+    }
+
+    void nameOfAnArrivalIsHeld()
+    {
+        HostAlone alone;
+        alone.session.isFast = false;
+        QVERIFY(alone.greet(1, 10, 77, kNow).empty());
+        const auto refused = alone.greet(2, 20, 88, kNow + 1ms);
+        QCOMPARE(std::get<HelloRefused>(refused.at(0)).reason, Errc::NameTaken);
+    }
+
+    void programThatMovesBeforeItIsOnDiskIsOne()
+    {
+        HostAlone alone;
+        alone.session.isFast = false;
+        QVERIFY(alone.greet(1, 10, 77, kNow).empty());
+        QVERIFY(alone.greet(2, 11, 77, kNow + 1ms).empty());
+        alone.host.append(alone.session.disk[0]);
+        alone.host.advance(kNow + 2ms);
+        QCOMPARE(alone.host.peers().size(), std::size_t{1});
+        QVERIFY(alone.host.peers().contains(2));
+        QVERIFY(alone.session.departures.empty());
+    }
+
+    void arrivalWhosePathEndsHasLeft()
+    {
+        HostAlone alone;
+        alone.session.isFast = false;
+        QVERIFY(alone.greet(1, 10, 77, kNow).empty());
+        alone.host.drop(1, kNow + 1ms);
+        QCOMPARE(alone.session.departures.size(), std::size_t{1});
+        QVERIFY(!alone.host.isHere(ParticipantId{1}));
+    }
+
     void repeatedHelloIsWelcomedAgainWithoutComingInTwice()
     {
         HostAlone alone;

@@ -76,6 +76,30 @@ private Q_SLOTS:
         QVERIFY(flood.isFarExceeded());
     }
 
+    /// What was decided is repeated until it has come back: on a slow disk, often.
+    void repeatsOfWhatIsSettledAreNotCharged()
+    {
+        SessionWorld world{38};
+        world.session.limits = kLimits;
+        world.session.limits.proposals = 2.0; // 4 at once
+        world.startHost();
+        world.addSite({5ms, 0ms, 0.0, 0.0});
+        world.startClient(0, "anna");
+        world.run(500ms);
+        world.session.isFast = false;
+        for (int i = 0; i < 4; ++i)
+            world.propose(0, "patient");
+        world.run(5s); // repeated 50 times
+        QVERIFY(world.site(0).refused.empty());
+        QVERIFY(!world.host().peers().begin()->second.budget.isFarExceeded());
+        QCOMPARE(world.session.disk.size(), std::size_t{5});
+        for (std::size_t i = 1; i < 5; ++i)
+            world.host().append(world.session.disk[i]);
+        world.run(50ms);
+        QVERIFY(world.site(0).client->waiting().empty());
+        QCOMPARE(world.site(0).log.size(), std::size_t{5});
+    }
+
     /// A participant who floods: the log grows by its budget alone, it is told why, and it stays
     /// out for half a minute; the other's proposals go on.
     void floodIsEndedAndTheOthersGoOn()

@@ -1,0 +1,227 @@
+#include "tests/engine/net/node/driver_world.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+
+namespace carina::slow_disk_test
+{
+namespace
+{
+
+const FactBody kRate = fact::BreathingRateSet{perMinute(25.0)};
+const FactBody kVolume = fact::TidalVolumeSet{millilitres(300.0)};
+
+double rateOf(const NodeBoard& board)
+{
+    const auto& patient = board.state()->stations().at(kStation).respiration;
+    return inPerMinute(patient.settingsAt(SessionTime::max()).pattern.rate);
+}
+
+std::ptrdiff_t guestsOf(const NodeBoard& board)
+{
+    return std::ranges::count_if(board.state()->participants(), [](const auto& entry) {
+        return entry.second.present && entry.first != ParticipantId{0};
+    });
+}
+
+/// A tube that is seen anew at each turn.
+PoseSource tubeOf(const DriverWorld& world, const NodeBoard& board)
+{
+    return [&]() -> std::optional<PoseSample> {
+        const auto clock = board.clock();
+        if (!clock)
+            return std::nullopt;
+        PoseSample sample;
+        sample.time = clock->at(world.now);
+        return sample;
+    };
+}
+
+} // namespace
+
+/// A host whose disk is at work for long, or takes nothing.
+class TestSlowDisk : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void factsOfATurnAreOneTransaction()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        QVERIFY(world.host);
+        QCOMPARE(disk.transactions, (std::vector<std::size_t>{3})); // session, station, host
+        for (const double rate : {20.0, 21.0, 22.0, 23.0})
+            world.host->propose(kStation, fact::BreathingRateSet{perMinute(rate)}, world.now);
+        world.run(1ms);
+        QCOMPARE(disk.transactions, (std::vector<std::size_t>{3, 4}));
+        QCOMPARE(rateOf(world.board), 23.0);
+    }
+
+    void whatIsDecidedWhileTheDiskWorksIsTheNextTransaction()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        disk.hold();
+        for (int turn = 0; turn < 5; ++turn) {
+            world.host->propose(kStation, kRate, world.now);
+            world.run(1ms);
+        }
+        QCOMPARE(disk.facts.size(), std::size_t{3});
+        disk.letGo();
+        world.run(2ms);
+        QCOMPARE(disk.transactions, (std::vector<std::size_t>{3, 1, 4}));
+        QCOMPARE(world.board.state()->lastApplied(), FactNumber{8});
+    }
+
+    /// For two seconds nothing is stored: poses and clock replies come as before, the fact reaches
+    /// nobody, and everybody once it is stored.
+    void slowDiskDelaysNeitherPosesNorClockReplies()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        auto& anna = world.add("Anna");
+        auto& ben = world.add("Ben");
+        anna.driver->publish(kStation, ObjectKind::Tube, "Tube", tubeOf(world, anna.board));
+        world.run(500ms);
+        QCOMPARE(world.board.state()->objects().size(), std::size_t{1});
+        const ObjectId tube = world.board.state()->objects().begin()->first;
+        const FactNumber before = world.board.state()->lastApplied();
+
+        disk.hold();
+        world.host->propose(kStation, kRate, world.now);
+        Duration oldest{};
+        world.run(2s, [&] {
+            const auto newest = ben.board.objects.find(tube)->newest();
+            oldest = std::max(oldest, ben.board.clock()->at(world.now) - newest->time);
+        });
+        QVERIFY2(oldest < 2 * StreamTick::kPeriod + 2ms,
+                 qPrintable(QString::number(toSeconds(oldest))));
+        for (const auto* guest : {&anna, &ben}) {
+            const NodeBoard::Link link = guest->board.view().links.at(0);
+            QCOMPARE(link.report.state, LinkState::Connected);
+            QVERIFY(world.now - link.lastHeard <= kKeepAlive);
+            QVERIFY(guest->board.view().paths->at(0).roundTrip <= 2ms);
+            QCOMPARE(guest->board.state()->lastApplied(), before);
+        }
+        QCOMPARE(world.board.state()->lastApplied(), before);
+
+        disk.letGo();
+        world.run(20ms);
+        for (const NodeBoard* board : {&world.board, &anna.board, &ben.board})
+            QCOMPARE(rateOf(*board), 25.0);
+    }
+
+    /// A change is not to be in the past when it comes out.
+    void slowDiskPutsOffTheEffect()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        disk.hold();
+        world.host->propose(kStation, kRate, world.now);
+        world.run(700ms);
+        disk.letGo();
+        world.run(1ms);
+        disk.hold();
+        world.host->propose(kStation, kVolume, world.now);
+        world.run(1ms);
+        disk.letGo();
+        world.run(1ms);
+        const Duration lead = disk.facts.back().effect - disk.facts.back().committed;
+        QVERIFY2(lead >= 700ms && lead < 800ms, qPrintable(QString::number(toSeconds(lead))));
+    }
+
+    void nobodyIsInBeforeItIsOnDisk()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        disk.hold();
+        const auto& anna = world.add("Anna");
+        world.run(1s);
+        QCOMPARE(anna.board.view().self, kNobody);
+        QVERIFY(!anna.board.view().refusal);
+        QCOMPARE(guestsOf(world.board), std::ptrdiff_t{0});
+        disk.letGo();
+        world.run(20ms);
+        QCOMPARE(anna.board.view().self, ParticipantId{1});
+        QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
+        const auto joins = std::ranges::count(disk.facts, kNobody, &FactRecord::author);
+        QCOMPARE(joins, std::ptrdiff_t{1}); // however often the Hello was repeated
+    }
+
+    void whoGoesBeforeItIsOnDiskIsGone()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        disk.hold();
+        const auto& anna = world.add("Anna");
+        world.run(10ms);
+        world.host->disconnected(anna.address, world.now);
+        disk.letGo();
+        world.host->waitForDisk(world.now);
+        world.run(1ms);
+        QCOMPARE(world.board.state()->participants().size(), std::size_t{2});
+        QCOMPARE(guestsOf(world.board), std::ptrdiff_t{0});
+    }
+
+    void whatCannotBeStoredIsRefusedAndUndone()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        auto& second = world.add("Dr Rolland", Role::Instructor);
+        world.run(200ms);
+        const FactNumber before = world.board.state()->lastApplied();
+        disk.hold();
+        second.driver->propose(kStation, kRate, world.now);
+        world.run(5ms);
+        // Decided on the ground of the first, which is not stored.
+        world.host->propose(kStation, kVolume, world.now);
+        auto& late = world.add("Anna");
+        world.run(5ms);
+        disk.full = true;
+        disk.letGo();
+        world.host->waitForDisk(world.now);
+        world.run(20ms);
+        QCOMPARE(second.board.view().refusal->code, Errc::StoreFailed);
+        QCOMPARE(late.board.view().refusal->code, Errc::StoreFailed);
+        QCOMPARE(world.board.view().refusal->code, Errc::StoreFailed);
+        QVERIFY(second.board.view().pending.empty());
+        QCOMPARE(world.board.state()->lastApplied(), before);
+
+        disk.full = false;
+        second.driver->propose(kStation, kRate, world.now);
+        world.run(500ms);
+        QCOMPARE(rateOf(second.board), 25.0);
+        QVERIFY(!second.board.view().refusal && !late.board.view().refusal);
+        QCOMPARE(guestsOf(world.board), std::ptrdiff_t{2}); // she asked again
+        QCOMPARE(disk.facts.size(), std::size_t(before.value + 2));
+    }
+
+    /// A crowd that comes at once is let in one after another, and nobody is told to go away.
+    void crowdComesInWithoutARefusal()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        constexpr std::ptrdiff_t kCrowd = 150;
+        std::vector<DriverWorld::Guest*> crowd;
+        for (int i = 0; i < kCrowd; ++i)
+            crowd.push_back(&world.add("Trainee number " + std::to_string(i)));
+        const auto refused = [&] {
+            return std::ranges::any_of(
+                crowd, [](const auto* guest) { return guest->board.view().refusal.has_value(); });
+        };
+        world.run(100ms);
+        QVERIFY(!refused());
+        QVERIFY(guestsOf(world.board) < kCrowd);
+        for (int i = 0; i < 30 && guestsOf(world.board) < kCrowd; ++i)
+            world.run(100ms);
+        QVERIFY(!refused());
+        QCOMPARE(guestsOf(world.board), kCrowd);
+    }
+};
+
+CARINA_TEST(TestSlowDisk)
+
+} // namespace carina::slow_disk_test
+
+#include "tst_slow_disk.moc"

@@ -100,7 +100,10 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
                            Duration clockOffset)
 {
     HostRules rules{
-        [this](const ProposalRecord& join, LocalTime now) { return identify(join, now); },
+        [this](const ProposalRecord& join, LocalTime now) {
+            return hearsHello(now) ? identify(join, now)
+                                   : Result<Identity>{fail(Errc::TooMuchSent)};
+        },
         [this](const ProposalRecord& join, LocalTime now) { return admit(join, now); },
         [this](PeerAddress peer, ParticipantId participant) {
             m_access->admitted(peer, participant);
@@ -414,6 +417,12 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
     // Without a token the peer comes back by its code.
     if (const auto token = m_access->issueToken(from, peer->second.participant))
         m_tokens.push_back({from, encodeToken({peer->second.participant, *token})});
+}
+
+bool HostDriver::hearsHello(LocalTime now)
+{
+    const auto path = m_paths.find(m_speaker);
+    return path == m_paths.end() || path->second.hellos.take(1.0, kHellos, now);
 }
 
 Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now) const

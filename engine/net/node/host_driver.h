@@ -23,6 +23,8 @@ public:
     /// idle longest is ended for a new one, so that who has one code cannot keep out the others.
     static constexpr std::size_t kMostIdleOfCode = 64;
     static constexpr std::size_t kMostIdleOfToken = 4;
+    /// Hellos over a path in a second that are judged; twice as many at once.
+    static constexpr double kHellos = 10.0;
     /// New participants in a second; twice as many at once.
     static constexpr double kNewcomers = 40.0;
     /// Facts that are decided and not stored, from which on proposals are refused.
@@ -76,6 +78,8 @@ private:
     /// The facts that are decided cannot be stored: everything is as it was before them.
     void giveUp(const Error& why, LocalTime now);
 
+    /// Whether one more Hello over the path is judged.
+    [[nodiscard]] bool hearsHello(LocalTime now);
     [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
     [[nodiscard]] Result<std::optional<Admission>> admit(const ProposalRecord& join, LocalTime now);
     /// Whether the proposal became the fact that this participant joined.
@@ -85,6 +89,7 @@ private:
     struct Path {
         Credential who;
         LocalTime idleSince{}; ///< nobody has taken part over it from then on
+        TokenBucket hellos{};
     };
 
     void speakerIdleSince(LocalTime time);

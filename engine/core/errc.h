@@ -60,6 +60,11 @@ enum class Errc : std::uint8_t {
     NameUnclear,   ///< a name with invisible characters, or one that looks like another's
     SessionFull,   ///< no more participants of this role are taken
     TooMuchSent,   ///< more than a participant of this role may send
+    Muted,         ///< an instructor has muted the participant
+    Removed,       ///< an instructor has removed the participant
+    Banned,        ///< an instructor has removed the participant for good
+    SessionLocked, ///< the session admits nobody new
+    UsedElsewhere, ///< the participant's token was used by another program
     WrongCode,     ///< not a join code of this session and role
     WrongLink,     ///< a text that is not a link to a session
     NotEnoughMemory, ///< too little memory to derive a key from a join code

@@ -1,5 +1,6 @@
 #include "engine/session/session_authority.h"
 
+#include "engine/session/conduct_rules.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/plain_name.h"
 #include "engine/session/participant_limits.h"
@@ -144,11 +145,11 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
 }
 
 /// Nobody else creates a session, knows all that was decided by the time of a checkpoint, or sees
-/// who comes and goes.
+/// who comes and goes, and by which token.
 bool isOfTheHostAlone(const FactBody& body)
 {
     return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint, fact::ParticipantJoined,
-                   fact::ParticipantLeft>(body);
+                   fact::ParticipantLeft, fact::TokenReplaced>(body);
 }
 
 /// Whoever is new takes a plain name, and none that looks like that of a participant there ever
@@ -209,6 +210,8 @@ Result<void> checkPermission(const SessionState& state, ParticipantId authorId, 
     const auto author = state.participants().find(authorId);
     if (author == state.participants().end())
         return fail(Errc::NotPermitted, "participant " + std::to_string(authorId.value));
+    if (author->second.muted)
+        return fail(Errc::Muted, author->second.name);
     const bool instructs = author->second.role == Role::Instructor && !isOfTheHostAlone(body);
     if (!instructs && !mayDoForThemselves(state, author->second, station, body))
         return fail(Errc::NotPermitted, author->second.name);
@@ -221,7 +224,7 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
     const bool creates = std::holds_alternative<fact::SessionCreated>(body);
     if (creates != (state.lastApplied().value == 0))
         return fail(Errc::NotPermitted, "a session is created first and once");
-    if (state.phaseAt(SessionTime::max()) != SessionPhase::Ended)
+    if (state.phaseAt(SessionTime::max()) != SessionPhase::Ended || isAboutConduct(body))
         return {};
     return std::visit(Overloaded{[](const fact::ParticipantJoined&) { return Result<void>{}; },
                                  [](const fact::ParticipantLeft&) { return Result<void>{}; },
@@ -246,6 +249,8 @@ Result<void> checkCheckpoint(SessionTime now, const FactBody& body)
 Result<void> checkStation(const SessionState& state, StationId id, const FactBody& body)
 {
     const bool known = state.stations().contains(id);
+    if (isAboutConduct(body))
+        return {};
     const bool right = std::visit(Overloaded{[](const fact::SessionCreated&) { return true; },
                                              [](const fact::PhaseChanged&) { return true; },
                                              [](const fact::ParticipantLeft&) { return true; },
@@ -311,10 +316,13 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
               proposal.body};
     const Result<void> verdict =
         settleIds(m_state, fact.body)
+            .and_then([&] { return checkNamed(m_state, fact.body); })
             .and_then(
                 [&] { return checkPermission(m_state, fact.author, fact.station, fact.body); })
             .and_then([&] { return checkMoment(m_state, fact.body); })
             .and_then([&] { return checkBody(fact.body); })
+            .and_then([&] { return checkEntry(m_state, fact.body); })
+            .and_then([&] { return checkConduct(m_state, fact.body); })
             .and_then([&] { return checkNumbers(m_state, fact.body); })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })

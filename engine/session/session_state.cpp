@@ -39,17 +39,34 @@ struct SessionState::Applier {
     }
     void operator()(const fact::ParticipantJoined& body) const
     {
-        state.m_participants.insert_or_assign(
-            body.participant,
-            Participant{body.participant, body.role, body.name, around.station, true});
+        const Participant* before = known(body.participant);
+        Participant joined{body.participant, body.role, body.name, around.station, true};
+        joined.muted = before && before->muted;
+        state.m_participants.insert_or_assign(body.participant, std::move(joined));
     }
-    void operator()(const fact::ParticipantLeft& body) const
+    void operator()(const fact::ParticipantLeft& body) const { leave(body.participant); }
+    void operator()(const fact::ParticipantMuted& body) const
     {
-        const auto participant = state.m_participants.find(body.participant);
-        if (participant != state.m_participants.end())
-            participant->second.present = false;
-        for (auto& [id, object] : state.m_objects)
-            std::erase(object.wantedBy, body.participant);
+        if (Participant* participant = known(body.participant))
+            participant->muted = body.muted;
+    }
+    void operator()(const fact::ParticipantRemoved& body) const
+    {
+        leave(body.participant);
+        if (Participant* participant = known(body.participant))
+            participant->removal = Removal{around.author, body.reason, body.banned, around.number};
+    }
+    void operator()(const fact::BanLifted& body) const
+    {
+        if (Participant* participant = known(body.participant); participant && participant->removal)
+            participant->removal->banned = false;
+    }
+    void operator()(const fact::SessionLocked& body) const { state.m_locked = body.locked; }
+    void operator()(const fact::RoleCodeChanged&) const {} // of the host's secrets
+    void operator()(const fact::TokenReplaced& body) const
+    {
+        if (Participant* participant = known(body.participant))
+            participant->tokenReplaced = around.committed;
     }
     void operator()(const fact::ObjectShared& body) const
     {
@@ -138,6 +155,18 @@ struct SessionState::Applier {
             station->respiration.addCheckpoint({body.at, body.state});
     }
 
+    void leave(ParticipantId id) const
+    {
+        if (Participant* participant = known(id))
+            participant->present = false;
+        for (auto& [object, shared] : state.m_objects)
+            std::erase(shared.wantedBy, id);
+    }
+    [[nodiscard]] Participant* known(ParticipantId id) const
+    {
+        const auto participant = state.m_participants.find(id);
+        return participant == state.m_participants.end() ? nullptr : &participant->second;
+    }
     static void own(SharedObject& object, ParticipantId owner)
     {
         if (std::exchange(object.owner, owner) != owner)
@@ -151,6 +180,14 @@ struct SessionState::Applier {
         return station == state.m_stations.end() ? nullptr : &station->second;
     }
 };
+
+std::string removalText(const SessionState& state, const Removal& removal)
+{
+    const auto by = state.participants().find(removal.by);
+    const std::string who = by == state.participants().end() ? std::string{} : by->second.name;
+    return who.empty() || removal.reason.empty() ? who + removal.reason
+                                                 : who + ": " + removal.reason;
+}
 
 void SessionState::apply(const Fact& fact)
 {

@@ -5,11 +5,20 @@
 #include "engine/session/respiration/respiration_timeline.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace carina
 {
+
+/// That a participant was removed.
+struct Removal {
+    ParticipantId by;
+    std::string reason; ///< may be empty
+    bool banned = false;
+    FactNumber at; ///< runs of a program that came in before are out
+};
 
 struct Participant {
     ParticipantId id;
@@ -17,6 +26,11 @@ struct Participant {
     std::string name;
     StationId station;
     bool present = false;
+    bool muted = false;
+    /// The last one, until the participant comes in again.
+    std::optional<Removal> removal{};
+    /// When the token was replaced because a second program came in with it; of this stay.
+    std::optional<SessionTime> tokenReplaced{};
 };
 
 struct SharedObject {
@@ -54,6 +68,7 @@ public:
     [[nodiscard]] FactNumber lastApplied() const { return m_lastApplied; }
     [[nodiscard]] const std::string& name() const { return m_name; }
     [[nodiscard]] const std::string& sessionId() const { return m_sessionId; }
+    [[nodiscard]] bool isLocked() const { return m_locked; }
     [[nodiscard]] SessionPhase phaseAt(SessionTime t) const { return m_phase.at(t); }
     /// Time spent in phase Running up to t.
     [[nodiscard]] Duration runningTime(SessionTime t) const { return m_running.integral(t); }
@@ -71,11 +86,15 @@ private:
     FactNumber m_lastApplied;
     std::string m_name;
     std::string m_sessionId;
+    bool m_locked = false;
     ParameterTimeline<SessionPhase> m_phase{SessionPhase::Prepared};
     ParameterTimeline<bool> m_running{false};
     std::map<ParticipantId, Participant> m_participants;
     std::map<ObjectId, SharedObject> m_objects;
     std::map<StationId, Station> m_stations;
 };
+
+/// Who removed a participant, and why: "Ina: too loud".
+[[nodiscard]] std::string removalText(const SessionState& state, const Removal& removal);
 
 } // namespace carina

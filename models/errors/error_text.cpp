@@ -135,6 +135,20 @@ public:
         case Errc::TooMuchSent:
             return tr("This program sent more than its role may%1: wait half a minute, then join "
                       "again.");
+        case Errc::Muted:
+            return tr("An instructor has muted you%1: you see everything, and nothing that you do "
+                      "has an effect; ask the instructor.");
+        case Errc::Removed:
+            return tr("You were removed from the session%1: ask the instructor before you join "
+                      "again.");
+        case Errc::Banned:
+            return tr("You were removed from the session and may not come back%1: ask the "
+                      "instructor.");
+        case Errc::SessionLocked:
+            return tr("The session is locked and takes nobody new%1: ask the instructor.");
+        case Errc::UsedElsewhere:
+            return tr("Another program came in with your name and token, and this one had to "
+                      "leave%1: if that was not you, tell the instructor.");
         case Errc::WrongCode:
             return tr("This code is not valid for the session%1: ask the instructor for the code "
                       "of your role and join with it.");

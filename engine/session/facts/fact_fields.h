@@ -70,6 +70,20 @@ inline constexpr std::tuple kFields<VentilatorSettings>{&VentilatorSettings::mod
                                                         &VentilatorSettings::ownRate,
                                                         &VentilatorSettings::ownEffort};
 
+template <>
+inline constexpr std::tuple kFields<fact::ParticipantMuted>{&fact::ParticipantMuted::participant,
+                                                            &fact::ParticipantMuted::muted};
+template <>
+inline constexpr std::tuple kFields<fact::ParticipantRemoved>{
+    &fact::ParticipantRemoved::participant, &fact::ParticipantRemoved::banned,
+    &fact::ParticipantRemoved::reason};
+template <> inline constexpr std::tuple kFields<fact::BanLifted>{&fact::BanLifted::participant};
+template <> inline constexpr std::tuple kFields<fact::SessionLocked>{&fact::SessionLocked::locked};
+template <>
+inline constexpr std::tuple kFields<fact::RoleCodeChanged>{&fact::RoleCodeChanged::role};
+template <>
+inline constexpr std::tuple kFields<fact::TokenReplaced>{&fact::TokenReplaced::participant};
+
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>
 inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};

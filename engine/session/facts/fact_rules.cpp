@@ -60,6 +60,15 @@ struct BodyCheck {
         return checkNumber("inspiratory fraction", f.fraction, kShortestInspiration,
                            kLongestInspiration, "");
     }
+    Result<void> operator()(const fact::ParticipantMuted&) const { return {}; }
+    Result<void> operator()(const fact::ParticipantRemoved& f) const
+    {
+        return checkTexts({&f.reason});
+    }
+    Result<void> operator()(const fact::BanLifted&) const { return {}; }
+    Result<void> operator()(const fact::SessionLocked&) const { return {}; }
+    Result<void> operator()(const fact::RoleCodeChanged&) const { return {}; }
+    Result<void> operator()(const fact::TokenReplaced&) const { return {}; }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

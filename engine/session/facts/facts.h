@@ -3,6 +3,7 @@
 #include "engine/core/ids.h"
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
+#include "engine/session/facts/conduct_facts.h"
 #include "engine/session/respiration/respiration_facts.h"
 
 #include <cstdint>
@@ -13,7 +14,6 @@
 namespace carina
 {
 
-enum class Role : std::uint8_t { Instructor, Trainee, Observer };
 enum class SessionPhase : std::uint8_t { Prepared, Running, Paused, Ended };
 enum class ObjectKind : std::uint8_t {
     Head,
@@ -112,12 +112,15 @@ struct InspiratoryFractionSet {
 
 /// The index of an alternative defines the kind byte on the wire and on disk: add new ones at the
 /// end.
-using FactBody = std::variant<
-    fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
-    fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
-    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
-    fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
-    fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet>;
+using FactBody =
+    std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
+                 fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
+                 fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
+                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+                 fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet,
+                 fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint,
+                 fact::BodyPositionSet, fact::ParticipantMuted, fact::ParticipantRemoved,
+                 fact::BanLifted, fact::SessionLocked, fact::RoleCodeChanged, fact::TokenReplaced>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

@@ -22,11 +22,16 @@ inline Result<Fact> judgeBy(const SessionAuthority& authority, ParticipantId aut
 /// "fine", or the error as words.
 inline QByteArray verdict(const Result<Fact>& fact)
 {
-    static const std::map<Errc, QByteArray> kWords{
-        {Errc::NotPermitted, "not permitted"}, {Errc::SessionEnded, "session ended"},
-        {Errc::OutOfRange, "out of range"},    {Errc::NotFinite, "not finite"},
-        {Errc::OwnerChanged, "owner changed"}, {Errc::NameUnclear, "name unclear"},
-        {Errc::SessionFull, "session full"}};
+    static const std::map<Errc, QByteArray> kWords{{Errc::NotPermitted, "not permitted"},
+                                                   {Errc::SessionEnded, "session ended"},
+                                                   {Errc::OutOfRange, "out of range"},
+                                                   {Errc::NotFinite, "not finite"},
+                                                   {Errc::OwnerChanged, "owner changed"},
+                                                   {Errc::NameUnclear, "name unclear"},
+                                                   {Errc::SessionFull, "session full"},
+                                                   {Errc::Muted, "muted"},
+                                                   {Errc::Banned, "banned"},
+                                                   {Errc::SessionLocked, "session locked"}};
     return fact ? QByteArray{"fine"} : kWords.at(fact.error().code);
 }
 

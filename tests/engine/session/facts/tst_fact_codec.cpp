@@ -69,6 +69,15 @@ std::vector<Golden> goldenFacts()
          fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Patient, ""},
          "06 0100 0200 04 00"},
         {"no names", fact::SessionCreated{}, "01 00 00"},
+        {"participant muted", fact::ParticipantMuted{ParticipantId{0x0102}, true}, "14 0201 01"},
+        {"participant removed", fact::ParticipantRemoved{ParticipantId{0x0102}, true, "no"},
+         "15 0201 01 026e6f"},
+        {"removed without a word", fact::ParticipantRemoved{ParticipantId{3}, false, {}},
+         "15 0300 00 00"},
+        {"ban lifted", fact::BanLifted{ParticipantId{0x0102}}, "16 0201"},
+        {"session unlocked", fact::SessionLocked{false}, "17 00"},
+        {"code changed", fact::RoleCodeChanged{Role::Observer}, "18 02"},
+        {"token replaced", fact::TokenReplaced{ParticipantId{0x0102}}, "19 0201"},
     };
 }
 
@@ -119,11 +128,13 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 20", "14", "kind of fact 20");
+    row("kind 26", "1a", "kind of fact 26");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
     row("object kind 5", "06 0100 0100 05 00", "fact of kind 6: enumerator");
+    row("locked twice", "17 02", "fact of kind 23: flag");
+    row("code of role 3", "18 03", "fact of kind 24: enumerator");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");
     row("infinite rate", "08 000000000000f07f", "fact of kind 8: finite number");
     row("negative infinite volume", "09 000000000000f0ff", "fact of kind 9: finite number");

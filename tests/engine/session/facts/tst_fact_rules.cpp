@@ -109,6 +109,10 @@ void TestFactRules::boundsTexts_data()
          [](const std::string& t) -> FactBody {
              return fact::ParticipantJoined{{}, Role::Trainee, t};
          }},
+        {"reason of a removal",
+         [](const std::string& t) -> FactBody {
+             return fact::ParticipantRemoved{{}, false, t};
+         }},
         {"object",
          [](const std::string& t) -> FactBody {
              return fact::ObjectShared{{}, {}, ObjectKind::Tube, t};

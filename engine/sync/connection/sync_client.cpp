@@ -12,6 +12,12 @@ namespace
 // Leaves room for header and acknowledgement, so that all proposals sent at once share a datagram.
 constexpr std::size_t kProposalBytes = 1100;
 
+/// Reasons after which a program comes back only when a person wants it to.
+bool isForGood(Errc reason)
+{
+    return reason == Errc::Removed || reason == Errc::Banned || reason == Errc::UsedElsewhere;
+}
+
 } // namespace
 
 /// Handles each kind of record at a client; kinds that only the host receives are ignored.
@@ -22,9 +28,11 @@ struct SyncClient::Visitor {
     void operator()(const Welcome& welcome) const { client.welcomed(welcome, now); }
     void operator()(const HelloRefused& refused) const
     {
-        if (client.m_state == State::Connected)
+        if (isForGood(refused.reason))
+            client.m_state = State::Closed;
+        else if (client.m_state == State::Connected)
             client.reconnect(now);
-        client.m_helloRefused = refused.reason;
+        client.m_helloRefused = Error{refused.reason, refused.detail};
     }
     void operator()(const ConnectionUnknown&) const
     {
@@ -72,7 +80,7 @@ void SyncClient::receive(std::span<const std::byte> bytes, LocalTime now)
 {
     const auto datagram = decodeDatagram(bytes);
     if (!datagram && datagram.error().code == Errc::VersionMismatch && m_state != State::Connected)
-        m_helloRefused = Errc::VersionMismatch;
+        m_helloRefused = Error{Errc::VersionMismatch, {}};
     if (!datagram || m_state == State::Closed || !datagram->header.fromHost
         || datagram->header.connection != m_link.connection())
         return;

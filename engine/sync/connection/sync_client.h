@@ -82,8 +82,9 @@ public:
     [[nodiscard]] const FittedClock& clock() const { return m_clock; }
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const PeerLink& link() const { return m_link; }
-    /// Why the host refuses to admit this participant.
-    [[nodiscard]] std::optional<Errc> helloRefused() const { return m_helloRefused; }
+    /// Why the host does not admit this participant, or ended its connection. After Removed, Banned
+    /// and UsedElsewhere the client is closed and does not ask again.
+    [[nodiscard]] const std::optional<Error>& helloRefused() const { return m_helloRefused; }
 
 private:
     struct Visitor;
@@ -106,7 +107,7 @@ private:
     PeerLink m_link;
     LocalTime m_nextHello;
     Duration m_helloWait = kFirstHelloWait;
-    std::optional<Errc> m_helloRefused;
+    std::optional<Error> m_helloRefused;
 
     SessionKey m_session{};
     ParticipantId m_self = kNobody;

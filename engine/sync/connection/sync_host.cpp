@@ -13,6 +13,13 @@ namespace
 
 constexpr ParticipantId kHost{0};
 
+/// What is behind a refusal is told only to whom it concerns.
+HelloRefused refusalOf(const Error& why)
+{
+    const bool concernsThem = why.code == Errc::Removed || why.code == Errc::Banned;
+    return {why.code, concernsThem ? why.detail.substr(0, kLongestDetail) : std::string{}};
+}
+
 Duration roundTripOf(const PeerLink& link) { return link.longestRoundTrip().value_or(Duration{}); }
 
 } // namespace
@@ -54,12 +61,17 @@ SyncHost::SyncHost(const SessionKey& session, std::vector<FactRecord> log, Durat
 void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
     const auto found = m_peers.find(from);
-    if (found != m_peers.end() && !found->second.budget.takesDatagram(bytes.size(), now))
-        return;
+    if (found != m_peers.end()) {
+        found->second.traffic.bytes.add(double(bytes.size()), now);
+        if (!found->second.budget.takesDatagram(bytes.size(), now)) {
+            ++found->second.traffic.refused;
+            return;
+        }
+    }
     const auto datagram = decodeDatagram(bytes);
     if (!datagram) {
         if (datagram.error().code == Errc::VersionMismatch)
-            answerStranger(from, 0, HelloRefused{Errc::VersionMismatch}, now);
+            answerStranger(from, 0, HelloRefused{Errc::VersionMismatch, {}}, now);
         return;
     }
     const BundleHeader& header = datagram->header;
@@ -147,6 +159,7 @@ void SyncHost::publish(const StreamSample& sample, LocalTime now)
 
 void SyncHost::drop(PeerAddress address, LocalTime now)
 {
+    m_asksSince.erase(address);
     const auto arrival = m_arrivals.find(address);
     const auto arriving = arrival == m_arrivals.end()
                               ? std::nullopt
@@ -165,6 +178,17 @@ bool SyncHost::isHere(ParticipantId participant) const
            || std::ranges::any_of(m_arrivals, [&](const auto& entry) {
                   return entry.second.admission.participant == participant;
               });
+}
+
+void SyncHost::dismiss(ParticipantId participant, const Error& why, LocalTime now)
+{
+    for (const auto& [address, peer] : m_peers)
+        if (peer.participant == participant)
+            answerStranger(address, peer.link.connection(), refusalOf(why), now);
+    std::erase_if(m_arrivals, [participant](const auto& entry) {
+        return entry.second.admission.participant == participant;
+    });
+    forgetParticipant(participant);
 }
 
 void SyncHost::close(LocalTime now)
@@ -206,7 +230,7 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
     }
     const auto admission = admit(from, hello, now);
     if (!admission)
-        return answerStranger(from, header.connection, HelloRefused{admission.error().code}, now);
+        return answerStranger(from, header.connection, refusalOf(admission.error()), now);
     if (!*admission)
         return;
     std::erase_if(m_arrivals, [&](const auto& entry) { // the same program from another address
@@ -228,6 +252,7 @@ void SyncHost::welcomeArrivals(LocalTime now)
 void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime now)
 {
     const auto& [header, heard, hello, admission] = arrival;
+    displace(address, admission.participant, now);
     forgetParticipant(admission.participant);
     if (m_peers.contains(address))
         remove(address, now);
@@ -254,25 +279,43 @@ Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& 
         return tl::unexpected(who.error());
     if (isBarred(who->participant, now))
         return fail(Errc::TooMuchSent);
-    // The id of a join is in its fact, which everybody gets: it proves nothing by itself.
-    const auto isHeld = [&](PeerAddress by, ParticipantId as, ProposalId run, LocalTime heard) {
-        const bool isSameRun = who->isProven && run == join.id;
-        return by != from && as == who->participant && !isSameRun && now < heard + kNameHeld;
-    };
-    const bool isTaken = std::ranges::any_of(m_peers,
-                                             [&](const auto& entry) {
-                                                 const auto& [address, peer] = entry;
-                                                 return isHeld(address, peer.participant, peer.join,
-                                                               peer.link.lastHeard());
-                                             })
-                         || std::ranges::any_of(m_arrivals, [&](const auto& entry) {
-                                const auto& [address, arrival] = entry;
-                                return isHeld(address, arrival.admission.participant,
-                                              arrival.hello.join.id, arrival.heard);
-                            });
-    if (isTaken || who->participant == kHost)
+    if (who->participant == kHost || isTaken(from, *who, join.id, now))
         return fail(Errc::NameTaken);
     return m_rules.admit(join, now);
+}
+
+bool SyncHost::isTaken(PeerAddress from, const Identity& who, ProposalId join, LocalTime now)
+{
+    for (const auto& [address, peer] : m_peers) {
+        const bool isSameRun = who.isProven && peer.join == join;
+        if (address == from || peer.participant != who.participant || isSameRun
+            || now >= peer.link.lastHeard() + kNameHeld)
+            continue;
+        const LocalTime since = m_asksSince.try_emplace(from, now).first->second;
+        return !who.isProven || peer.link.lastHeard() < since + kAliveBeside;
+    }
+    return std::ranges::any_of(m_arrivals, [&](const auto& entry) {
+        const auto& [address, arrival] = entry;
+        const bool isSameRun = who.isProven && arrival.hello.join.id == join;
+        return address != from && arrival.admission.participant == who.participant && !isSameRun
+               && now < arrival.heard + kNameHeld;
+    });
+}
+
+void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime now)
+{
+    const auto asked = m_asksSince.find(from);
+    if (asked == m_asksSince.end())
+        return;
+    for (const auto& [address, peer] : m_peers) {
+        const bool isBeside = address != from && peer.participant == participant
+                              && peer.link.lastHeard() >= asked->second + kAliveBeside;
+        if (!isBeside)
+            continue;
+        answerStranger(address, peer.link.connection(), HelloRefused{Errc::UsedElsewhere, {}}, now);
+        m_output.displaced.push_back({address, participant});
+    }
+    m_asksSince.erase(asked);
 }
 
 void SyncHost::remove(PeerAddress address, LocalTime now)
@@ -299,20 +342,29 @@ void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
     if (m_rules.isSettled(proposal.id))
         return; // its fact is on its way, to the disk or to everybody
     if (!peer.budget.takesProposal(now)) {
+        ++peer.traffic.refused;
         if (peer.budget.answers(now))
             peer.outbox.emplace_back(ProposalRefused{proposal.id, Errc::TooMuchSent});
         return;
     }
     proposal.author = peer.participant;
-    if (const auto decided = m_rules.decide(proposal, now); !decided)
+    if (const auto decided = m_rules.decide(proposal, now)) {
+        ++peer.traffic.facts;
+    } else {
+        ++peer.traffic.refused;
         peer.outbox.emplace_back(ProposalRefused{proposal.id, decided.error().code});
+    }
 }
 
 void SyncHost::takeStreams(Peer& peer, const StreamGroup& group, LocalTime now)
 {
-    if (group.owner != peer.participant || group.epoch != peer.epoch
-        || !peer.budget.takesSamples(group.streams.size(), now))
+    if (group.owner != peer.participant || group.epoch != peer.epoch)
         return;
+    peer.traffic.samples.add(double(group.streams.size()), now);
+    if (!peer.budget.takesSamples(group.streams.size(), now) || !m_rules.mayAct(peer.participant)) {
+        peer.traffic.refused += group.streams.size();
+        return;
+    }
     const SessionTime latest = sessionTime(now) + kLargestAhead + roundTripOf(peer.link) / 2;
     for (const StreamCpo& cpo : group.streams) {
         if (cpo.time > latest)
@@ -343,7 +395,7 @@ void SyncHost::endExceedingPeers(LocalTime now)
     for (const PeerAddress address : exceeding) {
         const Peer& peer = m_peers.at(address);
         m_barredUntil.insert_or_assign(peer.participant, now + kBarred);
-        answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent}, now);
+        answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent, {}}, now);
         m_output.ended.push_back(address);
         remove(address, now);
     }

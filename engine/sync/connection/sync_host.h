@@ -5,6 +5,7 @@
 #include "engine/sync/clock/peer_clock.h"
 #include "engine/sync/connection/peer_budget.h"
 #include "engine/sync/connection/peer_link.h"
+#include "engine/sync/connection/peer_traffic.h"
 #include "engine/sync/facts/fact_replication.h"
 #include "engine/sync/streams/host_streams.h"
 
@@ -26,7 +27,7 @@ struct Admission {
 /// Whom a join would be admitted as.
 struct Identity {
     ParticipantId participant;
-    bool isProven = false; ///< by a secret that only this participant and the host have
+    bool isProven = false; ///< by a secret that only this participant and the host should have
 };
 
 /// Callbacks into the session, which decides. What it decides becomes a fact of the log later, when
@@ -45,7 +46,7 @@ struct HostRules {
     std::function<Result<void>(const ProposalRecord& proposal, LocalTime)> decide;
     /// A participant sent Goodbye or timed out.
     std::function<void(ParticipantId, LocalTime)> left;
-    /// Whether a participant's role permits acting on objects, including its own.
+    /// Whether a participant may move objects, including its own: by its role, and unless muted.
     std::function<bool(ParticipantId)> mayAct;
     /// What is taken from a participant.
     std::function<PeerLimits(ParticipantId)> limits;
@@ -59,6 +60,11 @@ public:
     /// A program from which a datagram arrived less than this ago keeps its participant against
     /// another program with the same name and role.
     static constexpr Duration kNameHeld = std::chrono::milliseconds{600};
+    /// A program is known to be alive beside another with the same secret when it is heard this
+    /// long after the other asked to come in: longer than a datagram is on its way, and less than
+    /// the time for which a name is held. A program that was restarted, or moved, is heard no more
+    /// on its old path.
+    static constexpr Duration kAliveBeside = std::chrono::milliseconds{500};
     /// For this long a participant whose program sent far too much stays out.
     static constexpr Duration kBarred = std::chrono::seconds{30};
     /// How far a sample may be ahead of the session, beside half the round trip of its path: a
@@ -75,6 +81,12 @@ public:
         std::vector<Addressed> datagrams;
         std::vector<StreamSample> streams; ///< of other participants
         std::vector<PeerAddress> ended;    ///< paths that are to be closed after the datagrams
+        struct Displaced {
+            PeerAddress address;
+            ParticipantId participant;
+        };
+        /// Paths whose program was told UsedElsewhere, for another one proved the same participant.
+        std::vector<Displaced> displaced;
     };
 
     struct Peer {
@@ -88,6 +100,7 @@ public:
         bool answer = false; ///< a datagram is to be sent at once
         std::vector<WireRecord> outbox{};
         PeerClock clock{};
+        PeerTraffic traffic{};
 
         void heard(const BundleHeader& header, SessionTime session, LocalTime now)
         {
@@ -124,6 +137,9 @@ public:
     [[nodiscard]] std::vector<EventCpo> takeChanged() { return m_actions.takeChanged(); }
     /// Queues a sample of an object of the host for the next tick.
     void publish(const StreamSample& sample, LocalTime now);
+    /// Tells a participant's program why it is out, and ends its connection; its path stays, so
+    /// that it can ask again if the datagram is lost. The rule `left` is not called.
+    void dismiss(ParticipantId participant, const Error& why, LocalTime now);
     /// The path to this address has ended.
     void drop(PeerAddress address, LocalTime now);
     /// Sends Goodbye to every peer.
@@ -162,6 +178,11 @@ private:
     void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);
     void dropSilentPeers(LocalTime now);
     void endExceedingPeers(LocalTime now);
+    /// Whether a program that asks from this address is kept out by another one of the participant.
+    [[nodiscard]] bool isTaken(PeerAddress from, const Identity& who, ProposalId join,
+                               LocalTime now);
+    /// Ends the other programs of a participant whom `from` proved to be.
+    void displace(PeerAddress from, ParticipantId participant, LocalTime now);
     [[nodiscard]] bool isBarred(ParticipantId participant, LocalTime now) const;
     void sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now);
     void answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,
@@ -175,6 +196,8 @@ private:
     std::map<PeerAddress, Peer> m_peers;
     std::map<PeerAddress, Arrival> m_arrivals;
     std::map<ParticipantId, LocalTime> m_barredUntil;
+    /// Since when a program asks to come in as a participant of whom another is here.
+    std::map<PeerAddress, LocalTime> m_asksSince;
     HostStreams m_streams;
     HostActions m_actions;
     Output m_output;

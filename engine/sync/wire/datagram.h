@@ -7,13 +7,14 @@
 
 #include <array>
 #include <compare>
+#include <string>
 #include <variant>
 
 namespace carina
 {
 
 /// Version of this layout; a peer with another version is refused.
-inline constexpr std::uint8_t kProtocolVersion = 7;
+inline constexpr std::uint8_t kProtocolVersion = 8;
 /// Bytes. With DTLS (29 bytes) a UDP payload has at most 1200 bytes, which fits the MTU of any
 /// usual path without fragmentation.
 inline constexpr std::size_t kLargestDatagram = 1160;
@@ -81,10 +82,12 @@ struct Welcome {
     std::uint16_t epoch = 0; ///< of the participant's streams
     FactNumber lastFact;     ///< of the host's log
 };
-/// The host refuses to admit the client.
+/// The host refuses to admit the client, or ends its connection.
 struct HelloRefused {
     Errc reason = Errc::NotPermitted;
+    std::string detail{}; ///< for its user: UTF-8, at most kLongestDetail bytes
 };
+inline constexpr std::size_t kLongestDetail = 200;
 /// The host has no such connection; the client must send Hello.
 struct ConnectionUnknown {
 };

@@ -32,7 +32,9 @@ enum class RecordKind : std::uint8_t {
 constexpr std::array kWireReasons{Errc::NotPermitted,    Errc::SessionEnded, Errc::NameTaken,
                                   Errc::OutOfRange,      Errc::StoreFailed,  Errc::PacketMalformed,
                                   Errc::VersionMismatch, Errc::NotFinite,    Errc::OwnerChanged,
-                                  Errc::NameUnclear,     Errc::SessionFull,  Errc::TooMuchSent};
+                                  Errc::NameUnclear,     Errc::SessionFull,  Errc::TooMuchSent,
+                                  Errc::Muted,           Errc::Removed,      Errc::Banned,
+                                  Errc::SessionLocked,   Errc::UsedElsewhere};
 
 void writeReason(ByteWriter& out, Errc reason)
 {
@@ -62,6 +64,16 @@ std::vector<std::byte> readBody(ByteReader& in)
     in.require(size >= 1 && size <= kLargestFactBody, "body length");
     const auto body = in.bytes(size);
     return {body.begin(), body.end()};
+}
+
+HelloRefused readHelloRefused(ByteReader& in)
+{
+    HelloRefused refused{readReason(in)};
+    const auto size = in.number<std::uint8_t>();
+    in.require(size <= kLongestDetail, "length of a detail");
+    for (const std::byte b : in.bytes(size))
+        refused.detail.push_back(static_cast<char>(b));
+    return refused;
 }
 
 SessionKey readSessionKey(ByteReader& in)
@@ -206,8 +218,11 @@ public:
     }
     void operator()(const HelloRefused& refused)
     {
+        CARINA_EXPECTS(refused.detail.size() <= kLongestDetail);
         kind(RecordKind::HelloRefused);
         writeReason(m_out, refused.reason);
+        m_out.number(static_cast<std::uint8_t>(refused.detail.size()));
+        m_out.bytes(std::as_bytes(std::span{refused.detail}));
     }
     void operator()(const ConnectionUnknown&) { kind(RecordKind::ConnectionUnknown); }
     void operator()(const Goodbye&) { kind(RecordKind::Goodbye); }
@@ -255,7 +270,7 @@ WireRecord readRecord(ByteReader& in)
     case RecordKind::Welcome:
         return readWelcome(in);
     case RecordKind::HelloRefused:
-        return HelloRefused{readReason(in)};
+        return readHelloRefused(in);
     case RecordKind::ConnectionUnknown:
         return ConnectionUnknown{};
     case RecordKind::Goodbye:

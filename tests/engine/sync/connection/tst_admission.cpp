@@ -31,11 +31,36 @@ struct HostAlone {
         host.receive(from, bytes.front(), now);
         host.advance(now);
         std::vector<WireRecord> answers;
-        for (const auto& [to, answer] : host.take().datagrams)
-            if (to == from)
-                std::ranges::move(decodeDatagram(answer)->records, std::back_inserter(answers));
+        const SyncHost::Output output = host.take();
+        for (const auto& [to, answer] : output.datagrams)
+            std::ranges::move(decodeDatagram(answer)->records,
+                              std::back_inserter(to == from ? answers : toOthers));
+        for (const auto& [address, participant] : output.displaced)
+            displaced.push_back(address);
         return answers;
     }
+    /// A datagram of a program that is in.
+    void hear(PeerAddress from, std::uint32_t connection, LocalTime now)
+    {
+        const WireRecord ack = FactAck{FactNumber{}};
+        const auto bytes = packDatagrams(std::span{&ack, 1}, [&] {
+            BundleHeader header;
+            header.connection = connection;
+            header.sequence = ++sequence;
+            return header;
+        });
+        host.receive(from, bytes.front(), now);
+    }
+    [[nodiscard]] bool othersWereTold(Errc why) const
+    {
+        return std::ranges::any_of(toOthers, [why](const WireRecord& record) {
+            const auto* refused = std::get_if<HelloRefused>(&record);
+            return refused && refused->reason == why;
+        });
+    }
+
+    std::vector<PeerAddress> displaced;
+    std::vector<WireRecord> toOthers;
 
     std::uint32_t sequence = 0;
     TestSession session;
@@ -162,6 +187,102 @@ private Q_SLOTS:
         QVERIFY(alone.host.peers().contains(2));
         QCOMPARE(alone.session.disk.size(), std::size_t{1});
         QVERIFY(alone.session.departures.empty());
+        QVERIFY(alone.displaced.empty());
+    }
+
+    /// Both prove the same participant, and both live: the later one comes in, and both are told.
+    void twoProgramsWithOneProofShowThemselves()
+    {
+        HostAlone alone;
+        QVERIFY(isWelcomed(alone.greet(1, 10, 77, kNow)));
+        const auto wait = alone.greet(2, 20, 88, kNow + 100ms);
+        QCOMPARE(std::get<HelloRefused>(wait.at(0)).reason, Errc::NameTaken);
+        alone.hear(1, 10, kNow + 100ms + SyncHost::kAliveBeside - 1ns);
+        QVERIFY(!isWelcomed(alone.greet(2, 20, 88, kNow + 620ms))); // might have been on its way
+        alone.hear(1, 10, kNow + 100ms + SyncHost::kAliveBeside);
+        QVERIFY(isWelcomed(alone.greet(2, 20, 88, kNow + 650ms)));
+        QCOMPARE(alone.displaced, std::vector<PeerAddress>{1});
+        QVERIFY(alone.othersWereTold(Errc::UsedElsewhere));
+        QCOMPARE(alone.host.peers().size(), std::size_t{1});
+        QVERIFY(alone.host.peers().contains(2));
+    }
+
+    /// What was on its way when the first run ended does not count as alive.
+    void restartedProgramDisplacesNobody()
+    {
+        HostAlone alone;
+        QVERIFY(isWelcomed(alone.greet(1, 10, 77, kNow)));
+        QVERIFY(!isWelcomed(alone.greet(2, 20, 88, kNow + 20ms)));
+        alone.hear(1, 10, kNow + 200ms);
+        QVERIFY(!isWelcomed(alone.greet(2, 20, 88, kNow + 790ms)));
+        QVERIFY(isWelcomed(alone.greet(2, 20, 88, kNow + 800ms)));
+        QVERIFY(alone.displaced.empty());
+        QVERIFY(!alone.othersWereTold(Errc::UsedElsewhere));
+    }
+
+    void nameAloneDisplacesNobody()
+    {
+        HostAlone alone;
+        alone.session.areProven = false;
+        QVERIFY(isWelcomed(alone.greet(1, 10, 77, kNow)));
+        for (auto later = 100ms; later < 5s; later += 100ms) {
+            alone.hear(1, 10, kNow + later);
+            QVERIFY(!isWelcomed(alone.greet(2, 20, 88, kNow + later)));
+        }
+        QVERIFY(alone.displaced.empty());
+    }
+
+    void dismissedProgramIsToldWhyAndStaysAway()
+    {
+        SessionWorld world{33};
+        world.addSite({5ms, 0ms, 0.0, 0.0});
+        world.startClient(0, "anna");
+        world.run(1s);
+        world.host().dismiss(ParticipantId{1}, Error{Errc::Removed, "Ina: too loud"},
+                             world.hostTime());
+        world.run(5s);
+        const SyncClient& anna = *world.site(0).client;
+        QCOMPARE(anna.state(), SyncClient::State::Closed);
+        QCOMPARE(*anna.helloRefused(), (Error{Errc::Removed, "Ina: too loud"}));
+        QVERIFY(world.host().peers().empty());
+        QVERIFY(world.session.departures.empty());
+    }
+
+    void mutedParticipantsSamplesAreNotForwarded()
+    {
+        SessionWorld world{34};
+        for (const char* name : {"anna", "ben"}) {
+            const std::size_t site = world.addSite({5ms, 0ms, 0.0, 0.0});
+            world.startClient(site, name);
+            world.run(500ms);
+        }
+        const ParticipantId anna = world.site(0).client->self();
+        constexpr ObjectId kTube{1};
+        world.host().share(kTube, {anna, 1});
+        world.site(1).client->share(kTube, {anna, 1});
+        std::uint16_t sequence = 0;
+        const auto move = [&] {
+            StreamCpo cpo;
+            cpo.object = kTube;
+            cpo.sequence = ++sequence;
+            cpo.time = world.trueSessionTime() - 1ms;
+            world.site(0).client->publish(StationId{}, cpo);
+        };
+        world.run(500ms, 20ms, move);
+        const std::size_t before = world.site(1).streams.size();
+        QVERIFY(before > 10);
+        const PeerTraffic& traffic = world.host().peers().begin()->second.traffic;
+        QCOMPARE(traffic.refused, std::uint64_t{0});
+        QVERIFY(traffic.samples.perSecond(world.hostTime()) > 10.0);
+        world.run(100ms);
+        world.session.observers.insert(anna);
+        const std::size_t atMute = world.site(1).streams.size();
+        world.run(500ms, 20ms, move);
+        QCOMPARE(world.site(1).streams.size(), atMute);
+        QVERIFY(traffic.refused >= 20);
+        world.session.observers.clear();
+        world.run(500ms, 20ms, move);
+        QVERIFY(world.site(1).streams.size() > atMute + 10);
     }
 
     /// The id of a join is in its fact, which everybody has: who only knows that is not let in.

@@ -208,7 +208,7 @@ private Q_SLOTS:
         SyncClient client{world.proposal("Janna"), 1, LocalTime{}};
         output.datagrams[0].bytes[2] = std::byte{9};
         client.receive(output.datagrams[0].bytes, LocalTime{});
-        QCOMPARE(client.helloRefused(), Errc::VersionMismatch);
+        QCOMPARE(client.helloRefused()->code, Errc::VersionMismatch);
     }
 
     void strangersAreToldToSayHello()

@@ -26,11 +26,11 @@ inline BundleHeader goldenHeader()
 }
 
 inline constexpr const char* kGoldenHeaderHex =
-    "43 41 07 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
+    "43 41 08 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
     "fe ff ff ff ff ff ff ff  ff ff ff ff";
 
 inline constexpr const char* kPlainHeaderHex =
-    "43 41 07 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
+    "43 41 08 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
     "00 00 00 00 00 00 00 00  00 00 00 00";
 
 /// A quarter turn about z at (0.1, -0.2, 0.3) m, 2^32 + 5 us after the epoch.
@@ -129,7 +129,8 @@ inline std::vector<GoldenRecord> goldenRecords()
         {"welcome", Welcome{goldenKey(), ParticipantId{5}, 0x0203, FactNumber{10}},
          "08  a0 a1 a2 a3 a4 a5 a6 a7 a8 a9 aa ab ac ad ae af  05 00  03 02"
          "0a 00 00 00 00 00 00 00"},
-        {"hello refused", HelloRefused{Errc::VersionMismatch}, "09  07"},
+        {"hello refused", HelloRefused{Errc::VersionMismatch, {}}, "09  07 00"},
+        {"hello refused with words", HelloRefused{Errc::Removed, "no"}, "09  0e 02 6e 6f"},
         {"connection unknown", ConnectionUnknown{}, "0a"},
         {"goodbye", Goodbye{}, "0b"},
         {"event acknowledgement", EventAck{ObjectId{0x0102}, 0x0304, 0x05060708},

@@ -241,12 +241,14 @@ private Q_SLOTS:
     void everyReasonThatTravelsArrives()
     {
         std::uint8_t number = 1;
-        for (const Errc reason : {Errc::NotPermitted, Errc::SessionEnded, Errc::NameTaken,
-                                  Errc::OutOfRange, Errc::StoreFailed, Errc::PacketMalformed,
-                                  Errc::VersionMismatch, Errc::NotFinite, Errc::OwnerChanged}) {
+        for (const Errc reason :
+             {Errc::NotPermitted, Errc::SessionEnded, Errc::NameTaken, Errc::OutOfRange,
+              Errc::StoreFailed, Errc::PacketMalformed, Errc::VersionMismatch, Errc::NotFinite,
+              Errc::OwnerChanged, Errc::NameUnclear, Errc::SessionFull, Errc::TooMuchSent,
+              Errc::Muted, Errc::Removed, Errc::Banned, Errc::SessionLocked, Errc::UsedElsewhere}) {
             auto bytes = encodeHeader({});
-            std::ranges::copy(encoded(HelloRefused{reason}), std::back_inserter(bytes));
-            QCOMPARE(bytes.back(), std::byte{number++});
+            std::ranges::copy(encoded(HelloRefused{reason, {}}), std::back_inserter(bytes));
+            QCOMPARE(bytes[bytes.size() - 2], std::byte{number++});
             const auto datagram = decodeDatagram(bytes);
             QVERIFY(datagram);
             QCOMPARE(std::get<HelloRefused>(datagram->records[0]).reason, reason);
@@ -255,7 +257,7 @@ private Q_SLOTS:
 
     void anyOtherReasonArrivesAsNotPermitted()
     {
-        QCOMPARE(toHex(encoded(HelloRefused{Errc::TrackerFailed})), QByteArray{"09 01"});
+        QCOMPARE(toHex(encoded(HelloRefused{Errc::TrackerFailed, {}})), QByteArray{"09 01 00"});
     }
 
     void recordsKeepTheirOrder()

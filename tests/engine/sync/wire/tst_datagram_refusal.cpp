@@ -113,8 +113,8 @@ private Q_SLOTS:
         auto bytes = fromHex(kPlainHeaderHex);
         bytes[2] = std::byte{5};
         QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "5"}));
-        bytes[2] = std::byte{8};
-        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "8"}));
+        bytes[2] = std::byte{9};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "9"}));
         bytes[2] = std::byte{0};
         QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "0"}));
         // Magic and version stay where they are in every version; nothing else need.
@@ -187,8 +187,10 @@ private Q_SLOTS:
         row("proposal with the longest length", 3, 11, "ff ff", "body length");
         row("hello without a proposal", 6, 35, "00 00", "body length");
         row("reason zero", 5, 9, "00", "reason");
-        row("reason above the last", 5, 9, "0d", "reason");
+        row("reason above the last", 5, 9, "12", "reason");
         row("reason above all", 8, 1, "ff", "reason");
+        row("too many words", 8, 2, "c9", "length of a detail");
+        row("more words than bytes", 8, 2, "01", "length");
     }
 
     void refusesWhatBreaksARule()

@@ -28,6 +28,8 @@ public:
     void rejected(const KeyOffer& offer);
     /// The host cannot be joined or trusted; given up after kRejectionsBelieved, as for an offer.
     void turnedAway(const Error& why);
+    /// No offer is made any more.
+    void giveUp(const Error& why) { m_refusal = why; }
     /// The host accepted this offer.
     void accepted(const KeyOffer& offer);
     /// Stores a token for the session that accepted the last offer.

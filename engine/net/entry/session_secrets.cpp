@@ -5,6 +5,8 @@
 
 #include <QJsonDocument>
 
+#include <tuple>
+
 namespace carina
 {
 namespace
@@ -60,6 +62,17 @@ Result<void> SessionSecrets::setCodeKey(Role role, const AccessKey& key)
     return write();
 }
 
+Result<void> SessionSecrets::changeCode(Role role)
+{
+    const auto before = std::pair{m_codes, m_codeKeys};
+    m_codes.insert_or_assign(role, JoinCode::random());
+    m_codeKeys.erase(role);
+    auto kept = write();
+    if (!kept)
+        std::tie(m_codes, m_codeKeys) = before;
+    return kept;
+}
+
 std::optional<AccessKey> SessionSecrets::token(Role role, ParticipantId participant) const
 {
     const auto known = m_tokens.find({role, participant});
@@ -76,6 +89,23 @@ Result<AccessKey> SessionSecrets::issueToken(Role role, ParticipantId participan
         return tl::unexpected(kept.error());
     }
     return issued->second;
+}
+
+Result<AccessKey> SessionSecrets::replaceToken(Role role, ParticipantId participant)
+{
+    const auto before = m_tokens;
+    const AccessKey token = randomKey();
+    m_tokens.insert_or_assign(std::pair{role, participant}, token);
+    if (const auto kept = write(); !kept) {
+        m_tokens = before;
+        return tl::unexpected(kept.error());
+    }
+    return token;
+}
+
+Result<void> SessionSecrets::revokeToken(Role role, ParticipantId participant)
+{
+    return m_tokens.erase({role, participant}) == 0 ? Result<void>{} : write();
 }
 
 Result<void> SessionSecrets::moveBeside(std::filesystem::path file)

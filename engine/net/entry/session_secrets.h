@@ -29,11 +29,22 @@ public:
     /// @returns FileUnwritable; the key is used nevertheless, and derived again after a restart.
     Result<void> setCodeKey(Role role, const AccessKey& key);
 
+    /// Replaces a role's code; the old one and its key are void. @returns FileUnwritable; then
+    /// nothing has changed.
+    [[nodiscard]] Result<void> changeCode(Role role);
+
     /// The token of a participant in this role; nothing where none was issued.
     [[nodiscard]] std::optional<AccessKey> token(Role role, ParticipantId participant) const;
     /// The token of a participant, created on the first call. @returns FileUnwritable; then no
     /// token exists.
     [[nodiscard]] Result<AccessKey> issueToken(Role role, ParticipantId participant);
+
+    /// Another token in place of the participant's. @returns FileUnwritable; then nothing has
+    /// changed.
+    [[nodiscard]] Result<AccessKey> replaceToken(Role role, ParticipantId participant);
+    /// From now on the participant has no token. @returns FileUnwritable; it is void nevertheless,
+    /// until the next start.
+    [[nodiscard]] Result<void> revokeToken(Role role, ParticipantId participant);
 
     /// Keeps the secrets beside another file from now on, under its name and their ending; in
     /// memory if they were so far. @returns FileUnwritable.

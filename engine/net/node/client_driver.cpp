@@ -35,8 +35,9 @@ LinkState linkState(SyncClient::State state)
         return LinkState::Connected;
     case SyncClient::State::Connecting:
         return LinkState::Connecting;
-    case SyncClient::State::Away:
     case SyncClient::State::Closed:
+        return LinkState::Ended;
+    case SyncClient::State::Away:
         break;
     }
     return LinkState::Away;
@@ -86,6 +87,7 @@ void ClientDriver::receive(PeerAddress from, std::span<const std::byte> bytes, L
         return;
     if (const auto token = decodeToken(bytes)) {
         m_credentials.keepToken(*token);
+        m_tokenReplaced = false;
         showDoor();
     } else {
         m_core.receive(bytes, now);
@@ -108,6 +110,8 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
 {
     sendOwnStreams(now);
     m_core.advance(now);
+    if (m_core.state() == SyncClient::State::Closed && m_core.helloRefused())
+        m_credentials.giveUp(*m_core.helloRefused());
     SyncClient::Output output = m_core.take();
     if (output.startedAfresh)
         startAfresh();
@@ -135,7 +139,8 @@ LocalTime ClientDriver::nextWake() const
 
 bool ClientDriver::wantsToken() const
 {
-    return m_core.state() == SyncClient::State::Connected && !m_credentials.hasToken();
+    return m_core.state() == SyncClient::State::Connected
+           && (m_tokenReplaced || !m_credentials.hasToken());
 }
 
 NodeDriver::Datagrams ClientDriver::close(LocalTime now)
@@ -147,7 +152,8 @@ NodeDriver::Datagrams ClientDriver::close(LocalTime now)
 void ClientDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
 {
     m_refusal.reset();
-    if (const auto done = m_core.act(object, action, now); !done)
+    const auto done = isMuted() ? fail(Errc::Muted) : Result<void>{m_core.act(object, action, now)};
+    if (!done)
         m_refusal = done.error();
 }
 
@@ -178,9 +184,29 @@ bool ClientDriver::apply(const FactRecord& record, LocalTime now)
     }
     m_state.apply(*fact);
     m_shownState.reset();
+    noteConduct(fact->body);
     if (const auto object = objectOf(fact->body); object && m_state.objects().contains(*object))
         share(m_state.objects().at(*object));
     return true;
+}
+
+bool ClientDriver::isMuted() const
+{
+    const auto self = m_state.participants().find(m_core.self());
+    return self != m_state.participants().end() && self->second.muted;
+}
+
+void ClientDriver::noteConduct(const FactBody& body)
+{
+    const auto* muted = std::get_if<fact::ParticipantMuted>(&body);
+    const auto* replaced = std::get_if<fact::TokenReplaced>(&body);
+    if (replaced && replaced->participant == m_core.self())
+        m_tokenReplaced = true;
+    if (!muted || muted->participant != m_core.self() || muted->muted)
+        return;
+    if (m_refusal && m_refusal->code == Errc::Muted)
+        m_refusal.reset();
+    m_publications.forget(); // what was refused is proposed again
 }
 
 void ClientDriver::share(const SharedObject& object)
@@ -229,7 +255,7 @@ void ClientDriver::show(LocalTime now)
     });
     view.refusal = m_refusal;
     if (const auto refused = m_core.helloRefused())
-        view.refusal = Error{*refused, {}};
+        view.refusal = *refused;
     if (m_noEntry)
         view.refusal = m_noEntry;
     if (m_board.show(std::move(view)))

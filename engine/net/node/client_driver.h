@@ -39,6 +39,9 @@ private:
     void share(const SharedObject& object);
     [[nodiscard]] Datagrams addressed(std::vector<std::vector<std::byte>> datagrams) const;
     [[nodiscard]] bool wantsToken() const;
+    [[nodiscard]] bool isMuted() const;
+    /// What a fact about this participant itself changes here.
+    void noteConduct(const FactBody& body);
     [[nodiscard]] std::optional<ClockReport> clockReport(LocalTime now) const;
     void show(LocalTime now);
 
@@ -47,6 +50,7 @@ private:
     bool m_expectsCertificate;
     PeerAddress m_host = 0; // the path to it
     LocalTime m_nextTokenRequest{};
+    bool m_tokenReplaced = false; // and the new one has not arrived
     std::optional<Error> m_noEntry;
     NodeBoard& m_board;
     SyncClient m_core;

@@ -26,17 +26,22 @@ void HostAccess::deriveMissing()
 {
     // In the order in which people come.
     for (const Role role : {Role::Trainee, Role::Observer, Role::Instructor}) {
-        if (m_secrets.codeKey(role))
-            continue;
-        m_deriver.derive(m_secrets.codes().at(role), sessionKey(sessionId()),
-                         [this, role](const Result<AccessKey>& key) {
-                             const std::scoped_lock lock{m_mutex};
-                             const auto kept =
-                                 key ? m_secrets.setCodeKey(role, *key) : key.map([](auto&) {});
-                             if (!kept)
-                                 m_fault = kept.error();
-                         });
+        if (!m_secrets.codeKey(role))
+            derive(role);
     }
+}
+
+void HostAccess::derive(Role role)
+{
+    const JoinCode code = m_secrets.codes().at(role);
+    m_deriver.derive(code, sessionKey(sessionId()), [this, role, code](const auto& key) {
+        const std::scoped_lock lock{m_mutex};
+        if (m_secrets.codes().at(role) != code)
+            return; // it was changed meanwhile
+        const auto kept = key ? m_secrets.setCodeKey(role, *key) : key.map([](auto&) {});
+        if (!kept)
+            m_fault = kept.error();
+    });
 }
 
 HostTransport::KeyAnswer HostAccess::keyOf(const PskIdentity& identity) const
@@ -59,15 +64,35 @@ Result<void> HostAccess::moveBeside(const std::filesystem::path& store)
     return m_secrets.moveBeside(store);
 }
 
+Result<void> HostAccess::changeCode(Role role)
+{
+    {
+        const std::scoped_lock lock{m_mutex};
+        if (auto changed = m_secrets.changeCode(role); !changed)
+            return changed;
+    }
+    std::erase_if(m_peers, [role](const auto& peer) {
+        return peer.second.role == role && !peer.second.participant;
+    });
+    derive(role);
+    return {};
+}
+
 void HostAccess::connected(PeerAddress peer, const Credential& who)
 {
     m_peers.insert_or_assign(peer, who);
 }
 
-void HostAccess::disconnected(PeerAddress peer) { m_peers.erase(peer); }
+void HostAccess::disconnected(PeerAddress peer)
+{
+    m_peers.erase(peer);
+    m_displaced.erase(peer);
+}
 
 Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId participant) const
 {
+    if (m_displaced.contains(peer))
+        return fail(Errc::UsedElsewhere);
     const auto known = m_peers.find(peer);
     if (known == m_peers.end() || known->second.role != role)
         return fail(Errc::NotPermitted, "the code is one for another role");
@@ -89,6 +114,24 @@ bool HostAccess::isProven(PeerAddress peer) const
 {
     const auto known = m_peers.find(peer);
     return known != m_peers.end() && known->second.participant.has_value();
+}
+
+void HostAccess::displace(PeerAddress peer)
+{
+    if (m_peers.contains(peer)) // else it is gone
+        m_displaced.insert(peer);
+}
+
+Result<AccessKey> HostAccess::replaceToken(Role role, ParticipantId participant)
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_secrets.replaceToken(role, participant);
+}
+
+Result<void> HostAccess::revokeToken(Role role, ParticipantId participant)
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_secrets.revokeToken(role, participant);
 }
 
 Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId participant)

@@ -6,7 +6,9 @@
 #include "engine/session/facts/fact_codec.h"
 #include "engine/session/participant_limits.h"
 
+#include <QCryptographicHash>
 #include <QRandomGenerator>
+#include <QtEndian>
 
 #include <algorithm>
 #include <utility>
@@ -24,6 +26,21 @@ constexpr Duration kWatchInterval = std::chrono::milliseconds{500};
 /// A path is not idle as long as its participant's join may wait for a slow disk.
 constexpr Duration kJoinStoredWithin = std::chrono::seconds{10};
 constexpr const char* kFirstStationName = "Station 1";
+
+/// The id under which a join enters the log. The one that a program sent stays between it and the
+/// host, so that it proves that a later join is of the same run of that program.
+ProposalId sealed(ProposalId join)
+{
+    QCryptographicHash hash{QCryptographicHash::Sha256};
+    hash.addData(QByteArrayView{"carina join 1"});
+    hash.addData(QByteArray::number(quint64{join.value}));
+    return ProposalId{qFromLittleEndian<quint64>(hash.result().constData())};
+}
+
+Error removalError(const SessionState& state, const Removal& removal)
+{
+    return {removal.banned ? Errc::Banned : Errc::Removed, removalText(state, removal)};
+}
 
 std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
 
@@ -112,7 +129,8 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
         [this](const ProposalRecord& record, LocalTime now) { return decideForPeer(record, now); },
         [this](ParticipantId participant, LocalTime now) { left(participant, now); },
         [this](ParticipantId participant) {
-            return m_stored.state().participants().at(participant).role != Role::Observer;
+            const Participant& who = m_stored.state().participants().at(participant);
+            return who.role != Role::Observer && !who.muted;
         },
         [this](ParticipantId participant) {
             return limitsOf(m_stored.state().participants().at(participant).role);
@@ -156,9 +174,11 @@ Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
     if (const auto number = m_decided.settled(proposal.id))
         return *number;
     return m_decided.judge(proposal, m_core->sessionTime(now), m_core->slowestPath() + m_storing)
-        .map([this](const Fact& fact) {
-            enter(fact);
-            return fact.number;
+        .and_then([this](const Fact& fact) {
+            return prepare(fact).map([&] {
+                enter(fact);
+                return fact.number;
+            });
         });
 }
 
@@ -200,6 +220,7 @@ void HostDriver::stored(std::size_t count)
         const auto& [fact, record] = m_unstored.front();
         m_stored.commit(fact);
         m_core->append(record);
+        carryOut(fact.body);
         if (const auto object = objectOf(fact.body))
             share(m_stored.state().objects().at(*object));
         m_unstored.pop_front();
@@ -320,6 +341,7 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
 {
     takeReport(now);
     sendOwnStreams(now);
+    dismissRemoved(now);
     m_core->advance(now);
     dropAbsent(now);
     endIdlePaths(now);
@@ -327,6 +349,7 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
         m_unkept.insert_or_assign(event.object, event);
     handOver(now);
     SyncHost::Output output = m_core->take();
+    replaceTokens(output.displaced, now);
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core->sessionTime(now));
     show(now);
@@ -360,6 +383,7 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
     std::vector<PathReport> paths;
     for (const auto& [address, peer] : m_core->peers()) {
         PathReport path = reportPath(peer.participant, peer.link, peer.clock.trigger());
+        path.traffic = reportTraffic(peer.traffic, now);
         if ((path.clockOffset = peer.clock.offset(session))) {
             path.clockError = fromSeconds(peer.clock.uncertainty(session));
             path.clockErrorBound = peer.clock.bound(session);
@@ -439,10 +463,24 @@ Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now)
     return m_decided.judge(*proposal, m_core->sessionTime(now), Duration{})
         .and_then([&](const Fact& fact) {
             const ParticipantId id = std::get<fact::ParticipantJoined>(fact.body).participant;
-            return m_access->check(m_speaker, joined->role, id).map([&] {
-                return Identity{id, m_access->isProven(m_speaker)};
-            });
+            return m_access->check(m_speaker, joined->role, id)
+                .and_then([&] { return checkReturn(id, join.id); })
+                .map([&] {
+                    return Identity{id, m_access->isProven(m_speaker)};
+                });
         });
+}
+
+Result<void> HostDriver::checkReturn(ParticipantId id, ProposalId join) const
+{
+    const SessionState& state = m_decided.state();
+    if (state.isLocked() && !m_access->isProven(m_speaker))
+        return fail(Errc::SessionLocked);
+    const auto known = state.participants().find(id);
+    const auto cameIn = m_decided.settled(sealed(join));
+    const bool isOut = cameIn && known != state.participants().end() && known->second.removal
+                       && *cameIn < known->second.removal->at;
+    return isOut ? tl::unexpected(removalError(state, *known->second.removal)) : Result<void>{};
 }
 
 Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, LocalTime now)
@@ -457,8 +495,9 @@ Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, L
         speakerIdleSince(now);
         return std::nullopt;
     }
+    proposal->id = sealed(proposal->id);
     // A repeat gets the fact it has. Not the same run of a program that was given up meanwhile and
-    // comes in a second time, nor who uses the id of another's proposal, which everybody knows.
+    // comes in a second time, nor another's.
     const bool isPresent = known != participants.end() && known->second.present;
     if (m_decided.settled(proposal->id) && !(isPresent && isJoinOf(proposal->id, who->participant)))
         proposal->id = ProposalId{hostRandom()};
@@ -479,6 +518,58 @@ bool HostDriver::isJoinOf(ProposalId proposal, ParticipantId participant) const
                                                : m_unstored[number->value - log.size() - 1].record);
     const auto* joined = fact ? std::get_if<fact::ParticipantJoined>(&fact->body) : nullptr;
     return joined != nullptr && joined->participant == participant;
+}
+
+Result<void> HostDriver::prepare(const Fact& fact)
+{
+    const auto* changed = std::get_if<fact::RoleCodeChanged>(&fact.body);
+    if (!changed)
+        return {};
+    // The old code must not outlive the fact that it is void.
+    if (const auto kept = m_access->changeCode(changed->role); !kept)
+        return fail(Errc::StoreFailed, kept.error().detail);
+    m_board.setJoinCodes(m_access->codes());
+    return {};
+}
+
+void HostDriver::carryOut(const FactBody& body)
+{
+    const auto* removed = std::get_if<fact::ParticipantRemoved>(&body);
+    if (!removed)
+        return;
+    m_removed.push_back(removed->participant);
+    const Role role = m_stored.state().participants().at(removed->participant).role;
+    if (removed->banned)
+        if (const auto kept = m_access->revokeToken(role, removed->participant); !kept)
+            m_refusal = kept.error();
+}
+
+void HostDriver::dismissRemoved(LocalTime now)
+{
+    for (const ParticipantId id : std::exchange(m_removed, {})) {
+        const auto& removal = m_stored.state().participants().at(id).removal;
+        if (!removal)
+            continue; // back already
+        m_core->dismiss(id, removalError(m_stored.state(), *removal), now);
+    }
+}
+
+void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& displaced,
+                               LocalTime now)
+{
+    for (const auto& [old, participant] : displaced) {
+        m_access->displace(old);
+        const Role role = m_stored.state().participants().at(participant).role;
+        const auto token = m_access->replaceToken(role, participant);
+        if (!token) {
+            m_refusal = token.error();
+            continue;
+        }
+        static_cast<void>(decideByHost(StationId{}, fact::TokenReplaced{participant}, now));
+        for (const auto& [address, peer] : m_core->peers())
+            if (peer.participant == participant)
+                m_tokens.push_back({address, encodeToken({participant, *token})});
+    }
 }
 
 void HostDriver::left(ParticipantId participant, LocalTime now)

@@ -81,10 +81,22 @@ private:
     /// Whether one more Hello over the path is judged.
     [[nodiscard]] bool hearsHello(LocalTime now);
     [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
+    /// @returns SessionLocked for who did not prove who it is; Removed for a run of a program that
+    ///          was removed.
+    [[nodiscard]] Result<void> checkReturn(ParticipantId id, ProposalId join) const;
     [[nodiscard]] Result<std::optional<Admission>> admit(const ProposalRecord& join, LocalTime now);
     /// Whether the proposal became the fact that this participant joined.
     [[nodiscard]] bool isJoinOf(ProposalId proposal, ParticipantId participant) const;
     void left(ParticipantId participant, LocalTime now);
+    /// What has to be done before a fact is entered. @returns StoreFailed; then it must not be.
+    [[nodiscard]] Result<void> prepare(const Fact& fact);
+    /// What a fact about who takes part makes the host do.
+    void carryOut(const FactBody& body);
+    /// Tells those who were removed, and ends their connections.
+    void dismissRemoved(LocalTime now);
+    /// Replaces the tokens of those whose programs were displaced.
+    void replaceTokens(const std::vector<SyncHost::Output::Displaced>& displaced, LocalTime now);
+
     /// An encrypted path.
     struct Path {
         Credential who;
@@ -129,8 +141,9 @@ private:
     PeerAddress m_speaker = 0; // sender of the datagram being handled
     std::map<PeerAddress, Path> m_paths;
     TokenBucket m_newcomers;
-    std::vector<PeerAddress> m_ended; // paths to be closed
-    Datagrams m_tokens;               // to be sent
+    std::vector<PeerAddress> m_ended;     // paths to be closed
+    Datagrams m_tokens;                   // to be sent
+    std::vector<ParticipantId> m_removed; // to be told
     Publications m_publications;
     std::uint16_t m_epoch = 0;
     std::map<ObjectId, EventCpo> m_unkept; // not stored on disk yet

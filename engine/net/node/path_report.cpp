@@ -19,4 +19,10 @@ PathReport reportPath(ParticipantId peer, const PeerLink& link, const ProbeTrigg
     return report;
 }
 
+TrafficReport reportTraffic(const PeerTraffic& traffic, LocalTime now)
+{
+    return {traffic.bytes.perSecond(now), traffic.samples.perSecond(now), traffic.facts,
+            traffic.refused};
+}
+
 } // namespace carina

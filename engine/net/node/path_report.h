@@ -2,6 +2,7 @@
 
 #include "engine/core/ids.h"
 #include "engine/sync/connection/peer_link.h"
+#include "engine/sync/connection/peer_traffic.h"
 #include "engine/sync/strategies/probe_trigger.h"
 
 #include <optional>
@@ -9,6 +10,14 @@
 
 namespace carina
 {
+
+/// What a participant sends to the host.
+struct TrafficReport {
+    double bytesPerSecond = 0.0;
+    double samplesPerSecond = 0.0;
+    std::uint64_t facts = 0;   ///< of its proposals, since it came in
+    std::uint64_t refused = 0; ///< proposals, samples and datagrams, since it came in
+};
 
 /// Measurements of the path to another participant; an unknown value is nothing.
 struct PathReport {
@@ -22,10 +31,13 @@ struct PathReport {
     std::optional<Duration> clockError{};      ///< standard error of the offset
     std::optional<Duration> clockErrorBound{}; ///< upper bound of the offset's error
     std::optional<double> loss{};              ///< 0 to 1, of the datagrams from this participant
+    std::optional<TrafficReport> traffic{};    ///< at the host
 };
 
-/// A report without the clock values.
+/// A report without clock and traffic.
 [[nodiscard]] PathReport reportPath(ParticipantId peer, const PeerLink& link,
                                     const ProbeTrigger& trigger);
+
+[[nodiscard]] TrafficReport reportTraffic(const PeerTraffic& traffic, LocalTime now);
 
 } // namespace carina

@@ -19,7 +19,12 @@
 namespace carina
 {
 
-enum class LinkState : std::uint8_t { Connecting, Connected, Away };
+enum class LinkState : std::uint8_t {
+    Connecting,
+    Connected,
+    Away,
+    Ended, ///< for good: the host removed this program, or its log is impossible (see refusal())
+};
 
 /// Measurements of the link to another participant.
 struct LinkReport {

@@ -53,6 +53,52 @@ private Q_SLOTS:
         QVERIFY(after->token(Role::Trainee, ParticipantId{3}) == *token);
     }
 
+    void changedCodeAndTokensOutliveAProgram()
+    {
+        constexpr ParticipantId kAnna{3};
+        constexpr ParticipantId kBen{4};
+        auto before = SessionSecrets::open(m_file, kSession);
+        const JoinCodes old = before->codes();
+        QVERIFY(before->setCodeKey(Role::Trainee, randomKey()));
+        const auto annas = before->issueToken(Role::Trainee, kAnna);
+        QVERIFY(before->issueToken(Role::Trainee, kBen));
+        QVERIFY(before->changeCode(Role::Trainee));
+        QVERIFY(before->codes().at(Role::Trainee) != old.at(Role::Trainee));
+        QVERIFY(before->codes().at(Role::Observer) == old.at(Role::Observer));
+        QVERIFY(!before->codeKey(Role::Trainee));
+        const auto fresh = before->replaceToken(Role::Trainee, kAnna);
+        QVERIFY(fresh && fresh != annas);
+        QVERIFY(before->revokeToken(Role::Trainee, kBen));
+        QVERIFY(before->revokeToken(Role::Observer, kBen)); // there is none
+
+        const auto after = SessionSecrets::open(m_file, kSession);
+        QVERIFY(after->codes() == before->codes());
+        QVERIFY(!after->codeKey(Role::Trainee));
+        QVERIFY(after->token(Role::Trainee, kAnna) == *fresh);
+        QVERIFY(!after->token(Role::Trainee, kBen));
+    }
+
+    void whatCannotBeKeptIsNotChanged()
+    {
+        constexpr ParticipantId kAnna{3};
+        auto secrets = SessionSecrets::open(m_file, kSession);
+        const JoinCodes codes = secrets->codes();
+        const AccessKey key = randomKey();
+        QVERIFY(secrets->setCodeKey(Role::Trainee, key));
+        const auto token = secrets->issueToken(Role::Trainee, kAnna);
+        const QString folder = m_folder->path();
+        m_folder.reset();
+        QFile inItsPlace{folder};
+        QVERIFY(inItsPlace.open(QFile::WriteOnly));
+        QCOMPARE(secrets->changeCode(Role::Trainee).error().code, Errc::FileUnwritable);
+        QVERIFY(secrets->codes() == codes && secrets->codeKey(Role::Trainee) == key);
+        QCOMPARE(secrets->replaceToken(Role::Trainee, kAnna).error().code, Errc::FileUnwritable);
+        QVERIFY(secrets->token(Role::Trainee, kAnna) == *token);
+        QCOMPARE(secrets->revokeToken(Role::Trainee, kAnna).error().code, Errc::FileUnwritable);
+        QVERIFY(!secrets->token(Role::Trainee, kAnna)); // whoever was banned stays out
+        QVERIFY(inItsPlace.remove());
+    }
+
     void tokensBelongToOneRoleAndParticipant()
     {
         auto secrets = SessionSecrets::open(m_file, kSession);

@@ -90,7 +90,7 @@ private Q_SLOTS:
         pair.run(200ms);
         QCOMPARE(pair.board.view().refusal->code, Errc::PacketMalformed);
         QCOMPARE(pair.board.state()->lastApplied(), FactNumber{1});
-        QCOMPARE(pair.board.view().links[0].report.state, LinkState::Away);
+        QCOMPARE(pair.board.view().links[0].report.state, LinkState::Ended);
         QVERIFY(pair.host.peers().empty()); // it said goodbye
     }
 

@@ -1,0 +1,316 @@
+#include "engine/net/entry/session_identity.h"
+#include "engine/net/node/client_driver.h"
+#include "engine/net/node/host_access.h"
+#include "engine/net/node/host_driver.h"
+#include "engine/sync/wire/datagram_codec.h"
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace carina::node_conduct_test
+{
+namespace
+{
+
+/// A host with a trainee, whose token is on disk.
+struct Course {
+    MemoryDisk disk;
+    QTemporaryDir tokens;
+    std::unique_ptr<SessionNode> instructor = host(disk);
+    JoinSettings annas = settingsOfAnna();
+    std::unique_ptr<SessionNode> anna = join(annas);
+
+    [[nodiscard]] JoinSettings settingsOfAnna() const
+    {
+        JoinSettings settings = joinSettings(*instructor, "Anna");
+        settings.tokens = tokens.path().toStdString();
+        return settings;
+    }
+    [[nodiscard]] bool isReady() const { return isIn(*anna) && !QDir{tokens.path()}.isEmpty(); }
+    [[nodiscard]] Participant asKnown(ParticipantId id) const
+    {
+        return instructor->state()->participants().at(id);
+    }
+    void decide(FactBody body) const { instructor->propose(kStation, std::move(body)); }
+};
+
+QByteArray onlyFileIn(const QString& folder)
+{
+    const QDir dir{folder};
+    const QStringList files = dir.entryList(QDir::Files);
+    QFile file{files.isEmpty() ? QString{} : dir.filePath(files.first())};
+    return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray{};
+}
+
+std::optional<Errc> refusalOf(const SessionNode& node)
+{
+    const auto refusal = node.refusal();
+    return refusal ? std::optional{refusal->code} : std::nullopt;
+}
+
+} // namespace
+
+/// Instructors mute, remove, ban, lock and change codes; tokens that two have are replaced.
+class TestNodeConduct : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void removedParticipantReadsByWhomAndWhy()
+    {
+        Course course;
+        const auto ina = join(*course.instructor, "Ina", Role::Instructor);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady() && isIn(*ina), kSoonMs);
+        const ParticipantId id = course.anna->self();
+        ina->propose(kStation, fact::ParticipantRemoved{id, false, "too loud"});
+        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*course.anna), LinkState::Ended, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Removed}, kSoonMs);
+        QCOMPARE(course.anna->refusal()->detail, std::string{"Ina: too loud"});
+        QVERIFY(!course.asKnown(id).present);
+        QCOMPARE(course.instructor->paths()->empty(), false); // Ina's
+        // Another run of her program comes in; that one does not.
+        const auto again = join(course.annas);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*again), kSoonMs);
+        QCOMPARE(again->self(), id);
+        QVERIFY(!course.asKnown(id).removal && !course.asKnown(id).tokenReplaced);
+        QCOMPARE(linkOf(*course.anna), LinkState::Ended);
+    }
+
+    void bannedParticipantComesInByNothingUntilTheBanIsLifted()
+    {
+        Course course;
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        const ParticipantId id = course.anna->self();
+        course.decide(fact::ParticipantRemoved{id, true, "too loud"});
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Banned}, kSoonMs);
+        course.anna = join(course.annas); // by the token, which is void, and then by the code
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Banned},
+                                  2 * kSoonMs);
+        QCOMPARE(course.anna->refusal()->detail, std::string{"Dr Hall: too loud"});
+        JoinSettings byToken = course.annas;
+        byToken.code.reset();
+        const auto withToken = join(byToken);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*withToken), std::optional{Errc::WrongCode},
+                                  2 * kSoonMs);
+        course.decide(fact::BanLifted{id});
+        QTRY_VERIFY_WITH_TIMEOUT(!course.asKnown(id).removal->banned, kSoonMs);
+        course.anna = join(course.annas);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), 2 * kSoonMs);
+        QCOMPARE(course.anna->self(), id);
+    }
+
+    void lockedSessionTakesThoseWithATokenOnly()
+    {
+        Course course;
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        course.decide(fact::SessionLocked{true});
+        QTRY_VERIFY_WITH_TIMEOUT(course.instructor->state()->isLocked(), kSoonMs);
+        const auto ben = join(*course.instructor, "Ben");
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*ben), std::optional{Errc::SessionLocked}, kSoonMs);
+        course.anna = join(course.annas);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+        QCOMPARE(ben->self(), kNobody);
+        course.decide(fact::SessionLocked{false});
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*ben), 2 * kSoonMs);
+        QVERIFY(!ben->refusal());
+    }
+
+    void mutedParticipantSeesAndChangesNothing()
+    {
+        Course course;
+        course.anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*course.anna));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            onlyObject(*course.instructor) && onlyObject(*course.instructor)->newest(), kSoonMs);
+        const ParticipantId id = course.anna->self();
+        const ObjectId tube = course.instructor->state()->objects().begin()->first;
+        course.decide(fact::ParticipantMuted{id, true});
+        QTRY_VERIFY_WITH_TIMEOUT(course.anna->state()->participants().at(id).muted, kSoonMs);
+        const std::size_t facts = course.instructor->state()->lastApplied().value;
+        course.anna->propose(kStation, fact::ObjectWanted{tube});
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Muted}, kSoonMs);
+        course.anna->act(tube, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, {}});
+        course.anna->publish(kStation, ObjectKind::Stylus, "Stylus", stillTube(*course.anna));
+        QTRY_VERIFY_WITH_TIMEOUT(course.anna->pending().empty(), kSoonMs);
+        QVERIFY(!course.anna->shown(tube, *course.anna->now()));
+        QCOMPARE(course.instructor->state()->lastApplied().value, facts);
+        const auto newest = onlyObject(*course.instructor)->newest();
+        course.decide(fact::BreathingRateSet{perMinute(20.0)}); // which she sees
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*course.anna), 20.0, kSoonMs);
+        QCOMPARE(onlyObject(*course.instructor)->newest()->time, newest->time);
+        course.decide(fact::ParticipantMuted{id, false});
+        QTRY_VERIFY_WITH_TIMEOUT(!course.anna->refusal(), kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(course.instructor->state()->objects().size(), std::size_t{2},
+                                  kSoonMs); // what was refused is proposed again
+        QTRY_VERIFY_WITH_TIMEOUT(course.instructor->object(tube)->newest()->time > newest->time,
+                                 kSoonMs);
+    }
+
+    void changedCodeLetsNobodyInByTheOldOne()
+    {
+        Course course;
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        const JoinCodes before = course.instructor->joinCodes();
+        course.decide(fact::RoleCodeChanged{Role::Trainee});
+        QTRY_VERIFY_WITH_TIMEOUT(course.instructor->joinCodes() != before, kSoonMs);
+        const JoinCodes after = course.instructor->joinCodes();
+        QVERIFY(after.at(Role::Trainee) != before.at(Role::Trainee));
+        QVERIFY(after.at(Role::Observer) == before.at(Role::Observer));
+        QVERIFY(after.at(Role::Instructor) == before.at(Role::Instructor));
+        JoinSettings late = joinSettings(*course.instructor, "Ben");
+        late.code = before.at(Role::Trainee);
+        const auto ben = join(late);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*ben), std::optional{Errc::WrongCode}, kSoonMs);
+        const auto carl = join(*course.instructor, "Carl");
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*carl), kSoonMs);
+        QVERIFY(isIn(*course.anna)); // inside stays, and comes back by the token
+        course.anna = join(course.annas);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+        course.instructor.reset();
+        QVERIFY(host(course.disk)->joinCodes() == after);
+    }
+
+    void codeIsNotChangedWhereItCannotBeKept()
+    {
+        Course course;
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        const JoinCodes before = course.instructor->joinCodes();
+        const FactNumber last = course.instructor->state()->lastApplied();
+        const QString folder = course.disk.folder.path();
+        QVERIFY(course.disk.folder.remove());
+        QFile inItsPlace{folder};
+        QVERIFY(inItsPlace.open(QFile::WriteOnly));
+        course.decide(fact::RoleCodeChanged{Role::Trainee});
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.instructor), std::optional{Errc::StoreFailed},
+                                  kSoonMs);
+        QVERIFY(inItsPlace.remove());
+        QVERIFY(course.instructor->joinCodes() == before);
+        QCOMPARE(course.instructor->state()->lastApplied(), last);
+    }
+
+    /// The keys of the codes are derived on another thread: one may be done after a change.
+    void keyOfAnOldCodeThatComesLateIsNotUsed()
+    {
+        const std::string session(32, '0');
+        const auto access = HostAccess::open({}, session, cheapKey);
+        QVERIFY((*access)->changeCode(Role::Trainee));
+        const auto answer = [&](Role role) { return (*access)->keyOf({{role, {}}, session}); };
+        QTRY_VERIFY_WITH_TIMEOUT(
+            answer(Role::Trainee).state == HostTransport::KeyAnswer::State::Known, kSoonMs);
+        QVERIFY(answer(Role::Trainee).key
+                == *cheapKey((*access)->codes().at(Role::Trainee), sessionKey(session)));
+    }
+
+    void whoHasNotComeInWithAnOldCodeIsOut()
+    {
+        const auto access = HostAccess::open({}, std::string(32, '0'), cheapKey);
+        constexpr ParticipantId kAnna{3};
+        for (const PeerAddress peer : {7, 8, 9})
+            (*access)->connected(peer, {peer == 9 ? Role::Observer : Role::Trainee, {}});
+        (*access)->admitted(7, kAnna);
+        QVERIFY((*access)->changeCode(Role::Trainee));
+        QVERIFY((*access)->check(7, Role::Trainee, kAnna));
+        QVERIFY(!(*access)->check(8, Role::Trainee, ParticipantId{4}));
+        QVERIFY((*access)->check(9, Role::Observer, ParticipantId{5}));
+    }
+
+    void tokenThatTwoHaveIsReplacedAndBothAreTold()
+    {
+        Course course;
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        const ParticipantId id = course.anna->self();
+        const QTemporaryDir copied;
+        const QString file = QDir{course.tokens.path()}.entryList(QDir::Files).first();
+        QVERIFY(QFile::copy(QDir{course.tokens.path()}.filePath(file),
+                            QDir{copied.path()}.filePath(file)));
+        const QByteArray token = onlyFileIn(copied.path());
+        JoinSettings withCopy = course.annas;
+        withCopy.tokens = copied.path().toStdString();
+        withCopy.code.reset();
+        const auto thief = join(withCopy);
+        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*course.anna), LinkState::Ended, 2 * kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::UsedElsewhere},
+                                  kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*thief), kSoonMs);
+        QCOMPARE(thief->self(), id);
+        QTRY_VERIFY_WITH_TIMEOUT(thief->state()->participants().at(id).tokenReplaced, kSoonMs);
+        QVERIFY(course.asKnown(id).tokenReplaced);
+        QTRY_VERIFY_WITH_TIMEOUT(onlyFileIn(copied.path()) != token, kSoonMs);
+        QCOMPARE(onlyFileIn(course.tokens.path()), token); // which is void
+        JoinSettings byOldToken = course.annas;
+        byOldToken.code.reset();
+        const auto late = join(byOldToken);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*late), std::optional{Errc::WrongCode}, 2 * kSoonMs);
+        QVERIFY(isIn(*thief));
+    }
+
+    /// Nobody is warned of a program that ends and starts again, as often as it does.
+    void restartedProgramIsNoSecondOne()
+    {
+        Course course;
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        const ParticipantId id = course.anna->self();
+        const QByteArray token = onlyFileIn(course.tokens.path());
+        for (int i = 0; i < 3; ++i) {
+            course.anna = join(course.annas); // the old one ends once the new one has begun
+            QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+            QCOMPARE(course.anna->self(), id);
+        }
+        QVERIFY(!course.asKnown(id).tokenReplaced);
+        QCOMPARE(onlyFileIn(course.tokens.path()), token);
+    }
+
+    /// The id that a program joins with proves its run, so it must not be in the log.
+    void idOfAJoinStaysBetweenAProgramAndItsHost()
+    {
+        constexpr PeerAddress kGuest = 7;
+        MemoryDisk disk;
+        NodeBoard boards[2];
+        const LocalTime now = monotonicNow();
+        const auto host = HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk),
+                                           boards[0], now);
+        ClientDriver guest{{.participantName = "Anna", .station = kStation}, boards[1], now};
+        (*host)->connected(kGuest, {Role::Trainee, {}}, now);
+        guest.connected(kGuest, {}, now);
+        std::optional<ProposalId> join;
+        for (const auto& [to, bytes] : guest.advance(now)) {
+            (*host)->receive(kGuest, bytes, now);
+            (*host)->receive(kGuest, bytes, now + 1ms); // a repeated Hello is the same join
+            for (const WireRecord& record : decodeDatagram(bytes)->records)
+                if (const auto* hello = std::get_if<Hello>(&record))
+                    join = hello->join.id;
+        }
+        QVERIFY(join);
+        const auto joins = std::ranges::count_if(
+            disk.facts, [](const FactRecord& fact) { return fact.author == kNobody; });
+        QCOMPARE(joins, 1);
+        for (const FactRecord& fact : disk.facts)
+            QVERIFY(fact.proposal != *join);
+    }
+
+    void hostSeesWhatEverybodySends()
+    {
+        Course course;
+        course.anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*course.anna));
+        const auto traffic = [&]() -> TrafficReport {
+            const auto paths = course.instructor->paths();
+            return paths->empty() ? TrafficReport{} : paths->front().traffic.value();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(traffic().samplesPerSecond > 20.0, 2 * kSoonMs);
+        QVERIFY(traffic().samplesPerSecond < 90.0);
+        QVERIFY(traffic().bytesPerSecond > 20.0 * traffic().samplesPerSecond);
+        QCOMPARE(traffic().facts, std::uint64_t{1}); // that she shares the tube
+        QCOMPARE(traffic().refused, std::uint64_t{0});
+        course.anna->propose(kStation, fact::BreathingRateSet{perMinute(20.0)});
+        QTRY_COMPARE_WITH_TIMEOUT(traffic().refused, std::uint64_t{1}, kSoonMs);
+        QVERIFY(!course.anna->paths()->front().traffic);
+    }
+};
+
+CARINA_TEST(TestNodeConduct)
+
+} // namespace carina::node_conduct_test
+
+#include "tst_node_conduct.moc"

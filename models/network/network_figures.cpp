@@ -76,6 +76,7 @@ NetworkFigures figuresOf(const PathReport& path)
     figures.clockErrorBound_ms = inMs(path.clockErrorBound);
     if (path.loss)
         figures.loss_percent = 100.0 * *path.loss;
+    figures.traffic = path.traffic;
     return figures;
 }
 

@@ -43,6 +43,7 @@ struct NetworkFigures {
     std::optional<double> clockChangeError_ms{};
     std::optional<double> clockErrorBound_ms{};
     std::optional<double> loss_percent{};
+    std::optional<TrafficReport> traffic{}; ///< at the host
     std::vector<ObjectFigures> objects{};
 };
 

@@ -111,6 +111,8 @@ std::vector<NetworkFiguresModel::Row> NetworkFiguresModel::rowsOf(const NetworkF
 {
     std::vector<Row> rows;
     addPath(figures, rows);
+    if (figures.traffic)
+        addTraffic(*figures.traffic, rows);
     addClock(figures, rows);
     for (const ObjectFigures& object : figures.objects)
         addObject(object, rows);
@@ -132,6 +134,22 @@ void NetworkFiguresModel::addPath(const NetworkFigures& figures, std::vector<Row
                        "known for fewer than %2")
                         .arg(LossWindow::kWindow)
                         .arg(LossWindow::kLeast)});
+}
+
+void NetworkFiguresModel::addTraffic(const TrafficReport& traffic, std::vector<Row>& rows)
+{
+    rows.push_back(
+        {tr("Received"),
+         tr("%1 kB/s, %2 samples per s")
+             .arg(1e-3 * traffic.bytesPerSecond, 0, 'f', 1)
+             .arg(traffic.samplesPerSecond, 0, 'f', 0),
+         tr("What the participant's program sends to this one: bytes without encryption "
+            "and headers of the network, and poses of its objects; of the last seconds")});
+    rows.push_back({tr("Changes made"), QString::number(traffic.facts),
+                    tr("Changes of the session that the participant made since joining")});
+    rows.push_back({tr("Refused"), QString::number(traffic.refused),
+                    tr("What was not taken from the participant since joining: changes, poses and "
+                       "datagrams beyond what their role may send, or sent while muted")});
 }
 
 void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Row>& rows)

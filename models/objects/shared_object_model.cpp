@@ -74,6 +74,9 @@ QString SharedObjectModel::obstacle() const
     if (person->role == Role::Observer)
         return tr("Observers cannot move anything. Ask the instructor to admit you as a trainee if "
                   "you want to.");
+    if (person->muted)
+        return tr("An instructor has muted you. You can move things again when that is taken "
+                  "back.");
     if (!chosen())
         return tr("No object that can be moved is shared yet. The instructor's console shares the "
                   "virtual patient.");

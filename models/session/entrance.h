@@ -20,8 +20,9 @@ public:
     /// After this many unsuccessful polls progress() also advises to check address and port.
     static constexpr int kPatience = 100;
     /// NameTaken is accepted as final only after this many polls: the name of a program that was
-    /// just killed becomes free after 600 ms, so that a restarted program joins by itself.
-    static constexpr int kTakenBelieved = 20;
+    /// just killed becomes free after 600 ms, so that a restarted program joins by itself, and the
+    /// host takes a second to see that two programs with one token are both alive.
+    static constexpr int kTakenBelieved = 40;
 
     /// @param known settings that are not in the form
     explicit Entrance(JoinSettings known, Join join = SessionNode::join);

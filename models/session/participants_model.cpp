@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <span>
 
 namespace carina
 {
@@ -10,6 +11,7 @@ namespace
 {
 
 constexpr int kRefreshInterval_ms = 500;
+constexpr Duration kReplacementTold = std::chrono::minutes{1};
 const QString kNothing = QStringLiteral("–");
 
 QString roleText(Role role)
@@ -57,6 +59,18 @@ std::optional<double> ParticipantsModel::oldestSample_ms() const
     return oldest;
 }
 
+QStringList ParticipantsModel::replacedTokens(SessionTime now) const
+{
+    const auto state = m_session.node().state();
+    QStringList sentences;
+    for (const auto& [id, participant] : state->participants())
+        if (participant.tokenReplaced && now < *participant.tokenReplaced + kReplacementTold)
+            sentences += tr("▲ two programs had the token of %1: ask them, and remove the one that "
+                            "is not theirs")
+                             .arg(QString::fromStdString(participant.name));
+    return sentences;
+}
+
 int ParticipantsModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
@@ -76,7 +90,11 @@ QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
         return cell(row, index.column());
     if (role == Qt::AccessibleTextRole)
         return spoken(row, index.column());
-    if (role == Qt::TextAlignmentRole && index.column() >= Age && index.column() <= DriftDistance)
+    if (role == kIdRole)
+        return uint{row.id.value};
+    if (role == Qt::ToolTipRole && index.column() == State && !row.reason.isEmpty())
+        return row.reason;
+    if (role == Qt::TextAlignmentRole && index.column() >= Sends && index.column() <= DriftDistance)
         return int{Qt::AlignRight | Qt::AlignVCenter};
     return {};
 }
@@ -90,6 +108,8 @@ QString ParticipantsModel::cell(const Row& row, int column)
         return row.role;
     case State:
         return row.state;
+    case Sends:
+        return number(row.sends_kB_per_s, 1, tr("%1 kB/s"));
     case Age:
         return number(row.age_ms, 0, tr("%1 ms"));
     case DriftAngle:
@@ -117,6 +137,9 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::ToolTipRole) {
+        if (section == Sends)
+            return tr("What the participant's program sends to this one, without encryption and "
+                      "headers of the network");
         if (section == Age)
             return tr("Age of the newest pose sample; of several objects, that of the oldest");
         if (section == DriftAngle)
@@ -136,6 +159,8 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
         return tr("Role");
     case State:
         return tr("State");
+    case Sends:
+        return tr("Sends");
     case Age:
         return tr("Age");
     case DriftAngle:
@@ -158,6 +183,17 @@ void ParticipantsModel::refresh()
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
         return;
     }
+    // Numbers grow, so whoever is new stands below: the chosen row stays chosen.
+    const int before = rowCount();
+    if (rows.size() > m_rows.size()
+        && std::ranges::equal(m_rows, std::span{rows}.first(m_rows.size()), sameId)) {
+        beginInsertRows({}, before, static_cast<int>(rows.size()) - 1);
+        m_rows = std::move(rows);
+        endInsertRows();
+        if (before > 0)
+            Q_EMIT dataChanged(index(0, 0), index(before - 1, ColumnCount - 1));
+        return;
+    }
     beginResetModel();
     m_rows = std::move(rows);
     endResetModel();
@@ -168,12 +204,20 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
     const SessionNode& node = m_session.node();
     const auto state = node.state();
     const std::vector<ObjectReport> reports = node.objectReports();
+    const auto paths = node.paths();
     std::vector<Row> rows;
     for (const auto& [id, participant] : state->participants()) {
         Row row{.id = id,
                 .name = QString::fromStdString(participant.name),
                 .role = roleText(participant.role),
                 .state = stateText(participant)};
+        if (participant.removal && !participant.present)
+            row.reason =
+                tr("Removed by %1")
+                    .arg(QString::fromStdString(removalText(*state, *participant.removal)));
+        const auto path = std::ranges::find(*paths, id, &PathReport::peer);
+        if (path != paths->end() && path->traffic)
+            row.sends_kB_per_s = 1e-3 * path->traffic->bytesPerSecond;
         for (const ObjectReport& report : reports) {
             const auto object = state->objects().find(report.object);
             if (!participant.present || object == state->objects().end()
@@ -193,17 +237,27 @@ QString ParticipantsModel::stateText(const Participant& participant) const
     if (participant.id == m_session.node().self())
         return tr("✓ here");
     if (!participant.present)
-        return tr("○ left");
+        return absenceText(participant);
     const auto link = linkTo(participant.id);
     switch (link ? link->state : LinkState::Away) {
     case LinkState::Connected:
-        return tr("✓ connected");
+        if (participant.muted)
+            return tr("▲ muted");
+        return participant.tokenReplaced ? tr("▲ token replaced") : tr("✓ connected");
     case LinkState::Connecting:
         return tr("◇ connecting");
     case LinkState::Away:
+    case LinkState::Ended:
         break;
     }
     return tr("▲ away");
+}
+
+QString ParticipantsModel::absenceText(const Participant& participant)
+{
+    if (!participant.removal)
+        return tr("○ left");
+    return participant.removal->banned ? tr("✕ banned") : tr("○ removed");
 }
 
 std::optional<LinkReport> ParticipantsModel::linkTo(ParticipantId id) const

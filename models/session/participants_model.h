@@ -3,20 +3,23 @@
 #include "models/session/session_model.h"
 
 #include <QAbstractTableModel>
+#include <QStringList>
 
 #include <vector>
 
 namespace carina
 {
 
-/// The participants of the session as a table: name, role, connection state, age of the newest pose
-/// sample, and drift: how far their objects jumped when that sample arrived.
+/// The participants of the session as a table: name, role, connection state, how much they send to
+/// the host, age of the newest pose sample, and drift: how far their objects jumped when that
+/// sample arrived.
 class ParticipantsModel : public QAbstractTableModel
 {
     Q_OBJECT
 
 public:
-    enum Column { Name, State, Age, DriftAngle, DriftDistance, RoleColumn, ColumnCount };
+    enum Column { Name, RoleColumn, State, Sends, Age, DriftAngle, DriftDistance, ColumnCount };
+    static constexpr int kIdRole = Qt::UserRole;
 
     /// @pre session outlives this.
     explicit ParticipantsModel(SessionModel& session, QObject* parent = nullptr);
@@ -24,6 +27,9 @@ public:
     /// The age of the oldest of all participants' newest samples, in milliseconds; std::nullopt
     /// while nobody sends poses.
     [[nodiscard]] std::optional<double> oldestSample_ms() const;
+
+    /// A sentence for each participant whose token was replaced in the last minute.
+    [[nodiscard]] QStringList replacedTokens(SessionTime now) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -38,6 +44,8 @@ private:
         QString name;
         QString role;
         QString state;
+        QString reason{}; ///< of a removal
+        std::optional<double> sends_kB_per_s{};
         std::optional<double> age_ms{};
         std::optional<double> drift_deg{};
         std::optional<double> drift_mm{};
@@ -49,6 +57,7 @@ private:
     [[nodiscard]] std::vector<Row> currentRows() const;
     [[nodiscard]] std::optional<LinkReport> linkTo(ParticipantId id) const;
     [[nodiscard]] QString stateText(const Participant& participant) const;
+    [[nodiscard]] static QString absenceText(const Participant& participant);
     [[nodiscard]] static QString cell(const Row& row, int column);
     /// The text of a cell for a screen reader: with its column name, without the state mark.
     [[nodiscard]] QString spoken(const Row& row, int column) const;

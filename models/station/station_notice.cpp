@@ -15,6 +15,8 @@ namespace
 /// A host says something every 250 ms; so two in a row may be lost. What others track is lost
 /// sooner than the connection is given up, and not for the tracker's sake.
 constexpr Duration kHostSilent = std::chrono::milliseconds{800};
+/// For so long it is said that a token was replaced.
+constexpr Duration kTokenTold = std::chrono::minutes{1};
 
 QString noticeWords(const char* text) { return QCoreApplication::translate("StationNotice", text); }
 
@@ -47,6 +49,26 @@ QString phaseNotice(SessionPhase phase)
     return {};
 }
 
+/// What was decided about this program's participant; empty where nothing was.
+QString standing(const SessionNode& node, SessionTime now)
+{
+    const auto state = node.state();
+    const auto self = state->participants().find(node.self());
+    if (self == state->participants().end())
+        return {};
+    const auto refusal = node.refusal();
+    const bool isTold = refusal && refusal->code == Errc::Muted;
+    QStringList lines;
+    if (self->second.muted && !isTold)
+        lines.append(errorText({Errc::Muted, {}}));
+    if (const auto& at = self->second.tokenReplaced; at && now < *at + kTokenTold)
+        lines.append(noticeWords(QT_TRANSLATE_NOOP(
+            "StationNotice", "Another program was here with your name and token. It had to leave, "
+                             "and this one has a new token. If that was not you, tell the "
+                             "instructor.")));
+    return lines.join(QLatin1Char{'\n'});
+}
+
 /// Of what goes on, the weightiest; empty when all is well.
 QString situation(const SessionNode& node, const StationMoment& moment, ViewOutput output)
 {
@@ -69,12 +91,21 @@ QString situation(const SessionNode& node, const StationMoment& moment, ViewOutp
 
 QString stationNotice(const SessionNode& node, const StationMoment& moment, ViewOutput output)
 {
-    QStringList lines{situation(node, moment, output)};
+    if (isRemoved(node))
+        return errorText(node.refusal().value_or(Error{Errc::Removed, {}}));
+    QStringList lines{situation(node, moment, output), standing(node, moment.time)};
     if (isAway(moment))
         lines.append(noticeWords(QT_TRANSLATE_NOOP(
             "StationNotice", "The virtual patient was moved away from its place")));
     lines.removeAll(QString{});
     return lines.join(QLatin1Char{'\n'});
+}
+
+bool isRemoved(const SessionNode& node)
+{
+    const auto links = node.links();
+    return std::ranges::any_of(
+        links, [](const LinkReport& link) { return link.state == LinkState::Ended; });
 }
 
 } // namespace carina

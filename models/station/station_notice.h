@@ -12,7 +12,13 @@ namespace carina
 /// is the most important of: refusal by the host, no host, session not running, headset (if there
 /// is one) or tube out of the tracker's view. A second line is added while the patient is displaced
 /// from its original pose.
+///
+/// A muted participant reads that it is muted, and one whose token was replaced why, for a minute.
+/// Once the host has removed this program, only its reason is shown.
 [[nodiscard]] QString stationNotice(const SessionNode& node, const StationMoment& moment,
                                     ViewOutput output);
+
+/// Whether the host removed this program for good, so that nothing it offers has an effect.
+[[nodiscard]] bool isRemoved(const SessionNode& node);
 
 } // namespace carina

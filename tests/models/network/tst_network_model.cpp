@@ -171,6 +171,18 @@ private Q_SLOTS:
         QCOMPARE(linesOf(*model.figures(0)), expected);
     }
 
+    void saysAtTheHostWhatAParticipantSends()
+    {
+        FakeSessionNode node;
+        PathReport path = knownPath(kTrainee);
+        path.traffic = TrafficReport{12'345.0, 59.7, 4, 17};
+        node.pathReports = {path};
+        const QStringList lines = linesOf(networkFigures(node).at(0));
+        QCOMPARE(lines.at(4), QStringLiteral("Received: 12.3 kB/s, 60 samples per s"));
+        QCOMPARE(lines.at(5), QStringLiteral("Changes made: 4"));
+        QCOMPARE(lines.at(6), QStringLiteral("Refused: 17"));
+    }
+
     void tellsTheCategoryByShapeAndWords()
     {
         FakeSessionNode node;

@@ -19,6 +19,9 @@ private Q_SLOTS:
     void namesItsColumns();
     void saysWhetherSomebodyIsThere_data();
     void saysWhetherSomebodyIsThere();
+    void saysWhoMayNotTakePart();
+    void saysHowMuchSomebodySends();
+    void tellsOfReplacedTokensForAMinute();
     void showsTheWorstOfSomebodysObjects();
     void forgetsTheObjectsOfWhoLeft();
     void speaksEachCell();
@@ -72,9 +75,10 @@ void TestParticipantsModel::listsEverybodyWithTheirRole()
 void TestParticipantsModel::namesItsColumns()
 {
     const Table table;
-    const QStringList expected{QStringLiteral("Name"),     QStringLiteral("State"),
-                               QStringLiteral("Age"),      QStringLiteral("Drift °"),
-                               QStringLiteral("Drift mm"), QStringLiteral("Role")};
+    const QStringList expected{QStringLiteral("Name"),    QStringLiteral("Role"),
+                               QStringLiteral("State"),   QStringLiteral("Sends"),
+                               QStringLiteral("Age"),     QStringLiteral("Drift °"),
+                               QStringLiteral("Drift mm")};
     QStringList headers;
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
@@ -111,6 +115,59 @@ void TestParticipantsModel::saysWhetherSomebodyIsThere()
     QCOMPARE(table.cell(kTraineeRow, Column::State), word);
     QCOMPARE(table.cell(kInstructorRow, Column::State), QStringLiteral("✓ here"));
     QCOMPARE(table.cell(kObserverRow, Column::State), QStringLiteral("✓ connected"));
+}
+
+void TestParticipantsModel::saysWhoMayNotTakePart()
+{
+    Table table;
+    const auto tomIs = [&](FactBody body) {
+        table.node.linkReports = {{FakeSessionNode::kTrainee, LinkState::Connected, {}, {}, {}}};
+        table.node.decide(std::move(body), FakeSessionNode::kInstructor);
+        table.deliver();
+        return table.cell(kTraineeRow, Column::State);
+    };
+    constexpr ParticipantId tom = FakeSessionNode::kTrainee;
+    QCOMPARE(tomIs(fact::ParticipantMuted{tom, true}), QStringLiteral("▲ muted"));
+    QCOMPARE(tomIs(fact::ParticipantMuted{tom, false}), QStringLiteral("✓ connected"));
+    QCOMPARE(tomIs(fact::ParticipantRemoved{tom, true, "too loud"}), QStringLiteral("✕ banned"));
+    QCOMPARE(table.cell(kTraineeRow, Column::State, Qt::ToolTipRole),
+             QStringLiteral("Removed by Ina: too loud"));
+    QCOMPARE(table.cell(kTraineeRow, Column::State, Qt::AccessibleTextRole),
+             QStringLiteral("State: banned"));
+    QCOMPARE(tomIs(fact::BanLifted{tom}), QStringLiteral("○ removed"));
+    table.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::State), QStringLiteral("✓ connected"));
+    QCOMPARE(table.cell(kTraineeRow, Column::State, Qt::ToolTipRole), QString{});
+    QCOMPARE(table.model.data(table.model.index(kTraineeRow, 0), ParticipantsModel::kIdRole),
+             QVariant{uint{tom.value}});
+}
+
+void TestParticipantsModel::saysHowMuchSomebodySends()
+{
+    Table table;
+    QCOMPARE(table.cell(kTraineeRow, Column::Sends), kNoValue);
+    PathReport path;
+    path.peer = FakeSessionNode::kTrainee;
+    path.traffic = TrafficReport{12'345.0, 60.0, 3, 2};
+    table.node.pathReports = {path};
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Sends), QStringLiteral("12.3 kB/s"));
+    QCOMPARE(table.cell(kObserverRow, Column::Sends), kNoValue);
+}
+
+void TestParticipantsModel::tellsOfReplacedTokensForAMinute()
+{
+    Table table;
+    const SessionTime now = *table.node.now();
+    QVERIFY(table.model.replacedTokens(now).isEmpty());
+    table.node.linkReports = {{FakeSessionNode::kTrainee, LinkState::Connected, {}, {}, {}}};
+    table.node.decide(fact::TokenReplaced{FakeSessionNode::kTrainee});
+    table.deliver();
+    QCOMPARE(table.model.replacedTokens(now).size(), 1);
+    QVERIFY(table.model.replacedTokens(now).first().contains(QStringLiteral("Tom")));
+    QVERIFY(table.model.replacedTokens(now + std::chrono::minutes{1}).isEmpty());
+    QCOMPARE(table.cell(kTraineeRow, Column::State), QStringLiteral("▲ token replaced"));
 }
 
 void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
@@ -162,9 +219,11 @@ void TestParticipantsModel::speaksEachCell()
 void TestParticipantsModel::addsWhoComesInAndKeepsWhoLeft()
 {
     Table table;
+    const QPersistentModelIndex chosen = table.model.index(kTraineeRow, 0);
     table.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tess"});
     table.node.decide(fact::ParticipantLeft{FakeSessionNode::kObserver});
     table.deliver();
+    QVERIFY(chosen.isValid()); // whoever was chosen stays so
     QCOMPARE(table.model.rowCount(), 4);
     QCOMPARE(table.cell(3, Column::Name), QStringLiteral("Tess"));
     QCOMPARE(table.cell(kObserverRow, Column::Name), QStringLiteral("Olga"));

@@ -1,4 +1,5 @@
 #include "engine/lungs/drawing/chest_drawing.h"
+#include "models/errors/error_text.h"
 #include "models/station/station_notice.h"
 #include "models/station/station_view.h"
 #include "tests/engine/lungs/drawing/lung_like_mesh.h"
@@ -66,6 +67,7 @@ private Q_SLOTS:
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
     void saysThatThePatientIsAway();
+    void saysWhatWasDecidedAboutItsParticipant();
     void saysWhenTheHeadsetIsLost_data();
     void saysWhenTheHeadsetIsLost();
 };
@@ -167,6 +169,36 @@ void TestStationView::saysThatThePatientIsAway()
     QCOMPARE(notice(), away);
     node.linkReports.front().sinceLastDatagram = std::chrono::milliseconds{800};
     QCOMPARE(notice(), QStringLiteral("Connecting to the instructor …\n") + away);
+}
+
+/// What an instructor decided, and that a token was replaced.
+void TestStationView::saysWhatWasDecidedAboutItsParticipant()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    moment.tube = tellingPose(ObjectKind::Tube, moment.time);
+    const auto notice = [&] { return stationNotice(node, moment, ViewOutput::Screen); };
+    const QString muted = errorText({Errc::Muted, {}});
+    node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, true});
+    QCOMPARE(notice(), muted);
+    node.isRefused({Errc::Muted, {}});
+    QCOMPARE(notice(), muted); // once
+    node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, false});
+    QCOMPARE(notice(), QString{});
+    node.decide(fact::TokenReplaced{FakeSessionNode::kTrainee});
+    QVERIFY(notice().contains(QStringLiteral("new token")));
+    moment.time = *node.now() + std::chrono::minutes{1};
+    moment.tube->time = moment.time;
+    QCOMPARE(notice(), QString{});
+    QVERIFY(!isRemoved(node));
+    node.linkReports.front().state = LinkState::Ended;
+    node.isRefused({Errc::Removed, "Ina: too loud"});
+    moment.patient.emplace().acted.scale = 2.0;
+    QVERIFY(isRemoved(node));
+    QCOMPARE(notice(), errorText({Errc::Removed, "Ina: too loud"}));
 }
 
 void TestStationView::saysWhenTheHeadsetIsLost_data()

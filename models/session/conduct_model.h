@@ -1,0 +1,53 @@
+#pragma once
+
+#include "models/session/session_model.h"
+
+namespace carina
+{
+
+/// What an instructor decides about who takes part: mute, remove, ban, lock, and a role's new code.
+/// Lives on the GUI thread.
+class ConductModel : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// What can be decided about one participant.
+    struct Standing {
+        QString name{};
+        bool isMuted = false;
+        bool isBanned = false;
+        bool canMute = false; ///< or unmute
+        bool canRemove = false;
+
+        friend bool operator==(const Standing&, const Standing&) = default;
+    };
+
+    /// @pre session outlives this.
+    explicit ConductModel(SessionModel& session, QObject* parent = nullptr);
+
+    /// Nothing can be decided about an unknown participant, the host and this program's own.
+    [[nodiscard]] Standing standingOf(ParticipantId participant) const;
+    [[nodiscard]] bool isLocked() const;
+
+    /// Whether a reason for a removal fits into its fact.
+    [[nodiscard]] static bool isShortEnough(const QString& reason);
+
+    void setMuted(ParticipantId participant, bool muted);
+    /// @pre isShortEnough(reason)
+    void remove(ParticipantId participant, const QString& reason, bool ban);
+    void letBack(ParticipantId participant);
+    void setLocked(bool locked);
+    void changeCode(Role role);
+
+Q_SIGNALS:
+    /// What can be decided may have changed.
+    void changed();
+
+private:
+    void decide(FactBody body);
+
+    SessionModel& m_session;
+};
+
+} // namespace carina

@@ -221,6 +221,7 @@ Result<int> run(const QCommandLineParser& parser)
     SessionModel session{**node};
     BreathingModel breathing{session, kStation};
     ParticipantsModel participants{session};
+    ConductModel conduct{session};
     NetworkModel network{session};
     SharedObjectModel object{session, kStation};
     ObjectActionModel actions{object};
@@ -228,8 +229,8 @@ Result<int> run(const QCommandLineParser& parser)
     BreathTrace trace{session, kStation};
     const CheckpointKeeper checkpoints{**node};
     StationView view{**node, kStation, patient->model->lungs(), posesOf(**node, kStation)};
-    InstructorWindow window{session, breathing, respiration,     trace, participants,
-                            network, actions,   *patient->model, view};
+    InstructorWindow window{session, breathing, respiration, trace,           participants,
+                            conduct, network,   actions,     *patient->model, view};
     window.resize(options->size);
     window.show();
     const auto journal =

@@ -48,9 +48,9 @@ void reserve(const QToolBar& bar, QAction& action, const QString& longest)
 
 InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
                                    RespirationModel& respiration, BreathTrace& trace,
-                                   ParticipantsModel& participants, NetworkModel& network,
-                                   ObjectActionModel& actions, const PatientModel& patient,
-                                   StationView& view)
+                                   ParticipantsModel& participants, ConductModel& conduct,
+                                   NetworkModel& network, ObjectActionModel& actions,
+                                   const PatientModel& patient, StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_respiration{respiration},
@@ -63,9 +63,10 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);
     m_ui->waveforms->setTrace(trace);
-    m_ui->participants->setModel(participants);
+    m_ui->participants->setModel(participants, conduct);
     m_ui->network->setModel(network);
-    m_ui->invitation->show(session.node());
+    refreshInvitation();
+    connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &conduct, &ConductModel::changeCode);
     m_ui->actions->setModel(actions);
     layDocks();
     m_ui->scene->setBackground(palette().color(QPalette::Base));
@@ -177,7 +178,17 @@ void InstructorWindow::refresh()
     m_ui->pause->setEnabled(m_session.canPause());
     m_ui->end->setEnabled(m_session.canEnd());
     m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
+    refreshInvitation();
     refreshStatus();
+}
+
+void InstructorWindow::refreshInvitation()
+{
+    const JoinCodes codes = m_session.node().joinCodes();
+    if (codes == m_shownCodes)
+        return;
+    m_shownCodes = codes;
+    m_ui->invitation->show(m_session.node());
 }
 
 void InstructorWindow::refreshStatus()
@@ -188,7 +199,7 @@ void InstructorWindow::refreshStatus()
     }
     // What is out of the ordinary stands in front.
     const StationMoment& moment = m_stationScene->moment();
-    QStringList told;
+    QStringList told = m_participants.replacedTokens(moment.time);
     if (isAway(moment))
         told += tr("▲ patient not in its original place");
     if (moment.exaggeration != 1.0)

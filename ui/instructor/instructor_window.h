@@ -5,6 +5,7 @@
 #include "models/respiration/breath_trace.h"
 #include "models/respiration/breathing_model.h"
 #include "models/respiration/respiration_model.h"
+#include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
 #include "models/session/session_model.h"
 #include "ui/scene/station_scene.h"
@@ -32,7 +33,7 @@ public:
     /// @pre all outlive the window.
     InstructorWindow(SessionModel& session, BreathingModel& breathing,
                      RespirationModel& respiration, BreathTrace& trace,
-                     ParticipantsModel& participants, NetworkModel& network,
+                     ParticipantsModel& participants, ConductModel& conduct, NetworkModel& network,
                      ObjectActionModel& actions, const PatientModel& patient, StationView& view);
     ~InstructorWindow() override;
 
@@ -42,6 +43,7 @@ private:
     void fillSessionBar();
     void layDocks();
     void connectViews(StationView& view);
+    void refreshInvitation();
     void endOnSecondPress();
     void refresh();
     void refreshStatus();
@@ -54,6 +56,7 @@ private:
     QLabel* m_phase;
     QLabel* m_status;
     bool m_endAsked = false;
+    JoinCodes m_shownCodes;
 };
 
 } // namespace carina

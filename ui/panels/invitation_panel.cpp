@@ -8,6 +8,7 @@
 #include <QFontDatabase>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
 
@@ -38,7 +39,8 @@ InvitationPanel::InvitationPanel(QWidget* parent)
       m_reach{new QLabel},
       m_certificate{new QLabel},
       m_showPicture{new QPushButton{tr("Show &QR code")}},
-      m_copy{new QPushButton{tr("Copy &link")}}
+      m_copy{new QPushButton{tr("Copy &link")}},
+      m_newCode{new QPushButton{tr("Ne&w code…")}}
 {
     auto* rows = new QGridLayout;
     rows->setColumnStretch(1, 1);
@@ -58,6 +60,9 @@ InvitationPanel::InvitationPanel(QWidget* parent)
         tr("The link in the QR code: carina-trainee takes it in place of address, port and code"));
     connect(m_copy, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(m_invited.at(m_chosen).link); });
+    m_newCode->setObjectName(QStringLiteral("newCode"));
+    m_newCode->setToolTip(tr("Replaces the code of the chosen role; those inside stay"));
+    connect(m_newCode, &QPushButton::clicked, this, &InvitationPanel::askForNewCode);
     auto* column = new QVBoxLayout{this};
     column->addLayout(rows);
     column->addWidget(m_reach);
@@ -65,6 +70,7 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_showPicture);
     buttons->addWidget(m_copy);
+    buttons->addWidget(m_newCode);
     buttons->addStretch(1);
     column->addLayout(buttons);
     column->addWidget(m_picture, 1);
@@ -97,6 +103,26 @@ void InvitationPanel::show(const SessionNode& host)
     m_certificate->setText(certificateText(host));
     m_certificate->setVisible(!m_certificate->text().isEmpty());
     choose(m_chosen);
+}
+
+void InvitationPanel::askForNewCode()
+{
+    const Role role = m_chosen;
+    auto* question = new QMessageBox{this};
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setIcon(QMessageBox::Question);
+    question->setWindowTitle(tr("New code"));
+    question->setText(role == Role::Trainee ? tr("Give trainees a new code?")
+                                            : tr("Give observers a new code?"));
+    question->setInformativeText(
+        tr("%1 and its link are void at once. Those who are in the session stay, and those who "
+           "were in it can come back.")
+            .arg(m_invited.at(role).code->text()));
+    QPushButton* change = question->addButton(tr("&New code"), QMessageBox::AcceptRole);
+    change->setObjectName(QStringLiteral("change"));
+    question->addButton(QMessageBox::Cancel);
+    connect(change, &QPushButton::clicked, this, [this, role] { Q_EMIT newCodeWanted(role); });
+    question->open();
 }
 
 void InvitationPanel::choose(Role role)

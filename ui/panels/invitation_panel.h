@@ -27,8 +27,12 @@ public:
     explicit InvitationPanel(QWidget* parent = nullptr);
 
     using QWidget::show;
-    /// Shows the codes of a hosting node.
+    /// Shows the codes of a hosting node, as they are now.
     void show(const SessionNode& host);
+
+Q_SIGNALS:
+    /// A role is to have a new code; the user has confirmed it.
+    void newCodeWanted(carina::Role role);
 
 private:
     struct Invited {
@@ -39,6 +43,7 @@ private:
 
     void addRow(QGridLayout& rows, Role role, const QString& name, const QString& codeName);
     void choose(Role role);
+    void askForNewCode();
 
     std::map<Role, Invited> m_invited;
     Role m_chosen = Role::Trainee;
@@ -47,6 +52,7 @@ private:
     QLabel* m_certificate; ///< hidden if the host has none
     QPushButton* m_showPicture;
     QPushButton* m_copy;
+    QPushButton* m_newCode;
 };
 
 } // namespace carina

@@ -1,11 +1,18 @@
 #include "ui/panels/participants_panel.h"
 
+#include "ui/panels/remove_dialog.h"
 #include "ui_participants_panel.h"
 
 #include <QHeaderView>
 
 namespace carina
 {
+namespace
+{
+
+constexpr int kWidestColumn = 140; ///< pixels
+
+} // namespace
 
 ParticipantsPanel::ParticipantsPanel(QWidget* parent)
     : QWidget{parent}, m_ui{std::make_unique<Ui::ParticipantsPanel>()}
@@ -15,13 +22,68 @@ ParticipantsPanel::ParticipantsPanel(QWidget* parent)
 
 ParticipantsPanel::~ParticipantsPanel() = default;
 
-void ParticipantsPanel::setModel(QAbstractItemModel& model)
+void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& conduct)
 {
-    m_ui->table->setModel(&model);
+    m_conduct = &conduct;
+    m_ui->table->setModel(&participants);
     // A long name gives way, and no number.
     QHeaderView* header = m_ui->table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setSectionResizeMode(0, QHeaderView::Stretch);
+    header->setMaximumSectionSize(kWidestColumn);
+    header->setStretchLastSection(true);
+    connect(&conduct, &ConductModel::changed, this, &ParticipantsPanel::refresh);
+    connect(&participants, &QAbstractItemModel::modelReset, this, &ParticipantsPanel::refresh);
+    connect(m_ui->table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &ParticipantsPanel::refresh);
+    connect(m_ui->mute, &QPushButton::clicked, this, &ParticipantsPanel::muteOrNot);
+    connect(m_ui->remove, &QPushButton::clicked, this, &ParticipantsPanel::removeOrLetBack);
+    connect(m_ui->lock, &QCheckBox::clicked, &conduct, &ConductModel::setLocked);
+    refresh();
+}
+
+std::optional<ParticipantId> ParticipantsPanel::chosen() const
+{
+    const QModelIndex current = m_ui->table->currentIndex();
+    if (!current.isValid())
+        return std::nullopt;
+    return ParticipantId{
+        static_cast<std::uint16_t>(current.data(ParticipantsModel::kIdRole).toUInt())};
+}
+
+void ParticipantsPanel::refresh()
+{
+    const auto id = chosen();
+    const auto standing = id ? m_conduct->standingOf(*id) : ConductModel::Standing{};
+    m_ui->mute->setText(standing.isMuted ? tr("Un&mute") : tr("&Mute"));
+    m_ui->mute->setEnabled(standing.canMute);
+    m_ui->remove->setText(standing.isBanned ? tr("&Let back in") : tr("Remo&ve…"));
+    m_ui->remove->setEnabled(standing.canRemove || standing.isBanned);
+    m_ui->lock->setChecked(m_conduct->isLocked());
+    const QString whom =
+        standing.name.isEmpty() ? tr("Choose a participant in the table") : standing.name;
+    m_ui->mute->setAccessibleDescription(whom);
+    m_ui->remove->setAccessibleDescription(whom);
+}
+
+void ParticipantsPanel::muteOrNot()
+{
+    if (const auto id = chosen())
+        m_conduct->setMuted(*id, !m_conduct->standingOf(*id).isMuted);
+}
+
+void ParticipantsPanel::removeOrLetBack()
+{
+    const auto id = chosen();
+    if (!id)
+        return;
+    const auto standing = m_conduct->standingOf(*id);
+    if (standing.isBanned)
+        return m_conduct->letBack(*id);
+    auto* dialog = new RemoveDialog{standing.name, this};
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, id] { m_conduct->remove(*id, dialog->reason(), dialog->isForGood()); });
+    dialog->open();
 }
 
 } // namespace carina

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "models/session/conduct_model.h"
+#include "models/session/participants_model.h"
+
 #include <QWidget>
 
 #include <memory>
-
-class QAbstractItemModel;
 
 namespace Ui
 {
@@ -14,7 +15,8 @@ class ParticipantsPanel;
 namespace carina
 {
 
-/// The participants of the session as a table.
+/// The participants of the session as a table, and what an instructor may decide about the chosen
+/// one: mute, remove, let back in. Besides, the session can be locked.
 class ParticipantsPanel : public QWidget
 {
     Q_OBJECT
@@ -23,11 +25,18 @@ public:
     explicit ParticipantsPanel(QWidget* parent = nullptr);
     ~ParticipantsPanel() override;
 
-    /// @pre the model outlives the panel.
-    void setModel(QAbstractItemModel& model);
+    /// @pre the models outlive the panel.
+    void setModel(ParticipantsModel& participants, ConductModel& conduct);
 
 private:
+    void refresh();
+    void muteOrNot();
+    /// Asks why, and removes; lets a banned participant back in at once.
+    void removeOrLetBack();
+    [[nodiscard]] std::optional<ParticipantId> chosen() const;
+
     std::unique_ptr<Ui::ParticipantsPanel> m_ui;
+    ConductModel* m_conduct = nullptr;
 };
 
 } // namespace carina

@@ -197,9 +197,10 @@ void TraineeWindow::addFetching()
                                       [this] { m_patient.fetchAgain(); });
     QAction* end = m_menu.addSeparator();
     const auto offer = [=, this] {
-        stop->setVisible(m_patient.canStop());
-        again->setVisible(m_patient.canFetchAgain());
-        end->setVisible(m_patient.canStop() || m_patient.canFetchAgain());
+        const bool isIn = !isRemoved(m_node);
+        stop->setVisible(isIn && m_patient.canStop());
+        again->setVisible(isIn && m_patient.canFetchAgain());
+        end->setVisible(stop->isVisible() || again->isVisible());
     };
     connect(&m_menu, &QMenu::aboutToShow, this, offer);
     offer();
@@ -245,8 +246,17 @@ QString TraineeWindow::notice() const
                                                  : notice + QLatin1Char('\n') + patient;
 }
 
+void TraineeWindow::withdrawOffers()
+{
+    if (!isRemoved(m_node))
+        return;
+    m_actions->hide();
+    m_actions->toggleViewAction()->setVisible(false);
+}
+
 void TraineeWindow::refreshNotice()
 {
+    withdrawOffers();
     const ViewOutput output = m_stationScene.output();
     const QString notice = this->notice();
     const bool twice = output == ViewOutput::SideBySide;

@@ -59,6 +59,8 @@ private:
     [[nodiscard]] QPoint menuPlace() const;
     void showTo(ViewOutput output);
     void refreshNotice();
+    /// Once the host removed this program, takes away what would have no effect.
+    void withdrawOffers();
     void placeNotice(std::size_t place, const QString& notice, const QRect& within);
 
     const SessionNode& m_node;

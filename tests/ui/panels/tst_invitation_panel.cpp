@@ -8,8 +8,10 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSignalSpy>
 
 namespace carina::invitation_panel_test
 {
@@ -86,6 +88,29 @@ private Q_SLOTS:
         QVERIFY(panel.sizeHint().height() > without);
         QTest::keyClick(&shows, Qt::Key_Space);
         QVERIFY(!find<QrCode>(panel, "picture").isVisible());
+    }
+
+    void newCodeIsAskedForOnceMore()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node);
+        QSignalSpy wanted{&panel, &InvitationPanel::newCodeWanted};
+        find<QRadioButton>(panel, "observers").click();
+        QTest::keyClick(&find<QPushButton>(panel, "newCode"), Qt::Key_Space);
+        auto* question = panel.findChild<QMessageBox*>();
+        QVERIFY(question && wanted.isEmpty());
+        QVERIFY(question->informativeText().contains(
+            QString::fromStdString(node->joinCodes().at(Role::Observer).text())));
+        QTest::keyClick(&find<QPushButton>(*question, "change"), Qt::Key_Space);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.first().first().value<Role>(), Role::Observer);
+        const JoinCode old = node->joinCodes().at(Role::Observer);
+        node->propose(kStation, fact::RoleCodeChanged{Role::Observer});
+        QTRY_VERIFY_WITH_TIMEOUT(node->joinCodes().at(Role::Observer) != old, kSoonMs);
+        panel.show(*node);
+        QVERIFY(pictured(panel)->code == node->joinCodes().at(Role::Observer));
     }
 
     void linkIsCopiedByKeyboard()

@@ -1,0 +1,157 @@
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+#include "ui/panels/participants_panel.h"
+#include "ui/panels/remove_dialog.h"
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+
+namespace carina::participants_panel_test
+{
+
+using test::FakeSessionNode;
+
+class TestParticipantsPanel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void offersNothingBeforeSomebodyIsChosen();
+    void mutesByKeyboardAndTakesItBack();
+    void removesWithAReasonAndLetsBackIn();
+    void removesNobodyWhenCancelled();
+    void takesNoReasonThatIsTooLong();
+    void locksTheSession();
+    void keepsWhoWasChosenWhenSomebodyComesIn();
+};
+
+namespace
+{
+
+constexpr int kTraineeRow = 1;
+
+struct Panel {
+    FakeSessionNode node;
+    SessionModel session{node};
+    ParticipantsModel participants{session};
+    ConductModel conduct{session};
+    ParticipantsPanel panel;
+    QTableView& table = *panel.findChild<QTableView*>();
+    QPushButton& mute = button("mute");
+    QPushButton& remove = button("remove");
+    QCheckBox& lock = *panel.findChild<QCheckBox*>(QStringLiteral("lock"));
+
+    Panel() { panel.setModel(participants, conduct); }
+    [[nodiscard]] QPushButton& button(const char* name) const
+    {
+        return *panel.findChild<QPushButton*>(QLatin1String{name});
+    }
+    void chooseTom() const { table.setCurrentIndex(participants.index(kTraineeRow, 0)); }
+    static void press(QWidget& widget)
+    {
+        QTest::keyClick(&widget, Qt::Key_Space);
+        QCoreApplication::sendPostedEvents();
+    }
+    [[nodiscard]] RemoveDialog& asked() const { return *panel.findChild<RemoveDialog*>(); }
+    [[nodiscard]] Participant tom() const
+    {
+        return node.state()->participants().at(FakeSessionNode::kTrainee);
+    }
+};
+
+} // namespace
+
+void TestParticipantsPanel::offersNothingBeforeSomebodyIsChosen()
+{
+    const Panel panel;
+    QVERIFY(!panel.mute.isEnabled() && !panel.remove.isEnabled());
+    QVERIFY(panel.lock.isEnabled());
+    panel.table.setCurrentIndex(panel.participants.index(0, 0)); // oneself
+    QVERIFY(!panel.mute.isEnabled() && !panel.remove.isEnabled());
+    panel.chooseTom();
+    QVERIFY(panel.mute.isEnabled() && panel.remove.isEnabled());
+    QCOMPARE(panel.remove.accessibleDescription(), QStringLiteral("Tom"));
+}
+
+void TestParticipantsPanel::mutesByKeyboardAndTakesItBack()
+{
+    Panel panel;
+    panel.chooseTom();
+    Panel::press(panel.mute);
+    QVERIFY(panel.tom().muted);
+    QCOMPARE(panel.mute.text(), QStringLiteral("Un&mute"));
+    Panel::press(panel.mute);
+    QVERIFY(!panel.tom().muted);
+    QCOMPARE(panel.mute.text(), QStringLiteral("&Mute"));
+}
+
+void TestParticipantsPanel::removesWithAReasonAndLetsBackIn()
+{
+    Panel panel;
+    panel.chooseTom();
+    Panel::press(panel.remove);
+    RemoveDialog& dialog = panel.asked();
+    QVERIFY(panel.tom().present); // not before it is confirmed
+    QTest::keyClicks(dialog.findChild<QLineEdit*>(), QStringLiteral("too loud "));
+    Panel::press(*dialog.findChild<QCheckBox*>());
+    Panel::press(*dialog.findChild<QPushButton*>(QStringLiteral("remove")));
+    QVERIFY(!panel.tom().present);
+    QVERIFY(panel.tom().removal->banned);
+    QCOMPARE(panel.tom().removal->reason, std::string{"too loud"});
+    QCOMPARE(panel.remove.text(), QStringLiteral("&Let back in"));
+    QVERIFY(!panel.mute.isEnabled());
+    Panel::press(panel.remove);
+    QVERIFY(!panel.tom().removal->banned);
+    QCOMPARE(panel.remove.text(), QStringLiteral("Remo&ve…"));
+}
+
+void TestParticipantsPanel::removesNobodyWhenCancelled()
+{
+    Panel panel;
+    panel.chooseTom();
+    Panel::press(panel.remove);
+    QTest::keyClick(&panel.asked(), Qt::Key_Escape);
+    QVERIFY(panel.tom().present && !panel.tom().removal);
+}
+
+void TestParticipantsPanel::takesNoReasonThatIsTooLong()
+{
+    RemoveDialog dialog{QStringLiteral("Tom")};
+    auto& reason = *dialog.findChild<QLineEdit*>();
+    auto& remove = *dialog.findChild<QPushButton*>(QStringLiteral("remove"));
+    reason.setText(QString(64, QLatin1Char('x')));
+    QVERIFY(remove.isEnabled());
+    reason.setText(QString(65, QLatin1Char('x')));
+    QVERIFY(!remove.isEnabled());
+    QVERIFY(!reason.accessibleName().isEmpty());
+}
+
+void TestParticipantsPanel::locksTheSession()
+{
+    Panel panel;
+    Panel::press(panel.lock);
+    QVERIFY(panel.node.state()->isLocked());
+    QVERIFY(panel.lock.isChecked());
+    panel.node.decide(fact::SessionLocked{false}); // by another instructor
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(!panel.lock.isChecked());
+}
+
+void TestParticipantsPanel::keepsWhoWasChosenWhenSomebodyComesIn()
+{
+    Panel panel;
+    panel.chooseTom();
+    panel.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tess"});
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(panel.participants.rowCount(), 4);
+    QCOMPARE(panel.table.currentIndex().row(), kTraineeRow);
+    QVERIFY(panel.mute.isEnabled());
+}
+
+CARINA_SCREEN_TEST(TestParticipantsPanel)
+
+} // namespace carina::participants_panel_test
+
+#include "tst_participants_panel.moc"

@@ -12,7 +12,7 @@ namespace carina
 /// The error of a registration, estimated from its own residuals and those of earlier ones.
 struct RegistrationError {
     LocalisationError own;            ///< FLE from its residuals alone, at least kLeastFle
-    PooledLocalisation touch;         ///< FLE with the earlier ones
+    PooledLocalisation touch{};       ///< FLE with the earlier ones
     Mat6 covariance_A = Mat6::Zero(); ///< of X_AM: see Mat6 (motion_covariance.h)
 };
 

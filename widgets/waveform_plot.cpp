@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr int kPlotMargin = 6; ///< pixels
+constexpr int kTitleGap = 2;   ///< between the title and the frame beneath it
 constexpr int kPlotWidth = 320;
 constexpr int kPlotHeight = 72;
 constexpr double kGapShare = 0.04; ///< of a sweep, ahead of the newest value
@@ -52,6 +53,7 @@ void WaveformPlot::setUp(const QString& name, const QString& unit, double span_s
     m_span_s = span_s;
     m_least = least;
     m_values.clear();
+    setMinimumHeight(kPlotHeight + (timeUnit.isEmpty() ? 0 : fontMetrics().height()));
     rescale(true);
     update();
 }
@@ -102,9 +104,11 @@ int WaveformPlot::axisWidth() const
 WaveformPlot::Drawing WaveformPlot::drawing() const
 {
     Drawing drawn;
-    const int below = m_timeUnit.isEmpty() ? 0 : fontMetrics().height();
-    drawn.frame = QRectF{rect()}.adjusted(kPlotMargin + axisWidth(), kPlotMargin, -kPlotMargin,
+    const int line = fontMetrics().height();
+    const int below = m_timeUnit.isEmpty() ? 0 : line;
+    drawn.frame = QRectF{rect()}.adjusted(kPlotMargin + axisWidth(), line + kTitleGap, -kPlotMargin,
                                           -kPlotMargin - below);
+    drawn.title = {drawn.frame.left(), 0.0, drawn.frame.width(), double(line)};
     drawn.bottom = m_bottom;
     drawn.top = m_top;
     const auto y = [&](double value) {
@@ -136,12 +140,11 @@ void WaveformPlot::drawScale(QPainter& painter, const Drawing& drawn) const
         painter.drawLine(QPointF{x, drawn.frame.bottom() - 3.0}, QPointF{x, drawn.frame.bottom()});
     }
     painter.setPen(palette().color(QPalette::Text));
-    const QRectF column{QPointF{0.0, drawn.frame.top() - kPlotMargin},
+    const QRectF column{QPointF{0.0, drawn.frame.top() - kTitleGap},
                         QPointF{drawn.frame.left() - kPlotMargin, drawn.frame.bottom()}};
     painter.drawText(column, Qt::AlignRight | Qt::AlignTop, plain(drawn.top));
     painter.drawText(column, Qt::AlignRight | Qt::AlignBottom, plain(drawn.bottom));
-    const QRectF inside = drawn.frame.adjusted(kPlotMargin, 0.0, -kPlotMargin, 0.0);
-    painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop,
+    painter.drawText(drawn.title, Qt::AlignLeft | Qt::AlignVCenter,
                      QStringLiteral("%1 (%2)").arg(m_name, m_unit));
     if (m_timeUnit.isEmpty())
         return;

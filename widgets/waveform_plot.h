@@ -20,6 +20,7 @@ class WaveformPlot : public QWidget
 public:
     /// What is drawn, in pixels.
     struct Drawing {
+        QRectF title; ///< above the frame, so that no curve lies on it
         QRectF frame;
         double bottom = 0.0; ///< the value at the bottom of the frame
         double top = 1.0;    ///< the value at the top of the frame
@@ -30,7 +31,7 @@ public:
 
     explicit WaveformPlot(QWidget* parent = nullptr);
 
-    /// @param name of the quantity, written at its axis with `unit`
+    /// @param name of the quantity, written above the frame with `unit`
     /// @param span_s duration of a sweep
     /// @param least least extent of the scale in each direction that has values
     /// @param timeUnit written after the time at the right end; empty: no times are written

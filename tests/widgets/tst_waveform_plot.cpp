@@ -52,6 +52,22 @@ private Q_SLOTS:
         QCOMPARE(later.curves.size(), std::size_t{1});
     }
 
+    void writesItsNameWhereNoCurveIs()
+    {
+        for (const int height : {72, 100, 300}) {
+            const auto shown = plot(QStringLiteral("s"));
+            shown->resize(400, height);
+            shown->add(20.0, 10.0);
+            shown->add(20.1, 10.0); // at the very top of the scale
+            const auto drawn = shown->drawing();
+            QVERIFY(drawn.title.top() >= 0.0 && drawn.title.bottom() <= drawn.frame.top());
+            QVERIFY(drawn.title.height() >= shown->fontMetrics().height());
+            QVERIFY(drawn.frame.height() > 20.0);
+            for (const QPointF& point : drawn.curves.back())
+                QVERIFY(point.y() >= drawn.frame.top());
+        }
+    }
+
     void leavesTheLastSweepAheadBehindAGap()
     {
         const auto shown = plot();

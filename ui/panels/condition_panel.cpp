@@ -27,6 +27,7 @@ constexpr int kSeveritySteps = 100; ///< of the slider
 constexpr double kSeverityStep = 0.05;
 constexpr int kTravellingLines = 3;
 constexpr int kConditionLines = 3;
+constexpr int kFormGap = 3;       ///< pixels between the rows, so that a window of 800 holds them
 constexpr int kShownLetters = 12; ///< of a choice; its list is as wide as it has to be
 constexpr double kTubeStep_mm = 0.5;
 constexpr double kUsualOwnEffort = 0.5; ///< of a quiet breath's
@@ -74,6 +75,7 @@ void ConditionPanel::layOut()
 {
     auto* rows = new QFormLayout{m_controls};
     rows->setContentsMargins({});
+    rows->setVerticalSpacing(kFormGap);
     rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     const auto add = [rows](QWidget* field, const char* objectName, const QString& label,
                             const QString& accessibleName) {

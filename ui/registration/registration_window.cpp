@@ -152,6 +152,18 @@ RegistrationPage& RegistrationWindow::page() const
     return *m_pages[std::size_t(m_registration.step())];
 }
 
+/// A stack of pages is as large as its largest: only the one that is seen has a say in it, so that
+/// the others make it no scroll bars.
+void RegistrationWindow::turnPage()
+{
+    for (RegistrationPage* each : m_pages) {
+        const bool isSeen = each == &page();
+        const auto policy = isSeen ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        each->setSizePolicy(policy, policy);
+    }
+    m_ui->pages->setCurrentWidget(&page());
+}
+
 void RegistrationWindow::refresh()
 {
     m_scene->refresh();
@@ -160,7 +172,7 @@ void RegistrationWindow::refresh()
         m_ui->message->warn(m_registration.problem());
     else
         m_ui->message->confirm(m_registration.notice());
-    m_ui->pages->setCurrentWidget(&page());
+    turnPage();
     page().refresh();
     refreshSteps();
     refreshButtons();

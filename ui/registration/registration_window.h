@@ -41,6 +41,7 @@ private:
     void addPages();
     void connectButtons();
     void connectModel();
+    void turnPage();
     void refresh();
     void refreshSteps();
     void refreshButtons();

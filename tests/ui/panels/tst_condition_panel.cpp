@@ -37,6 +37,7 @@ private Q_SLOTS:
     void changesNothingForAnObserver();
     void namesEveryControlForAScreenReader();
     void tellsTheFiguresOfTheLastBreath();
+    void leavesAConsoleOf800PixelsItsHeight();
 };
 
 namespace
@@ -326,6 +327,15 @@ void TestConditionPanel::tellsTheFiguresOfTheLastBreath()
     QVERIFY2(told.contains(QStringLiteral("19.0\u00a0/min")), qPrintable(told));
     QVERIFY2(!told.contains(QStringLiteral("peak")), qPrintable(told)); // nobody pushes
     QVERIFY2(!told.contains(QStringLiteral("-0.0")), qPrintable(told));
+}
+
+/// A dock is as tall as its contents ask for, and the console with it: beside bars, titles and tabs
+/// 659 pixels are left.
+void TestConditionPanel::leavesAConsoleOf800PixelsItsHeight()
+{
+    const ConditionPanel panel;
+    QVERIFY2(panel.minimumSizeHint().height() <= 659,
+             qPrintable(QString::number(panel.minimumSizeHint().height())));
 }
 
 CARINA_SCREEN_TEST(TestConditionPanel)

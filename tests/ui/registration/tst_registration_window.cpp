@@ -7,6 +7,8 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QProgressBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
 
 namespace carina::registration_window_test
@@ -36,6 +38,7 @@ private Q_SLOTS:
     void tellsHowFarTheStylusIsFromTheAnatomy();
     void comparesTheManikinByKeyboard();
     void showsTheWholeHead();
+    void fitsItsPagesWithoutScrollBars();
 };
 
 void TestRegistrationWindow::leadsFromTheTrackerToTheTouches()
@@ -330,6 +333,24 @@ void TestRegistrationWindow::showsTheWholeHead()
     for (const ViewPreset side : {ViewPreset::Front, ViewPreset::Left, ViewPreset::Right}) {
         scene.showFrom(side);
         QVERIFY(seenPoint(top, {scene.camera().pose(), scene.camera().frustum()}));
+    }
+}
+
+/// Those on which a person works with the stylus in hand, in the window as it opens.
+void TestRegistrationWindow::fitsItsPagesWithoutScrollBars()
+{
+    RegistrationDesk desk;
+    desk.site.touchAll(*desk.model);
+    desk.window->resize(1280, 800);
+    QTRY_COMPARE(desk.window->size(), QSize(1280, 800));
+    const auto& area = desk.find<QScrollArea>("pageArea");
+    for (const SiteStep step : {SiteStep::Tracker, SiteStep::Stylus, SiteStep::Landmarks,
+                                SiteStep::Touch, SiteStep::Stylus}) {
+        desk.model->enter(step);
+        QCoreApplication::sendPostedEvents();
+        QTRY_COMPARE(area.horizontalScrollBar()->maximum(), 0);
+        QTRY_COMPARE(area.verticalScrollBar()->maximum(), 0);
+        QVERIFY(area.widget()->width() == area.viewport()->width());
     }
 }
 

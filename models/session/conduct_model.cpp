@@ -24,7 +24,8 @@ ConductModel::Standing ConductModel::standingOf(ParticipantId participant) const
     if (known == state->participants().end())
         return {};
     const Participant& who = known->second;
-    const bool isNeeded = participant == kHostingParticipant || participant == m_session.node().self();
+    const bool isNeeded =
+        participant == kHostingParticipant || participant == m_session.node().self();
     Standing standing;
     standing.name = QString::fromStdString(who.name);
     standing.isMuted = who.muted;

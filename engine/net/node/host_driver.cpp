@@ -313,8 +313,9 @@ void HostDriver::takeReport(LocalTime now)
 
 void HostDriver::take(const StoreReport& report, LocalTime now)
 {
-    m_storing = std::min(now - m_handedOverAt, kLongestStoring);
     const std::size_t facts = std::exchange(m_handedOver, 0);
+    if (facts > 0)
+        m_storing = std::min(now - m_handedOverAt, kLongestStoring);
     if (report.facts)
         stored(facts);
     else

@@ -21,7 +21,7 @@ struct Disk {
     std::thread::id thread;
     bool isFull = false;
     bool isOpen = true;
-    std::binary_semaphore work{0};     ///< acquired by each append
+    std::binary_semaphore work{0}; ///< acquired by each append
 };
 
 /// A store that goes on when the test lets it.

@@ -278,11 +278,14 @@ private Q_SLOTS:
         for (const auto& [to, bytes] : guest.advance(now)) {
             (*host)->receive(kGuest, bytes, now);
             (*host)->receive(kGuest, bytes, now + 1ms); // a repeated Hello is the same join
-            for (const WireRecord& record : decodeDatagram(bytes)->records)
+            const auto datagram = decodeDatagram(bytes);
+            for (const WireRecord& record : datagram->records)
                 if (const auto* hello = std::get_if<Hello>(&record))
                     join = hello->join.id;
         }
         QVERIFY(join);
+        static_cast<void>((*host)->advance(now));
+        (*host)->waitForDisk(now);
         const auto joins = std::ranges::count_if(
             disk.facts, [](const FactRecord& fact) { return fact.author == kNobody; });
         QCOMPARE(joins, 1);
@@ -294,8 +297,8 @@ private Q_SLOTS:
     {
         Course course;
         course.anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*course.anna));
-        const auto traffic = [&]() -> TrafficReport {
-            const auto paths = course.instructor->paths();
+        const auto traffic = [&instructor = *course.instructor]() -> TrafficReport {
+            const auto paths = instructor.paths();
             return paths->empty() ? TrafficReport{} : paths->front().traffic.value();
         };
         QTRY_VERIFY_WITH_TIMEOUT(traffic().samplesPerSecond > 20.0, 2 * kSoonMs);

@@ -60,8 +60,9 @@ std::vector<std::byte> hello(ProposalId id, const char* name)
               {},
               toRecord(Proposal{id, kNobody, kStation,
                                 fact::ParticipantJoined{ParticipantId{}, Role::Trainee, name}})};
-    return packDatagrams(std::span{&record, 1}, [] { return BundleHeader{.connection = 1}; })
-        .front();
+    BundleHeader header;
+    header.connection = 1;
+    return packDatagrams(std::span{&record, 1}, [&] { return header; }).front();
 }
 
 } // namespace
@@ -185,6 +186,8 @@ private Q_SLOTS:
         (*host)->receive(kAnna, hello(kEverybodyKnows, "Anna"), now);
         (*host)->connected(kMallory, {Role::Trainee, std::nullopt}, now);
         (*host)->receive(kMallory, hello(kEverybodyKnows, "Mallory"), now);
+        static_cast<void>((*host)->advance(now));
+        (*host)->waitForDisk(now);
         static_cast<void>((*host)->advance(now));
         std::vector<std::string> names;
         for (const auto& [id, participant] : board.view().state->participants())

@@ -117,6 +117,7 @@ private Q_SLOTS:
     {
         HeldStore::Disk disk;
         DriverWorld world{disk};
+        world.run(1ms); // the beginning of the session is on disk
         disk.hold();
         world.host->propose(kStation, kRate, world.now);
         world.run(700ms);

@@ -45,6 +45,13 @@ QByteArray onlyFileIn(const QString& folder)
     return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray{};
 }
 
+/// Of the first path of the host.
+TrafficReport trafficAt(const SessionNode& host)
+{
+    const auto paths = host.paths();
+    return paths->empty() ? TrafficReport{} : paths->front().traffic.value();
+}
+
 std::optional<Errc> refusalOf(const SessionNode& node)
 {
     const auto refusal = node.refusal();
@@ -77,6 +84,40 @@ private Q_SLOTS:
         QCOMPARE(again->self(), id);
         QVERIFY(!course.asKnown(id).removal && !course.asKnown(id).tokenReplaced);
         QCOMPARE(linkOf(*course.anna), LinkState::Ended);
+    }
+
+    /// The host's word is lost: the program asks again over its path, and is told again.
+    void removedParticipantReadsItThoughTheFirstWordIsLost()
+    {
+        constexpr PeerAddress kGuest = 7;
+        MemoryDisk disk;
+        NodeBoard boards[2];
+        LocalTime now = monotonicNow();
+        const auto host = HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk),
+                                           boards[0], now);
+        ClientDriver guest{{.participantName = "Anna", .station = kStation}, boards[1], now};
+        (*host)->connected(kGuest, {Role::Trainee, {}}, now);
+        guest.connected(kGuest, {}, now);
+        const auto talk = [&](Duration length) {
+            for (const LocalTime end = now + length; now < end; now += 1ms) {
+                for (const auto& [to, bytes] : guest.advance(now))
+                    (*host)->receive(kGuest, bytes, now);
+                for (const auto& [to, bytes] : (*host)->advance(now))
+                    guest.receive(kGuest, bytes, now);
+            }
+        };
+        talk(500ms);
+        const ParticipantId id = boards[1].view().self;
+        QVERIFY(id != kNobody);
+        (*host)->propose(kStation, fact::ParticipantRemoved{id, false, "too loud"}, now);
+        static_cast<void>((*host)->advance(now)); // lost
+        QVERIFY((*host)->takeEnded().empty());
+        talk(1s);
+        QCOMPARE(boards[1].view().links.at(0).report.state, LinkState::Ended);
+        QCOMPARE(*boards[1].view().refusal, (Error{Errc::Removed, "Dr Hall: too loud"}));
+        QVERIFY(!boards[0].state()->participants().at(id).present);
+        talk(HostDriver::kHelloWithin);
+        QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{kGuest});
     }
 
     void bannedParticipantComesInByNothingUntilTheBanIsLifted()
@@ -116,6 +157,13 @@ private Q_SLOTS:
         course.decide(fact::SessionLocked{false});
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*ben), 2 * kSoonMs);
         QVERIFY(!ben->refusal());
+        // Whose token is void proves nothing, though the name is known.
+        course.decide(fact::ParticipantRemoved{course.anna->self(), true, {}});
+        course.decide(fact::BanLifted{course.anna->self()});
+        course.decide(fact::SessionLocked{true});
+        course.anna = join(course.annas);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::SessionLocked},
+                                  2 * kSoonMs);
     }
 
     void mutedParticipantSeesAndChangesNothing()
@@ -284,8 +332,6 @@ private Q_SLOTS:
                     join = hello->join.id;
         }
         QVERIFY(join);
-        static_cast<void>((*host)->advance(now));
-        (*host)->waitForDisk(now);
         const auto joins = std::ranges::count_if(
             disk.facts, [](const FactRecord& fact) { return fact.author == kNobody; });
         QCOMPARE(joins, 1);
@@ -297,17 +343,15 @@ private Q_SLOTS:
     {
         Course course;
         course.anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*course.anna));
-        const auto traffic = [&instructor = *course.instructor]() -> TrafficReport {
-            const auto paths = instructor.paths();
-            return paths->empty() ? TrafficReport{} : paths->front().traffic.value();
-        };
-        QTRY_VERIFY_WITH_TIMEOUT(traffic().samplesPerSecond > 20.0, 2 * kSoonMs);
-        QVERIFY(traffic().samplesPerSecond < 90.0);
-        QVERIFY(traffic().bytesPerSecond > 20.0 * traffic().samplesPerSecond);
-        QCOMPARE(traffic().facts, std::uint64_t{1}); // that she shares the tube
-        QCOMPARE(traffic().refused, std::uint64_t{0});
+        const SessionNode& instructor = *course.instructor;
+        QTRY_VERIFY_WITH_TIMEOUT(trafficAt(instructor).samplesPerSecond > 20.0, 2 * kSoonMs);
+        QVERIFY(trafficAt(instructor).samplesPerSecond < 90.0);
+        QVERIFY(trafficAt(instructor).bytesPerSecond
+                > 20.0 * trafficAt(instructor).samplesPerSecond);
+        QCOMPARE(trafficAt(instructor).facts, std::uint64_t{1}); // that she shares the tube
+        QCOMPARE(trafficAt(instructor).refused, std::uint64_t{0});
         course.anna->propose(kStation, fact::BreathingRateSet{perMinute(20.0)});
-        QTRY_COMPARE_WITH_TIMEOUT(traffic().refused, std::uint64_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(trafficAt(instructor).refused, std::uint64_t{1}, kSoonMs);
         QVERIFY(!course.anna->paths()->front().traffic);
     }
 };

@@ -3,6 +3,7 @@
 #include "models/errors/error_text.h"
 #include "ui_instructor_window.h"
 
+#include <QShowEvent>
 #include <QTimer>
 
 #include <algorithm>
@@ -14,6 +15,8 @@ namespace
 
 constexpr int kRefreshInterval_ms = 250;
 constexpr int kEndAsked_ms = 4000;
+constexpr int kWideWindow = 1600; ///< pixels; there is room for all columns of the participants
+constexpr int kAllColumns = 600;
 constexpr int kBelowShare = 2; ///< of the height, against that of the participants
 
 /// Told by shape besides the word.
@@ -105,6 +108,13 @@ void InstructorWindow::layDocks()
     for (QDockWidget* dock : findChildren<QDockWidget*>())
         connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
     resizeDocks({m_ui->participantsDock, m_ui->invitationDock}, {1, kBelowShare}, Qt::Vertical);
+}
+
+void InstructorWindow::showEvent(QShowEvent* event)
+{
+    QMainWindow::showEvent(event);
+    if (!event->spontaneous() && width() >= kWideWindow)
+        resizeDocks({m_ui->participantsDock}, {kAllColumns}, Qt::Horizontal);
 }
 
 void InstructorWindow::fillSessionBar()

@@ -39,6 +39,9 @@ public:
 
     [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void fillSessionBar();
     void layDocks();

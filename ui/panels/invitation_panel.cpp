@@ -120,7 +120,7 @@ void InvitationPanel::askForNewCode()
             .arg(m_invited.at(role).code->text()));
     QPushButton* change = question->addButton(tr("&New code"), QMessageBox::AcceptRole);
     change->setObjectName(QStringLiteral("change"));
-    question->addButton(QMessageBox::Cancel);
+    question->setDefaultButton(question->addButton(QMessageBox::Cancel));
     connect(change, &QPushButton::clicked, this, [this, role] { Q_EMIT newCodeWanted(role); });
     question->open();
 }

@@ -38,7 +38,7 @@ private Q_SLOTS:
     void factsAreCountedOnceAndRefusalsBeside()
     {
         SessionWorld world{35};
-        world.addSite({5ms, 0ms, 0.2, 0.2}); // proposals are repeated
+        world.addSite({150ms, 0ms, 0.0, 0.0}); // so that every proposal is repeated
         world.startClient(0, "anna");
         world.run(1s);
         for (int i = 0; i < 5; ++i)

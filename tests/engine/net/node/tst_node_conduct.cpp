@@ -343,6 +343,8 @@ private Q_SLOTS:
                     join = hello->join.id;
         }
         QVERIFY(join);
+        static_cast<void>((*host)->advance(now));
+        (*host)->waitForDisk(now);
         const auto joins = std::ranges::count_if(
             disk.facts, [](const FactRecord& fact) { return fact.author == kNobody; });
         QCOMPARE(joins, 1);

@@ -44,7 +44,8 @@ Result<std::vector<Result<MeshFile>>> readAll(const SetFolder& folder,
     const std::size_t count = folder.surfaces.size();
     std::vector<Result<MeshFile>> files(count);
     const auto makeWork = [&] {
-        const auto reader = std::make_shared<SurfaceReader>(); // owned by the work of one thread
+        const auto reader =
+            std::make_shared<SurfaceReader>(folder.root); // owned by the work of one thread
         return [&, reader](std::size_t i) {
             files[i] = reader->read(folder.root / folder.surfaces[i]);
         };

@@ -15,6 +15,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -175,7 +177,9 @@ public:
             found ? readableSize(*found, limitOfSetFile(*found)) : tl::unexpected(found.error());
         if (size)
             return DefaultIOSystem::Open(found->c_str(), mode);
-        if (size.error().code != Errc::FileNotFound)
+        const bool isNew = std::find(m_faults.begin(), m_faults.end(), size.error())
+                           == m_faults.end(); // the library tries more than once
+        if (size.error().code != Errc::FileNotFound && isNew)
             m_faults.push_back(size.error());
         return nullptr;
     }

@@ -32,7 +32,8 @@ struct MeshFile {
 /// surface has the colours of its texture, vertices or materials. Where all of it has one colour it
 /// has none: that adds nothing to its role.
 ///
-/// @returns FileNotFound; FileUnreadable; FileEmpty; UnknownFormat, by the file name's extension;
+/// @returns FileNotFound; FileUnreadable, also for a link out of its folder; FileEmpty;
+///          FileTooLarge; UnknownFormat, by the extension of its name;
 ///          FileMalformed where it is truncated, does not follow its format or has no triangle;
 ///          NotFinite for NaN or infinity among the coordinates. The detail begins with the file.
 ///

@@ -44,6 +44,11 @@ SurfaceReader::SurfaceReader(std::chrono::milliseconds limitPerFile) : m_limitPe
 {
 }
 
+SurfaceReader::SurfaceReader(std::filesystem::path folder, std::chrono::milliseconds limitPerFile)
+    : m_limitPerFile(limitPerFile), m_common(std::move(folder))
+{
+}
+
 SurfaceReader::~SurfaceReader() { stop(); }
 
 void SurfaceReader::stop()
@@ -132,7 +137,8 @@ SurfaceReader::Answer SurfaceReader::answerTo(const std::filesystem::path& file)
 
 SurfaceReader::Answer SurfaceReader::attempt(const std::filesystem::path& file, unsigned shares)
 {
-    if (const auto started = start(file.parent_path(), shares); !started)
+    const auto folder = m_common.empty() ? file.parent_path() : m_common;
+    if (const auto started = start(folder, shares); !started)
         return tl::unexpected(started.error());
     auto answer = answerTo(file);
     if (!answer || shares > 1 || ReaderMemory::isWantedWhole())

@@ -23,7 +23,13 @@ namespace carina
 class SurfaceReader
 {
 public:
-    explicit SurfaceReader(std::chrono::milliseconds limitPerFile = std::chrono::seconds{60});
+    static constexpr std::chrono::seconds kLimitPerFile{60};
+
+    explicit SurfaceReader(std::chrono::milliseconds limitPerFile = kLimitPerFile);
+    /// One process for all files in and below a folder, which it may read all of: starting one for
+    /// each of many folders takes longer than reading them.
+    explicit SurfaceReader(std::filesystem::path folder,
+                           std::chrono::milliseconds limitPerFile = kLimitPerFile);
     ~SurfaceReader();
 
     /// As readMeshFile. Also FileTooLarge where reading takes too much memory, FileMalformed where
@@ -44,6 +50,7 @@ private:
 
     std::chrono::milliseconds m_limitPerFile;
     std::unique_ptr<QProcess> m_process;
+    std::filesystem::path m_common;      ///< of all files; empty: that of each file
     std::filesystem::path m_folder;      ///< the process may read
     unsigned m_shares = 0;               ///< of ReaderMemory that the process has
     std::chrono::milliseconds m_spent{}; ///< in the process, with files before

@@ -3,7 +3,7 @@
 #include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/mesh/surface_reader_exit.h"
 #include "engine/sync/wire/byte_buffer.h"
-#include "tests/engine/io/mesh/surface_files.h"
+#include "tests/engine/io/mesh/texture_files.h"
 #include "tests/support/test_class.h"
 
 #include <QFile>
@@ -115,10 +115,10 @@ private:
         return poll(&end, 1, patience_ms) == 1 && (end.revents & POLLHUP) != 0;
     }
 
-    void startReader(QProcess& reader, qint64 parent) const
+    void startReader(QProcess& reader, qint64 parent, qint64 memory = kMemory) const
     {
         reader.start(QStringLiteral(CARINA_SURFACE_READER),
-                     {QString::fromStdString(m_folder.string()), QString::number(4 * kMemory),
+                     {QString::fromStdString(m_folder.string()), QString::number(memory),
                       QStringLiteral("20"), QString::number(parent)});
     }
 
@@ -275,6 +275,23 @@ private Q_SLOTS:
         reader.closeWriteChannel();
         QVERIFY(reader.waitForFinished(kPatience_ms));
         QCOMPARE(reader.exitCode(), 0);
+    }
+
+    /// 48 million pixels of one colour are small in a file.
+    void theReaderOfSurfacesSaysThatItsMemoryIsTooLittle()
+    {
+        constexpr int kSide = 7000;
+        const std::vector<test::Pixel> pixels(std::size_t(kSide) * kSide, test::Pixel{1, 2, 3});
+        test::writeFile(m_folder / "face.png", test::pngOf(kSide, pixels));
+        test::writeFile(m_folder / "skin.mtl", "newmtl face\nmap_Kd face.png\n");
+        test::writeFile(m_folder / "skin.obj",
+                        test::texturedBallObj(1.0, 0.0, "mtllib skin.mtl\nusemtl face\n"));
+        QProcess reader;
+        startReader(reader, getpid());
+        request(reader, m_folder / "skin.obj");
+        QVERIFY(reader.waitForFinished(kPatience_ms));
+        QCOMPARE(reader.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(reader.exitCode(), reader_exit::kOutOfMemory);
     }
 
     void theReaderOfSurfacesDoesNotBeginUnconfined()

@@ -16,6 +16,7 @@
 #include "tests/support/test_class.h"
 
 #include <QCryptographicHash>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -179,6 +180,38 @@ private Q_SLOTS:
         QCOMPARE(readWholeFile(m_folder / "more", small).error(),
                  (Error{Errc::FileTooLarge, (m_folder / "more").string()
                                                 + ": it has 1 MiB, and a test may have 1 MiB"}));
+    }
+
+    void theDocumentationSaysTheLimits_data()
+    {
+        QTest::addColumn<QString>("row");
+        QTest::addColumn<qulonglong>("bytes");
+        const auto row = [](const char* name, const FileLimit& limit) {
+            QTest::newRow(name) << QString::fromLatin1(name) << qulonglong{limit.mostBytes};
+        };
+        row("surface: ", kSurfaceLimit);
+        row("picture of a surface: ", kPictureLimit);
+        row("material of a surface: ", kMaterialLimit);
+        row("description: ", kDescriptionLimit);
+        row("certificate, key", kCredentialLimit);
+        row("measurement: ", kMeasurementLimit);
+        row("patient of another computer ", kCarriedSetLimit);
+        row("imported patient in the cache ", kCachedSetLimit);
+    }
+
+    void theDocumentationSaysTheLimits()
+    {
+        QFETCH(QString, row);
+        QFETCH(qulonglong, bytes);
+        const auto page =
+            readWholeFile(fs::path{CARINA_SOURCE_DIR} / "docs" / "security.md", kDescriptionLimit);
+        QVERIFY(page.has_value());
+        const QString text = QString::fromStdString(*page);
+        const QString line =
+            text.section(QStringLiteral("\n| ") + row, 1, 1).section(QLatin1Char('\n'), 0, 0);
+        const QString said = line.section(QStringLiteral("| "), 1, 1);
+        QCOMPARE(said.section(QRegularExpression{QStringLiteral("[, ]")}, 0, 0).toULongLong(),
+                 bytes / kMebibyte);
     }
 
     void aPipeIsNotWaitedFor()

@@ -2,6 +2,7 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/tracking/prediction_score.h"
 #include "engine/core/units.h"
+#include "engine/io/files/file_limit.h"
 #include "engine/tracking/tum_file.h"
 
 namespace carina::lab
@@ -72,7 +73,10 @@ Result<QJsonObject> predict(const Words& words)
     if (words.files().size() != 1)
         return words.refuse(QStringLiteral("needs one FILE."));
     const QString file = words.files().front();
-    const Result<std::vector<PoseSample>> samples = readTumFile(file.toStdString());
+    const Result<std::vector<PoseSample>> samples =
+        readableSize(file.toStdString(), kMeasurementLimit).and_then([&](std::uint64_t) {
+            return readTumFile(file.toStdString());
+        });
     if (!samples)
         return tl::unexpected(samples.error());
     if (samples->size() < kFewestSamples)

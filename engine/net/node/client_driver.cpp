@@ -13,6 +13,8 @@ namespace
 {
 
 constexpr ParticipantId kHostParticipant{0};
+/// Shortest interval of showing the state while a long log comes in: each time it is copied.
+constexpr Duration kShowInterval = std::chrono::milliseconds{100};
 constexpr Duration kTokenRequestInterval = std::chrono::milliseconds{250};
 
 ProposalRecord newProposal(StationId station, FactBody body)
@@ -134,7 +136,8 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
 LocalTime ClientDriver::nextWake() const
 {
     return std::min({m_core.nextWake(), m_publications.nextTick(),
-                     wantsToken() ? m_nextTokenRequest : LocalTime::max()});
+                     wantsToken() ? m_nextTokenRequest : LocalTime::max(),
+                     m_hasNewState ? m_nextShown : LocalTime::max()});
 }
 
 bool ClientDriver::wantsToken() const
@@ -169,7 +172,8 @@ void ClientDriver::sendOwnStreams(LocalTime now)
 void ClientDriver::startAfresh()
 {
     m_state = {};
-    m_shownState.reset();
+    m_hasNewState = true;
+    m_nextShown = LocalTime::min();
     m_board.objects.clear();
     m_publications.forget();
 }
@@ -183,7 +187,7 @@ bool ClientDriver::apply(const FactRecord& record, LocalTime now)
         return false;
     }
     m_state.apply(*fact);
-    m_shownState.reset();
+    m_hasNewState = true;
     noteConduct(fact->body);
     if (const auto object = objectOf(fact->body); object && m_state.objects().contains(*object))
         share(m_state.objects().at(*object));
@@ -238,8 +242,11 @@ std::optional<ClockReport> ClientDriver::clockReport(LocalTime now) const
 
 void ClientDriver::show(LocalTime now)
 {
-    if (!m_shownState)
+    if (m_hasNewState && (m_core.isCaughtUp() || now >= m_nextShown)) {
         m_shownState = std::make_shared<SessionState>(m_state);
+        m_hasNewState = false;
+        m_nextShown = now + kShowInterval;
+    }
     NodeBoard::View view;
     view.self = m_core.self();
     view.clock = m_core.clock().mapping();

@@ -58,6 +58,8 @@ private:
     SessionState m_state;
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;
+    bool m_hasNewState = true; // not shown yet
+    LocalTime m_nextShown = LocalTime::min();
 };
 
 } // namespace carina

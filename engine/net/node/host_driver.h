@@ -134,7 +134,7 @@ private:
     std::size_t m_handedOver = 0;    // the first of them are with the writer
     std::unique_ptr<StoreWriter> m_writer;
     LocalTime m_handedOverAt{};
-    Duration m_storing{}; // how long the last job took
+    Duration m_storing{}; // how long the last facts took
     NodeBoard& m_board;
     std::unique_ptr<SyncHost> m_core;
     std::unique_ptr<HostAccess> m_access;

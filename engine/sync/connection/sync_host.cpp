@@ -414,9 +414,8 @@ void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)
         records.emplace_back(Welcome{m_session, peer.participant, peer.epoch, logEnd()});
     std::ranges::move(std::exchange(peer.outbox, {}), std::back_inserter(records));
     std::ranges::move(m_actions.takeDue(to, now), std::back_inserter(records));
-    const FactRange due = peer.facts.takeDue(logEnd(), roundTripOf(peer.link), now);
-    for (FactNumber number = due.first; number <= due.last; ++number.value)
-        records.emplace_back(m_log[number.value - 1]);
+    for (const FactRecord& fact : peer.facts.takeDue(m_log, roundTripOf(peer.link), now))
+        records.emplace_back(fact);
     if (tick)
         std::ranges::move(m_streams.dueTo(peer.participant), std::back_inserter(records));
     const bool answer = std::exchange(peer.answer, false);

@@ -1,6 +1,7 @@
 #include "engine/sync/facts/fact_replication.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -8,49 +9,107 @@ namespace
 {
 
 constexpr std::size_t kProposalEnvelopeBytes = 13;
+constexpr std::size_t kFactEnvelopeBytes = 39;
+
+/// The first of these facts that make a burst, at least one.
+std::span<const FactRecord> burst(std::span<const FactRecord> facts)
+{
+    std::size_t bytes = 0;
+    std::size_t count = 0;
+    while (count < facts.size()) {
+        bytes += kFactEnvelopeBytes + facts[count].body.size();
+        if (count > 0 && bytes > FactSender::kBurstBytes)
+            break;
+        ++count;
+    }
+    return facts.first(count);
+}
 
 } // namespace
 
-FactRange FactSender::takeDue(FactNumber logEnd, Duration roundTrip, LocalTime now)
+std::span<const FactRecord> FactSender::takeDue(std::span<const FactRecord> log, Duration roundTrip,
+                                                LocalTime now)
 {
     if (m_sent > m_acknowledged && now >= m_repeatAt) {
         m_sent = m_acknowledged;
         m_repeatAfter = std::min(2 * m_repeatAfter, kLastRepeat);
+        m_slowStartUntil = std::max(m_window / 2, kFirstWindow);
+        m_window = kFirstWindow;
+        m_recovered = m_acknowledged;
+        m_duplicates = 0;
+        m_repeatsOldest = false;
+        m_nextBurst = LocalTime::min();
     }
-    const FactNumber end = windowEnd(logEnd);
-    const FactRange due{FactNumber{m_sent.value + 1}, end};
+    if (std::exchange(m_repeatsOldest, false)) {
+        const std::uint64_t end = std::min(m_sent.value, m_acknowledged.value + kWindowStep);
+        return log.subspan(m_acknowledged.value, end - m_acknowledged.value);
+    }
+    const FactNumber end = windowEnd(FactNumber{log.size()});
+    if (m_sent >= end || now < m_nextBurst)
+        return {};
+    const auto due = burst(log.subspan(m_sent.value, end.value - m_sent.value));
     // The time runs from the oldest that is under way, or newer ones would put it off for ever.
     if (m_sent == m_acknowledged)
         m_repeatAt = now + roundTrip + m_repeatAfter;
-    m_sent = std::max(m_sent, end);
+    m_sent.value += due.size();
+    m_furthest = std::max(m_furthest, m_sent);
+    if (m_sent.value < log.size()) // a single fact is not held up
+        m_nextBurst = now + kBurstInterval;
     return due;
 }
 
 LocalTime FactSender::nextDue(FactNumber logEnd) const
 {
-    if (m_sent < windowEnd(logEnd))
+    if (m_repeatsOldest)
         return LocalTime::min();
-    return m_sent > m_acknowledged ? m_repeatAt : LocalTime::max();
+    const LocalTime repeat = m_sent > m_acknowledged ? m_repeatAt : LocalTime::max();
+    return m_sent < windowEnd(logEnd) ? std::min(m_nextBurst, repeat) : repeat;
 }
 
 void FactSender::acknowledge(FactNumber last, Duration roundTrip, LocalTime now)
 {
-    if (last <= m_acknowledged || last > m_sent)
+    if (last < m_acknowledged || last > m_furthest)
         return;
+    if (last == m_acknowledged)
+        return acknowledgedAgain(roundTrip, now);
+    growWindow(last.value - m_acknowledged.value);
     m_acknowledged = last;
+    m_sent = std::max(m_sent, last);
+    m_duplicates = 0;
+    m_repeatsOldest = last < m_recovered; // more than one was lost
     m_repeatAfter = kFirstRepeat;
     m_repeatAt = now + roundTrip + m_repeatAfter;
 }
 
+void FactSender::acknowledgedAgain(Duration roundTrip, LocalTime now)
+{
+    if (m_sent == m_acknowledged || m_acknowledged < m_recovered || ++m_duplicates < kDuplicates)
+        return;
+    m_duplicates = 0;
+    m_recovered = m_sent;
+    m_repeatsOldest = true;
+    m_window = m_slowStartUntil = std::max(m_window / 2, kFirstWindow);
+    m_repeatAt = std::max(m_repeatAt, now + roundTrip + m_repeatAfter);
+}
+
+void FactSender::growWindow(std::uint64_t acknowledged)
+{
+    const std::uint64_t step =
+        m_window < m_slowStartUntil
+            ? acknowledged
+            : std::max(std::uint64_t{1}, kWindowStep * acknowledged / m_window);
+    m_window = std::min(m_window + step, kLargestFactWindow);
+}
+
 FactNumber FactSender::windowEnd(FactNumber logEnd) const
 {
-    return {std::min(logEnd.value, m_acknowledged.value + kFactWindow)};
+    return {std::min(logEnd.value, m_acknowledged.value + m_window)};
 }
 
 std::vector<FactRecord> FactReceiver::take(FactRecord fact)
 {
     std::vector<FactRecord> inOrder;
-    if (fact.number <= m_last || fact.number.value > m_last.value + kFactWindow)
+    if (fact.number <= m_last || fact.number.value > m_last.value + kLargestFactWindow)
         return inOrder;
     m_early.insert_or_assign(fact.number, std::move(fact));
     for (auto next = m_early.begin();

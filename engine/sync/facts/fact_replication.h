@@ -6,36 +6,46 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <span>
 
 namespace carina
 {
 
-/// Send window: facts that may be sent to one peer and not acknowledged. It also paces the log that
-/// a late joiner gets.
-inline constexpr std::uint64_t kFactWindow = 64;
-
-/// Facts from first to last; empty where last is before first.
-struct FactRange {
-    FactNumber first{1};
-    FactNumber last{0};
-};
+/// How far ahead of the last fact in order a client keeps facts, and the most that a host has sent
+/// and not acknowledged.
+inline constexpr std::uint64_t kLargestFactWindow = 4096;
 
 /// The host's side of replicating the log to one peer: sends facts in order and repeats
 /// unacknowledged ones with exponential backoff.
+///
+/// A long log, for a late joiner, is sent in bursts, as fast as the path takes it: the window of
+/// unacknowledged facts grows and shrinks by slow start, congestion avoidance and fast recovery as
+/// in RFC 5681 and RFC 6582 (NewReno), counted in facts.
 class FactSender
 {
 public:
     static constexpr Duration kFirstRepeat = std::chrono::milliseconds{50};
     static constexpr Duration kLastRepeat = std::chrono::seconds{1};
+    static constexpr std::uint64_t kFirstWindow = 64;
+    /// About the facts of a datagram: by so much a window grows in a round trip once it has shrunk.
+    static constexpr std::uint64_t kWindowStep = 16;
+    /// Bytes of facts sent at once, which the receive buffer of a socket holds; more follow after
+    /// kBurstInterval.
+    static constexpr std::size_t kBurstBytes = 32'768;
+    static constexpr Duration kBurstInterval = std::chrono::milliseconds{4};
+    /// Acknowledgements of the same fact that tell that the next one is lost.
+    static constexpr int kDuplicates = 3;
 
     explicit FactSender(FactNumber alreadyThere)
-        : m_acknowledged{alreadyThere}, m_sent{alreadyThere}
+        : m_acknowledged{alreadyThere}, m_sent{alreadyThere}, m_furthest{alreadyThere}
     {
     }
 
-    /// Facts to send now of a log that ends at `logEnd`; they count as sent.
+    /// Facts to send now; they count as sent.
+    /// @param log all facts, from number 1
     /// @param roundTrip added to the time after which facts are repeated
-    [[nodiscard]] FactRange takeDue(FactNumber logEnd, Duration roundTrip, LocalTime now);
+    [[nodiscard]] std::span<const FactRecord> takeDue(std::span<const FactRecord> log,
+                                                      Duration roundTrip, LocalTime now);
     /// When takeDue returns the next facts, if no acknowledgement arrives before.
     [[nodiscard]] LocalTime nextDue(FactNumber logEnd) const;
     /// @param last newest fact acknowledged; ignored where it was never sent
@@ -45,11 +55,21 @@ public:
 
 private:
     [[nodiscard]] FactNumber windowEnd(FactNumber logEnd) const;
+    void acknowledgedAgain(Duration roundTrip, LocalTime now);
+    void growWindow(std::uint64_t acknowledged);
 
     FactNumber m_acknowledged;
-    FactNumber m_sent; // m_acknowledged <= m_sent
+    FactNumber m_sent;     // m_acknowledged <= m_sent
+    FactNumber m_furthest; // ever sent: m_sent goes back when all is repeated
     Duration m_repeatAfter = kFirstRepeat;
     LocalTime m_repeatAt{}; // for the facts sent and not acknowledged
+    LocalTime m_nextBurst = LocalTime::min();
+
+    std::uint64_t m_window = kFirstWindow;
+    std::uint64_t m_slowStartUntil = kLargestFactWindow; // the window
+    int m_duplicates = 0;
+    FactNumber m_recovered;       // up to here a loss is being repaired
+    bool m_repeatsOldest = false; // a burst from the oldest is due
 };
 
 /// The client's side: puts facts into order.
@@ -65,7 +85,7 @@ public:
 
 private:
     FactNumber m_last;
-    std::map<FactNumber, FactRecord> m_early; // at most kFactWindow ahead
+    std::map<FactNumber, FactRecord> m_early; // at most kLargestFactWindow ahead
 };
 
 /// Proposals of this node that the host has neither entered into the log nor refused, oldest first.

@@ -44,8 +44,24 @@ using Numbers = std::vector<std::uint64_t>;
 /// First and last of what is due; empty when nothing is.
 Numbers due(FactSender& sender, std::uint64_t logEnd, LocalTime now, Duration roundTrip = 0ms)
 {
-    const FactRange range = sender.takeDue(FactNumber{logEnd}, roundTrip, now);
-    return range.first <= range.last ? Numbers{range.first.value, range.last.value} : Numbers{};
+    std::vector<FactRecord> log;
+    for (std::uint64_t number = 1; number <= logEnd; ++number)
+        log.push_back(fact(number));
+    const auto range = sender.takeDue(log, roundTrip, now);
+    return range.empty() ? Numbers{}
+                         : Numbers{range.front().number.value, range.back().number.value};
+}
+
+/// A sender with a window that more than a thousand acknowledged facts have opened.
+FactSender openSender()
+{
+    FactSender sender{FactNumber{0}};
+    LocalTime now = at(0ms);
+    while (sender.acknowledged() < FactNumber{1000}) {
+        sender.acknowledge(FactNumber{due(sender, 100'000, now).at(1)}, 0ms, now);
+        now += FactSender::kBurstInterval;
+    }
+    return sender;
 }
 
 } // namespace
@@ -100,17 +116,78 @@ private Q_SLOTS:
         QCOMPARE(due(sender, 2, at(50ms)), (Numbers{1, 2}));
     }
 
-    void windowPacesALongLog()
+    /// Slow start: with each acknowledged fact one more is under way.
+    void windowOpensAsFactsAreAcknowledged()
     {
         FactSender sender{FactNumber{0}};
         QCOMPARE(due(sender, 1000, at(0ms)), (Numbers{1, 64}));
-        QCOMPARE(due(sender, 1000, at(1ms)), Numbers{});
+        QCOMPARE(due(sender, 1000, at(10ms)), Numbers{});
         QCOMPARE(sender.nextDue(FactNumber{1000}), at(50ms));
-        sender.acknowledge(FactNumber{10}, 0ms, at(2ms));
-        QCOMPARE(sender.nextDue(FactNumber{1000}), LocalTime::min());
-        QCOMPARE(due(sender, 1000, at(2ms)), (Numbers{65, 74}));
-        sender.acknowledge(FactNumber{74}, 0ms, at(3ms));
-        QCOMPARE(due(sender, 100, at(3ms)), (Numbers{75, 100}));
+        sender.acknowledge(FactNumber{10}, 0ms, at(10ms));
+        QVERIFY(sender.nextDue(FactNumber{1000}) <= at(10ms));
+        QCOMPARE(due(sender, 1000, at(10ms)), (Numbers{65, 84})); // 10 + 64 + 10
+        sender.acknowledge(FactNumber{84}, 0ms, at(20ms));
+        QCOMPARE(due(sender, 100, at(20ms)), (Numbers{85, 100}));
+    }
+
+    void windowNeverExceedsWhatAClientKeeps()
+    {
+        FactSender sender{FactNumber{0}};
+        LocalTime now = at(0ms);
+        std::uint64_t last = 0;
+        while (last < 20'000) {
+            last = due(sender, 100'000, now).at(1);
+            sender.acknowledge(FactNumber{last}, 0ms, now);
+            now += FactSender::kBurstInterval;
+        }
+        const std::uint64_t acknowledged = last;
+        for (Numbers next; !(next = due(sender, 100'000, now)).empty(); last = next.at(1))
+            now += FactSender::kBurstInterval;
+        QCOMPARE(last - acknowledged, kLargestFactWindow);
+    }
+
+    /// 40 bytes each: 819 in 32 768 bytes, every 4 ms.
+    void longLogComesInBursts()
+    {
+        FactSender sender = openSender();
+        const LocalTime now = at(1s);
+        const Numbers first = due(sender, 100'000, now);
+        QCOMPARE(first.at(1) - first.at(0) + 1, std::uint64_t{819});
+        QCOMPARE(due(sender, 100'000, now), Numbers{});
+        QCOMPARE(sender.nextDue(FactNumber{100'000}), now + 4ms);
+        QCOMPARE(due(sender, 100'000, now + 4ms).at(0), first.at(1) + 1);
+    }
+
+    /// Fast recovery: nobody waits for the repeat after 50 ms.
+    void lostFactIsRepeatedAtTheThirdAcknowledgementOfTheLast()
+    {
+        FactSender sender = openSender();
+        const LocalTime now = at(1s);
+        const std::uint64_t first = sender.acknowledged().value + 1;
+        const std::uint64_t sent = due(sender, 100'000, now).at(1);
+        for (int times = 0; times < 3; ++times)
+            sender.acknowledge(FactNumber{first + 9}, 0ms, now);
+        QCOMPARE(due(sender, 100'000, now), Numbers{});
+        sender.acknowledge(FactNumber{first + 9}, 0ms, now);
+        QCOMPARE(sender.nextDue(FactNumber{100'000}), LocalTime::min());
+        QCOMPARE(due(sender, 100'000, now), (Numbers{first + 10, first + 25}));
+        QCOMPARE(due(sender, 100'000, now), Numbers{});       // once
+        sender.acknowledge(FactNumber{first + 99}, 0ms, now); // another gap
+        QCOMPARE(due(sender, 100'000, now), (Numbers{first + 100, first + 115}));
+        sender.acknowledge(FactNumber{sent}, 0ms, now); // all is repaired
+        QCOMPARE(due(sender, 100'000, now + 4ms).at(0), sent + 1);
+    }
+
+    void acknowledgementOfWhatWasSentBeforeARepeatCounts()
+    {
+        FactSender sender{FactNumber{0}};
+        QCOMPARE(due(sender, 1000, at(0ms)), (Numbers{1, 64}));
+        sender.acknowledge(FactNumber{20}, 0ms, at(1ms));
+        QCOMPARE(due(sender, 1000, at(4ms)), (Numbers{65, 104}));
+        QCOMPARE(due(sender, 1000, at(51ms)), (Numbers{21, 84})); // all again, the window is small
+        sender.acknowledge(FactNumber{104}, 0ms, at(52ms));
+        QCOMPARE(sender.acknowledged(), FactNumber{104});
+        QCOMPARE(due(sender, 1000, at(60ms)).at(0), std::uint64_t{105});
     }
 
     void ignoresAcknowledgementsThatCannotBe()
@@ -162,12 +239,13 @@ private Q_SLOTS:
     void keepsNoMoreThanAWindow()
     {
         FactReceiver receiver;
-        QVERIFY(receiver.take(fact(64)).empty()); // the last within the window of an empty log
-        QVERIFY(receiver.take(fact(65)).empty()); // the first beyond it
-        for (std::uint64_t n = 1; n < 63; ++n)
+        constexpr std::uint64_t kLast = kLargestFactWindow;
+        QVERIFY(receiver.take(fact(kLast)).empty()); // the last within the window of an empty log
+        QVERIFY(receiver.take(fact(kLast + 1)).empty()); // the first beyond it
+        for (std::uint64_t n = 1; n < kLast - 1; ++n)
             QCOMPARE(numbers(receiver.take(fact(n))), (Numbers{n}));
-        QCOMPARE(numbers(receiver.take(fact(63))), (Numbers{63, 64}));
-        QCOMPARE(receiver.last(), FactNumber{64});
+        QCOMPARE(numbers(receiver.take(fact(kLast - 1))), (Numbers{kLast - 1, kLast}));
+        QCOMPARE(receiver.last(), FactNumber{kLast});
     }
 
     void proposalsGoOutFromTheOldestOn()

@@ -1,4 +1,3 @@
-#include "engine/net/entry/session_identity.h"
 #include "engine/net/node/client_driver.h"
 #include "engine/net/node/host_access.h"
 #include "engine/net/node/host_driver.h"
@@ -104,6 +103,7 @@ private Q_SLOTS:
             for (const LocalTime end = now + length; now < end; now += 1ms) {
                 for (const auto& [to, bytes] : guest.advance(now))
                     (*host)->receive(kGuest, bytes, now);
+                (*host)->waitForDisk(now);
                 for (const auto& [to, bytes] : (*host)->advance(now))
                     guest.receive(kGuest, bytes, now);
             }
@@ -112,6 +112,7 @@ private Q_SLOTS:
         const ParticipantId id = boards[1].view().self;
         QVERIFY(id != kNobody);
         (*host)->propose(kStation, fact::ParticipantRemoved{id, false, "too loud"}, now);
+        (*host)->waitForDisk(now);
         static_cast<void>((*host)->advance(now)); // lost
         QVERIFY((*host)->takeEnded().empty());
         talk(1s);

@@ -14,7 +14,7 @@ namespace carina::lab
 struct AttackSettings {
     SessionPrograms programs;
     Duration length = std::chrono::seconds{10};
-    std::vector<const AttackKind*> kinds;
+    std::vector<const AttackKind*> kinds{};
     int guests = 0; ///< who come in before the first attack and only take part
 };
 
@@ -22,12 +22,12 @@ struct AttackSettings {
 struct AttackFigures {
     const AttackKind* kind = nullptr;
     std::int64_t sent = 0; ///< as the attack counts
-    Seen before;           ///< in as much time before it
-    Seen during;           ///< in the time of the attack
+    Seen before{};         ///< in as much time before it
+    Seen during{};         ///< in the time of the attack
     std::optional<Duration>
-        joined{};                  ///< how long a newcomer took meanwhile; nothing: not within 10 s
-    std::int64_t facts = 0;        ///< by which the log is longer afterwards
-    std::vector<double> memory_kb; ///< by which console and trainee hold more afterwards
+        joined{};           ///< how long a newcomer took meanwhile; nothing: not within 10 s
+    std::int64_t facts = 0; ///< by which the log is longer afterwards
+    std::vector<double> memory_kb{}; ///< by which console and trainee hold more afterwards
 };
 
 /// Starts a session of a console and a trainee, and attacks it in one way after another, while an

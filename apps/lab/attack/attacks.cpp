@@ -131,15 +131,21 @@ protected:
         }
         StreamGroup group{me.participant, me.epoch, kAttackedStation, {}};
         for (std::uint16_t object = 1; object <= kStreamsPerGroup; ++object)
-            group.streams.push_back(
-                {.object = ObjectId{object},
-                 .sequence = ++m_sequence,
-                 .time = intruder.sessionNow() + std::chrono::milliseconds{12}});
+            group.streams.push_back(sampleOf(ObjectId{object}, intruder.sessionNow()));
         const WireRecord record = group;
         intruder.send(std::span{&record, 1});
     }
 
 private:
+    StreamCpo sampleOf(ObjectId object, SessionTime now)
+    {
+        StreamCpo sample;
+        sample.object = object;
+        sample.sequence = ++m_sequence;
+        sample.time = now + std::chrono::milliseconds{12};
+        return sample;
+    }
+
     bool m_shared = false;
     std::uint16_t m_sequence = 0;
 };

@@ -260,9 +260,10 @@ private Q_SLOTS:
         desk.task().chooseSet(2);
         const auto help = desk.task().wouldHelp();
         QVERIFY(help.has_value());
-        const auto worstWith = [&](std::vector<Landmark> landmarks) {
+        const auto targets = registrationTargets(desk.site.patient());
+        const auto worstWith = [&targets](const std::vector<Landmark>& landmarks) {
             double worst = 0.0;
-            for (const RegistrationTarget& target : registrationTargets(desk.site.patient()))
+            for (const RegistrationTarget& target : targets)
                 worst = std::max(worst, rmsByFitzpatrick(landmarks, target.p_A));
             return worst;
         };

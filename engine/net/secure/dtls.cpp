@@ -14,6 +14,8 @@ namespace
 
 constexpr quint16 kMtu = 1200;
 constexpr qint64 kLongestRaw = 1200;
+/// Failures to read after which the next datagrams wait for the next turn.
+constexpr int kMostFaults = 8;
 constexpr const char* kCertificateCiphers =
     "ECDHE-ECDSA-CHACHA20-POLY1305:ECDHE-RSA-CHACHA20-POLY1305";
 
@@ -68,11 +70,17 @@ void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& ident
 
 std::optional<RawDatagram> readRaw(QUdpSocket& socket)
 {
-    while (socket.hasPendingDatagrams()) {
+    // Reads even where nothing is there: a QUdpSocket that told of a datagram tells of no other
+    // before it was read from, and the datagram may have been taken already.
+    for (int faults = 0; faults < kMostFaults;) {
         RawDatagram datagram;
         datagram.bytes.resize(kLongestRaw + 1);
         const qint64 size = socket.readDatagram(datagram.bytes.data(), datagram.bytes.size(),
                                                 &datagram.from, &datagram.port);
+        if (size < 0 && socket.error() == QAbstractSocket::TemporaryError)
+            return std::nullopt; // nothing more is there
+        if (size < 0)
+            ++faults; // such as a port of a peer that nobody listens at
         if (size <= 0 || size > kLongestRaw)
             continue;
         datagram.bytes.truncate(size);

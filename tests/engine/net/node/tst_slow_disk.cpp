@@ -203,7 +203,7 @@ private Q_SLOTS:
     {
         HeldStore::Disk disk;
         DriverWorld world{disk};
-        constexpr std::ptrdiff_t kCrowd = 150;
+        constexpr std::ptrdiff_t kCrowd = 100;
         std::vector<DriverWorld::Guest*> crowd;
         for (int i = 0; i < kCrowd; ++i)
             crowd.push_back(&world.add("Trainee number " + std::to_string(i)));

@@ -164,12 +164,13 @@ void makeLobes(const BodyPlan& plan, std::span<const PartPlan> plans, std::span<
 std::vector<AnatomyPart> partsOf(const BodyPlan& plan)
 {
     std::vector<PartPlan> plans = partPlans(plan);
-    const auto lobes = std::ranges::stable_partition(
-        plans, [](const PartPlan& part) { return !lungSide(part.role).has_value(); });
-    const std::size_t others = plans.size() - lobes.size();
+    const auto lobes = std::stable_partition(plans.begin(), plans.end(), [](const PartPlan& part) {
+        return !lungSide(part.role).has_value();
+    });
+    const auto others = std::size_t(lobes - plans.begin());
     std::vector<AnatomyPart> parts(plans.size());
     makeParts({plans.data(), others}, {parts.data(), others});
-    makeLobes(plan, lobes, {parts.data() + others, lobes.size()});
+    makeLobes(plan, std::span{plans}.subspan(others), std::span{parts}.subspan(others));
     return parts;
 }
 

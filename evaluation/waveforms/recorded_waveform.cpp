@@ -132,11 +132,11 @@ void markOpenTube(const RecordedWaveform& waveform, std::vector<BreathPart>& par
 Result<RecordedWaveform> readWaveform(const QString& file)
 {
     const std::string name = file.toStdString();
+    if (const auto good = readableSize(name, kMeasurementLimit); !good)
+        return tl::unexpected(good.error());
     QFile source{file};
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, name + " cannot be opened.");
-    if (const auto good = checkSize(name, std::uint64_t(source.size()), kMeasurementLimit); !good)
-        return tl::unexpected(good.error());
     const QList<QByteArray> lines = source.readAll().split('\n');
     const QList<QByteArray> first = lines.front().trimmed().split(',');
     const QList<QByteArray> header = lines.value(1).trimmed().split(',');

@@ -104,12 +104,11 @@ Result<void> writeFrames(const QString& path, const std::vector<LoggedFrame>& fr
 
 Result<std::vector<LoggedFrame>> readFrames(const QString& path)
 {
+    if (const auto good = readableSize(path.toStdString(), kMeasurementLimit); !good)
+        return tl::unexpected(good.error());
     QFile file{path};
     if (!file.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, path.toStdString());
-    const std::string name = path.toStdString();
-    if (const auto good = checkSize(name, std::uint64_t(file.size()), kMeasurementLimit); !good)
-        return tl::unexpected(good.error());
     std::vector<LoggedFrame> frames;
     int number = 1;
     if (file.readLine() != header())

@@ -25,10 +25,10 @@ Result<CsvTable> CsvTable::read(const QString& file, std::initializer_list<const
     QFile source{file};
     if (!source.exists())
         return fail(Errc::FileNotFound, "There is no file " + name + ".");
+    if (const auto good = readableSize(name, kMeasurementLimit); !good)
+        return tl::unexpected(good.error());
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileNotFound, name + " cannot be opened.");
-    if (const auto good = checkSize(name, std::uint64_t(source.size()), kMeasurementLimit); !good)
-        return tl::unexpected(good.error());
     QByteArray bytes = source.readAll();
     if (bytes.startsWith("\xEF\xBB\xBF"))
         bytes.remove(0, 3);

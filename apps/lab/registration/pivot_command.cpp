@@ -102,11 +102,11 @@ Result<std::vector<RigidTransform>> posesOfTable(const QString& file)
 Result<RigidTransform> readPoseText(const QString& file)
 {
     const std::string name = file.toStdString();
+    if (const auto good = readableSize(name, kDescriptionLimit); !good)
+        return tl::unexpected(good.error());
     QFile source{file};
     if (!source.open(QIODevice::ReadOnly))
         return fail(Errc::FileUnreadable, name + " cannot be read.");
-    if (const auto good = checkSize(name, std::uint64_t(source.size()), kDescriptionLimit); !good)
-        return tl::unexpected(good.error());
     const QString text = QString::fromLatin1(source.readAll());
     static const QRegularExpression kBetween{QStringLiteral("[\\s,;]+")};
     const QStringList words = text.split(kBetween, Qt::SkipEmptyParts);

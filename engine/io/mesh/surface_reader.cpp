@@ -116,23 +116,25 @@ SurfaceReader::Answer SurfaceReader::answerTo(const std::filesystem::path& file)
     const QDeadlineTimer deadline{m_limitPerFile};
     const std::uint64_t longest = std::min(kLongestAnswer, ReaderMemory::bytesOf(m_shares));
     QByteArray answer;
-    std::uint64_t length = 0;
-    while (length == 0 || std::uint64_t(answer.size()) < sizeof length + length) {
+    constexpr std::size_t kHeader = sizeof(std::uint64_t);
+    std::optional<std::uint64_t> length;
+    while (!length || std::uint64_t(answer.size()) < kHeader + *length) {
         if (deadline.hasExpired())
             return fail(Errc::FileMalformed, "reading it takes too long");
         if (!m_process->waitForReadyRead(int(deadline.remainingTime()))
             && m_process->state() != QProcess::Running)
             return tl::unexpected(whyItEnded());
         answer += m_process->readAllStandardOutput();
-        if (length == 0 && std::size_t(answer.size()) >= sizeof length)
-            length = ByteReader{std::as_bytes(std::span{answer.constData(), sizeof length})}
+        if (!length && std::size_t(answer.size()) >= kHeader)
+            length = ByteReader{std::as_bytes(std::span{answer.constData(), kHeader})}
                          .number<std::uint64_t>();
-        if (length > longest)
+        // A reader that was taken over may send anything, without end.
+        if (length && (*length > longest || std::uint64_t(answer.size()) > kHeader + *length))
             return fail(Errc::FileTooLarge, "it holds more than can be read");
     }
     m_spent += m_limitPerFile - std::chrono::milliseconds{deadline.remainingTime()};
     const auto bytes = std::as_bytes(std::span{answer.constData(), std::size_t(answer.size())});
-    return std::vector<std::byte>{bytes.begin() + sizeof length, bytes.end()};
+    return std::vector<std::byte>{bytes.begin() + kHeader, bytes.end()};
 }
 
 SurfaceReader::Answer SurfaceReader::attempt(const std::filesystem::path& file, unsigned shares)

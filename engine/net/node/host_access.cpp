@@ -1,6 +1,5 @@
 #include "engine/net/node/host_access.h"
 
-#include "engine/core/expects.h"
 #include "engine/net/entry/session_identity.h"
 
 namespace carina
@@ -78,6 +77,12 @@ Result<void> HostAccess::changeCode(Role role)
     return {};
 }
 
+bool HostAccess::isDeriving(Role role) const
+{
+    const std::scoped_lock lock{m_mutex};
+    return !m_secrets.codeKey(role) && !m_fault;
+}
+
 void HostAccess::connected(PeerAddress peer, const Credential& who)
 {
     m_peers.insert_or_assign(peer, who);
@@ -137,7 +142,8 @@ Result<void> HostAccess::revokeToken(Role role, ParticipantId participant)
 Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId participant)
 {
     const auto known = m_peers.find(peer);
-    CARINA_EXPECTS(known != m_peers.end());
+    if (known == m_peers.end())
+        return fail(Errc::NotPermitted, "its code was changed before it came in");
     const std::scoped_lock lock{m_mutex};
     return m_secrets.issueToken(known->second.role, participant);
 }

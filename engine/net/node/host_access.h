@@ -33,6 +33,9 @@ public:
     /// FileUnwritable; then nothing has changed.
     [[nodiscard]] Result<void> changeCode(Role role);
 
+    /// Whether the key of this role's code is still being derived.
+    [[nodiscard]] bool isDeriving(Role role) const;
+
     /// Stores what a peer proved, as long as it is connected.
     void connected(PeerAddress peer, const Credential& who);
     void disconnected(PeerAddress peer);

@@ -90,6 +90,8 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
         return tl::unexpected(access.error());
     driver->m_access = *std::move(access);
     board.setJoinCodes(driver->m_access->codes());
+    if (const auto revoked = driver->revokeBanned(); !revoked)
+        return tl::unexpected(revoked.error());
     if (*anchor && lastCommitted && contradictsLog(**anchor, bootId, *lastCommitted, now))
         driver->m_storeFault = Error{Errc::ClockLost, {}};
     driver->startCore(sessionId, *std::move(records), offset);
@@ -234,6 +236,8 @@ void HostDriver::giveUp(const Error& why, LocalTime now)
     for (const auto& [fact, record] : std::exchange(m_unstored, {}))
         m_core->giveUp(record, Errc::StoreFailed, now);
     m_decided = m_stored;
+    m_publications.forget();           // what was to be shared is not
+    m_returnsEnd = now + kPeerTimeout; // who left meanwhile is found absent
     m_refusal = Error{Errc::StoreFailed, why.detail};
 }
 
@@ -348,9 +352,9 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     endIdlePaths(now);
     for (const EventCpo& event : m_core->takeChanged())
         m_unkept.insert_or_assign(event.object, event);
-    handOver(now);
     SyncHost::Output output = m_core->take();
     replaceTokens(output.displaced, now);
+    handOver(now);
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core->sessionTime(now));
     show(now);
@@ -364,6 +368,8 @@ LocalTime HostDriver::nextWake() const
     if (!m_tokens.empty())
         return LocalTime::min();
     LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd});
+    if (!m_writer->isBusy() && m_handedOver < m_unstored.size())
+        return LocalTime::min();
     if (!m_writer->isBusy()) // which wakes by its report
         wake = std::min({wake, m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
     for (const auto& [address, path] : m_paths)
@@ -437,7 +443,9 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
         return;
     }
     const auto peer = m_core->peers().find(from);
-    if (peer == m_core->peers().end())
+    const auto path = m_paths.find(from);
+    if (peer == m_core->peers().end() || path == m_paths.end()
+        || !path->second.tokens.take(1.0, kTokenRequests, now))
         return;
     // Without a token the peer comes back by its code.
     if (const auto token = m_access->issueToken(from, peer->second.participant))
@@ -504,6 +512,7 @@ Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, L
         proposal->id = ProposalId{hostRandom()};
     return decide(*proposal, now).map([&](FactNumber joined) {
         speakerIdleSince(now + kJoinStoredWithin);
+        m_access->admitted(m_speaker, who->participant);
         return std::optional{Admission{who->participant, joined}};
     });
 }
@@ -523,11 +532,23 @@ bool HostDriver::isJoinOf(ProposalId proposal, ParticipantId participant) const
 
 Result<void> HostDriver::prepare(const Fact& fact)
 {
-    const auto* changed = std::get_if<fact::RoleCodeChanged>(&fact.body);
-    if (!changed)
+    // Neither an old code nor the token of one who is banned must outlive the fact that it is void.
+    if (const auto* changed = std::get_if<fact::RoleCodeChanged>(&fact.body))
+        return changeCode(changed->role);
+    const auto* removed = std::get_if<fact::ParticipantRemoved>(&fact.body);
+    if (!removed || !removed->banned)
         return {};
-    // The old code must not outlive the fact that it is void.
-    if (const auto kept = m_access->changeCode(changed->role); !kept)
+    const Role role = m_decided.state().participants().at(removed->participant).role;
+    const auto kept = m_access->revokeToken(role, removed->participant);
+    return kept ? Result<void>{} : fail(Errc::StoreFailed, kept.error().detail);
+}
+
+Result<void> HostDriver::changeCode(Role role)
+{
+    // Each code costs a second of processor time for its key.
+    if (m_access->isDeriving(role))
+        return fail(Errc::TooMuchSent);
+    if (const auto kept = m_access->changeCode(role); !kept)
         return fail(Errc::StoreFailed, kept.error().detail);
     m_board.setJoinCodes(m_access->codes());
     return {};
@@ -535,14 +556,17 @@ Result<void> HostDriver::prepare(const Fact& fact)
 
 void HostDriver::carryOut(const FactBody& body)
 {
-    const auto* removed = std::get_if<fact::ParticipantRemoved>(&body);
-    if (!removed)
-        return;
-    m_removed.push_back(removed->participant);
-    const Role role = m_stored.state().participants().at(removed->participant).role;
-    if (removed->banned)
-        if (const auto kept = m_access->revokeToken(role, removed->participant); !kept)
-            m_refusal = kept.error();
+    if (const auto* removed = std::get_if<fact::ParticipantRemoved>(&body))
+        m_removed.push_back(removed->participant);
+}
+
+Result<void> HostDriver::revokeBanned()
+{
+    for (const auto& [id, participant] : m_stored.state().participants())
+        if (participant.removal && participant.removal->banned)
+            if (auto revoked = m_access->revokeToken(participant.role, id); !revoked)
+                return revoked;
+    return {};
 }
 
 void HostDriver::dismissRemoved(LocalTime now)

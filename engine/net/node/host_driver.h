@@ -25,6 +25,8 @@ public:
     static constexpr std::size_t kMostIdleOfToken = 4;
     /// Hellos over a path in a second that are judged; twice as many at once.
     static constexpr double kHellos = 10.0;
+    /// Requests for a token in a second that are answered; twice as many at once.
+    static constexpr double kTokenRequests = 8.0;
     /// New participants in a second; twice as many at once.
     static constexpr double kNewcomers = 40.0;
     /// Facts that are decided and not stored, from which on proposals are refused.
@@ -90,8 +92,12 @@ private:
     void left(ParticipantId participant, LocalTime now);
     /// What has to be done before a fact is entered. @returns StoreFailed; then it must not be.
     [[nodiscard]] Result<void> prepare(const Fact& fact);
+    /// @returns TooMuchSent while the key of the last code is being derived; StoreFailed.
+    [[nodiscard]] Result<void> changeCode(Role role);
     /// What a fact about who takes part makes the host do.
     void carryOut(const FactBody& body);
+    /// For the case that the host was ended between a ban and its revocation.
+    [[nodiscard]] Result<void> revokeBanned();
     /// Tells those who were removed, and ends their connections.
     void dismissRemoved(LocalTime now);
     /// Replaces the tokens of those whose programs were displaced.
@@ -102,6 +108,7 @@ private:
         Credential who;
         LocalTime idleSince{}; ///< nobody has taken part over it from then on
         TokenBucket hellos{};
+        TokenBucket tokens{}; ///< requests for one
     };
 
     void speakerIdleSince(LocalTime time);

@@ -4,6 +4,9 @@
 #include <unicode/unistr.h>
 #include <unicode/uspoof.h>
 
+#include <map>
+#include <string>
+
 namespace carina
 {
 namespace
@@ -52,6 +55,26 @@ icu::UnicodeString skeletonOf(const icu::UnicodeString& name)
     return U_SUCCESS(status) ? skeleton : name;
 }
 
+struct Skeletons {
+    icu::UnicodeString ofFolded; ///< skeleton of the name in one case
+    icu::UnicodeString folded;   ///< its skeleton in one case
+};
+
+/// Kept, because a newcomer is compared with everybody there ever was.
+const Skeletons& skeletonsOf(std::string_view utf8)
+{
+    constexpr std::size_t kMostKept = 4096;
+    thread_local std::map<std::string, Skeletons, std::less<>> kept;
+    if (const auto known = kept.find(utf8); known != kept.end())
+        return known->second;
+    if (kept.size() >= kMostKept)
+        kept.clear();
+    const icu::UnicodeString name = withoutBlanks(utf8);
+    return kept
+        .emplace(std::string{utf8}, Skeletons{skeletonOf(folded(name)), folded(skeletonOf(name))})
+        .first->second;
+}
+
 } // namespace
 
 Result<void> checkName(std::string_view utf8)
@@ -70,10 +93,9 @@ Result<void> checkName(std::string_view utf8)
 
 bool lookAlike(std::string_view utf8, std::string_view otherUtf8)
 {
-    const icu::UnicodeString name = withoutBlanks(utf8);
-    const icu::UnicodeString other = withoutBlanks(otherUtf8);
-    return skeletonOf(folded(name)) == skeletonOf(folded(other))
-           || folded(skeletonOf(name)) == folded(skeletonOf(other));
+    const Skeletons name = skeletonsOf(utf8);
+    const Skeletons& other = skeletonsOf(otherUtf8);
+    return name.ofFolded == other.ofFolded || name.folded == other.folded;
 }
 
 } // namespace carina

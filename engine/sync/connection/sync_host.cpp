@@ -13,11 +13,20 @@ namespace
 
 constexpr ParticipantId kHost{0};
 
+/// As much of a text as a record takes, and whole characters of it.
+std::string shortened(const std::string& utf8)
+{
+    std::size_t length = std::min(utf8.size(), kLongestDetail);
+    while (length > 0 && length < utf8.size() && (utf8[length] & 0xC0) == 0x80)
+        --length;
+    return utf8.substr(0, length);
+}
+
 /// What is behind a refusal is told only to whom it concerns.
 HelloRefused refusalOf(const Error& why)
 {
     const bool concernsThem = why.code == Errc::Removed || why.code == Errc::Banned;
-    return {why.code, concernsThem ? why.detail.substr(0, kLongestDetail) : std::string{}};
+    return {why.code, concernsThem ? shortened(why.detail) : std::string{}};
 }
 
 Duration roundTripOf(const PeerLink& link) { return link.longestRoundTrip().value_or(Duration{}); }
@@ -165,9 +174,11 @@ void SyncHost::drop(PeerAddress address, LocalTime now)
                               ? std::nullopt
                               : std::optional{arrival->second.admission.participant};
     m_arrivals.erase(address);
-    if (m_peers.contains(address))
+    const auto peer = m_peers.find(address);
+    const bool isSame = peer != m_peers.end() && arriving == peer->second.participant;
+    if (peer != m_peers.end())
         remove(address, now);
-    if (arriving && !isHere(*arriving))
+    if (arriving && !isSame && !isHere(*arriving))
         m_rules.left(*arriving, now);
 }
 
@@ -252,17 +263,15 @@ void SyncHost::welcomeArrivals(LocalTime now)
 void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime now)
 {
     const auto& [header, heard, hello, admission] = arrival;
+    PeerBudget budget = budgetOf(admission.participant);
     displace(address, admission.participant, now);
     forgetParticipant(admission.participant);
     if (m_peers.contains(address))
         remove(address, now);
     const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
-    Peer peer{PeerLink{header.connection, m_clockOffset, now},
-              admission.participant,
-              static_cast<std::uint16_t>(admission.joined.value),
-              hello.join.id,
-              FactSender{continues ? hello.lastFact : FactNumber{}},
-              PeerBudget{m_rules.limits(admission.participant)}};
+    Peer peer{PeerLink{header.connection, m_clockOffset, now},       admission.participant,
+              static_cast<std::uint16_t>(admission.joined.value),    hello.join.id,
+              FactSender{continues ? hello.lastFact : FactNumber{}}, std::move(budget)};
     peer.link.heard(header, heard);
     m_peers.emplace(address, std::move(peer));
     m_actions.join(address, admission.participant, now);
@@ -281,7 +290,27 @@ Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& 
         return fail(Errc::TooMuchSent);
     if (who->participant == kHost || isTaken(from, *who, join.id, now))
         return fail(Errc::NameTaken);
+    // To come in again writes a fact, as a proposal does.
+    if (PeerBudget* budget = knownBudget(who->participant); budget && !budget->takesProposal(now))
+        return fail(Errc::TooMuchSent);
     return m_rules.admit(join, now);
+}
+
+PeerBudget* SyncHost::knownBudget(ParticipantId participant)
+{
+    for (auto& [address, peer] : m_peers)
+        if (peer.participant == participant)
+            return &peer.budget;
+    const auto left = m_budgets.find(participant);
+    return left == m_budgets.end() ? nullptr : &left->second;
+}
+
+PeerBudget SyncHost::budgetOf(ParticipantId participant)
+{
+    const PeerBudget* known = knownBudget(participant);
+    PeerBudget budget = known ? *known : PeerBudget{m_rules.limits(participant)};
+    m_budgets.erase(participant);
+    return budget;
 }
 
 bool SyncHost::isTaken(PeerAddress from, const Identity& who, ProposalId join, LocalTime now)
@@ -321,6 +350,7 @@ void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime n
 void SyncHost::remove(PeerAddress address, LocalTime now)
 {
     const ParticipantId participant = m_peers.at(address).participant;
+    m_budgets.insert_or_assign(participant, m_peers.at(address).budget);
     m_peers.erase(address);
     m_actions.leave(address);
     if (!isHere(participant)) // or it is coming in again
@@ -331,8 +361,10 @@ void SyncHost::forgetParticipant(ParticipantId participant)
 {
     for (auto entry = m_peers.begin(); entry != m_peers.end();) {
         const bool isOne = entry->second.participant == participant;
-        if (isOne)
+        if (isOne) {
             m_actions.leave(entry->first);
+            m_budgets.insert_or_assign(participant, entry->second.budget);
+        }
         entry = isOne ? m_peers.erase(entry) : std::next(entry);
     }
 }
@@ -397,7 +429,9 @@ void SyncHost::endExceedingPeers(LocalTime now)
         m_barredUntil.insert_or_assign(peer.participant, now + kBarred);
         answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent, {}}, now);
         m_output.ended.push_back(address);
+        const ParticipantId participant = peer.participant;
         remove(address, now);
+        m_budgets.erase(participant); // the bar is enough
     }
 }
 

@@ -179,6 +179,10 @@ private:
     void dropSilentPeers(LocalTime now);
     void endExceedingPeers(LocalTime now);
     /// Whether a program that asks from this address is kept out by another one of the participant.
+    /// Of one who is here or was; null before.
+    [[nodiscard]] PeerBudget* knownBudget(ParticipantId participant);
+    /// For a new connection of the participant.
+    [[nodiscard]] PeerBudget budgetOf(ParticipantId participant);
     [[nodiscard]] bool isTaken(PeerAddress from, const Identity& who, ProposalId join,
                                LocalTime now);
     /// Ends the other programs of a participant whom `from` proved to be.
@@ -196,6 +200,8 @@ private:
     std::map<PeerAddress, Peer> m_peers;
     std::map<PeerAddress, Arrival> m_arrivals;
     std::map<ParticipantId, LocalTime> m_barredUntil;
+    /// Of those who left: who comes again goes on with the same. As many as there are names.
+    std::map<ParticipantId, PeerBudget> m_budgets;
     /// Since when a program asks to come in as a participant of whom another is here.
     std::map<PeerAddress, LocalTime> m_asksSince;
     HostStreams m_streams;

@@ -150,6 +150,46 @@ private Q_SLOTS:
         QCOMPARE(joins, std::ptrdiff_t{1}); // however often the Hello was repeated
     }
 
+    void whoseCodeIsChangedBeforeItIsOnDiskIsInAllTheSame()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        const PskIdentity trainee{{Role::Trainee, std::nullopt}, world.host->access().sessionId()};
+        const auto isDerived = [&] {
+            return world.host->access().keyOf(trainee).state
+                   == HostTransport::KeyAnswer::State::Known;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isDerived(), kSoonMs);
+        const JoinCode before = world.host->access().codes().at(Role::Trainee);
+        disk.hold();
+        const auto& anna = world.add("Anna");
+        world.run(100ms);
+        world.host->propose(kStation, fact::RoleCodeChanged{Role::Trainee}, world.now);
+        QVERIFY(world.host->access().codes().at(Role::Trainee) != before);
+        disk.letGo();
+        world.run(1s); // she asks for a token, too
+        QCOMPARE(anna.board.view().self, ParticipantId{1});
+        QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
+    }
+
+    /// Each would cost a second of processor time.
+    void codeIsNotChangedBeforeItsKeyIsThere()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        const PskIdentity trainee{{Role::Trainee, std::nullopt}, world.host->access().sessionId()};
+        const auto isDerived = [&] {
+            return world.host->access().keyOf(trainee).state
+                   == HostTransport::KeyAnswer::State::Known;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isDerived(), kSoonMs);
+        for (int i = 0; i < 50; ++i)
+            world.host->propose(kStation, fact::RoleCodeChanged{Role::Trainee}, world.now);
+        world.run(1ms);
+        QCOMPARE(world.board.view().refusal->code, Errc::TooMuchSent);
+        QVERIFY(disk.facts.size() < 10);
+    }
+
     void whoGoesBeforeItIsOnDiskIsGone()
     {
         HeldStore::Disk disk;

@@ -100,6 +100,25 @@ private Q_SLOTS:
         QCOMPARE(world.site(0).log.size(), std::size_t{5});
     }
 
+    /// Neither a new connection nor a new run of the program brings a new budget.
+    void whoComesAgainHasTheBudgetItHad()
+    {
+        SessionWorld world{39};
+        world.session.limits = kLimits;
+        world.session.limits.proposals = 2.0; // 4 at once
+        world.startHost();
+        world.addSite({5ms, 0ms, 0.0, 0.0});
+        for (int run = 0; run < 10; ++run) {
+            world.startClient(0, "anna");
+            world.run(100ms);
+            for (int i = 0; i < 4; ++i)
+                world.propose(0, "patient");
+            world.run(100ms);
+        }
+        const auto entered = std::ptrdiff_t(world.session.disk.size());
+        QVERIFY2(entered <= 10, qPrintable(QString::number(entered))); // 4 + 2 s of 2, and one more
+    }
+
     /// A participant who floods: the log grows by its budget alone, it is told why, and it stays
     /// out for half a minute; the other's proposals go on.
     void floodIsEndedAndTheOthersGoOn()

@@ -219,8 +219,7 @@ void InstructorWindow::refreshStatus()
             tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));
     told += tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
     const auto oldest = m_participants.oldestSample_ms();
-    told +=
-        oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked yet");
+    told += oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked");
     told += tr("%1 frames per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
     told += tr("Trainees join at port %1").arg(m_session.node().port());
     m_status->setText(told.join(QStringLiteral("      ")));

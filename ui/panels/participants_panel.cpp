@@ -55,7 +55,11 @@ void ParticipantsPanel::refresh()
     const auto id = chosen();
     const auto standing = id ? m_conduct->standingOf(*id) : ConductModel::Standing{};
     m_ui->mute->setText(standing.isMuted ? tr("Un&mute") : tr("&Mute"));
-    m_ui->mute->setEnabled(standing.canMute);
+    m_ui->mute->setToolTip(
+        standing.isMuted
+            ? tr("What the chosen participant sends has its effect again")
+            : tr("The chosen participant sees everything, and what they send has no effect"));
+    m_ui->mute->setEnabled(standing.canMute && !standing.isBanned);
     m_ui->remove->setText(standing.isBanned ? tr("&Let back in") : tr("Remo&ve…"));
     m_ui->remove->setEnabled(standing.canRemove || standing.isBanned);
     m_ui->lock->setChecked(m_conduct->isLocked());

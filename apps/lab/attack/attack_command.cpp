@@ -14,7 +14,7 @@ namespace
 namespace attack_option
 {
 constexpr Option kSeconds{"seconds", "S", "how long each attack, 4 to 600; 10 unless given"};
-constexpr Option kOnly{"only", "NAME", "one attack: a name of those below; all unless given"};
+constexpr Option kOnly{"only", "NAME", "one attack: one of the names above; all unless given"};
 constexpr Option kGuests{
     "guests", "N", "others who come in before and only take part, 0 to 240; none unless given"};
 constexpr Option kPrograms{"programs", "DIR",

@@ -85,8 +85,9 @@ void StartedSession::run(const char* name, const QString& program, const QString
 
 Result<void> StartedSession::readCodes()
 {
-    if (!waitFor([&] { return QFile::exists(m_codesFile); }))
-        return fail(Errc::HostSilent, "the console wrote no codes");
+    const bool isOver = waitFor([&] { return QFile::exists(m_codesFile) || fault(); });
+    if (const auto ended = fault(); ended || !isOver)
+        return tl::unexpected(ended ? *ended : Error{Errc::HostSilent, "the console is silent"});
     const auto text = readWholeFile(m_codesFile.toStdString(), kCredentialLimit);
     if (!text)
         return tl::unexpected(text.error());

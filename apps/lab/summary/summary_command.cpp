@@ -95,7 +95,7 @@ constexpr Key kSameInstant{"same_instant",
 constexpr Key kActionDrift{
     "action_drift",
     "the virtual patient at the trainee against the one in the console, for the instants at which "
-    "both were lit, while the script turned it by the controls of \"Actions\": instants, mean_, "
+    "both were lit, while the script turned it by the controls of \"Move\": instants, mean_, "
     "p95_ and largest_ as of drift, and:"};
 constexpr Key kDelay{"delay_ms", "latency of an action", 1};
 constexpr Key kLimit{"limit_mean_deg", "lower bound of mean_deg for that delay", 1};

@@ -117,7 +117,9 @@ Result<SetFolder> listSetFolder(const fs::path& root)
 {
     std::error_code error;
     if (!fs::is_directory(root, error))
-        return fail(Errc::FileNotFound, root.string() + ": no such folder");
+        return fail(Errc::FileNotFound,
+                    root.string()
+                        + (fs::exists(root, error) ? ": it is not a folder" : ": no such folder"));
     SetFolder folder{root, {}, {}};
     const auto options = fs::directory_options::skip_permission_denied;
     for (auto it = fs::recursive_directory_iterator{root, options, error};

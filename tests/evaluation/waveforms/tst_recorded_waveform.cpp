@@ -65,7 +65,7 @@ void TestRecordedWaveform::refusesABrokenFile_data()
     const auto row = [](const char* name, const char* text, const char* named) {
         QTest::newRow(name) << QByteArray{text} << QByteArray{named};
     };
-    row("empty", "", "#samplerate,HZ");
+    row("blank", "\n", "#samplerate,HZ");
     row("no rate", "pressure,flow\n1,2\n", "#samplerate,HZ");
     row("no pressure", "#samplerate,50\nflow\n1\n", "pressure,flow");
     row("slow", "#samplerate,9\npressure,flow\n1,2\n", "below 10 Hz");
@@ -89,6 +89,7 @@ void TestRecordedWaveform::refusesABrokenFile()
     QVERIFY2(detail.contains(named) && detail.contains("waveform.csv"), detail.constData());
     QCOMPARE(readWaveform(folder.filePath(QStringLiteral("none"))).error().code,
              Errc::FileNotFound);
+    QCOMPARE(readWaveform(written(folder, {})).error().code, Errc::FileEmpty);
 }
 
 /// Each of ten breaths is found at its very samples.

@@ -79,7 +79,7 @@ private Q_SLOTS:
     {
         const auto read = readFrames(QStringLiteral("/nowhere/frames.csv"));
         QCOMPARE(read.error().code, Errc::FileNotFound);
-        QCOMPARE(read.error().detail, std::string{"/nowhere/frames.csv"});
+        QVERIFY(read.error().detail.starts_with("/nowhere/frames.csv"));
         QCOMPARE(writeFrames(QStringLiteral("/nowhere/frames.csv"), {}).error().code,
                  Errc::FileUnwritable);
     }

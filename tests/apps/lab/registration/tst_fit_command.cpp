@@ -132,7 +132,7 @@ private Q_SLOTS:
         QTest::addColumn<Errc>("code");
         QTest::addColumn<QString>("sentence");
         const QString head = QStringLiteral("name,ax,ay,az,mx,my,mz\n");
-        QTest::newRow("empty") << QString{} << Errc::FileEmpty << QStringLiteral("is empty.");
+        QTest::newRow("empty") << QString{} << Errc::FileEmpty << QStringLiteral("is empty");
         QTest::newRow("no landmark")
             << head << Errc::TooFewLandmarks << QStringLiteral("cannot be fitted: 0 landmarks");
         QTest::newRow("a column missing")

@@ -81,7 +81,10 @@ inline constexpr Key kRightPleura{"right_pleura_cmh2o", "right pleural pressure 
 inline constexpr Key kLeftPleura{"left_pleura_cmh2o", "left pleural pressure at the end", 2};
 inline constexpr Key kMediastinalShift{"mediastinal_shift_mm",
                                        "at the end, towards the patient's left", 2};
-inline constexpr Key kRanges{"ranges", "one object per figure with a published range:", 1};
+inline constexpr Key kRanges{"ranges",
+                             "one object per figure with a published range; "
+                             "those of adults are left out below 18 years:",
+                             1};
 inline constexpr Key kFigure{"figure", "its name", 2};
 inline constexpr Key kValue{"value", "of this patient", 2};
 inline constexpr Key kLeast{"least", "of the range", 2};

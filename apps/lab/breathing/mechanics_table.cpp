@@ -83,6 +83,8 @@ QJsonObject describeBreaths(const RespiratoryFold& fold)
     };
 }
 
+constexpr double kAdult_years = 18.0;
+
 QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition& named,
                               double severity)
 {
@@ -112,7 +114,8 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
                                      spontaneous,
                                      byVolume.lastBreath(),
                                      fast.lastBreath(),
-                                     helped.ventilator.peep};
+                                     helped.ventilator.peep,
+                                     settings.build.ageInYears >= kAdult_years};
     QJsonObject described{
         {mechanics_key::kCondition, textOf(named.name)},
         {mechanics_key::kSeverity, severity},

@@ -21,6 +21,7 @@ struct PublishedRange {
     double greatest;
     const char* source;
     double (*value)(const MeasuredCondition&);
+    bool ofAdults = false; ///< an absolute figure that says nothing of a child
 };
 
 constexpr const char* kPulse = "Pulse RespiratoryMethodology, table of diseases";
@@ -110,7 +111,7 @@ using enum ConditionKind;
 
 constexpr PublishedRange kRanges[] = {
     {Normal, kAny, "ventilated_compliance_ml_per_cmh2o", 50.0, 80.0,
-     "static compliance of adults under a ventilator (rdrr cliot)", staticCompliance_ml},
+     "static compliance of adults under a ventilator (rdrr cliot)", staticCompliance_ml, true},
     {Ards, 0.3, "lung_compliance_ratio", 0.7, 0.7, kPulse, complianceRatio},
     {Ards, 0.6, "lung_compliance_ratio", 0.5, 0.5, kPulse, complianceRatio},
     {Ards, 0.9, "lung_compliance_ratio", 0.4, 0.4, kPulse, complianceRatio},
@@ -120,7 +121,7 @@ constexpr PublishedRange kRanges[] = {
     {Ards, 0.6, "alveolar_dead_space_l", 0.03, 0.03, kPulse, deadSpace_l},
     {Ards, 0.9, "alveolar_dead_space_l", 0.15, 0.15, kPulse, deadSpace_l},
     {Ards, 0.9, "ventilated_compliance_ml_per_cmh2o", 0.0, 30.0,
-     "static compliance in severe ARDS (rdrr cliot)", staticCompliance_ml},
+     "static compliance in severe ARDS (rdrr cliot)", staticCompliance_ml, true},
     {Copd, 0.3, "bronchial_resistance_ratio", 0.85 / 0.45, 0.85 / 0.45, kPulse, bronchiRatio},
     {Copd, 0.6, "bronchial_resistance_ratio", 1.7 / 0.45, 1.7 / 0.45, kPulse, bronchiRatio},
     {Copd, 0.9, "bronchial_resistance_ratio", 2.4 / 0.45, 2.4 / 0.45, kPulse, bronchiRatio},
@@ -132,12 +133,12 @@ constexpr PublishedRange kRanges[] = {
     {Copd, 0.9, "total_capacity_ratio", 1.40, 1.40, kEmphysema, capacityRatio},
     {Copd, 0.9, "residual_volume_ratio", 2.42, 2.42, kEmphysema, residualRatio},
     {Copd, 0.9, "auto_peep_at_20_per_min_cmh2o", 5.0, 10.0,
-     "range asked of adults with severe COPD at 20 breaths per minute", autoPeepAt20_cmH2O},
+     "range asked of adults with severe COPD at 20 breaths per minute", autoPeepAt20_cmH2O, true},
     {Asthma, 0.3, "airway_resistance_ratio", 5.0, 15.0, "acute asthma (Pulse)", airwayRatio},
     {Asthma, 0.6, "airway_resistance_ratio", 5.0, 15.0, "acute asthma (Pulse)", airwayRatio},
     {Asthma, 0.9, "airway_resistance_ratio", 5.0, 15.0, "acute asthma (Pulse)", airwayRatio},
     {Asthma, 0.9, "auto_peep_at_20_per_min_cmh2o", 8.0, 15.0,
-     "range asked of adults with severe asthma at 20 breaths per minute", autoPeepAt20_cmH2O},
+     "range asked of adults with severe asthma at 20 breaths per minute", autoPeepAt20_cmH2O, true},
     {SimplePneumothorax, kAny, "lung_volume_ratio", 0.25, 1.0,
      "max(0.25 FRC, FRC - gas in the pleura) (Pulse)", openShareOfRight},
     {MainstemIntubation, kAny, "final_volume_ratio_of_the_other_lung", 0.40, 0.50,
@@ -152,7 +153,8 @@ QJsonArray publishedRanges(const MeasuredCondition& measured)
     for (const PublishedRange& range : kRanges) {
         const bool isMeant =
             range.kind == measured.condition.kind
-            && (range.severity == kAny || range.severity == measured.condition.severity);
+            && (range.severity == kAny || range.severity == measured.condition.severity)
+            && (measured.isAdult || !range.ofAdults);
         if (!isMeant)
             continue;
         const double value = range.value(measured);

@@ -17,10 +17,12 @@ struct MeasuredCondition {
     BreathFigures volumeControl; ///< PEEP 5 cmH2O
     BreathFigures at20PerMin;    ///< volume control with 20 breaths per minute
     Pressure peep;
+    bool isAdult = true;
 };
 
 /// The figures of this condition and severity for which a range is published, each with its range,
-/// its source and whether the figure lies within. The keys are in the help of `mechanics`.
+/// its source and whether the figure lies within. Ranges of adults are left out for a child. The
+/// keys are in the help of `mechanics`.
 [[nodiscard]] QJsonArray publishedRanges(const MeasuredCondition& measured);
 
 } // namespace carina::lab

@@ -120,13 +120,10 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
 {
     HostRules rules{
         [this](const ProposalRecord& join, LocalTime now) {
-            return hearsHello(now) ? identify(join, now)
-                                   : Result<Identity>{fail(Errc::TooMuchSent)};
+            return m_paths.hearsHello(m_speaker, now) ? identify(join, now)
+                                                      : Result<Identity>{fail(Errc::TooMuchSent)};
         },
         [this](const ProposalRecord& join, LocalTime now) { return admit(join, now); },
-        [this](PeerAddress peer, ParticipantId participant) {
-            m_access->admitted(peer, participant);
-        },
         [this](ProposalId proposal) { return m_decided.settled(proposal).has_value(); },
         [this](const ProposalRecord& record, LocalTime now) { return decideForPeer(record, now); },
         [this](ParticipantId participant, LocalTime now) { left(participant, now); },
@@ -349,7 +346,7 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     dismissRemoved(now);
     m_core->advance(now);
     dropAbsent(now);
-    endIdlePaths(now);
+    m_paths.advance(now);
     for (const EventCpo& event : m_core->takeChanged())
         m_unkept.insert_or_assign(event.object, event);
     SyncHost::Output output = m_core->take();
@@ -367,14 +364,20 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokens.empty())
         return LocalTime::min();
-    LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd});
-    if (!m_writer->isBusy() && m_handedOver < m_unstored.size())
+    const LocalTime wake =
+        std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd, m_paths.nextWake()});
+    if (m_writer->isBusy())
+        return wake; // it wakes by its report
+    if (!m_unstored.empty())
         return LocalTime::min();
-    if (!m_writer->isBusy()) // which wakes by its report
-        wake = std::min({wake, m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
-    for (const auto& [address, path] : m_paths)
-        wake = std::min(wake, path.idleSince + kHelloWithin);
-    return wake;
+    return std::min({wake, m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
+}
+
+std::vector<PeerAddress> HostDriver::takeEnded()
+{
+    std::vector<PeerAddress> ended = m_paths.takeEnded();
+    std::ranges::move(std::exchange(m_ended, {}), std::back_inserter(ended));
+    return ended;
 }
 
 NodeDriver::Datagrams HostDriver::close(LocalTime now)
@@ -421,15 +424,14 @@ void HostDriver::show(LocalTime now)
 
 void HostDriver::connected(PeerAddress peer, const Credential& who, LocalTime now)
 {
-    endOldestIdlePath(who);
     m_access->connected(peer, who);
-    m_paths.emplace(peer, Path{who, now});
+    m_paths.connected(peer, who, now);
 }
 
 void HostDriver::disconnected(PeerAddress peer, LocalTime now)
 {
     m_access->disconnected(peer);
-    m_paths.erase(peer);
+    m_paths.disconnected(peer);
     m_core->drop(peer, now);
 }
 
@@ -443,19 +445,11 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
         return;
     }
     const auto peer = m_core->peers().find(from);
-    const auto path = m_paths.find(from);
-    if (peer == m_core->peers().end() || path == m_paths.end()
-        || !path->second.tokens.take(1.0, kTokenRequests, now))
+    if (peer == m_core->peers().end() || !m_paths.hearsTokenRequest(from, now))
         return;
     // Without a token the peer comes back by its code.
     if (const auto token = m_access->issueToken(from, peer->second.participant))
         m_tokens.push_back({from, encodeToken({peer->second.participant, *token})});
-}
-
-bool HostDriver::hearsHello(LocalTime now)
-{
-    const auto path = m_paths.find(m_speaker);
-    return path == m_paths.end() || path->second.hellos.take(1.0, kHellos, now);
 }
 
 Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now) const
@@ -501,7 +495,7 @@ Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, L
     const auto& participants = m_decided.state().participants();
     const auto known = participants.find(who->participant);
     if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now)) {
-        speakerIdleSince(now);
+        m_paths.idleFrom(m_speaker, now);
         return std::nullopt;
     }
     proposal->id = sealed(proposal->id);
@@ -511,7 +505,7 @@ Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, L
     if (m_decided.settled(proposal->id) && !(isPresent && isJoinOf(proposal->id, who->participant)))
         proposal->id = ProposalId{hostRandom()};
     return decide(*proposal, now).map([&](FactNumber joined) {
-        speakerIdleSince(now + kJoinStoredWithin);
+        m_paths.idleFrom(m_speaker, now + kJoinStoredWithin);
         m_access->admitted(m_speaker, who->participant);
         return std::optional{Admission{who->participant, joined}};
     });
@@ -601,38 +595,6 @@ void HostDriver::left(ParticipantId participant, LocalTime now)
 {
     // What is refused is shown as the node's refusal; the participant is gone all the same.
     static_cast<void>(decideByHost(StationId{}, fact::ParticipantLeft{participant}, now));
-}
-
-void HostDriver::speakerIdleSince(LocalTime time)
-{
-    if (const auto path = m_paths.find(m_speaker); path != m_paths.end())
-        path->second.idleSince = time;
-}
-
-void HostDriver::endIdlePaths(LocalTime now)
-{
-    for (auto& [address, path] : m_paths) {
-        if (m_core->peers().contains(address)) {
-            path.idleSince = now;
-        } else if (now >= path.idleSince + kHelloWithin) {
-            m_ended.push_back(address);
-            path.idleSince = now; // it is told as disconnected next
-        }
-    }
-}
-
-void HostDriver::endOldestIdlePath(const Credential& who)
-{
-    std::vector<std::map<PeerAddress, Path>::value_type> idle;
-    std::ranges::copy_if(m_paths, std::back_inserter(idle), [&](const auto& entry) {
-        return entry.second.who == who && !m_core->peers().contains(entry.first);
-    });
-    if (idle.size() < (who.participant ? kMostIdleOfToken : kMostIdleOfCode))
-        return;
-    const auto& [address, path] = *std::ranges::min_element(
-        idle, {}, [](const auto& entry) { return entry.second.idleSince; });
-    m_ended.push_back(address);
-    m_paths.erase(address);
 }
 
 void HostDriver::dropAbsent(LocalTime now)

@@ -2,6 +2,7 @@
 
 #include "engine/io/fact_store/store_writer.h"
 #include "engine/net/node/host_access.h"
+#include "engine/net/node/host_paths.h"
 #include "engine/net/node/node_board.h"
 #include "engine/net/node/node_driver.h"
 #include "engine/net/objects/publications.h"
@@ -17,16 +18,6 @@ namespace carina
 class HostDriver : public NodeDriver
 {
 public:
-    /// A path over which nobody takes part is ended after this time.
-    static constexpr Duration kHelloWithin = std::chrono::seconds{2};
-    /// Such paths of one credential, a role's code or a participant's token: the one that has been
-    /// idle longest is ended for a new one, so that who has one code cannot keep out the others.
-    static constexpr std::size_t kMostIdleOfCode = 64;
-    static constexpr std::size_t kMostIdleOfToken = 4;
-    /// Hellos over a path in a second that are judged; twice as many at once.
-    static constexpr double kHellos = 10.0;
-    /// Requests for a token in a second that are answered; twice as many at once.
-    static constexpr double kTokenRequests = 8.0;
     /// New participants in a second; twice as many at once.
     static constexpr double kNewcomers = 40.0;
     /// Facts that are decided and not stored, from which on proposals are refused.
@@ -53,7 +44,7 @@ public:
     void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
-    std::vector<PeerAddress> takeEnded() override { return std::exchange(m_ended, {}); }
+    std::vector<PeerAddress> takeEnded() override;
     void onNews(std::function<void()> callback) override
     {
         m_writer->onReport(std::move(callback));
@@ -80,8 +71,6 @@ private:
     /// The facts that are decided cannot be stored: everything is as it was before them.
     void giveUp(const Error& why, LocalTime now);
 
-    /// Whether one more Hello over the path is judged.
-    [[nodiscard]] bool hearsHello(LocalTime now);
     [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
     /// @returns SessionLocked for who did not prove who it is; Removed for a run of a program that
     ///          was removed.
@@ -103,18 +92,6 @@ private:
     /// Replaces the tokens of those whose programs were displaced.
     void replaceTokens(const std::vector<SyncHost::Output::Displaced>& displaced, LocalTime now);
 
-    /// An encrypted path.
-    struct Path {
-        Credential who;
-        LocalTime idleSince{}; ///< nobody has taken part over it from then on
-        TokenBucket hellos{};
-        TokenBucket tokens{}; ///< requests for one
-    };
-
-    void speakerIdleSince(LocalTime time);
-    void endIdlePaths(LocalTime now);
-    /// Makes room for one more path of this credential.
-    void endOldestIdlePath(const Credential& who);
     /// Enters that participants of the last run who did not return have left.
     void dropAbsent(LocalTime now);
 
@@ -146,9 +123,9 @@ private:
     std::unique_ptr<SyncHost> m_core;
     std::unique_ptr<HostAccess> m_access;
     PeerAddress m_speaker = 0; // sender of the datagram being handled
-    std::map<PeerAddress, Path> m_paths;
+    HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};
     TokenBucket m_newcomers;
-    std::vector<PeerAddress> m_ended;     // paths to be closed
+    std::vector<PeerAddress> m_ended;     // paths of those who exceeded their budget
     Datagrams m_tokens;                   // to be sent
     std::vector<ParticipantId> m_removed; // to be told
     Publications m_publications;

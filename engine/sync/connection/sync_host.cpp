@@ -275,7 +275,6 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
     peer.link.heard(header, heard);
     m_peers.emplace(address, std::move(peer));
     m_actions.join(address, admission.participant, now);
-    m_rules.entered(address, admission.participant);
 }
 
 Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& hello,

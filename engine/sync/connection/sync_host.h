@@ -38,8 +38,6 @@ struct HostRules {
     /// Admits a participant. A repeated join gets the fact it already has. Nothing where the
     /// program is to ask again.
     std::function<Result<std::optional<Admission>>(const ProposalRecord& join, LocalTime)> admit;
-    /// The program that is admitted is welcome now.
-    std::function<void(PeerAddress, ParticipantId)> entered;
     /// Whether a proposal was decided before, so that there is or will be a fact of it.
     std::function<bool(ProposalId)> isSettled;
     /// Decides on a new proposal.

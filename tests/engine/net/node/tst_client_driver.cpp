@@ -38,7 +38,7 @@ struct Pair {
                 [log](const ProposalRecord&, LocalTime) {
                     return Admission{ParticipantId{5}, log.back().number};
                 },
-                [](PeerAddress, ParticipantId) {}, [](ProposalId) { return false; },
+                [](ProposalId) { return false; },
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
                 [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; },
                 [](ParticipantId) { return limitsOf(Role::Instructor); }}},

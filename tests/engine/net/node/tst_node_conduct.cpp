@@ -119,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(boards[1].view().links.at(0).report.state, LinkState::Ended);
         QCOMPARE(*boards[1].view().refusal, (Error{Errc::Removed, "Dr Hall: too loud"}));
         QVERIFY(!boards[0].state()->participants().at(id).present);
-        talk(HostDriver::kHelloWithin);
+        talk(HostPaths::kHelloWithin);
         QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{kGuest});
     }
 

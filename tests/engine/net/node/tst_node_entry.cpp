@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(host);
         constexpr PeerAddress kTrainee = 1000;
         (*host)->connected(kTrainee, {Role::Trainee, std::nullopt}, start);
-        for (PeerAddress peer = 1; peer <= HostDriver::kMostIdleOfCode; ++peer)
+        for (PeerAddress peer = 1; peer <= HostPaths::kMostIdleOfCode; ++peer)
             (*host)->connected(peer, {Role::Observer, std::nullopt},
                                start + peer * std::chrono::microseconds{1});
         QVERIFY((*host)->takeEnded().empty());
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{1});
 
         constexpr ParticipantId kAnna{3};
-        for (PeerAddress peer = 600; peer <= 600 + HostDriver::kMostIdleOfToken; ++peer)
+        for (PeerAddress peer = 600; peer <= 600 + HostPaths::kMostIdleOfToken; ++peer)
             (*host)->connected(peer, {Role::Observer, kAnna}, start + peer * 1us);
         QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{600});
     }
@@ -165,9 +165,9 @@ private Q_SLOTS:
             HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk), board, start);
         QVERIFY(host);
         (*host)->connected(5, {Role::Trainee, std::nullopt}, start);
-        static_cast<void>((*host)->advance(start + HostDriver::kHelloWithin - 1ms));
+        static_cast<void>((*host)->advance(start + HostPaths::kHelloWithin - 1ms));
         QVERIFY((*host)->takeEnded().empty());
-        static_cast<void>((*host)->advance(start + HostDriver::kHelloWithin));
+        static_cast<void>((*host)->advance(start + HostPaths::kHelloWithin));
         QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{5});
     }
 

@@ -24,6 +24,12 @@ std::ptrdiff_t guestsOf(const NodeBoard& board)
     });
 }
 
+bool hasKeyOfTrainees(const HostDriver& host)
+{
+    const PskIdentity trainee{{Role::Trainee, std::nullopt}, host.access().sessionId()};
+    return host.access().keyOf(trainee).state == HostTransport::KeyAnswer::State::Known;
+}
+
 /// A tube that is seen anew at each turn.
 PoseSource tubeOf(const DriverWorld& world, const NodeBoard& board)
 {
@@ -154,12 +160,7 @@ private Q_SLOTS:
     {
         HeldStore::Disk disk;
         DriverWorld world{disk};
-        const PskIdentity trainee{{Role::Trainee, std::nullopt}, world.host->access().sessionId()};
-        const auto isDerived = [&] {
-            return world.host->access().keyOf(trainee).state
-                   == HostTransport::KeyAnswer::State::Known;
-        };
-        QTRY_VERIFY_WITH_TIMEOUT(isDerived(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasKeyOfTrainees(*world.host), kSoonMs);
         const JoinCode before = world.host->access().codes().at(Role::Trainee);
         disk.hold();
         const auto& anna = world.add("Anna");
@@ -177,12 +178,7 @@ private Q_SLOTS:
     {
         HeldStore::Disk disk;
         DriverWorld world{disk};
-        const PskIdentity trainee{{Role::Trainee, std::nullopt}, world.host->access().sessionId()};
-        const auto isDerived = [&] {
-            return world.host->access().keyOf(trainee).state
-                   == HostTransport::KeyAnswer::State::Known;
-        };
-        QTRY_VERIFY_WITH_TIMEOUT(isDerived(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasKeyOfTrainees(*world.host), kSoonMs);
         for (int i = 0; i < 50; ++i)
             world.host->propose(kStation, fact::RoleCodeChanged{Role::Trainee}, world.now);
         world.run(1ms);

@@ -106,7 +106,6 @@ struct TestSession {
                     });
                 },
                 [this](const ProposalRecord& join, LocalTime) { return admit(join); },
-                [](PeerAddress, ParticipantId) {},
                 [this](ProposalId id) { return isSettled(id); },
                 [this](const ProposalRecord& proposal, LocalTime) { return decide(proposal); },
                 [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "engine/net/entry/psk_identity.h"
+#include "engine/sync/connection/peer_budget.h"
+#include "engine/sync/connection/peer_link.h"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace carina
+{
+
+/// The encrypted paths to a host: ends those over which nobody takes part, and limits what is heard
+/// over each before the budget of a participant counts.
+class HostPaths
+{
+public:
+    /// A path over which nobody takes part is ended after this time.
+    static constexpr Duration kHelloWithin = std::chrono::seconds{2};
+    /// Such paths of one credential, a role's code or a participant's token: the one that has been
+    /// idle longest is ended for a new one, so that who has one code cannot keep out the others.
+    static constexpr std::size_t kMostIdleOfCode = 64;
+    static constexpr std::size_t kMostIdleOfToken = 4;
+    /// Hellos over a path in a second that are judged; twice as many at once.
+    static constexpr double kHellos = 10.0;
+    /// Requests for a token in a second that are answered; twice as many at once.
+    static constexpr double kTokenRequests = 8.0;
+
+    /// @param isInUse whether a participant is connected over a path
+    explicit HostPaths(std::function<bool(PeerAddress)> isInUse) : m_isInUse{std::move(isInUse)} {}
+
+    void connected(PeerAddress path, const Credential& who, LocalTime now);
+    void disconnected(PeerAddress path) { m_paths.erase(path); }
+    /// Counts a path as idle from a later time on, until which its participant may wait.
+    void idleFrom(PeerAddress path, LocalTime time);
+
+    /// True for a path that gave way to a new one: its Hello may come before it is closed.
+    [[nodiscard]] bool hearsHello(PeerAddress path, LocalTime now);
+    [[nodiscard]] bool hearsTokenRequest(PeerAddress path, LocalTime now);
+
+    void advance(LocalTime now);
+    [[nodiscard]] LocalTime nextWake() const;
+    /// The paths to be closed.
+    [[nodiscard]] std::vector<PeerAddress> takeEnded() { return std::exchange(m_ended, {}); }
+
+private:
+    struct Path {
+        Credential who;
+        LocalTime idleSince{}; ///< nobody has taken part over it from then on
+        TokenBucket hellos{};
+        TokenBucket tokenRequests{};
+    };
+
+    /// Makes room for one more path of this credential.
+    void endOldestIdle(const Credential& who);
+
+    std::function<bool(PeerAddress)> m_isInUse;
+    std::map<PeerAddress, Path> m_paths;
+    std::vector<PeerAddress> m_ended;
+};
+
+} // namespace carina

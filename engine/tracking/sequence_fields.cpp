@@ -10,6 +10,17 @@ constexpr std::string_view kBlank = " \t\r";
 
 } // namespace
 
+Result<std::ifstream> openFile(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+        return fail(Errc::FileNotFound, path.string() + ": there is no such file");
+    std::ifstream input{path, std::ios::binary};
+    if (!input || std::filesystem::is_directory(path, ignored))
+        return fail(Errc::FileUnreadable, path.string() + ": it cannot be read as a file");
+    return input;
+}
+
 std::string_view trimmed(std::string_view text)
 {
     const std::size_t first = text.find_first_not_of(kBlank);

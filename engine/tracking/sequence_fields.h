@@ -1,9 +1,12 @@
 #pragma once
 
+#include "engine/core/result.h"
 #include "engine/geometry/vec.h"
 #include "engine/tracking/pose_sample.h"
 
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -15,6 +18,9 @@ namespace carina::field
 
 /// Largest amount of a time in a file: a century, so that two times can be subtracted.
 inline constexpr double kLongestSeconds = 3e9;
+
+/// Opens a file of poses. @returns FileNotFound; FileUnreadable, also for a folder.
+[[nodiscard]] Result<std::ifstream> openFile(const std::filesystem::path& path);
 
 /// The text without blanks (and the CR of a CRLF) at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

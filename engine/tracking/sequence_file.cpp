@@ -5,10 +5,8 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <string_view>
-#include <system_error>
 
 namespace carina
 {
@@ -229,13 +227,8 @@ Result<TrackerSequence> readSequence(std::istream& input, const std::string& nam
 
 Result<TrackerSequence> readSequenceFile(const std::filesystem::path& path)
 {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
-        return fail(Errc::FileNotFound, path.string() + ": there is no such file");
-    std::ifstream input{path, std::ios::binary};
-    if (!input || std::filesystem::is_directory(path, ignored))
-        return fail(Errc::FileUnreadable, path.string() + ": it cannot be read as a file");
-    return readSequence(input, path.string());
+    return field::openFile(path).and_then(
+        [&](std::ifstream input) { return readSequence(input, path.string()); });
 }
 
 } // namespace carina

@@ -9,6 +9,7 @@
 #include "engine/net/discovery/session_beacon.h"
 #include "engine/net/entry/session_identity.h"
 #include "engine/session/respiration/introduced_patient.h"
+#include "engine/sync/strategies/strategy.h"
 #include "models/patient/shared_patient.h"
 #include "models/respiration/checkpoint_keeper.h"
 #include "ui/instructor/instructor_window.h"
@@ -26,9 +27,18 @@ namespace
 
 constexpr StationId kStation{0};
 const QString kCertificate = QStringLiteral("certificate");
+const QString kStrategy = QStringLiteral("strategy");
 const QString kPrivateKey = QStringLiteral("private-key");
 
 QString words(const char* text) { return QApplication::translate("Instructor", text); }
+
+QStringList strategyNames()
+{
+    QStringList names;
+    for (const SyncStrategy& strategy : syncStrategies())
+        names += QString::fromUtf8(strategy.name.data(), qsizetype(strategy.name.size()));
+    return names;
+}
 
 void addOptions(QCommandLineParser& parser)
 {
@@ -55,6 +65,11 @@ void addOptions(QCommandLineParser& parser)
                       words("Write the codes to join with into this file, for scripts."),
                       QStringLiteral("FILE")});
     parser.addOption({QStringLiteral("start"), words("Start a session that is ready to start.")});
+    parser.addOption({kStrategy,
+                      words("Keep what is acted on alike by this strategy: %1. Without this option "
+                            "as before, in a new session by %2.")
+                          .arg(strategyNames().join(QStringLiteral(", ")), strategyNames().first()),
+                      QStringLiteral("NAME")});
     program::addPatientOptions(parser);
     program::addMeasureOptions(parser);
     program::addJournalOption(parser);
@@ -116,6 +131,7 @@ struct Reach {
     std::uint16_t port = 0;
     bool open = false;
     std::optional<CertificateFiles> certificate{};
+    std::optional<StrategyChoice> strategy{};
     std::filesystem::path anatomyCache{}; ///< that the patient is in, if it was imported
 };
 
@@ -125,6 +141,14 @@ Result<Reach> reachOptions(const QCommandLineParser& parser)
     if (!port)
         return tl::unexpected(port.error());
     Reach reach{.port = *port, .open = parser.isSet(QStringLiteral("open"))};
+    if (parser.isSet(kStrategy)) {
+        const SyncStrategy* strategy = findSyncStrategy(parser.value(kStrategy).toStdString());
+        if (!strategy)
+            return fail(Errc::WrongOption,
+                        "--strategy takes one of "
+                            + strategyNames().join(QStringLiteral(", ")).toStdString());
+        reach.strategy = StrategyChoice{.kind = strategy->kind};
+    }
     if (program::importsPatient(parser))
         reach.anatomyCache = AnatomyCache::defaultFolder();
     if (parser.isSet(kCertificate) != parser.isSet(kPrivateKey))
@@ -144,6 +168,7 @@ Result<std::unique_ptr<SessionNode>> hostFile(const QString& file, const Reach& 
                               .participantName = words("Instructor").toStdString(),
                               .port = reach.port,
                               .open = reach.open,
+                              .strategy = reach.strategy,
                               .secrets = secretsOf(file),
                               .certificate = reach.certificate,
                               .anatomyCache = reach.anatomyCache},

@@ -11,15 +11,22 @@ PeerLimits limitsOf(Role role)
                 .bytes = 1e6,
                 .proposals = 100.0,
                 .events = 400.0,
-                .samples = 4000.0};
+                .samples = 4000.0,
+                .messages = 4000.0};
     case Role::Trainee:
         return {.datagrams = 2000.0,
                 .bytes = 5e5,
                 .proposals = 20.0,
                 .events = 400.0,
-                .samples = 1000.0};
+                .samples = 1000.0,
+                .messages = 1000.0};
     case Role::Observer:
-        return {.datagrams = 2000.0, .bytes = 2e5, .proposals = 2.0, .events = 0.0, .samples = 0.0};
+        return {.datagrams = 2000.0,
+                .bytes = 2e5,
+                .proposals = 2.0,
+                .events = 0.0,
+                .samples = 0.0,
+                .messages = 500.0};
     }
     return {};
 }

@@ -62,6 +62,7 @@ struct SessionState::Applier {
             participant->removal->banned = false;
     }
     void operator()(const fact::SessionLocked& body) const { state.m_locked = body.locked; }
+    void operator()(const fact::StrategyChosen& body) const { state.m_strategy = body.choice; }
     void operator()(const fact::RoleCodeChanged&) const {} // of the host's secrets
     void operator()(const fact::TokenReplaced& body) const
     {

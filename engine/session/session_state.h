@@ -69,6 +69,8 @@ public:
     [[nodiscard]] const std::string& name() const { return m_name; }
     [[nodiscard]] const std::string& sessionId() const { return m_sessionId; }
     [[nodiscard]] bool isLocked() const { return m_locked; }
+    /// How acted-on objects are kept alike.
+    [[nodiscard]] const StrategyChoice& strategy() const { return m_strategy; }
     [[nodiscard]] SessionPhase phaseAt(SessionTime t) const { return m_phase.at(t); }
     /// Time spent in phase Running up to t.
     [[nodiscard]] Duration runningTime(SessionTime t) const { return m_running.integral(t); }
@@ -87,6 +89,7 @@ private:
     std::string m_name;
     std::string m_sessionId;
     bool m_locked = false;
+    StrategyChoice m_strategy;
     ParameterTimeline<SessionPhase> m_phase{SessionPhase::Prepared};
     ParameterTimeline<bool> m_running{false};
     std::map<ParticipantId, Participant> m_participants;

@@ -41,6 +41,7 @@ public:
         Duration sample{};
         for (int action = 0; action < m_script.actions(); ++action) {
             act(action, ActionScript::startOf(action));
+            addResponse(action);
             addLimit(action);
             const Duration end = ActionScript::startOf(action + 1);
             for (; sample < end; sample += kSampleInterval)
@@ -84,8 +85,8 @@ private:
     void addSample(Duration t)
     {
         m_star.runTo(t);
-        const Quat q = m_script.q_AO(t);
-        const Vec3 p = m_script.p_AO(t);
+        const Quat q = drawn(1, ActionScript::kTurned, t).rotation();
+        const Vec3 p = drawn(1, ActionScript::kMoved, t).translation();
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
             m_angles.push_back(angleAt(viewer, q, t));
             m_position += distanceAt(viewer, p, t);
@@ -95,8 +96,8 @@ private:
     void addEndOfAction(Duration t)
     {
         m_star.runTo(t);
-        const Quat q = m_script.q_AO(t);
-        const Vec3 p = m_script.p_AO(t);
+        const Quat q = drawn(1, ActionScript::kTurned, t).rotation();
+        const Vec3 p = drawn(1, ActionScript::kMoved, t).translation();
         const double viewers = m_star.participants() - 1;
         ActionDrift mean;
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
@@ -111,6 +112,26 @@ private:
                 ++m_clockReadings;
             }
         }
+    }
+
+    /// How long the actor waits to see an action that it just began.
+    void addResponse(int action)
+    {
+        const Duration t = ActionScript::startOf(action);
+        const auto axisAfter = [&](Duration after) {
+            return m_star.shown(1, ActionScript::kTurned, t + after)->axis_A;
+        };
+        Duration before{-1};
+        Duration seen = kLongestLocalLag;
+        const Vec3 begun = axisAfter(seen);
+        if (m_script.changeOfAngularVelocity(action) == 0.0)
+            return; // nobody can see it begin
+        while (seen - before > Duration{1}) {
+            const Duration middle = before + (seen - before) / 2;
+            (axisAfter(middle) == begun ? seen : before) = middle;
+        }
+        m_response += toSeconds(seen);
+        ++m_responses;
     }
 
     void addLimit(int action)
@@ -142,6 +163,7 @@ private:
         figures.limit = m_limit / events;
         figures.positionLimit = m_positionLimit / events;
         figures.actions = std::move(m_actions);
+        figures.response = m_responses > 0 ? m_response / m_responses : 0.0;
         if (m_clockReadings > 0)
             figures.clockError = m_clockError / m_clockReadings;
         // Each datagram is between the host and one participant.
@@ -159,6 +181,8 @@ private:
     std::vector<ActionDrift> m_actions;
     double m_limit = 0.0;
     double m_positionLimit = 0.0;
+    double m_response = 0.0;
+    int m_responses = 0;
     double m_clockError = 0.0;
     int m_clockReadings = 0;
 };
@@ -191,6 +215,7 @@ DriftFigures runDrift(DriftSettings settings, int seeds)
         mean.position += one.position / seeds;
         mean.limit += one.limit / seeds;
         mean.positionLimit += one.positionLimit / seeds;
+        mean.response += one.response / seeds;
         if (one.clockError)
             mean.clockError = mean.clockError.value_or(0.0) + *one.clockError / seeds;
         mean.bytesPerSecond += one.bytesPerSecond / seeds;

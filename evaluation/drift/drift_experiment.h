@@ -28,7 +28,7 @@ struct ActionDrift {
     double distance = 0.0; ///< metres
 };
 
-/// The drift of the viewers from the ground truth at the same instant, over all viewers. Angles are
+/// The drift of the viewers from the actor's view at the same instant, over all viewers. Angles are
 /// 2 atan2(|v|, |w|) of q_s q_c^-1, radians; distances in metres; times in seconds.
 struct DriftFigures {
     double atEvent = 0.0;             ///< mean, just before the next action
@@ -37,14 +37,15 @@ struct DriftFigures {
     double position = 0.0;            ///< mean over time
     double limit = 0.0;               ///< lower bound of timeAverage for any strategy
     double positionLimit = 0.0;       ///< lower bound of position
+    double response = 0.0;            ///< mean, from an action to its beginning in its actor's view
     std::optional<double> clockError; ///< mean |session clock - host's|, if there is one
     double bytesPerSecond = 0.0;      ///< payload sent and received by a participant
     double probesPerSecond = 0.0;     ///< of all nodes together
     std::vector<ActionDrift> actions; ///< in their order
 };
 
-/// Runs the experiment in virtual time. Ground truth (from the script, in closed form) and time (of
-/// the virtual network) are independent of the strategy.
+/// Runs the experiment in virtual time, which is that of the virtual network. The drift is the
+/// difference of two views at the same time: of a viewer's and the actor's.
 ///
 /// The physical limit: a viewer cannot be informed of action k before the delay d at that time has
 /// passed (VirtualStar::leastDelay); until then the error grows with the time u since its start as

@@ -51,8 +51,8 @@ VirtualStar::VirtualStar(const SyncStrategy& strategy, std::uint16_t participant
         const bool isActor = id == 1;
         node.toHost.emplace(legOf(isActor ? scenario.forward : scenario.backward), random());
         node.fromHost.emplace(legOf(isActor ? scenario.backward : scenario.forward), random());
-        node.node =
-            strategy.makeParticipant({ParticipantId{id}, participants}, node.clock.at(start));
+        node.node = strategy.makeParticipant(starSeat(ParticipantId{id}, participants), {},
+                                             node.clock.at(start));
     }
     for (std::uint16_t id = 0; id <= participants; ++id)
         serve(id, start);

@@ -54,7 +54,7 @@ public:
     {
         SharedActions theirs = m_actions;
         theirs.setSelf(m_authority.state().objects().at(object).owner);
-        if (const auto event = theirs.begun(object, action, m_now))
+        if (const auto event = theirs.begun(object, action, m_now, local()))
             m_actions.take(*event, m_now, local());
     }
     /// Nothing is heard of anybody's objects for so long.
@@ -135,14 +135,14 @@ public:
     }
     void act(ObjectId object, const ObjectAction& action) override
     {
-        const auto event = m_actions.begun(object, action, m_now);
+        const auto event = m_actions.begun(object, action, m_now, local());
         if (event)
             m_actions.take(*event, m_now, local());
         m_refusal = event ? std::nullopt : std::optional{event.error()};
     }
     [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t) const override
     {
-        return m_actions.shown(object, t, local());
+        return m_actions.shown(object, t, local(), local());
     }
     [[nodiscard]] std::vector<LinkReport> links() const override { return linkReports; }
     [[nodiscard]] std::shared_ptr<const std::vector<PathReport>> paths() const override

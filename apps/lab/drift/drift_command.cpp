@@ -21,6 +21,8 @@ constexpr int kUsualLiveActions = 15;
 constexpr double kUsualTurning_degPerSecond = 100.0;
 constexpr double kUsualMoving_mmPerSecond = 100.0;
 constexpr double kUsualWarmUp_s = 20.0;
+/// Runs in virtual time with which a live one is compared.
+constexpr int kVirtualSeeds = 5;
 
 /// Axes as they are named in options and results.
 struct NamedAxes {
@@ -102,9 +104,6 @@ Result<ActionScript::Settings> scriptOption(const Words& words)
 
 Result<void> checkLive(const DriftRequest& request)
 {
-    if (request.settings.strategy->name != "session-clock")
-        return driftRefusal(QStringLiteral("--live measures the programs, which run session-clock; "
-                                           "the other strategies run in virtual time only."));
     if (request.settings.participants > kMostLive || request.seeds != 1)
         return driftRefusal(
             QStringLiteral("--live takes 2 to %1 participants and one seed.").arg(kMostLive));
@@ -179,13 +178,15 @@ Result<QJsonObject> measureLive(const DriftRequest& request)
         return tl::unexpected(network.error());
     return runLiveDrift({.program = QCoreApplication::applicationFilePath(),
                          .participants = settings.participants,
+                         .strategy = settings.strategy->kind,
                          .script = settings.script,
                          .seed = settings.seed,
                          .warmUp = fromSeconds(request.warmUp_s),
                          .logs = request.logs},
                         **network)
         .map([&](const LiveFigures& figures) {
-            QJsonObject object = reportOf(figures, settings.script, settings.scenario);
+            QJsonObject object =
+                reportOf(figures, settings, runDrift(settings, kVirtualSeeds).timeAverage);
             object[drift_key::kNetwork] = (*network)->name();
             return object;
         });
@@ -245,8 +246,8 @@ Use driftInVirtualTime()
                      drift_key::kAxes,        drift_key::kScenario,     drift_key::kSeed,
                      drift_key::kSeeds,       drift_key::kAtEvent,      drift_key::kTimeAverage,
                      drift_key::kPercentile,  drift_key::kPosition,     drift_key::kLimit,
-                     drift_key::kRatio,       drift_key::kClockError,   drift_key::kBytes,
-                     drift_key::kProbes,      drift_key::kAccessLink}};
+                     drift_key::kRatio,       drift_key::kResponse,     drift_key::kClockError,
+                     drift_key::kBytes,       drift_key::kProbes,       drift_key::kAccessLink}};
 }
 
 Use driftInRealTime()
@@ -257,15 +258,15 @@ Use driftInRealTime()
         .text = "The same in real time: one program for the host and one for each participant, "
                 "over encrypted sockets and relays that imitate the network of the scenario. The "
                 "clocks of the participants are spread evenly over +-250 ms and run fast or slow "
-                "by 50 ppm. Takes the options above, with session-clock, at most 16 participants "
-                "and one seed only. The scenarios step and partition change after 30 s, so that "
+                "by 50 ppm. Takes the options above, at most 16 participants and one seed "
+                "only. The scenarios step and partition change after 30 s, so that "
                 "they need 28 actions or more. Every figure is from what the logs of the programs "
                 "say that they showed, on the machine's CLOCK_MONOTONIC; but the limit is that of "
                 "the delays which the scenario has then. Prints the keys above, and besides or "
                 "otherwise:",
         .options = {drift_option::kOfLive.begin(), drift_option::kOfLive.end()},
         .schema = drift_key::kSchema,
-        .keys = {drift_key::kLive, drift_key::kNetwork, drift_key::kBound,
+        .keys = {drift_key::kLive, drift_key::kNetwork, drift_key::kBound, drift_key::kVirtual,
                  drift_key::kIsWithinBound, drift_key::kIsEndStateSame, drift_key::kHandshakeMean,
                  drift_key::kHandshakeMax, drift_key::kSampleGap, drift_key::kLoad,
                  drift_key::kLiveBytes, drift_key::kLiveProbes, drift_key::kLiveAccessLink}};

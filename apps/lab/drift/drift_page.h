@@ -18,8 +18,8 @@ inline constexpr Option kScenario{
     "lines \"t_ms delay_ms\", with x as the delay of what is lost, which is repeated"};
 inline constexpr Option kStrategy{
     "strategy", "S",
-    "session-clock (unless given), asa-adaptive, asa-fixed, dead-reckoning, interpolation, event "
-    "or none"};
+    "session-clock (unless given), local-lag, asa-adaptive, asa-fixed, dead-reckoning, "
+    "interpolation, event or none"};
 inline constexpr Option kParticipants{"participants", "N", "2 to 64; 2 unless given"};
 inline constexpr Option kTurningSpeed{"speed-deg-s", "W",
                                       "of the turned object, above 0, at most 1000; 100 unless "
@@ -71,6 +71,8 @@ inline constexpr Key kLimit{
     "limit_time_average_deg",
     "time average that no strategy can be below with the delays of the run"};
 inline constexpr Key kRatio{"ratio_to_limit", "time average to that; null where the limit is 0"};
+inline constexpr Key kResponse{"response_ms",
+                               "mean time from an action to its beginning in its actor's own view"};
 inline constexpr Key kClockError{
     "clock_error_ms",
     "mean |session clock - clock of the host|; null where there is no session clock"};
@@ -86,7 +88,10 @@ inline constexpr Key kAccessLink{"access_link",
 inline constexpr Key kLive{"live", "true"};
 inline constexpr Key kNetwork{"network", "relay or netlab"};
 inline constexpr Key kBound{"bound_time_average_deg",
-                            "1.5 limit + W (0.2 ms + half the asymmetry of the paths)"};
+                            "with session-clock 1.5 limit + W (0.2 ms + half the asymmetry of the "
+                            "paths), otherwise 1.25 of virtual time + W 0.3 ms"};
+inline constexpr Key kVirtual{"virtual_time_average_deg",
+                              "time average of the same in virtual time, mean of five runs"};
 inline constexpr Key kIsWithinBound{"is_within_bound", "whether the time average is at most that"};
 inline constexpr Key kIsEndStateSame{
     "is_end_state_same",

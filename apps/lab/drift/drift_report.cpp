@@ -13,8 +13,19 @@ namespace
 
 constexpr double kClockAllowance_s = 0.2e-3;
 constexpr double kLimitsAllowed = 1.5;
+/// Of the other strategies, beside the same in virtual time.
+constexpr double kMachineAllowance_s = 0.3e-3;
+constexpr double kVirtualsAllowed = 1.25;
 
 double inDegrees(double rad) { return carina::inDegrees(radians(rad)); }
+
+double boundByLimit(double limit, const DriftSettings& settings)
+{
+    const Duration asymmetry = settings.scenario.forward.delay - settings.scenario.backward.delay;
+    return kLimitsAllowed * limit
+           + settings.script.angularSpeed
+                 * (kClockAllowance_s + std::abs(toSeconds(asymmetry)) / 2.0);
+}
 
 } // namespace
 
@@ -26,6 +37,7 @@ QJsonObject reportOf(const DriftFigures& figures)
                        {drift_key::kPosition, inMillimetres(metres(figures.position))},
                        {drift_key::kLimit, inDegrees(figures.limit)},
                        {drift_key::kRatio, QJsonValue::Null},
+                       {drift_key::kResponse, figures.response * 1e3},
                        {drift_key::kClockError, QJsonValue::Null},
                        {drift_key::kBytes, figures.bytesPerSecond},
                        {drift_key::kProbes, figures.probesPerSecond}};
@@ -36,12 +48,13 @@ QJsonObject reportOf(const DriftFigures& figures)
     return object;
 }
 
-QJsonObject reportOf(const LiveFigures& figures, const ActionScript::Settings& script,
-                     const DriftScenario& scenario)
+QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
+                     double inVirtualTime)
 {
-    const double asymmetry = std::abs(toSeconds(scenario.forward.delay - scenario.backward.delay));
-    const double bound = kLimitsAllowed * figures.drift.limit
-                         + script.angularSpeed * (kClockAllowance_s + asymmetry / 2.0);
+    const double bound =
+        settings.strategy->kind == StrategyKind::SessionClock
+            ? boundByLimit(figures.drift.limit, settings)
+            : kVirtualsAllowed * inVirtualTime + settings.script.angularSpeed * kMachineAllowance_s;
     double load = 0.0;
     ::getloadavg(&load, 1);
     QJsonObject object = reportOf(figures.drift);
@@ -51,6 +64,7 @@ QJsonObject reportOf(const LiveFigures& figures, const ActionScript::Settings& s
     object[drift_key::kLiveAccessLink] = QJsonValue::Null;
     object[drift_key::kLive] = true;
     object[drift_key::kBound] = inDegrees(bound);
+    object[drift_key::kVirtual] = inDegrees(inVirtualTime);
     object[drift_key::kIsWithinBound] = figures.drift.timeAverage <= bound;
     object[drift_key::kIsEndStateSame] = figures.isEndStateSame;
     object[drift_key::kHandshakeMean] = 1e3 * toSeconds(figures.handshakeMean);

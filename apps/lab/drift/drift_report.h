@@ -12,7 +12,8 @@ namespace carina::lab
 [[nodiscard]] QJsonObject reportOf(const DriftFigures& figures);
 
 /// Those of a live one, beside what its time average must be below, and the machine's load of now.
-[[nodiscard]] QJsonObject reportOf(const LiveFigures& figures, const ActionScript::Settings& script,
-                                   const DriftScenario& scenario);
+/// @param inVirtualTime the time average of the same experiment in virtual time, radians
+[[nodiscard]] QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
+                                   double inVirtualTime);
 
 } // namespace carina::lab

@@ -80,6 +80,7 @@ private:
         orders.name = who == 0 ? "the host" : "participant " + std::to_string(who);
         orders.isOpen = m_network.isHostOpen();
         orders.key = m_key;
+        orders.strategy = m_settings.strategy;
         orders.script = m_settings.script;
         orders.seed = m_settings.seed;
         const QStringList words =

@@ -12,6 +12,7 @@ namespace carina::lab
 struct LiveSettings {
     QString program; ///< carina-lab, which starts itself again for the host and each participant
     std::size_t participants = 2; ///< the host is none of them
+    StrategyKind strategy = StrategyKind::SessionClock;
     ActionScript::Settings script;
     std::uint32_t seed = 1;
     Duration warmUp = std::chrono::seconds{20}; ///< of the clocks, before the first action

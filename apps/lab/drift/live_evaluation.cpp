@@ -168,6 +168,17 @@ std::optional<double> clockErrorOf(const LiveRun& run, const DeclaredMotion& tru
     return error.count > 0 ? std::optional{error.value()} : std::nullopt;
 }
 
+/// How long the actor waited to see what it began.
+double responseOf(const LiveRun& run)
+{
+    Mean wait;
+    for (int action = 0; action < run.settings.actions; ++action) {
+        const auto& declared = run.participants.front().actions[static_cast<std::size_t>(action)];
+        wait.add(toSeconds(declared.turnedSince - declared.called));
+    }
+    return wait.value();
+}
+
 void addLimits(const LiveRun& run, const ActionScript& script, DriftFigures& figures)
 {
     Mean limit;
@@ -239,6 +250,7 @@ Result<LiveFigures> evaluateLive(const LiveRun& run)
         figures.drift.atEvent += figures.drift.actions.back().angle / script.actions();
     }
     figures.drift.clockError = clockErrorOf(run, truth);
+    figures.drift.response = responseOf(run);
     addLimits(run, script, figures.drift);
     figures.isEndStateSame = std::ranges::all_of(
         run.participants, [&](const LiveLog& log) { return areAlike(log, run.host); });

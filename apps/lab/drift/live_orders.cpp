@@ -21,6 +21,7 @@ QByteArray lineOf(const LiveOrders& orders)
                            {QStringLiteral("port"), int{orders.port}},
                            {QStringLiteral("open"), orders.isOpen},
                            {QStringLiteral("key"), textOf(toHex(orders.key))},
+                           {QStringLiteral("strategy"), static_cast<int>(orders.strategy)},
                            {QStringLiteral("actions"), orders.script.actions},
                            {QStringLiteral("rad_s"), orders.script.angularSpeed},
                            {QStringLiteral("m_s"), orders.script.speed},
@@ -39,6 +40,7 @@ Result<LiveOrders> ordersIn(const QByteArray& line)
     orders.address = json[QStringLiteral("address")].toString().toStdString();
     orders.port = static_cast<std::uint16_t>(json[QStringLiteral("port")].toInt());
     orders.isOpen = json[QStringLiteral("open")].toBool();
+    orders.strategy = static_cast<StrategyKind>(json[QStringLiteral("strategy")].toInt());
     orders.script.actions = json[QStringLiteral("actions")].toInt();
     orders.script.angularSpeed = json[QStringLiteral("rad_s")].toDouble();
     orders.script.speed = json[QStringLiteral("m_s")].toDouble();

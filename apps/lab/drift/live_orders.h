@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/net/entry/access_key.h"
+#include "engine/sync/strategies/strategy.h"
 #include "evaluation/drift/action_script.h"
 
 #include <QByteArray>
@@ -21,6 +22,7 @@ struct LiveOrders {
     std::uint16_t port = 0;            ///< the same; 0 for the host
     bool isOpen = false;               ///< the host's: to other computers
     AccessKey key{};                   ///< in place of one derived from a join code
+    StrategyKind strategy = StrategyKind::SessionClock; ///< the host's choice
     ActionScript::Settings script{};
     std::uint32_t seed = 1; ///< of the script
 };

@@ -189,6 +189,7 @@ bool ClientDriver::apply(const FactRecord& record, LocalTime now)
     m_state.apply(*fact);
     m_hasNewState = true;
     noteConduct(fact->body);
+    noteStrategy(fact->body, now);
     if (const auto object = objectOf(fact->body); object && m_state.objects().contains(*object))
         share(m_state.objects().at(*object));
     return true;
@@ -211,6 +212,19 @@ void ClientDriver::noteConduct(const FactBody& body)
     if (m_refusal && m_refusal->code == Errc::Muted)
         m_refusal.reset();
     m_publications.forget(); // what was refused is proposed again
+}
+
+void ClientDriver::noteStrategy(const FactBody& body, LocalTime now)
+{
+    if (std::holds_alternative<fact::StrategyChosen>(body))
+        m_core.setStrategy(m_state.strategy(), now);
+    if (!changesPresence(body))
+        return;
+    std::vector<ParticipantId> others;
+    for (const auto& [id, participant] : m_state.participants())
+        if (participant.present && id != m_core.self())
+            others.push_back(id);
+    m_core.setOthers(std::move(others), now);
 }
 
 void ClientDriver::share(const SharedObject& object)

@@ -42,6 +42,7 @@ private:
     [[nodiscard]] bool isMuted() const;
     /// What a fact about this participant itself changes here.
     void noteConduct(const FactBody& body);
+    void noteStrategy(const FactBody& body, LocalTime now);
     [[nodiscard]] std::optional<ClockReport> clockReport(LocalTime now) const;
     void show(LocalTime now);
 

@@ -95,13 +95,16 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
     if (*anchor && lastCommitted && contradictsLog(**anchor, bootId, *lastCommitted, now))
         driver->m_storeFault = Error{Errc::ClockLost, {}};
     driver->startCore(sessionId, *std::move(records), offset);
+    driver->m_core->setStrategy(driver->m_stored.state().strategy(), now);
     driver->resumeActions(*actions, now);
     if (const auto begun = isNew ? driver->begin(settings, sessionId, now) : Result<void>{}; !begun)
         return tl::unexpected(begun.error());
     driver->joinItself(settings.participantName, now);
+    if (const auto chosen = driver->chooseStrategy(settings, now); !chosen)
+        return tl::unexpected(chosen.error());
     if (const auto kept = store->append(driver->notHandedOver()); !kept)
         return fail(Errc::StoreFailed, kept.error().detail);
-    driver->stored(driver->m_unstored.size());
+    driver->stored(driver->m_unstored.size(), now);
     driver->m_writer = std::make_unique<StoreWriter>(std::move(store));
     driver->show(now);
     return driver;
@@ -156,6 +159,13 @@ Result<void> HostDriver::begin(const HostSettings& settings, const std::string& 
         .and_then([&] {
             return decideByHost(kFirstStation, fact::StationAdded{kFirstStationName}, now);
         });
+}
+
+Result<void> HostDriver::chooseStrategy(const HostSettings& settings, LocalTime now)
+{
+    if (!settings.strategy || *settings.strategy == m_decided.state().strategy())
+        return {};
+    return decideByHost(kFirstStation, fact::StrategyChosen{*settings.strategy}, now);
 }
 
 void HostDriver::joinItself(const std::string& name, LocalTime now)
@@ -213,13 +223,15 @@ std::vector<FactRecord> HostDriver::notHandedOver() const
     return facts;
 }
 
-void HostDriver::stored(std::size_t count)
+void HostDriver::stored(std::size_t count, LocalTime now)
 {
     for (; count > 0; --count) {
         const auto& [fact, record] = m_unstored.front();
         m_stored.commit(fact);
         m_core->append(record);
         carryOut(fact.body);
+        if (const auto* chosen = std::get_if<fact::StrategyChosen>(&fact.body))
+            m_core->setStrategy(chosen->choice, now);
         if (const auto object = objectOf(fact.body))
             share(m_stored.state().objects().at(*object));
         m_unstored.pop_front();
@@ -318,7 +330,7 @@ void HostDriver::take(const StoreReport& report, LocalTime now)
     if (facts > 0)
         m_storing = std::min(now - m_handedOverAt, kLongestStoring);
     if (report.facts)
-        stored(facts);
+        stored(facts, now);
     else
         giveUp(report.facts.error(), now);
     if (!report.actions)

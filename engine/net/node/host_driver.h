@@ -57,6 +57,7 @@ private:
     void startCore(const std::string& sessionId, std::vector<FactRecord> log, Duration clockOffset);
     [[nodiscard]] Result<void> begin(const HostSettings& settings, const std::string& sessionId,
                                      LocalTime now);
+    [[nodiscard]] Result<void> chooseStrategy(const HostSettings& settings, LocalTime now);
     void joinItself(const std::string& name, LocalTime now);
 
     [[nodiscard]] Result<FactNumber> decide(const Proposal& proposal, LocalTime now);
@@ -67,7 +68,7 @@ private:
     /// The facts that are decided and not handed over to the disk.
     [[nodiscard]] std::vector<FactRecord> notHandedOver() const;
     /// The first of the facts that are decided are on disk.
-    void stored(std::size_t count);
+    void stored(std::size_t count, LocalTime now);
     /// The facts that are decided cannot be stored: everything is as it was before them.
     void giveUp(const Error& why, LocalTime now);
 

@@ -78,6 +78,8 @@ struct HostSettings {
     std::string participantName; ///< of the instructor who hosts
     std::uint16_t port = 0;      ///< UDP, and TCP for anatomy; 0 takes a free one
     bool open = false;           ///< reachable from other computers; else from this one only
+    /// How acted-on objects are kept alike; nothing: as before, by the session clock at first.
+    std::optional<StrategyChoice> strategy{};
     /// File for codes, keys and tokens, beside the store; empty: in memory only.
     std::filesystem::path secrets{};
     /// Clients must check this certificate; nothing: a code's key authenticates host and guest.
@@ -171,7 +173,7 @@ public:
     /// fact::ObjectHandedOver. A refused action (see SharedActions::begun) is reported in
     /// refusal().
     virtual void act(ObjectId object, const ObjectAction& action) = 0;
-    /// The object at session time t as the action in force has it, this node's own included;
+    /// The object at session time t as the session's strategy has it, this node's own included;
     /// nothing before the first action on it.
     [[nodiscard]] virtual std::optional<ShownObject> shown(ObjectId object,
                                                            SessionTime t) const = 0;

@@ -108,7 +108,9 @@ void ThreadedNode::act(ObjectId object, const ObjectAction& action)
 
 std::optional<ShownObject> ThreadedNode::shown(ObjectId object, SessionTime t) const
 {
-    return m_board.actions()->shown(object, t, monotonicNow());
+    const auto clock = m_board.clock();
+    return clock ? m_board.actions()->shown(object, t, clock->localAt(t), monotonicNow())
+                 : std::nullopt;
 }
 
 std::optional<EventCpo> ThreadedNode::action(ObjectId object) const

@@ -56,6 +56,9 @@ void getField(ByteReader& in, std::int64_t& number) { number = in.number<std::in
 void putField(ByteWriter& out, SessionTime time) { writeWireTime(out, time.time_since_epoch()); }
 void getField(ByteReader& in, SessionTime& time) { time = SessionTime{readWireTime(in)}; }
 
+void putField(ByteWriter& out, Duration duration) { writeWireTime(out, duration); }
+void getField(ByteReader& in, Duration& duration) { duration = readWireTime(in); }
+
 void putField(ByteWriter& out, bool flag) { out.number(std::uint8_t{flag}); }
 void getField(ByteReader& in, bool& flag)
 {

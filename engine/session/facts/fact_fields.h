@@ -83,6 +83,14 @@ template <>
 inline constexpr std::tuple kFields<fact::RoleCodeChanged>{&fact::RoleCodeChanged::role};
 template <>
 inline constexpr std::tuple kFields<fact::TokenReplaced>{&fact::TokenReplaced::participant};
+template <>
+inline constexpr std::tuple kFields<fact::StrategyChosen>{&fact::StrategyChosen::choice};
+template <>
+inline constexpr std::tuple kFields<StrategyChoice>{&StrategyChoice::kind, &StrategyChoice::asa,
+                                                    &StrategyChoice::longestLag};
+template <>
+inline constexpr std::tuple kFields<AsaParameters>{&AsaParameters::delays, &AsaParameters::start,
+                                                   &AsaParameters::lowest, &AsaParameters::highest};
 
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>
@@ -158,6 +166,7 @@ inline constexpr std::tuple kFields<BreathFigures>{
 template <class Enum> inline constexpr Enum kLastEnumerator{};
 template <> inline constexpr SessionPhase kLastEnumerator<SessionPhase> = SessionPhase::Ended;
 template <> inline constexpr Role kLastEnumerator<Role> = Role::Observer;
+template <> inline constexpr StrategyKind kLastEnumerator<StrategyKind> = StrategyKind::None;
 template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Patient;
 template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
 template <>

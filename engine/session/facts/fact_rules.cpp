@@ -25,6 +25,33 @@ Result<void> checkTexts(std::initializer_list<const std::string*> texts)
     return {};
 }
 
+/// Rates of probes, per second, and numbers of delays that the ASA can be given.
+constexpr double kSlowestProbes = 0.1;
+constexpr double kFastestProbes = 100.0;
+constexpr double kMostDelays = 1000.0;
+
+Result<void> checkChoice(const StrategyChoice& choice)
+{
+    const AsaParameters& asa = choice.asa;
+    return checkNumber("number of delays", asa.delays, 1.0, kMostDelays, "")
+        .and_then([&] {
+            return checkNumber("lowest rate of probes", asa.lowest, kSlowestProbes, kFastestProbes,
+                               " /s");
+        })
+        .and_then([&] {
+            return checkNumber("highest rate of probes", asa.highest, asa.lowest, kFastestProbes,
+                               " /s");
+        })
+        .and_then([&] {
+            return checkNumber("rate of probes at the start", asa.start, asa.lowest, asa.highest,
+                               " /s");
+        })
+        .and_then([&] {
+            return checkNumber("local lag", toSeconds(choice.longestLag) * 1e3, 0.0,
+                               toSeconds(kLongestLocalLag) * 1e3, " ms");
+        });
+}
+
 struct BodyCheck {
     Result<void> operator()(const fact::SessionCreated& f) const
     {
@@ -69,6 +96,7 @@ struct BodyCheck {
     Result<void> operator()(const fact::SessionLocked&) const { return {}; }
     Result<void> operator()(const fact::RoleCodeChanged&) const { return {}; }
     Result<void> operator()(const fact::TokenReplaced&) const { return {}; }
+    Result<void> operator()(const fact::StrategyChosen& f) const { return checkChoice(f.choice); }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

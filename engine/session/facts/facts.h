@@ -5,6 +5,7 @@
 #include "engine/core/units.h"
 #include "engine/session/facts/conduct_facts.h"
 #include "engine/session/respiration/respiration_facts.h"
+#include "engine/sync/strategies/strategy_choice.h"
 
 #include <cstdint>
 #include <optional>
@@ -107,26 +108,39 @@ struct InspiratoryFractionSet {
 
     friend bool operator==(const InspiratoryFractionSet&, const InspiratoryFractionSet&) = default;
 };
+/// How acted-on objects are kept alike from now on, at all stations.
+struct StrategyChosen {
+    StrategyChoice choice;
+
+    friend bool operator==(const StrategyChosen&, const StrategyChosen&) = default;
+};
 
 } // namespace fact
 
 /// The index of an alternative defines the kind byte on the wire and on disk: add new ones at the
 /// end.
-using FactBody =
-    std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
-                 fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
-                 fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
-                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
-                 fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet,
-                 fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint,
-                 fact::BodyPositionSet, fact::ParticipantMuted, fact::ParticipantRemoved,
-                 fact::BanLifted, fact::SessionLocked, fact::RoleCodeChanged, fact::TokenReplaced>;
+using FactBody = std::variant<
+    fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
+    fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
+    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+    fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
+    fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet,
+    fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
+    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)
 {
     return std::holds_alternative<fact::ManikinBreathed>(body)
            || std::holds_alternative<fact::RespirationCheckpoint>(body);
+}
+
+/// Whether a fact changes who is present.
+[[nodiscard]] inline bool changesPresence(const FactBody& body)
+{
+    return std::holds_alternative<fact::ParticipantJoined>(body)
+           || std::holds_alternative<fact::ParticipantLeft>(body)
+           || std::holds_alternative<fact::ParticipantRemoved>(body);
 }
 
 /// The object whose ownership a fact changes; nothing for other facts.

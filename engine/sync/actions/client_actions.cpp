@@ -2,14 +2,32 @@
 
 #include "engine/sync/wire/sequence.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
 {
 
+void ClientActions::setStrategy(const StrategyChoice& choice, LocalTime now)
+{
+    m_choice = choice;
+    m_longestLag = choice.kind == StrategyKind::LocalLag ? choice.longestLag : Duration{};
+    m_strategy.choose(choice, {m_actions.self(), m_others}, now);
+    m_actions.show(m_strategy.view());
+}
+
+void ClientActions::setOthers(std::vector<ParticipantId> others, LocalTime now)
+{
+    m_others = std::move(others);
+    m_strategy.setOthers(m_others, now);
+}
+
 void ClientActions::startAfresh()
 {
     m_actions.clear();
+    m_strategy = {};
+    m_others.clear();
+    m_longestLag = {};
     m_repeater = EventRepeater{true};
     m_adopted.clear();
     m_acks.clear();
@@ -25,6 +43,8 @@ void ClientActions::share(ObjectId object, const Ownership& ownership)
 {
     if (!m_actions.share(object, ownership))
         return;
+    m_strategy.forget(object);
+    m_actions.show(m_strategy.view());
     if (m_actions.isOwn(object)) {
         m_adopted.push_back(object);
         return;
@@ -40,10 +60,19 @@ void ClientActions::share(ObjectId object, const Ownership& ownership)
 Result<void> ClientActions::act(ObjectId object, const ObjectAction& action, SessionTime session,
                                 LocalTime now)
 {
-    return m_actions.begun(object, action, session).map([&](const EventCpo& event) {
+    const SessionTime start = session + std::min(m_longestLag, m_neededLag);
+    return m_actions.begun(object, action, start, now).map([&](const EventCpo& event) {
         m_actions.take(event, session, now);
         m_repeater.begin(event, now);
+        m_strategy.begin(event, now);
+        m_actions.show(m_strategy.view());
     });
+}
+
+void ClientActions::take(const StrategyMessage& message, LocalTime now)
+{
+    m_strategy.receive(message.bytes, now);
+    m_actions.show(m_strategy.view());
 }
 
 void ClientActions::take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now)
@@ -73,12 +102,16 @@ std::vector<WireRecord> ClientActions::takeDue(LocalTime now)
             m_repeater.begin(*event, now);
     for (const DueEvent& due : m_repeater.takeDue(now))
         records.push_back(due.record());
+    for (std::vector<std::byte>& bytes : m_strategy.takeDue(now))
+        records.emplace_back(StrategyMessage{std::move(bytes)});
     return records;
 }
 
 LocalTime ClientActions::nextDue() const
 {
-    return m_acks.empty() && m_adopted.empty() ? m_repeater.nextDue() : LocalTime::min();
+    return m_acks.empty() && m_adopted.empty()
+               ? std::min(m_repeater.nextDue(), m_strategy.nextDue())
+               : LocalTime::min();
 }
 
 } // namespace carina

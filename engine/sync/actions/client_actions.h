@@ -1,16 +1,26 @@
 #pragma once
 
 #include "engine/sync/actions/shared_actions.h"
+#include "engine/sync/strategies/strategy_end.h"
 
 namespace carina
 {
 
 /// A participant's end of actions on shared objects: begins actions on its own objects, sends them
-/// until the host acknowledges them, and stores those that the host forwards.
+/// until the host acknowledges them, and stores those that the host forwards. Where the session has
+/// a relayed strategy, that decides what is shown from the next action on an object on.
 class ClientActions
 {
 public:
     void setSelf(ParticipantId self) { m_actions.setSelf(self); }
+    /// The session's strategy, taken from the facts.
+    void setStrategy(const StrategyChoice& choice, LocalTime now);
+    /// The other participants who are present.
+    void setOthers(std::vector<ParticipantId> others, LocalTime now);
+    /// Own actions begin by this much later than asked for, or by the needed lag if that is less.
+    void setLongestLag(Duration lag) { m_longestLag = lag; }
+    /// As the host told.
+    void setNeededLag(Duration lag) { m_neededLag = lag; }
     /// Forgets everything: the host has another session.
     void startAfresh();
     /// The connection ended. Pending acknowledgements are dropped, and own actions are sent whole
@@ -23,6 +33,8 @@ public:
     /// Begins an action on an object of this participant. @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, SessionTime session,
                                    LocalTime now);
+    /// A message of the strategy that the host forwarded.
+    void take(const StrategyMessage& message, LocalTime now);
     /// An action that the host forwarded. @param session present session time, where it is known
     void take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
     /// A heartbeat that the host forwarded: counts as a repeat of the action it names where that is
@@ -38,6 +50,11 @@ public:
 
 private:
     SharedActions m_actions;
+    StrategyChoice m_choice;
+    std::vector<ParticipantId> m_others;
+    StrategyEnd m_strategy;
+    Duration m_longestLag{};
+    Duration m_neededLag{};
     EventRepeater m_repeater{true}; // for objects of this participant
     // newly owned objects, whose action is still to be given to m_repeater
     std::vector<ObjectId> m_adopted;

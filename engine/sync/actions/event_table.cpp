@@ -1,20 +1,31 @@
 #include "engine/sync/actions/event_table.h"
 
+#include <algorithm>
+
 namespace carina
 {
+
+/// Keeps what is in force until the new action starts.
+void EventTable::Entry::supersede(const EventCpo& event, std::optional<SessionTime> session)
+{
+    before.push_back(std::exchange(newest, event));
+    const SessionTime now = std::min(session.value_or(event.start), event.start);
+    while (before.size() > kMostPending || (before.size() > 1 && before[1].start <= now))
+        before.pop_front();
+}
 
 EventTable::Verdict EventTable::take(const EventCpo& event, std::optional<SessionTime> session,
                                      LocalTime now)
 {
     if (session && event.start > *session + kLargestLead)
         return Verdict::Refused;
-    const auto [place, isNew] =
-        m_entries.try_emplace(event.object, Entry{event, std::nullopt, now});
+    const auto [place, isNew] = m_entries.try_emplace(event.object, Entry{event, {}, now});
     if (isNew)
         return Verdict::New;
     Entry& entry = place->second;
     if (isLater(event, entry.newest)) {
-        entry = Entry{event, entry.newest, now};
+        entry.supersede(event, session);
+        entry.heard = now;
         return Verdict::New;
     }
     if (isLater(entry.newest, event))
@@ -35,7 +46,11 @@ const EventCpo* EventTable::inForce(ObjectId object, SessionTime t) const
     if (found == m_entries.end())
         return nullptr;
     const Entry& entry = found->second;
-    return entry.before && t < entry.newest.start ? &*entry.before : &entry.newest;
+    if (entry.before.empty() || t >= entry.newest.start)
+        return &entry.newest;
+    const auto started = std::find_if(entry.before.rbegin(), entry.before.rend(),
+                                      [t](const EventCpo& event) { return t >= event.start; });
+    return started == entry.before.rend() ? &entry.before.front() : &*started;
 }
 
 bool EventTable::isStale(ObjectId object, LocalTime t) const

@@ -2,6 +2,7 @@
 
 #include "engine/sync/actions/event_repeater.h"
 
+#include <deque>
 #include <optional>
 #include <unordered_map>
 
@@ -15,6 +16,8 @@ class EventTable
 public:
     /// An object is stale when neither an action nor a heartbeat of it arrived for this long.
     static constexpr Duration kStaleAfter = std::chrono::milliseconds{300};
+    /// Actions before the newest that are kept because it starts in the future.
+    static constexpr std::size_t kMostPending = 16;
     /// An action that starts further ahead than this is refused.
     static constexpr Duration kLargestLead = std::chrono::seconds{10};
 
@@ -25,8 +28,8 @@ public:
     /// Stores an action that arrived. @param session present session time, where it is known
     Verdict take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
 
-    /// The object at session time t. The newest action may start in the future: until then the one
-    /// before it is evaluated. Nothing for an unknown object.
+    /// The object at session time t. The newest actions may start in the future: until then the one
+    /// before them is evaluated. Nothing for an unknown object.
     [[nodiscard]] std::optional<ActedPose> at(ObjectId object, SessionTime t) const;
     /// The action that at() evaluates; nullptr for an unknown object.
     [[nodiscard]] const EventCpo* inForce(ObjectId object, SessionTime t) const;
@@ -42,8 +45,10 @@ public:
 private:
     struct Entry {
         EventCpo newest;
-        std::optional<EventCpo> before;
+        std::deque<EventCpo> before; ///< what is in force until it starts, the latest last
         LocalTime heard;
+
+        void supersede(const EventCpo& event, std::optional<SessionTime> session);
     };
 
     std::unordered_map<ObjectId, Entry> m_entries;

@@ -1,5 +1,8 @@
 #include "engine/sync/actions/host_actions.h"
 
+#include "engine/sync/strategies/relayed_message.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -13,11 +16,50 @@ EventAck ackOf(const EventCpo& event) { return {event.object, event.epoch, event
 
 } // namespace
 
+void HostActions::setStrategy(const StrategyChoice& choice, LocalTime now)
+{
+    m_hasLag = choice.kind == StrategyKind::LocalLag;
+    m_longestLag = m_hasLag ? choice.longestLag : Duration{};
+    m_strategy.choose(choice, now);
+    m_actions.show(m_strategy.view());
+}
+
+void HostActions::measured(PeerAddress peer, Duration oneWay)
+{
+    if (const auto found = m_peers.find(peer); found != m_peers.end())
+        found->second.delay = oneWay;
+}
+
+Duration HostActions::lagOf(const Peer* author) const
+{
+    Duration farthest{};
+    for (const auto& [address, peer] : m_peers)
+        if (&peer != author)
+            farthest = std::max(farthest, peer.delay);
+    return std::min((author ? author->delay : Duration{}) + farthest + kLagMargin,
+                    kLongestLocalLag);
+}
+
 void HostActions::join(PeerAddress address, ParticipantId participant, LocalTime now)
 {
     Peer& peer = m_peers[address] = Peer{participant};
     for (const EventCpo& event : m_actions.table().newest())
         peer.events.begin(event, now);
+    tellParticipants(now);
+}
+
+void HostActions::leave(PeerAddress address, LocalTime now)
+{
+    m_peers.erase(address);
+    tellParticipants(now);
+}
+
+void HostActions::tellParticipants(LocalTime now)
+{
+    std::vector<ParticipantId> participants{kActingHost};
+    for (const auto& [address, peer] : m_peers)
+        participants.push_back(peer.participant);
+    m_strategy.setParticipants(std::move(participants), now);
 }
 
 void HostActions::share(ObjectId object, const Ownership& ownership)
@@ -25,6 +67,8 @@ void HostActions::share(ObjectId object, const Ownership& ownership)
     if (!m_actions.share(object, ownership))
         return;
     m_own.forget(object);
+    m_strategy.forget(object);
+    m_actions.show(m_strategy.view());
     if (const EventCpo* last = m_actions.table().newest(object))
         restore(*last);
 }
@@ -32,10 +76,28 @@ void HostActions::share(ObjectId object, const Ownership& ownership)
 Result<void> HostActions::act(ObjectId object, const ObjectAction& action, SessionTime session,
                               LocalTime now)
 {
-    return m_actions.begun(object, action, session).map([&](const EventCpo& event) {
+    const SessionTime start = session + std::min(m_longestLag, lagOf(nullptr));
+    return m_actions.begun(object, action, start, now).map([&](const EventCpo& event) {
         m_own.begin(event, now);
         spread(kActingHost, event, session, now);
+        m_strategy.begin(event, now);
+        m_actions.show(m_strategy.view());
     });
+}
+
+void HostActions::take(PeerAddress from, const StrategyMessage& message, bool mayAct, LocalTime now)
+{
+    const auto peer = m_peers.find(from);
+    const auto relayed = decodeRelayed(message.bytes);
+    if (peer == m_peers.end() || !relayed)
+        return;
+    const auto* action = std::get_if<EventCpo>(&relayed->content);
+    const bool isAllowed = action ? mayAct && m_actions.isOwners(peer->second.participant, *action)
+                                  : relayed->to != kAllOthers;
+    if (!isAllowed)
+        return;
+    m_strategy.receive(peer->second.participant, message.bytes, now);
+    m_actions.show(m_strategy.view());
 }
 
 void HostActions::take(PeerAddress from, const EventCpo& event, SessionTime session, LocalTime now)
@@ -94,6 +156,8 @@ EventTable::Verdict HostActions::spread(ParticipantId from, const EventCpo& even
 
 void HostActions::advance(SessionTime session, LocalTime now)
 {
+    m_strategy.advance(now);
+    m_actions.show(m_strategy.view());
     for (const EventCpo& event : std::exchange(m_handedOver, {}))
         if (spread(kActingHost, event, session, now) == EventTable::Verdict::New
             && m_actions.isOwn(event.object))
@@ -112,6 +176,12 @@ std::vector<WireRecord> HostActions::takeDue(PeerAddress to, LocalTime now)
     std::vector<WireRecord> records = std::exchange(peer->second.acks, {});
     for (const DueEvent& due : peer->second.events.takeDue(now))
         records.push_back(due.record());
+    for (std::vector<std::byte>& bytes : m_strategy.takeDue(peer->second.participant))
+        records.emplace_back(StrategyMessage{std::move(bytes)});
+    if (m_hasLag && now >= peer->second.nextLag) {
+        records.emplace_back(LagNeeded{lagOf(&peer->second)});
+        peer->second.nextLag = now + kLagInterval;
+    }
     return records;
 }
 
@@ -119,9 +189,10 @@ LocalTime HostActions::nextDue() const
 {
     if (!m_handedOver.empty())
         return LocalTime::min();
-    LocalTime next = m_own.nextDue();
+    LocalTime next = std::min(m_own.nextDue(), m_strategy.nextDue());
     for (const auto& [address, peer] : m_peers)
-        next = std::min(next, peer.acks.empty() ? peer.events.nextDue() : LocalTime::min());
+        next = std::min({next, peer.acks.empty() ? peer.events.nextDue() : LocalTime::min(),
+                         m_hasLag ? peer.nextLag : LocalTime::max()});
     return next;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/sync/actions/shared_actions.h"
+#include "engine/sync/strategies/strategy_end.h"
 
 #include <map>
 #include <set>
@@ -19,8 +20,20 @@ class HostActions
 public:
     HostActions() { m_actions.setSelf(ParticipantId{0}); }
 
+    /// Longer than half a round trip by what programs need to wake and send.
+    static constexpr Duration kLagMargin = std::chrono::milliseconds{2};
+    /// Between two tellings of the lag to a participant.
+    static constexpr Duration kLagInterval = std::chrono::seconds{1};
+
+    /// The session's strategy, taken from the facts.
+    void setStrategy(const StrategyChoice& choice, LocalTime now);
+    /// Whether participants are told the local lag that they need.
+    void setHasLag(bool hasLag) { m_hasLag = hasLag; }
+    /// The delay of the path to or from a peer.
+    void measured(PeerAddress peer, Duration oneWay);
+
     void join(PeerAddress address, ParticipantId participant, LocalTime now);
-    void leave(PeerAddress address) { m_peers.erase(address); }
+    void leave(PeerAddress address, LocalTime now);
 
     /// Sets the ownership of an object, taken from the facts. Where the owner changed, the action
     /// in force continues under the new ownership (SharedActions::continued).
@@ -34,6 +47,9 @@ public:
     /// A heartbeat from a peer: counts as a repeat of the action it names where that is the newest
     /// here, and is ignored otherwise.
     void take(PeerAddress from, const EventBeat& beat, SessionTime session, LocalTime now);
+    /// A message of the strategy from a peer: dropped where it is an action and the peer may not
+    /// act, or not on that object, and where it is to all others and no action.
+    void take(PeerAddress from, const StrategyMessage& message, bool mayAct, LocalTime now);
     void acknowledge(PeerAddress from, const EventAck& ack);
     /// Restores an action that was in force before a restart of the host; it continues under the
     /// present ownership. Ignored for an object that is not shared.
@@ -55,12 +71,20 @@ private:
         ParticipantId participant;
         EventRepeater events{false};
         std::vector<WireRecord> acks{};
+        Duration delay{};
+        LocalTime nextLag = LocalTime::min();
     };
 
+    void tellParticipants(LocalTime now);
+    /// The lag with which actions of this peer, or nullptr for the host, begin everywhere at once.
+    [[nodiscard]] Duration lagOf(const Peer* author) const;
     EventTable::Verdict spread(ParticipantId from, const EventCpo& event, SessionTime session,
                                LocalTime now);
 
     SharedActions m_actions;
+    StrategyHost m_strategy;
+    bool m_hasLag = false;
+    Duration m_longestLag{};
     EventRepeater m_own{true};
     std::vector<EventCpo> m_handedOver; // continued or restored, not forwarded yet
     std::set<ObjectId> m_changed;

@@ -67,15 +67,18 @@ bool SharedActions::isOwn(ObjectId object) const
     return found != m_owners.end() && found->second.owner == m_self;
 }
 
-Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& action,
-                                      SessionTime t) const
+Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& action, SessionTime t,
+                                      LocalTime drawn) const
 {
     if (!isOwn(object))
         return fail(Errc::NotPermitted, "object " + std::to_string(object.value));
     if (const auto valid = checkAction(action); !valid)
         return tl::unexpected(valid.error());
     const EventCpo* last = m_table.newest(object);
-    const ActedPose from = last && !action.anew ? evaluate(*last, t) : action.from;
+    const SessionTime start = last ? std::max(t, std::min(last->start, t + kLongestLocalLag)) : t;
+    const auto relayed = m_relayed ? m_relayed->at(object, drawn) : std::nullopt;
+    const ActedPose from =
+        last && !action.anew ? relayed.value_or(evaluate(*last, start)) : action.from;
     EventCpo event;
     event.object = object;
     event.epoch = m_owners.at(object).epoch;
@@ -83,7 +86,7 @@ Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& actio
     event.kind = action.kind;
     event.axis_A = action.axis_A.cast<float>();
     event.rate = static_cast<float>(action.rate);
-    return begunFrom(withinSizes(from), t, event);
+    return begunFrom(withinSizes(from), start, event);
 }
 
 std::optional<EventCpo> SharedActions::continued(EventCpo event) const
@@ -111,12 +114,24 @@ EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<Ses
     return verdict;
 }
 
-std::optional<ShownObject> SharedActions::shown(ObjectId object, SessionTime t, LocalTime now) const
+void SharedActions::show(const RelayedView* view)
+{
+    const bool isShown =
+        view ? m_relayed && m_relayed->revision() == view->revision() : !m_relayed.has_value();
+    if (isShown)
+        return;
+    ++m_revision;
+    m_relayed = view ? std::optional{*view} : std::nullopt;
+}
+
+std::optional<ShownObject> SharedActions::shown(ObjectId object, SessionTime t, LocalTime drawn,
+                                                LocalTime now) const
 {
     const EventCpo* event = m_table.inForce(object, t);
     if (!event)
         return std::nullopt;
-    return ShownObject{withinSizes(evaluate(*event, t)),
+    const auto relayed = m_relayed ? m_relayed->at(object, drawn) : std::nullopt;
+    return ShownObject{withinSizes(relayed.value_or(evaluate(*event, t))),
                        !isOwn(object) && m_table.isStale(object, now), event->kind,
                        event->axis_A.cast<double>(), double{event->rate}};
 }

@@ -4,6 +4,7 @@
 #include "engine/sync/actions/event_table.h"
 #include "engine/sync/strategies/action_meter.h"
 #include "engine/sync/strategies/application_analysis.h"
+#include "engine/sync/strategies/relayed_view.h"
 
 #include <map>
 
@@ -53,13 +54,14 @@ public:
     /// Whether this node owns the object.
     [[nodiscard]] bool isOwn(ObjectId object) const;
 
-    /// An action of this node that starts at session time t: from the pose of the object at t, with
-    /// the next action counter.
+    /// An action of this node that starts at session time t, or with the newest on the object if
+    /// that starts later: from the pose of the object then, with the next action counter.
     ///
+    /// @param drawn local time at which a relayed strategy is asked for that pose
     /// @returns NotPermitted for an object that this node does not own; NotFinite; OutOfRange for
     ///          an axis that is not of unit length and a rate beyond kFastestAction.
-    [[nodiscard]] Result<EventCpo> begun(ObjectId object, const ObjectAction& action,
-                                         SessionTime t) const;
+    [[nodiscard]] Result<EventCpo> begun(ObjectId object, const ObjectAction& action, SessionTime t,
+                                         LocalTime drawn) const;
     /// An action as it continues under the present ownership: unchanged where it was taken under
     /// it, else with the new epoch and the counter 0. Later actions of the previous owner that
     /// never arrived are thereby void everywhere. Nothing for an object that is not shared.
@@ -69,13 +71,15 @@ public:
     EventTable::Verdict take(const EventCpo& event, std::optional<SessionTime> session,
                              LocalTime now);
     void forget(ObjectId object);
+    /// What a relayed strategy shows, in place of the actions here; nullptr: nothing.
+    void show(const RelayedView* view);
     /// Changes whenever the result of shown() may change.
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
     [[nodiscard]] const EventTable& table() const { return m_table; }
 
-    /// The object at session time t, drawn at local time `now`. Nothing before the first action on
-    /// it.
-    [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t,
+    /// The object at session time t, which is local time `drawn`, as far as is known at local time
+    /// `now`. Nothing before the first action on it.
+    [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t, LocalTime drawn,
                                                    LocalTime now) const;
     /// For every object on which more than one action arrived.
     [[nodiscard]] const std::map<ObjectId, ActionMeter>& meters() const { return m_meters; }
@@ -86,6 +90,7 @@ private:
     std::uint64_t m_revision = 0;
     ParticipantId m_self = kNobody;
     EventTable m_table;
+    std::optional<RelayedView> m_relayed;
     std::map<ObjectId, ActionMeter> m_meters;
     ApplicationAnalysis m_analysis;
     std::unordered_map<ObjectId, Ownership> m_owners;

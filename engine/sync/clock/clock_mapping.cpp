@@ -17,6 +17,15 @@ SessionTime ClockMapping::at(LocalTime t) const
     return SessionTime{t.time_since_epoch() + offsetAt(t)};
 }
 
+LocalTime ClockMapping::localAt(SessionTime t) const
+{
+    // Each step leaves at most a thousandth of the error: the offset changes that slowly.
+    LocalTime local{t.time_since_epoch() - m_offset};
+    for (int step = 0; step < 4; ++step)
+        local = LocalTime{t.time_since_epoch() - offsetAt(local)};
+    return local;
+}
+
 void ClockMapping::slewTo(Duration offset, LocalTime start, double skew)
 {
     const Duration reached = offsetAt(start);

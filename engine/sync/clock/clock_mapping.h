@@ -23,6 +23,8 @@ public:
     }
 
     [[nodiscard]] SessionTime at(LocalTime t) const;
+    /// The local time at which it is session time t.
+    [[nodiscard]] LocalTime localAt(SessionTime t) const;
     /// Slews from `start` on towards the mapping that has `offset` at `start`, and `skew` from then
     /// on.
     void slewTo(Duration offset, LocalTime start, double skew = 0.0);

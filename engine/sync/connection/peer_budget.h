@@ -15,6 +15,7 @@ struct PeerLimits {
     double proposals = 0.0; ///< each may become a fact on disk
     double events = 0.0;    ///< starts, changes and beats of actions on objects
     double samples = 0.0;   ///< of streams
+    double messages = 0.0;  ///< of the session's strategy
 };
 
 /// A token bucket: holds two seconds' worth, and fills with the passing of time.
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] bool takesProposal(LocalTime now);
     [[nodiscard]] bool takesEvent(LocalTime now);
     [[nodiscard]] bool takesSamples(std::size_t count, LocalTime now);
+    [[nodiscard]] bool takesMessage(LocalTime now);
     /// Whether one more refusal may be answered.
     [[nodiscard]] bool answers(LocalTime now) { return m_answers.take(1.0, kAnswers, now); }
 
@@ -63,6 +65,7 @@ private:
     TokenBucket m_proposals;
     TokenBucket m_events;
     TokenBucket m_samples;
+    TokenBucket m_messages;
     TokenBucket m_answers;
     double m_excess_s = 0.0;
     LocalTime m_excessAt{};

@@ -62,6 +62,12 @@ struct SyncClient::Visitor {
     void operator()(const EventCpo& event) const { take(event); }
     void operator()(const EventBeat& beat) const { take(beat); }
     void operator()(const EventAck& ack) const { client.m_actions.acknowledge(ack); }
+    void operator()(const StrategyMessage& message) const
+    {
+        if (client.m_state == State::Connected)
+            client.m_actions.take(message, now);
+    }
+    void operator()(const LagNeeded& needed) const { client.m_actions.setNeededLag(needed.lag); }
     template <class Other> void operator()(const Other&) const {}
 
     void take(const auto& action) const

@@ -60,6 +60,15 @@ public:
     /// Sets the ownership of an object, taken from the facts; samples from others than its owner
     /// are dropped.
     void share(ObjectId object, const Ownership& ownership);
+    /// The session's strategy and the other participants who are present, taken from the facts.
+    void setStrategy(const StrategyChoice& choice, LocalTime now)
+    {
+        m_actions.setStrategy(choice, now);
+    }
+    void setOthers(std::vector<ParticipantId> others, LocalTime now)
+    {
+        m_actions.setOthers(std::move(others), now);
+    }
     /// Queues a sample of an own object for the next tick.
     void publish(StationId station, const StreamCpo& cpo);
     /// There is a new path to the host: sends Hello at once unless connected.

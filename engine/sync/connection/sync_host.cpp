@@ -49,6 +49,11 @@ struct SyncHost::Visitor {
     void operator()(const EventCpo& event) const { take(event); }
     void operator()(const EventBeat& beat) const { take(beat); }
     void operator()(const EventAck& ack) const { host.m_actions.acknowledge(from, ack); }
+    void operator()(const StrategyMessage& message) const
+    {
+        if (peer.budget.takesMessage(now))
+            host.m_actions.take(from, message, host.m_rules.mayAct(peer.participant), now);
+    }
     template <class Other> void operator()(const Other&) const {}
 
     void take(const auto& action) const
@@ -102,6 +107,7 @@ void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, Local
         return remove(from, now);
     Peer& peer = found->second;
     peer.heard(header, sessionTime(now), now);
+    m_actions.measured(from, roundTripOf(peer.link) / 2);
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
         std::visit(Visitor{*this, from, peer, now}, record);
@@ -199,7 +205,7 @@ void SyncHost::dismiss(ParticipantId participant, const Error& why, LocalTime no
     std::erase_if(m_arrivals, [participant](const auto& entry) {
         return entry.second.admission.participant == participant;
     });
-    forgetParticipant(participant);
+    forgetParticipant(participant, now);
 }
 
 void SyncHost::close(LocalTime now)
@@ -265,7 +271,7 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
     const auto& [header, heard, hello, admission] = arrival;
     PeerBudget budget = budgetOf(admission.participant);
     displace(address, admission.participant, now);
-    forgetParticipant(admission.participant);
+    forgetParticipant(admission.participant, now);
     if (m_peers.contains(address))
         remove(address, now);
     const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
@@ -351,17 +357,17 @@ void SyncHost::remove(PeerAddress address, LocalTime now)
     const ParticipantId participant = m_peers.at(address).participant;
     m_budgets.insert_or_assign(participant, m_peers.at(address).budget);
     m_peers.erase(address);
-    m_actions.leave(address);
+    m_actions.leave(address, now);
     if (!isHere(participant)) // or it is coming in again
         m_rules.left(participant, now);
 }
 
-void SyncHost::forgetParticipant(ParticipantId participant)
+void SyncHost::forgetParticipant(ParticipantId participant, LocalTime now)
 {
     for (auto entry = m_peers.begin(); entry != m_peers.end();) {
         const bool isOne = entry->second.participant == participant;
         if (isOne) {
-            m_actions.leave(entry->first);
+            m_actions.leave(entry->first, now);
             m_budgets.insert_or_assign(participant, entry->second.budget);
         }
         entry = isOne ? m_peers.erase(entry) : std::next(entry);

@@ -124,6 +124,11 @@ public:
     void giveUp(const FactRecord& fact, Errc why, LocalTime now);
     /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
+    /// The session's strategy, taken from the facts.
+    void setStrategy(const StrategyChoice& choice, LocalTime now)
+    {
+        m_actions.setStrategy(choice, now);
+    }
     /// Begins an action on an object of the host, now.
     /// @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, LocalTime now)
@@ -171,7 +176,7 @@ private:
     void welcomeArrivals(LocalTime now);
     void welcome(PeerAddress address, const Arrival& arrival, LocalTime now);
     void remove(PeerAddress address, LocalTime now);
-    void forgetParticipant(ParticipantId participant);
+    void forgetParticipant(ParticipantId participant, LocalTime now);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
     void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);
     void dropSilentPeers(LocalTime now);

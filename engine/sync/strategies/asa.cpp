@@ -20,16 +20,30 @@ namespace
 class AsaParticipant final : public RelayedParticipant
 {
 public:
-    AsaParticipant(const StarSeat& seat, bool isAdaptive, LocalTime now) : RelayedParticipant{seat}
+    AsaParticipant(const StarSeat& seat, const AsaParameters& asa, bool isAdaptive, LocalTime now)
+        : RelayedParticipant{seat.self},
+          m_rule{.isAdaptive = isAdaptive,
+                 .start = asa.start,
+                 .lowest = asa.lowest,
+                 .highest = asa.highest,
+                 .history = asa.delays}
     {
-        const ProbeTrigger::Rule rule{.isAdaptive = isAdaptive};
-        for (std::uint16_t id = 1; id <= seat.participants; ++id) {
-            if (ParticipantId{id} == seat.self)
-                continue;
-            // Spread over the first interval, so that probes do not come in volleys.
-            const double share = static_cast<double>(id) / seat.participants;
-            const Duration first = fromSeconds(share / rule.start);
-            m_neighbours.emplace(ParticipantId{id}, Neighbour{ProbeTrigger{rule}, now + first});
+        setOthers(seat.others, now);
+    }
+
+    void setOthers(std::span<const ParticipantId> others, LocalTime now) override
+    {
+        std::erase_if(m_neighbours, [&](const auto& neighbour) {
+            return std::ranges::find(others, neighbour.first) == others.end();
+        });
+        // Spread over the first interval, so that probes do not come in volleys.
+        for (const ParticipantId id : others) {
+            const auto before =
+                std::ranges::count_if(others, [&](ParticipantId other) { return other < id; });
+            const auto place = static_cast<double>(before + (self() < id ? 2 : 1));
+            const Duration wait =
+                fromSeconds(place / static_cast<double>(others.size() + 1) / m_rule.start);
+            m_neighbours.try_emplace(id, Neighbour{ProbeTrigger{m_rule}, now + wait});
         }
     }
 
@@ -67,7 +81,7 @@ private:
     {
         const auto author = m_neighbours.find(from);
         if (author != m_neighbours.end())
-            running().begin(action, now - author->second.oneWayDelay);
+            drawn().begin(action, now - author->second.oneWayDelay);
     }
 
     void probeReceived(const DelayProbe& probe, ParticipantId from, LocalTime) override
@@ -88,6 +102,7 @@ private:
             std::min(neighbour.nextProbe, neighbour.lastProbe + neighbour.trigger.interval());
     }
 
+    ProbeTrigger::Rule m_rule;
     std::map<ParticipantId, Neighbour> m_neighbours;
     std::uint64_t m_probes = 0;
 };
@@ -96,18 +111,21 @@ private:
 
 SyncStrategy asaFixedStrategy()
 {
-    return {"asa-fixed", "ASA as published, the delay probed once a second", RelayHost::make,
-            [](const StarSeat& seat, LocalTime now) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<AsaParticipant>(seat, false, now);
+    return {StrategyKind::AsaFixed, "asa-fixed", "ASA as published, the delay probed once a second",
+            RelayHost::make,
+            [](const StarSeat& seat, const StrategyChoice& choice,
+               LocalTime now) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<AsaParticipant>(seat, choice.asa, false, now);
             }};
 }
 
 SyncStrategy asaAdaptiveStrategy()
 {
-    return {"asa-adaptive", "ASA as published, the delay probed more often while it varies",
-            RelayHost::make,
-            [](const StarSeat& seat, LocalTime now) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<AsaParticipant>(seat, true, now);
+    return {StrategyKind::AsaAdaptive, "asa-adaptive",
+            "ASA as published, the delay probed more often while it varies", RelayHost::make,
+            [](const StarSeat& seat, const StrategyChoice& choice,
+               LocalTime now) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<AsaParticipant>(seat, choice.asa, true, now);
             }};
 }
 

@@ -31,7 +31,7 @@ public:
         if (m_own.empty())
             m_tick.served(now);
         m_own[action.object].action = action;
-        running().begin(action, now);
+        drawn().begin(action, now);
     }
 
     void advance(LocalTime now) override
@@ -40,13 +40,19 @@ public:
             return;
         m_tick.served(now);
         for (auto& [object, own] : m_own) {
-            const auto actual = running().at(object, now);
+            const auto actual = drawn().at(object, now);
             if (own.sent && now < own.sentAt + kHeartbeat && !isOff(own, *actual, now))
                 continue;
             own.sent = begunFrom(*actual, ownStamp(now), own.action);
             own.sentAt = now;
             sendRelayed(kAllOthers, *own.sent);
         }
+    }
+
+    void forget(ObjectId object) override
+    {
+        RelayedParticipant::forget(object);
+        m_own.erase(object);
     }
 
     [[nodiscard]] LocalTime nextWake() const override
@@ -72,7 +78,7 @@ private:
 
     void actionReceived(const EventCpo& action, ParticipantId, LocalTime now) override
     {
-        running().begin(action, now);
+        drawn().begin(action, now);
     }
 
     StreamTick m_tick;
@@ -83,10 +89,11 @@ private:
 
 SyncStrategy deadReckoningStrategy()
 {
-    return {"dead-reckoning", "DIS: a new state when the one carried on is off by 3 deg or 1 m",
-            RelayHost::make,
-            [](const StarSeat& seat, LocalTime) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<DeadReckoningParticipant>(seat);
+    return {StrategyKind::DeadReckoning, "dead-reckoning",
+            "DIS: a new state when the one carried on is off by 3 deg or 1 m", RelayHost::make,
+            [](const StarSeat& seat, const StrategyChoice&,
+               LocalTime) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<DeadReckoningParticipant>(seat.self);
             }};
 }
 

@@ -17,7 +17,7 @@ public:
 private:
     void actionReceived(const EventCpo& action, ParticipantId, LocalTime now) override
     {
-        running().begin(action, now);
+        drawn().begin(action, now);
     }
 };
 
@@ -25,10 +25,11 @@ private:
 
 SyncStrategy eventStrategy()
 {
-    return {"event", "each action brings the absolute pose and begins when it arrives",
-            RelayHost::make,
-            [](const StarSeat& seat, LocalTime) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<EventParticipant>(seat);
+    return {StrategyKind::Event, "event",
+            "each action brings the absolute pose and begins when it arrives", RelayHost::make,
+            [](const StarSeat& seat, const StrategyChoice&,
+               LocalTime) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<EventParticipant>(seat.self);
             }};
 }
 

@@ -1,4 +1,3 @@
-#include "engine/sync/strategies/playout_buffer.h"
 #include "engine/sync/strategies/relay_host.h"
 #include "engine/sync/strategies/relayed_participant.h"
 #include "engine/sync/strategies/strategies.h"
@@ -22,7 +21,7 @@ public:
     {
         if (m_own.empty())
             m_tick.served(now);
-        running().begin(action, now);
+        drawn().begin(action, now);
         m_own[action.object] = action;
     }
 
@@ -32,7 +31,7 @@ public:
             return;
         m_tick.served(now);
         for (const auto& [object, action] : m_own) {
-            EventCpo snapshot = begunFrom(*running().at(object, now), ownStamp(now), action);
+            EventCpo snapshot = begunFrom(*drawn().at(object, now), ownStamp(now), action);
             snapshot.rate = 0.0F;
             sendRelayed(kAllOthers, snapshot);
         }
@@ -43,33 +42,31 @@ public:
         return m_own.empty() ? LocalTime::max() : m_tick.next();
     }
 
-    [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, LocalTime t) const override
+    void forget(ObjectId object) override
     {
-        const auto found = m_buffers.find(object);
-        if (found == m_buffers.end())
-            return RelayedParticipant::shown(object, t);
-        return ShownObject{found->second.at(t)};
+        RelayedParticipant::forget(object);
+        m_own.erase(object);
     }
 
 private:
     void actionReceived(const EventCpo& snapshot, ParticipantId, LocalTime now) override
     {
-        m_buffers[snapshot.object].add(snapshot.start, evaluateAfter(snapshot, Duration{}), now);
+        drawn().addSnapshot(snapshot, now);
     }
 
     StreamTick m_tick;
     std::map<ObjectId, EventCpo> m_own;
-    std::map<ObjectId, PlayoutBuffer> m_buffers;
 };
 
 } // namespace
 
 SyncStrategy interpolationStrategy()
 {
-    return {"interpolation", "60 snapshots a second, drawn late by an adaptive buffer",
-            RelayHost::make,
-            [](const StarSeat& seat, LocalTime) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<InterpolationParticipant>(seat);
+    return {StrategyKind::Interpolation, "interpolation",
+            "60 snapshots a second, drawn late by an adaptive buffer", RelayHost::make,
+            [](const StarSeat& seat, const StrategyChoice&,
+               LocalTime) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<InterpolationParticipant>(seat.self);
             }};
 }
 

@@ -17,8 +17,8 @@ public:
 private:
     void actionReceived(const EventCpo& action, ParticipantId, LocalTime now) override
     {
-        const auto acted = running().at(action.object, now);
-        running().begin(acted ? begunFrom(*acted, action.start, action) : action, now);
+        const auto acted = drawn().at(action.object, now);
+        drawn().begin(acted ? begunFrom(*acted, action.start, action) : action, now);
     }
 };
 
@@ -26,10 +26,12 @@ private:
 
 SyncStrategy noneStrategy()
 {
-    return {"none", "each action moves the object from wherever it is, nothing is corrected",
+    return {StrategyKind::None, "none",
+            "each action moves the object from wherever it is, nothing is corrected",
             RelayHost::make,
-            [](const StarSeat& seat, LocalTime) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<UnsynchronisedParticipant>(seat);
+            [](const StarSeat& seat, const StrategyChoice&,
+               LocalTime) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<UnsynchronisedParticipant>(seat.self);
             }};
 }
 

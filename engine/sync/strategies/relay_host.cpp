@@ -7,7 +7,10 @@ namespace carina
 
 std::unique_ptr<StarNode> RelayHost::make(std::uint16_t participants, LocalTime)
 {
-    return std::make_unique<RelayHost>(participants);
+    std::vector<ParticipantId> ids;
+    for (std::uint16_t id = 1; id <= participants; ++id)
+        ids.push_back(ParticipantId{id});
+    return std::make_unique<RelayHost>(std::move(ids));
 }
 
 void RelayHost::receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime)
@@ -15,11 +18,9 @@ void RelayHost::receive(ParticipantId from, std::span<const std::byte> bytes, Lo
     const auto message = decodeRelayed(bytes);
     if (!message || message->from != from)
         return;
-    for (std::uint16_t id = 1; id <= m_participants; ++id) {
-        const ParticipantId to{id};
+    for (const ParticipantId to : m_participants)
         if (to != from && (message->to == to || message->to == kAllOthers))
             send(to, {bytes.begin(), bytes.end()});
-    }
 }
 
 } // namespace carina

@@ -12,13 +12,16 @@ public:
     /// As SyncStrategy::makeHost.
     [[nodiscard]] static std::unique_ptr<StarNode> make(std::uint16_t participants, LocalTime now);
 
-    explicit RelayHost(std::uint16_t participants) : m_participants{participants} {}
+    explicit RelayHost(std::vector<ParticipantId> participants)
+        : m_participants{std::move(participants)}
+    {
+    }
 
     void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) override;
     void advance(LocalTime) override {}
 
 private:
-    std::uint16_t m_participants;
+    std::vector<ParticipantId> m_participants;
 };
 
 } // namespace carina

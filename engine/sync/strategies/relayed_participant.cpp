@@ -3,14 +3,6 @@
 namespace carina
 {
 
-std::optional<ActedPose> RunningActions::at(ObjectId object, LocalTime t) const
-{
-    const auto found = m_running.find(object);
-    if (found == m_running.end())
-        return std::nullopt;
-    return evaluateAfter(found->second.action, t - found->second.start);
-}
-
 struct RelayedParticipant::Visitor {
     RelayedParticipant& participant;
     ParticipantId from;
@@ -24,14 +16,14 @@ struct RelayedParticipant::Visitor {
 void RelayedParticipant::receive(ParticipantId, std::span<const std::byte> bytes, LocalTime now)
 {
     const auto message = decodeRelayed(bytes);
-    if (!message || (message->to != m_seat.self && message->to != kAllOthers))
+    if (!message || (message->to != m_self && message->to != kAllOthers))
         return;
     std::visit(Visitor{*this, message->from, now}, message->content);
 }
 
 void RelayedParticipant::act(const EventCpo& action, LocalTime now)
 {
-    m_running.begin(action, now);
+    m_view.begin(action, now);
     EventCpo stamped = action;
     stamped.start = ownStamp(now);
     sendRelayed(kAllOthers, stamped);
@@ -39,7 +31,7 @@ void RelayedParticipant::act(const EventCpo& action, LocalTime now)
 
 std::optional<ShownObject> RelayedParticipant::shown(ObjectId object, LocalTime t) const
 {
-    if (const auto acted = m_running.at(object, t))
+    if (const auto acted = m_view.at(object, t))
         return ShownObject{*acted};
     return std::nullopt;
 }
@@ -47,7 +39,7 @@ std::optional<ShownObject> RelayedParticipant::shown(ObjectId object, LocalTime 
 void RelayedParticipant::sendRelayed(ParticipantId to,
                                      const std::variant<EventCpo, DelayProbe, DelayAnswer>& content)
 {
-    send(kStarHost, encodeRelayed({m_seat.self, to, content}));
+    send(kStarHost, encodeRelayed({m_self, to, content}));
 }
 
 } // namespace carina

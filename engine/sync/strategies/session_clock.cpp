@@ -1,4 +1,4 @@
-#include "engine/sync/actions/event_table.h"
+#include "engine/sync/actions/client_actions.h"
 #include "engine/sync/clock/fitted_clock.h"
 #include "engine/sync/connection/peer_link.h"
 #include "engine/sync/strategies/session_clock_host.h"
@@ -6,6 +6,7 @@
 #include "engine/sync/wire/datagram_codec.h"
 
 #include <algorithm>
+#include <map>
 
 namespace carina
 {
@@ -15,15 +16,22 @@ namespace
 /// Everybody dates what happens on one session clock, the host's, and evaluates it for the session
 /// time that is drawn. The clock is measured with the headers of the datagrams that go anyway; an
 /// idle participant probes by the adaptive rule.
+///
+/// With local lag an action begins later than the actor asked for, by the delay to the farthest
+/// participant or a bound, so that it has arrived everywhere when it begins.
 class SessionClockParticipant final : public StarParticipant
 {
 public:
     /// Between probes while the clock is being set.
     static constexpr Duration kAcquireInterval = std::chrono::milliseconds{20};
 
-    SessionClockParticipant(const StarSeat& seat, LocalTime now)
-        : m_self{seat.self}, m_link{seat.self.value, Duration{}, now}
+    SessionClockParticipant(const StarSeat& seat, Duration longestLag, LocalTime now)
+        : m_self{seat.self},
+          m_hasLag{longestLag > Duration{}},
+          m_link{seat.self.value, Duration{}, now}
     {
+        m_actions.setSelf(seat.self);
+        m_actions.setLongestLag(longestLag);
     }
 
     void receive(ParticipantId, std::span<const std::byte> bytes, LocalTime now) override
@@ -34,7 +42,7 @@ public:
         if (const auto trip = m_link.heard(datagram->header, now)) {
             const SessionTime sent{trip->peerSent};
             m_clock.addProbe({trip->sent, sent - trip->hold, sent, now});
-            stampWaiting(now);
+            beginWaiting(now);
         }
         for (const WireRecord& record : datagram->records)
             take(record, now);
@@ -42,15 +50,16 @@ public:
 
     void act(const EventCpo& action, LocalTime now) override
     {
-        m_own.insert_or_assign(action.object, Own{action, now});
-        stampWaiting(now);
+        m_actions.share(action.object, {m_self, action.epoch});
+        m_waiting.insert_or_assign(action.object, Waiting{action, now});
+        beginWaiting(now);
     }
+
+    void forget(ObjectId object) override { m_waiting.erase(object); }
 
     void advance(LocalTime now) override
     {
-        std::vector<WireRecord> records = std::exchange(m_acks, {});
-        for (const DueEvent& due : m_repeater.takeDue(now))
-            records.push_back(due.record());
+        const std::vector<WireRecord> records = m_actions.takeDue(now);
         const bool isProbe = records.empty();
         if (isProbe && now < nextProbe())
             return;
@@ -68,19 +77,15 @@ public:
 
     [[nodiscard]] LocalTime nextWake() const override
     {
-        return std::min(nextProbe(), m_repeater.nextDue());
+        return std::min(nextProbe(), m_actions.nextDue());
     }
 
     [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, LocalTime t) const override
     {
-        if (const auto own = m_own.find(object); own != m_own.end())
-            return ShownObject{evaluateAfter(own->second.action, t - own->second.begun)};
+        if (const auto waiting = m_waiting.find(object); waiting != m_waiting.end())
+            return ShownObject{evaluateAfter(waiting->second.action, t - waiting->second.begun)};
         const auto session = sessionTime(t);
-        if (!session)
-            return std::nullopt;
-        if (const auto acted = m_table.at(object, *session))
-            return ShownObject{*acted, m_table.isStale(object, t)};
-        return std::nullopt;
+        return session ? m_actions.shared().shown(object, *session, t, t) : std::nullopt;
     }
 
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override
@@ -93,41 +98,34 @@ public:
     [[nodiscard]] std::uint64_t probesSent() const override { return m_probes; }
 
 private:
-    struct Own {
+    struct Waiting {
         EventCpo action;
         LocalTime begun;
-        bool isStamped = false;
     };
-
-    void take(const EventCpo& event, LocalTime now)
-    {
-        if (m_table.take(event, sessionTime(now), now) != EventTable::Verdict::Refused)
-            m_acks.emplace_back(EventAck{event.object, event.epoch, event.action});
-    }
 
     void take(const WireRecord& record, LocalTime now)
     {
-        if (const auto* event = std::get_if<EventCpo>(&record)) {
-            take(*event, now);
-        } else if (const auto* beat = std::get_if<EventBeat>(&record)) {
-            if (const EventCpo* known = m_table.named(*beat))
-                take(EventCpo{*known}, now);
-        } else if (const auto* ack = std::get_if<EventAck>(&record)) {
-            m_repeater.acknowledge(*ack);
-        }
+        if (const auto* event = std::get_if<EventCpo>(&record))
+            m_actions.take(*event, sessionTime(now), now);
+        else if (const auto* beat = std::get_if<EventBeat>(&record))
+            m_actions.take(*beat, sessionTime(now), now);
+        else if (const auto* ack = std::get_if<EventAck>(&record))
+            m_actions.acknowledge(*ack);
+        else if (const auto* needed = std::get_if<LagNeeded>(&record))
+            m_actions.setNeededLag(needed->lag);
     }
 
-    /// Dates own actions as soon as the clock is set, and sends them.
-    void stampWaiting(LocalTime now)
+    /// Begins own actions as soon as the clock is set.
+    void beginWaiting(LocalTime now)
     {
         if (!m_clock.mapping())
             return;
-        for (auto& [object, own] : m_own) {
-            if (own.isStamped)
-                continue;
-            own.action.start = m_clock.mapping()->at(own.begun);
-            own.isStamped = true;
-            m_repeater.begin(own.action, now);
+        for (const auto& [object, waiting] : std::exchange(m_waiting, {})) {
+            const EventCpo& action = waiting.action;
+            const ObjectAction own{action.kind, action.axis_A.cast<double>(), double{action.rate},
+                                   evaluateAfter(action, Duration{}), !m_hasLag};
+            static_cast<void>(
+                m_actions.act(object, own, m_clock.mapping()->at(waiting.begun), now));
         }
     }
 
@@ -138,12 +136,11 @@ private:
     }
 
     ParticipantId m_self;
+    bool m_hasLag; // then it begins from where the object is by that time
     PeerLink m_link;
     FittedClock m_clock;
-    EventTable m_table;
-    EventRepeater m_repeater{true};
-    std::map<ObjectId, Own> m_own;
-    std::vector<WireRecord> m_acks;
+    ClientActions m_actions;
+    std::map<ObjectId, Waiting> m_waiting;
     std::uint64_t m_probes = 0;
 };
 
@@ -151,10 +148,22 @@ private:
 
 SyncStrategy sessionClockStrategy()
 {
-    return {"session-clock", "everything dated on one clock, repeated until it has arrived",
-            SessionClockHost::make,
-            [](const StarSeat& seat, LocalTime now) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<SessionClockParticipant>(seat, now);
+    return {StrategyKind::SessionClock, "session-clock",
+            "everything dated on one clock, repeated until it has arrived", SessionClockHost::make,
+            [](const StarSeat& seat, const StrategyChoice&,
+               LocalTime now) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<SessionClockParticipant>(seat, Duration{}, now);
+            }};
+}
+
+SyncStrategy localLagStrategy()
+{
+    return {StrategyKind::LocalLag, "local-lag",
+            "as session-clock, and an action begins when it has arrived, with its actor too",
+            SessionClockHost::makeWithLag,
+            [](const StarSeat& seat, const StrategyChoice& choice,
+               LocalTime now) -> std::unique_ptr<StarParticipant> {
+                return std::make_unique<SessionClockParticipant>(seat, choice.longestLag, now);
             }};
 }
 

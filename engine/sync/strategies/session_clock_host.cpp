@@ -2,20 +2,32 @@
 
 #include "engine/sync/wire/datagram_codec.h"
 
-#include <algorithm>
-
 namespace carina
 {
+namespace
+{
+
+SessionTime sessionTimeAt(LocalTime now) { return SessionTime{now.time_since_epoch()}; }
+
+} // namespace
 
 std::unique_ptr<StarNode> SessionClockHost::make(std::uint16_t participants, LocalTime now)
 {
-    return std::make_unique<SessionClockHost>(participants, now);
+    return std::make_unique<SessionClockHost>(participants, false, now);
 }
 
-SessionClockHost::SessionClockHost(std::uint16_t participants, LocalTime now)
+std::unique_ptr<StarNode> SessionClockHost::makeWithLag(std::uint16_t participants, LocalTime now)
 {
-    for (std::uint16_t id = 1; id <= participants; ++id)
+    return std::make_unique<SessionClockHost>(participants, true, now);
+}
+
+SessionClockHost::SessionClockHost(std::uint16_t participants, bool hasLag, LocalTime now)
+{
+    m_actions.setHasLag(hasLag);
+    for (std::uint16_t id = 1; id <= participants; ++id) {
         m_peers.emplace(ParticipantId{id}, Peer{PeerLink{id, Duration{}, now}});
+        m_actions.join(id, ParticipantId{id}, now);
+    }
 }
 
 void SessionClockHost::receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now)
@@ -26,42 +38,30 @@ void SessionClockHost::receive(ParticipantId from, std::span<const std::byte> by
         return;
     peer->second.link.heard(datagram->header, now);
     peer->second.answer = peer->second.answer || datagram->header.answerNow;
+    if (const auto longest = peer->second.link.longestRoundTrip())
+        m_actions.measured(from.value, *longest / 2);
     for (const WireRecord& record : datagram->records) {
         if (const auto* event = std::get_if<EventCpo>(&record))
             take(from, *event, now);
-        else if (const auto* beat = std::get_if<EventBeat>(&record)) {
-            if (const EventCpo* known = m_table.named(*beat))
-                take(from, EventCpo{*known}, now);
-        } else if (const auto* ack = std::get_if<EventAck>(&record))
-            peer->second.events.acknowledge(*ack);
+        else if (const auto* beat = std::get_if<EventBeat>(&record))
+            m_actions.take(from.value, *beat, sessionTimeAt(now), now);
+        else if (const auto* ack = std::get_if<EventAck>(&record))
+            m_actions.acknowledge(from.value, *ack);
     }
 }
 
 void SessionClockHost::take(ParticipantId from, const EventCpo& event, LocalTime now)
 {
-    const auto verdict = m_table.take(event, SessionTime{now.time_since_epoch()}, now);
-    if (verdict == EventTable::Verdict::Refused)
-        return;
-    LocalTime turn = now;
-    for (auto& [id, peer] : m_peers) {
-        if (id == from) {
-            peer.acks.emplace_back(EventAck{event.object, event.epoch, event.action});
-            continue;
-        }
-        if (verdict == EventTable::Verdict::New)
-            peer.events.begin(event, now);
-        else if (verdict == EventTable::Verdict::Known)
-            peer.events.beat(event, turn);
-        turn += EventRepeater::kTurn;
-    }
+    if (m_owners.try_emplace(event.object, from).second)
+        m_actions.share(event.object, {from, event.epoch});
+    m_actions.take(from.value, event, sessionTimeAt(now), now);
 }
 
 void SessionClockHost::advance(LocalTime now)
 {
+    m_actions.advance(sessionTimeAt(now), now);
     for (auto& [id, peer] : m_peers) {
-        std::vector<WireRecord> records = std::exchange(peer.acks, {});
-        for (const DueEvent& due : peer.events.takeDue(now))
-            records.push_back(due.record());
+        const std::vector<WireRecord> records = m_actions.takeDue(id.value, now);
         if (records.empty() && !peer.answer)
             continue;
         peer.answer = false;
@@ -74,14 +74,6 @@ void SessionClockHost::advance(LocalTime now)
         for (auto& bytes : packDatagrams(records, nextHeader))
             send(id, std::move(bytes));
     }
-}
-
-LocalTime SessionClockHost::nextWake() const
-{
-    LocalTime next = LocalTime::max();
-    for (const auto& [id, peer] : m_peers)
-        next = std::min(next, peer.events.nextDue());
-    return next;
 }
 
 } // namespace carina

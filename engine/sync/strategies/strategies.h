@@ -7,6 +7,7 @@ namespace carina
 
 /// The strategies; each source file describes its own. See also docs/synchronisation.md.
 [[nodiscard]] SyncStrategy sessionClockStrategy();
+[[nodiscard]] SyncStrategy localLagStrategy();
 [[nodiscard]] SyncStrategy asaAdaptiveStrategy();
 [[nodiscard]] SyncStrategy asaFixedStrategy();
 [[nodiscard]] SyncStrategy deadReckoningStrategy();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/ids.h"
+#include "engine/sync/strategies/strategy_choice.h"
 #include "engine/sync/wire/event_cpo.h"
 
 #include <cstddef>
@@ -35,6 +36,8 @@ public:
     virtual void advance(LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const { return LocalTime::max(); }
     [[nodiscard]] std::vector<StarDatagram> take() { return std::exchange(m_outgoing, {}); }
+    /// Whether take() has something.
+    [[nodiscard]] bool hasOutgoing() const { return !m_outgoing.empty(); }
 
     /// Number of datagrams sent only to measure the delay.
     [[nodiscard]] virtual std::uint64_t probesSent() const { return 0; }
@@ -51,15 +54,24 @@ private:
 
 inline constexpr ParticipantId kStarHost{0};
 
+class RelayedView;
+
 /// A participant's end of a synchronisation strategy.
 class StarParticipant : public StarNode
 {
 public:
     /// Begins an action, now, on an object that this participant owns. The strategy sets the start
-    /// time; the caller sets the counter, one above the last on that object.
+    /// time; the caller sets the counter, one above the last on that object, and the pose that the
+    /// object has here.
     virtual void act(const EventCpo& action, LocalTime now) = 0;
     /// The object as this participant draws it at local time t; nothing for an unknown object.
     [[nodiscard]] virtual std::optional<ShownObject> shown(ObjectId object, LocalTime t) const = 0;
+    /// All that shown() depends on, for strategies without a session clock.
+    [[nodiscard]] virtual const RelayedView* view() const { return nullptr; }
+    /// Forgets an object; sends nothing about it any more.
+    virtual void forget(ObjectId object) = 0;
+    /// Participants have come or gone.
+    virtual void setOthers(std::span<const ParticipantId>, LocalTime) {}
     /// Session time, for strategies with a session clock.
     [[nodiscard]] virtual std::optional<SessionTime> sessionTime(LocalTime) const
     {
@@ -70,21 +82,27 @@ public:
 /// Identity of a participant within its session.
 struct StarSeat {
     ParticipantId self;
-    std::uint16_t participants = 2; ///< their ids are 1 to this number; the host is 0
+    std::vector<ParticipantId> others; ///< participants
 };
+/// The seat of a participant where the ids are 1 to a number; the host is 0.
+[[nodiscard]] StarSeat starSeat(ParticipantId self, std::uint16_t participants);
 
 /// A method of keeping shared objects consistent between participants. To add one, write a file in
 /// engine/sync/strategies and a line in strategy.cpp (docs/synchronisation.md).
 struct SyncStrategy {
+    StrategyKind kind;
     std::string_view name;
     std::string_view meaning; ///< one line, in English, for help texts
     std::unique_ptr<StarNode> (*makeHost)(std::uint16_t participants, LocalTime now);
-    std::unique_ptr<StarParticipant> (*makeParticipant)(const StarSeat& seat, LocalTime now);
+    std::unique_ptr<StarParticipant> (*makeParticipant)(const StarSeat& seat,
+                                                        const StrategyChoice& choice,
+                                                        LocalTime now);
 };
 
 /// All strategies; the first is the default.
 [[nodiscard]] std::span<const SyncStrategy> syncStrategies();
 /// nullptr for an unknown name.
 [[nodiscard]] const SyncStrategy* findSyncStrategy(std::string_view name);
+[[nodiscard]] const SyncStrategy& syncStrategy(StrategyKind kind);
 
 } // namespace carina

@@ -14,7 +14,7 @@ namespace carina
 {
 
 /// Version of this layout; a peer with another version is refused.
-inline constexpr std::uint8_t kProtocolVersion = 8;
+inline constexpr std::uint8_t kProtocolVersion = 9;
 /// Bytes. With DTLS (29 bytes) a UDP payload has at most 1200 bytes, which fits the MTU of any
 /// usual path without fragmentation.
 inline constexpr std::size_t kLargestDatagram = 1160;
@@ -64,6 +64,17 @@ struct EventBeat {
     std::uint16_t epoch = 0;
     std::uint32_t action = 0;
 };
+/// A message of the session's strategy, between a participant and the host; its bytes are the
+/// strategy's own (engine/sync/strategies).
+struct StrategyMessage {
+    std::vector<std::byte> bytes; ///< 1 to kLargestStrategyMessage
+};
+inline constexpr std::size_t kLargestStrategyMessage = 128;
+/// The host tells a participant the local lag with which its actions begin everywhere at once, as
+/// far as the delays of late tell.
+struct LagNeeded {
+    Duration lag{}; ///< at most kLongestHold
+};
 /// The host refuses to enter this proposal into the log.
 struct ProposalRefused {
     ProposalId proposal;
@@ -95,9 +106,9 @@ struct ConnectionUnknown {
 struct Goodbye {
 };
 
-using WireRecord =
-    std::variant<StreamGroup, EventCpo, FactRecord, ProposalRecord, FactAck, ProposalRefused, Hello,
-                 Welcome, HelloRefused, ConnectionUnknown, Goodbye, EventAck, EventBeat>;
+using WireRecord = std::variant<StreamGroup, EventCpo, FactRecord, ProposalRecord, FactAck,
+                                ProposalRefused, Hello, Welcome, HelloRefused, ConnectionUnknown,
+                                Goodbye, EventAck, EventBeat, StrategyMessage, LagNeeded>;
 
 /// One datagram, decoded.
 struct Datagram {

@@ -26,6 +26,8 @@ enum class RecordKind : std::uint8_t {
     Goodbye,
     EventAck,
     EventBeat,
+    StrategyMessage,
+    LagNeeded,
 };
 
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
@@ -158,6 +160,14 @@ ProposalRefused readProposalRefused(ByteReader& in)
     return {proposal, readReason(in)};
 }
 
+StrategyMessage readStrategyMessage(ByteReader& in)
+{
+    const auto size = in.number<std::uint8_t>();
+    in.require(size >= 1 && size <= kLargestStrategyMessage, "length of a strategy's message");
+    const auto bytes = in.bytes(size);
+    return {{bytes.begin(), bytes.end()}};
+}
+
 /// Writes a record's kind and fields.
 class RecordWriter
 {
@@ -237,6 +247,19 @@ public:
         writeNamed(m_out, beat);
     }
 
+    void operator()(const StrategyMessage& message)
+    {
+        CARINA_EXPECTS(!message.bytes.empty() && message.bytes.size() <= kLargestStrategyMessage);
+        kind(RecordKind::StrategyMessage);
+        m_out.number(static_cast<std::uint8_t>(message.bytes.size()));
+        m_out.bytes(message.bytes);
+    }
+    void operator()(const LagNeeded& needed)
+    {
+        kind(RecordKind::LagNeeded);
+        m_out.number(static_cast<std::uint32_t>(needed.lag.count()));
+    }
+
 private:
     void kind(RecordKind kind) { m_out.number(static_cast<std::uint8_t>(kind)); }
 
@@ -279,6 +302,10 @@ WireRecord readRecord(ByteReader& in)
         return readNamed<EventAck>(in);
     case RecordKind::EventBeat:
         return readNamed<EventBeat>(in);
+    case RecordKind::StrategyMessage:
+        return readStrategyMessage(in);
+    case RecordKind::LagNeeded:
+        return LagNeeded{Duration{in.number<std::uint32_t>()}};
     }
     in.require(false, "record kind");
     return Goodbye{};

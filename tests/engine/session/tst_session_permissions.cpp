@@ -86,6 +86,7 @@ void TestSessionPermissions::permitsByRole_data()
     row("sets the condition", "yynnnn", [](auto) { return fact::LungConditionsSet{}; });
     row("sets the ventilator", "yynnnn", [](auto) { return fact::VentilatorSet{}; });
     row("sets the patient", "yynnnn", [](auto) { return fact::PatientBuildSet{}; });
+    row("chooses the strategy", "yynnnn", [](auto) { return fact::StrategyChosen{}; });
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
     row("places the tube", "yynnnn", [](auto) { return fact::TubePlaced{}; });
     row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{}; });

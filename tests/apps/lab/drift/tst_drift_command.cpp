@@ -101,8 +101,6 @@ private Q_SLOTS:
         QTest::newRow("nothing") << QByteArray{""} << QByteArray{"does not take"};
         QTest::newRow("no scenario") << QByteArray{"--seed 1"} << QByteArray{"--scenario"};
         QTest::newRow("unknown option") << QByteArray{"--walk yes"} << QByteArray{"--walk"};
-        QTest::newRow("live by another strategy")
-            << QByteArray{"--scenario lan --live --strategy event"} << QByteArray{"--live"};
         QTest::newRow("17 live participants")
             << QByteArray{"--live --scenario lan --participants 17"} << QByteArray{"2 to 16"};
         QTest::newRow("two live seeds")

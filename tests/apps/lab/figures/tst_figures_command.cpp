@@ -188,6 +188,8 @@ private Q_SLOTS:
         for (std::size_t row = 0; row < firstLimit; ++row) {
             const std::size_t limit = firstLimit + row % delays;
             QCOMPARE(table->text(row, 1), table->text(limit, 1));
+            if (table->text(row, 0) == QStringLiteral("local-lag"))
+                continue; // of which the limit does not hold: the actor waits too
             QVERIFY2(*table->number(row, 2) > kSampling * *table->number(limit, 2),
                      qPrintable(table->text(row, 0) + QLatin1Char{' '} + table->text(row, 1)));
         }

@@ -78,6 +78,9 @@ std::vector<Golden> goldenFacts()
         {"session unlocked", fact::SessionLocked{false}, "17 00"},
         {"code changed", fact::RoleCodeChanged{Role::Observer}, "18 02"},
         {"token replaced", fact::TokenReplaced{ParticipantId{0x0102}}, "19 0201"},
+        {"strategy chosen",
+         fact::StrategyChosen{{StrategyKind::AsaFixed, {0x0102, 1.0, 0.5, 2.0}, Duration{0x0304}}},
+         "1a 03 0201 000000000000f03f 000000000000e03f 0000000000000040 0403000000000000"},
     };
 }
 
@@ -128,7 +131,7 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 26", "1a", "kind of fact 26");
+    row("kind 27", "1b", "kind of fact 27");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");

@@ -14,6 +14,7 @@ class TestFactRules : public QObject
 private Q_SLOTS:
     void boundsNumbers_data();
     void boundsNumbers();
+    void boundsTheStrategy();
     void boundsTexts_data();
     void boundsTexts();
     void namesTheValueAndItsRange();
@@ -49,6 +50,13 @@ void numberRows(const QByteArray& what, double lowest, double highest, FactBody 
     row("not a number", kNaN, "not finite");
 }
 
+template <class Change> FactBody chosen(Change change)
+{
+    StrategyChoice choice;
+    change(choice);
+    return fact::StrategyChosen{choice};
+}
+
 QByteArray verdictOn(const FactBody& body)
 {
     const Result<void> result = checkBody(body);
@@ -78,6 +86,15 @@ void TestFactRules::boundsNumbers_data()
                [](double v) -> FactBody { return fact::TidalVolumeSet{millilitres(v)}; });
     numberRows("inspiratory fraction", 0.1, 0.9,
                [](double v) -> FactBody { return fact::InspiratoryFractionSet{v}; });
+    numberRows("lowest rate of the ASA", 0.1, 1.0, [](double v) -> FactBody {
+        return chosen([v](StrategyChoice& c) { c.asa.lowest = v; });
+    });
+    numberRows("highest rate of the ASA", 1.0, 100.0, [](double v) -> FactBody {
+        return chosen([v](StrategyChoice& c) { c.asa.highest = v; });
+    });
+    numberRows("first rate of the ASA", 1.0, 20.0, [](double v) -> FactBody {
+        return chosen([v](StrategyChoice& c) { c.asa.start = v; });
+    });
 }
 
 void TestFactRules::boundsNumbers()
@@ -85,6 +102,25 @@ void TestFactRules::boundsNumbers()
     QFETCH(const FactBody, body);
     QFETCH(const QByteArray, verdict);
     QCOMPARE(verdictOn(body), verdict);
+}
+
+void TestFactRules::boundsTheStrategy()
+{
+    const auto delays = [](std::uint16_t n) {
+        return verdictOn(chosen([n](StrategyChoice& choice) { choice.asa.delays = n; }));
+    };
+    QCOMPARE(delays(0), QByteArray{"out of range"});
+    QCOMPARE(delays(1), QByteArray{"fine"});
+    QCOMPARE(delays(1000), QByteArray{"fine"});
+    QCOMPARE(delays(1001), QByteArray{"out of range"});
+    const auto lag = [](Duration longest) {
+        return verdictOn(
+            chosen([longest](StrategyChoice& choice) { choice.longestLag = longest; }));
+    };
+    QCOMPARE(lag(Duration{-1}), QByteArray{"out of range"});
+    QCOMPARE(lag(Duration{}), QByteArray{"fine"});
+    QCOMPARE(lag(kLongestLocalLag), QByteArray{"fine"});
+    QCOMPARE(lag(kLongestLocalLag + Duration{1}), QByteArray{"out of range"});
 }
 
 void TestFactRules::boundsTexts_data()

@@ -105,7 +105,7 @@ public:
         const auto& mapping = site(i).client->clock().mapping();
         if (!mapping)
             return std::nullopt;
-        return site(i).client->actions().shown(kModel, mapping->at(local(i)), local(i));
+        return site(i).client->actions().shown(kModel, mapping->at(local(i)), local(i), local(i));
     }
     [[nodiscard]] LocalTime local(std::size_t i) { return site(i).clock.at(now()); }
 

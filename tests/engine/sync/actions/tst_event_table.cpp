@@ -71,6 +71,19 @@ private Q_SLOTS:
         QVERIFY(table.named(beat) == nullptr);
     }
 
+    /// With local lag several actions of one owner wait for their start.
+    void actionsBeginOneAfterTheOther()
+    {
+        EventTable table;
+        for (std::uint32_t action = 1; action <= 4; ++action)
+            table.take(moving(action, 10.0 * action, kSession + action * 10ms), kSession, kNow);
+        QCOMPARE(xAt(table, kSession), 10.0);
+        for (std::uint32_t action = 1; action <= 4; ++action) {
+            QCOMPARE(xAt(table, kSession + action * 10ms), 10.0 * action);
+            QVERIFY(xAt(table, kSession + action * 10ms + 9ms) < 10.0 * action + 1.0);
+        }
+    }
+
     void latestWinsInAnyOrder()
     {
         EventTable table;

@@ -41,6 +41,16 @@ private Q_SLOTS:
         QCOMPARE(mapping.at(at(9s)).time_since_epoch(), Duration{9s + kOffset});
     }
 
+    void isInvertedToANanosecond()
+    {
+        for (const ClockMapping& mapping :
+             {correctedBy(40ms), correctedBy(-40ms), ClockMapping{at(5s), kOffset, 80e-6}})
+            for (LocalTime t = at(0s); t < at(200s); t += 777ms) {
+                const Duration error = mapping.localAt(mapping.at(t)) - t;
+                QVERIFY(error >= -1ns && error <= 1ns);
+            }
+    }
+
     void correctionsTheOtherWayNeverRunBackwards()
     {
         const ClockMapping mapping = correctedBy(-40ms);

@@ -36,8 +36,8 @@ public:
     {
         m_host = m_strategy->makeHost(participants, LocalTime{});
         for (std::uint16_t id = 1; id <= participants; ++id)
-            m_participants.push_back(
-                m_strategy->makeParticipant({ParticipantId{id}, participants}, LocalTime{}));
+            m_participants.push_back(m_strategy->makeParticipant(
+                starSeat(ParticipantId{id}, participants), {}, LocalTime{}));
     }
 
     void setLegs(std::uint16_t id, const Legs& legs) { m_legs[id] = legs; }
@@ -46,7 +46,7 @@ public:
     {
         m_offsets[id] = offset;
         m_participants[id - 1U] = m_strategy->makeParticipant(
-            {ParticipantId{id}, static_cast<std::uint16_t>(m_participants.size())},
+            starSeat(ParticipantId{id}, static_cast<std::uint16_t>(m_participants.size())), {},
             LocalTime{offset});
     }
     /// Datagrams for which this holds are lost.

@@ -54,7 +54,7 @@ private Q_SLOTS:
 
     void hostPassesOnToWhomItIsFor()
     {
-        RelayHost host{4};
+        RelayHost host{{ParticipantId{1}, ParticipantId{2}, ParticipantId{3}, ParticipantId{4}}};
         const auto destinations = [&](ParticipantId from, ParticipantId to, ParticipantId link) {
             const auto bytes = encodeRelayed({from, to, DelayProbe{}});
             host.receive(link, bytes, LocalTime{});

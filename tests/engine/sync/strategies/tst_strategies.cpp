@@ -26,7 +26,7 @@ class TestStrategies : public QObject
 private Q_SLOTS:
     void areFoundByName()
     {
-        QCOMPARE(syncStrategies().size(), 7U);
+        QCOMPARE(syncStrategies().size(), 8U);
         QCOMPARE(QByteArray(syncStrategies().front().name.data()), QByteArray("session-clock"));
         for (const SyncStrategy& strategy : syncStrategies()) {
             QVERIFY(findSyncStrategy(strategy.name) != nullptr);

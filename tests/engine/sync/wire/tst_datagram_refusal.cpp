@@ -113,8 +113,8 @@ private Q_SLOTS:
         auto bytes = fromHex(kPlainHeaderHex);
         bytes[2] = std::byte{5};
         QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "5"}));
-        bytes[2] = std::byte{9};
-        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "9"}));
+        bytes[2] = std::byte{10};
+        QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "10"}));
         bytes[2] = std::byte{0};
         QCOMPARE(decodeDatagram(bytes).error(), (Error{Errc::VersionMismatch, "0"}));
         // Magic and version stay where they are in every version; nothing else need.
@@ -142,7 +142,7 @@ private Q_SLOTS:
         row("sent beyond the range of times", 4, -20, "01 00 00 00 00 00 00 20", "time");
         row("sent before the range of times", 4, -20, "ff ff ff ff ff ff ff df", "time");
         row("record kind zero", 4, 0, "00", "record kind");
-        row("record kind above the last", 4, 0, "0e", "record kind");
+        row("record kind above the last", 4, 0, "10", "record kind");
         row("record kind above all", 4, 0, "ff", "record kind");
         row("no streams", 0, 11, "00", "stream count");
         row("too many streams", 0, 11, "1f", "stream count");
@@ -191,6 +191,9 @@ private Q_SLOTS:
         row("reason above all", 8, 1, "ff", "reason");
         row("too many words", 8, 2, "c9", "length of a detail");
         row("more words than bytes", 8, 2, "01", "length");
+        row("strategy without a message", 14, 1, "00", "length of a strategy's message");
+        row("strategy with too long a message", 14, 1, "81", "length of a strategy's message");
+        row("strategy with a message cut short", 14, 1, "04", "length");
     }
 
     void refusesWhatBreaksARule()

@@ -22,7 +22,7 @@ bool samePeople(const std::vector<NetworkFigures>& a, const std::vector<NetworkF
 } // namespace
 
 NetworkModel::NetworkModel(SessionModel& session, QObject* parent)
-    : QAbstractListModel{parent}, m_session{session}, m_figures{measure()}
+    : QAbstractListModel{parent}, m_session{session}, m_strategy{session}, m_figures{measure()}
 {
     connect(&m_session, &SessionModel::changed, this, &NetworkModel::refresh);
     auto* timer = new QTimer{this};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/network/network_figures.h"
+#include "models/network/strategy_model.h"
 #include "models/session/session_model.h"
 
 #include <QAbstractListModel>
@@ -27,6 +28,8 @@ public:
 
     /// std::nullopt for a row that does not exist.
     [[nodiscard]] std::optional<NetworkFigures> figures(int row) const;
+    /// How the session keeps acted-on objects alike.
+    [[nodiscard]] StrategyModel& strategy() { return m_strategy; }
 
 Q_SIGNALS:
     /// The figures, or the list of participants, were updated.
@@ -43,6 +46,7 @@ private:
     [[nodiscard]] std::vector<NetworkFigures> measure();
 
     SessionModel& m_session;
+    StrategyModel m_strategy;
     std::map<ParticipantId, FirstOffset> m_firstOffsets; ///< of the participants listed now
     std::vector<NetworkFigures> m_figures;
 };

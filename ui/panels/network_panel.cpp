@@ -1,10 +1,12 @@
 #include "ui/panels/network_panel.h"
 
+#include "ui/panels/strategy_dialog.h"
 #include "widgets/history_plot.h"
 
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -22,10 +24,17 @@ NetworkPanel::NetworkPanel(QWidget* parent)
     : QWidget{parent},
       m_participant{new QComboBox},
       m_plot{new HistoryPlot},
-      m_table{new QTableView}
+      m_table{new QTableView},
+      m_strategy{new QLabel},
+      m_research{new QPushButton{tr("For &research…")}}
 {
     layOut();
     setFocusProxy(m_participant);
+    m_strategy->setObjectName(QStringLiteral("strategyShown"));
+    m_strategy->setToolTip(tr("The strategy by which objects that people act on are kept alike"));
+    m_research->setObjectName(QStringLiteral("research"));
+    m_research->setToolTip(tr("Choose the strategy by which shared objects are kept alike"));
+    connect(m_research, &QPushButton::clicked, this, &NetworkPanel::askStrategy);
     m_participant->setPlaceholderText(tr("Nobody else is here yet"));
     m_participant->setAccessibleName(tr("Participant whose network is shown"));
     m_plot->setUp(kDelays, tr("ms"), tr("Delays are not known yet"));
@@ -59,6 +68,10 @@ void NetworkPanel::layOut()
     column->addWidget(legend);
     column->addWidget(m_plot);
     column->addWidget(m_table, 1);
+    auto* research = new QHBoxLayout;
+    research->addWidget(m_strategy, 1);
+    research->addWidget(m_research);
+    column->addLayout(research);
 }
 
 void NetworkPanel::setModel(NetworkModel& model)
@@ -71,8 +84,24 @@ void NetworkPanel::setModel(NetworkModel& model)
         m_shown = m_participant->currentData(NetworkModel::kIdRole);
         refresh();
     });
+    connect(&model.strategy(), &StrategyModel::changed, this, &NetworkPanel::showStrategy);
     findShown();
     refresh();
+    showStrategy();
+}
+
+void NetworkPanel::showStrategy()
+{
+    m_strategy->setText(tr("Objects: %1").arg(m_model->strategy().chosenName()));
+}
+
+void NetworkPanel::askStrategy()
+{
+    auto* dialog = new StrategyDialog{m_model->strategy().chosen(), this};
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { m_model->strategy().choose(dialog->choice()); });
+    dialog->open();
 }
 
 void NetworkPanel::findShown()

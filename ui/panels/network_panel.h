@@ -6,6 +6,8 @@
 #include <QWidget>
 
 class QComboBox;
+class QLabel;
+class QPushButton;
 class QTableView;
 
 namespace carina
@@ -29,11 +31,15 @@ private:
     /// Selects the participant shown before the list changed.
     void findShown();
     void refresh();
+    void showStrategy();
+    void askStrategy();
     void plot(const NetworkFigures& figures);
 
     QComboBox* m_participant;
     HistoryPlot* m_plot;
     QTableView* m_table;
+    QLabel* m_strategy;
+    QPushButton* m_research;
     NetworkFiguresModel m_figures;
     NetworkModel* m_model = nullptr;
     QVariant m_shown; ///< id of the participant

@@ -1,9 +1,13 @@
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 #include "ui/panels/network_panel.h"
+#include "ui/panels/strategy_dialog.h"
 #include "widgets/history_plot.h"
 
 #include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
 #include <QTableView>
 
 namespace carina::network_panel_test
@@ -93,6 +97,31 @@ private Q_SLOTS:
         QCOMPARE(shown.roundTrip(), QStringLiteral("20.00 ms"));
         shown.deliver({pathOf(kTrainee, 11ms), pathOf(kObserver, 31ms)});
         QCOMPARE(shown.roundTrip(), QStringLiteral("22.00 ms"));
+    }
+
+    void aResearcherChoosesTheStrategy()
+    {
+        Shown shown;
+        shown.panel.show();
+        const auto* name = shown.panel.findChild<QLabel*>(QStringLiteral("strategyShown"));
+        QCOMPARE(name->text(), QStringLiteral("Objects: Session clock"));
+        QTest::keyClick(shown.panel.findChild<QPushButton*>(QStringLiteral("research")),
+                        Qt::Key_Space);
+        auto* dialog = shown.panel.findChild<StrategyDialog*>();
+        QVERIFY(dialog != nullptr);
+        auto* strategy = dialog->findChild<QComboBox*>(QStringLiteral("strategy"));
+        auto* lag = dialog->findChild<QSpinBox*>(QStringLiteral("lag"));
+        QVERIFY(!lag->isEnabled());
+        strategy->setCurrentIndex(strategy->findText(QStringLiteral("Local lag")));
+        QVERIFY(lag->isEnabled());
+        QVERIFY(strategy->accessibleDescription().contains(QStringLiteral("arrived everywhere")));
+        lag->setValue(30);
+        QTest::keyClick(dialog->findChild<QPushButton*>(QStringLiteral("use")), Qt::Key_Space);
+        QCoreApplication::sendPostedEvents();
+        const StrategyChoice chosen = shown.node.state()->strategy();
+        QCOMPARE(chosen.kind, StrategyKind::LocalLag);
+        QCOMPARE(chosen.longestLag, Duration{30ms});
+        QCOMPARE(name->text(), QStringLiteral("Objects: Local lag"));
     }
 
     void isWorkedByKeyboardAndSpoken()

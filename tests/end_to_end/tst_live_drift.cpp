@@ -17,6 +17,37 @@ class TestLiveDrift : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// 8 ms, at 100 deg/s: below that no viewer can be who goes by arrival, whatever the machine.
+    void programsRunTheStrategyOfTheSession_data()
+    {
+        QTest::addColumn<QString>("strategy");
+        QTest::addColumn<double>("leastDrift_deg");
+        QTest::addColumn<double>("leastResponse_ms");
+        QTest::newRow("event") << QStringLiteral("event") << 0.6 << 0.0;
+        QTest::newRow("local lag") << QStringLiteral("local-lag") << 0.0 << 8.0;
+    }
+    void programsRunTheStrategyOfTheSession()
+    {
+        QFETCH(const QString, strategy);
+        QFETCH(const double, leastDrift_deg);
+        QFETCH(const double, leastResponse_ms);
+        QProcess lab;
+        lab.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        lab.start(QStringLiteral(CARINA_LAB),
+                  {QStringLiteral("drift"), QStringLiteral("--live"), QStringLiteral("--scenario"),
+                   QStringLiteral("metro"), QStringLiteral("--strategy"), strategy,
+                   QStringLiteral("--actions"), QStringLiteral("3"), QStringLiteral("--warm-up-s"),
+                   QStringLiteral("1.5")});
+        QVERIFY(lab.waitForFinished(60'000));
+        QCOMPARE(lab.exitCode(), 0);
+        const QJsonObject figures = QJsonDocument::fromJson(lab.readAllStandardOutput()).object();
+        QCOMPARE(figures[QLatin1StringView{"strategy"}], QJsonValue{strategy});
+        const double drift_deg = figures[QLatin1StringView{"time_average_mean_deg"}].toDouble();
+        QVERIFY2(drift_deg >= leastDrift_deg, qPrintable(QString::number(drift_deg)));
+        const double response_ms = figures[QLatin1StringView{"response_ms"}].toDouble();
+        QVERIFY2(response_ms >= leastResponse_ms, qPrintable(QString::number(response_ms)));
+    }
+
     void endsAlikeEverywhereWithWholeLogs()
     {
         constexpr int kActions = 3;

@@ -22,10 +22,10 @@ DriftSource virtualDrift(int seeds)
 
 DriftSource liveDrift(Duration warmUp)
 {
-    const std::vector<std::string_view> strategies{"session-clock"};
-    return {.byAction = strategies,
-            .byParticipants = strategies,
-            .byDelay = strategies,
+    const std::vector<std::string_view> ofThePaper{"event", "asa-adaptive", "session-clock"};
+    return {.byAction = ofThePaper,
+            .byParticipants = ofThePaper,
+            .byDelay = {"asa-adaptive", "session-clock"},
             .speeds = {100.0},
             .network = ", live",
             .run = [warmUp](const DriftSettings& settings) -> Result<DriftFigures> {
@@ -33,6 +33,7 @@ DriftSource liveDrift(Duration warmUp)
                     relayedNetwork(settings.participants, settings.scenario, settings.seed);
                 return runLiveDrift({.program = QCoreApplication::applicationFilePath(),
                                      .participants = settings.participants,
+                                     .strategy = settings.strategy->kind,
                                      .script = settings.script,
                                      .seed = settings.seed,
                                      .warmUp = warmUp},

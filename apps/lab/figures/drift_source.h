@@ -24,8 +24,8 @@ struct DriftSource {
 /// Virtual time, all strategies; each number is the mean of so many runs.
 [[nodiscard]] DriftSource virtualDrift(int seeds);
 
-/// Programs of their own in real time, over relays (runLiveDrift): session-clock, which they run,
-/// at full speed. One run each, with so long for the clocks before it.
+/// Programs of their own in real time, over relays (runLiveDrift): the strategies of the paper and
+/// session-clock, at full speed. One run each, with so long for the clocks before it.
 [[nodiscard]] DriftSource liveDrift(Duration warmUp);
 
 } // namespace carina::lab

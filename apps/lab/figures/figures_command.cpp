@@ -212,10 +212,11 @@ Use figuresInVirtualTime()
 Use figuresInRealTime()
 {
     return {.lines = {"--out DIR --live [--warm-up-s T] [OPTION...]"},
-            .text = "The same from real programs in real time over relays (see drift --live): only "
-                    "the figures of session-clock, at 100 deg/s and mm/s, of one run of 12 actions "
-                    "for each number. These are 16 runs, which take 8 minutes. Takes the options "
-                    "above and prints the same keys.",
+            .text = "The same from real programs in real time over relays (see drift --live): the "
+                    "figures of event, asa-adaptive and session-clock (by delay without event), at "
+                    "100 deg/s and mm/s, of one run of 12 actions for each number. These are 38 "
+                    "runs, which take 20 minutes. Takes the options above and prints the same "
+                    "keys.",
             .options = {figures_option::kLive, figures_option::kWarmUp},
             .schema = figures_key::kSchema};
 }

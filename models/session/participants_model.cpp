@@ -33,9 +33,9 @@ QString number(const std::optional<double>& value, int decimals, const QString& 
     return value ? words.arg(*value, 0, 'f', decimals) : kNothing;
 }
 
-void keepLargest(std::optional<double>& largest, double value)
+void keepLargest(std::optional<double>& largest, std::optional<double> value)
 {
-    largest = std::max(largest.value_or(value), value);
+    largest = std::max(largest, value); // none is less than any
 }
 
 } // namespace
@@ -143,11 +143,11 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
         if (section == Age)
             return tr("Age of the newest pose sample; of several objects, that of the oldest");
         if (section == DriftAngle)
-            return tr("Drift: angle between the pose drawn here and the newest sample of the "
-                      "participant's object on its arrival");
+            return tr("Drift: angle between what was shown here and at the participant at the same "
+                      "time");
         if (section == DriftDistance)
-            return tr("Drift: distance between the position drawn here and the newest sample of "
-                      "the participant's object on its arrival");
+            return tr("Drift: distance between what was shown here and at the participant at the "
+                      "same time");
         return {};
     }
     if (role != Qt::DisplayRole)

@@ -11,8 +11,8 @@ namespace carina
 {
 
 /// The participants of the session as a table: name, role, connection state, how much they send to
-/// the host, age of the newest pose sample, and drift: how far their objects jumped when that
-/// sample arrived.
+/// the host, age of the newest pose sample, and drift: how far this program's view of
+/// their objects was from theirs at the same session time.
 class ParticipantsModel : public QAbstractTableModel
 {
     Q_OBJECT

@@ -111,6 +111,7 @@ void ClientDriver::publish(StationId station, ObjectKind kind, std::string name,
 NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
 {
     sendOwnStreams(now);
+    compareViews(now);
     m_core.advance(now);
     if (m_core.state() == SyncClient::State::Closed && m_core.helloRefused())
         m_credentials.giveUp(*m_core.helloRefused());
@@ -122,6 +123,8 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
             break;
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core.clock().mapping()->at(now));
+    for (const ShownPose& shown : output.shown)
+        m_views.compare(shown);
     for (const RefusedProposal& refused : output.refused)
         if (isTold(refused))
             m_refusal = Error{refused.reason, {}};
@@ -135,7 +138,7 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
 
 LocalTime ClientDriver::nextWake() const
 {
-    return std::min({m_core.nextWake(), m_publications.nextTick(),
+    return std::min({m_core.nextWake(), m_publications.nextTick(), m_nextViews,
                      wantsToken() ? m_nextTokenRequest : LocalTime::max(),
                      m_hasNewState ? m_nextShown : LocalTime::max()});
 }
@@ -169,12 +172,29 @@ void ClientDriver::sendOwnStreams(LocalTime now)
         m_core.publish(station, cpo);
 }
 
+void ClientDriver::compareViews(LocalTime now)
+{
+    const auto& clock = m_core.clock().mapping();
+    if (!clock || m_state.objects().empty())
+        return;
+    for (const ShownPose& own : m_views.advance(m_state, m_core.self(), clock->at(now)))
+        m_core.tellShown(own);
+    m_nextViews = clock->localAt(m_views.nextDue(clock->at(now)));
+}
+
+std::optional<RigidTransform> ClientDriver::shownPose(ObjectId object, SessionTime t) const
+{
+    const LocalTime drawn = m_core.clock().mapping()->localAt(t);
+    return shownPoseOf(m_core.actions(), m_board.objects, object, t, drawn);
+}
+
 void ClientDriver::startAfresh()
 {
     m_state = {};
     m_hasNewState = true;
     m_nextShown = LocalTime::min();
     m_board.objects.clear();
+    m_views.clear();
     m_publications.forget();
 }
 
@@ -266,6 +286,7 @@ void ClientDriver::show(LocalTime now)
     view.clock = m_core.clock().mapping();
     view.state = m_shownState;
     m_board.showActions(view, m_core.actions());
+    view.drifts = m_views.drifts();
     for (const ProposalRecord& record : m_core.waiting())
         if (auto body = decodeBody(record.body))
             view.pending.push_back(*std::move(body));

@@ -42,6 +42,8 @@ private:
     [[nodiscard]] bool isMuted() const;
     /// What a fact about this participant itself changes here.
     void noteConduct(const FactBody& body);
+    void compareViews(LocalTime now);
+    [[nodiscard]] std::optional<RigidTransform> shownPose(ObjectId object, SessionTime t) const;
     void noteStrategy(const FactBody& body, LocalTime now);
     [[nodiscard]] std::optional<ClockReport> clockReport(LocalTime now) const;
     void show(LocalTime now);
@@ -56,6 +58,11 @@ private:
     NodeBoard& m_board;
     SyncClient m_core;
     Publications m_publications;
+    ShownViews m_views{[this](ObjectId id, SessionTime t) { return shownPose(id, t); },
+                       [this](ObjectId id, SessionTime t) {
+                           return m_publications.measured(id, m_state, m_core.self(), t);
+                       }};
+    LocalTime m_nextViews = LocalTime::max();
     SessionState m_state;
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;

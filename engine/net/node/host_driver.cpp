@@ -259,6 +259,21 @@ void HostDriver::share(const SharedObject& object)
         m_board.objects.add(object.id);
 }
 
+std::optional<RigidTransform> HostDriver::shownPose(ObjectId object, SessionTime t) const
+{
+    return shownPoseOf(m_core->actions(), m_board.objects, object, t, m_core->localTime(t));
+}
+
+void HostDriver::compareViews(LocalTime now)
+{
+    if (m_stored.state().objects().empty())
+        return;
+    const SessionTime session = m_core->sessionTime(now);
+    for (const ShownPose& own : m_views.advance(m_stored.state(), kSelf, session))
+        m_core->tellShown(own);
+    m_nextViews = now + (m_views.nextDue(session) - session);
+}
+
 void HostDriver::propose(StationId station, FactBody body, LocalTime now)
 {
     const bool isAwaited = !isByItself(body);
@@ -355,6 +370,7 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
 {
     takeReport(now);
     sendOwnStreams(now);
+    compareViews(now);
     dismissRemoved(now);
     m_core->advance(now);
     dropAbsent(now);
@@ -366,6 +382,8 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     handOver(now);
     for (const StreamSample& sample : output.streams)
         m_board.objects.take(sample.cpo, m_core->sessionTime(now));
+    for (const ShownPose& shown : output.shown)
+        m_views.compare(shown);
     show(now);
     std::ranges::move(output.ended, std::back_inserter(m_ended));
     std::ranges::move(std::exchange(m_tokens, {}), std::back_inserter(output.datagrams));
@@ -376,8 +394,8 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokens.empty())
         return LocalTime::min();
-    const LocalTime wake =
-        std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd, m_paths.nextWake()});
+    const LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
+                                     m_nextViews, m_paths.nextWake()});
     if (m_writer->isBusy())
         return wake; // it wakes by its report
     if (!m_unstored.empty())
@@ -426,6 +444,7 @@ void HostDriver::show(LocalTime now)
     view.clockReport = ClockReport{offset};
     view.state = m_shownState;
     m_board.showActions(view, m_core->actions());
+    view.drifts = m_views.drifts();
     for (const auto& [address, peer] : m_core->peers())
         view.links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
     m_board.showPaths(view, now, [&] { return measurePaths(now); });

@@ -104,6 +104,8 @@ private:
     void take(const StoreReport& report, LocalTime now);
     void takeMoved(const Result<std::optional<std::filesystem::path>>& moved);
     void share(const SharedObject& object);
+    void compareViews(LocalTime now);
+    [[nodiscard]] std::optional<RigidTransform> shownPose(ObjectId object, SessionTime t) const;
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
     [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;
@@ -130,6 +132,12 @@ private:
     Datagrams m_tokens;                   // to be sent
     std::vector<ParticipantId> m_removed; // to be told
     Publications m_publications;
+    ShownViews m_views{[this](ObjectId id, SessionTime t) { return shownPose(id, t); },
+                       [this](ObjectId id, SessionTime t) {
+                           return m_publications.measured(id, m_stored.state(), ParticipantId{0},
+                                                          t);
+                       }};
+    LocalTime m_nextViews = LocalTime::max();
     std::uint16_t m_epoch = 0;
     std::map<ObjectId, EventCpo> m_unkept; // not stored on disk yet
     LocalTime m_nextKeep{};

@@ -48,13 +48,17 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
         auto report = std::ranges::find(reports, id, &ObjectReport::object);
         if (report == reports.end())
             report = reports.insert(reports.end(), ObjectReport{id});
-        report->driftDeg = inDegrees(figures.drift.rotation);
-        report->driftMm = inMillimetres(figures.drift.position);
         report->limitDeg = inDegrees(figures.limit.rotation);
         report->limitMm = inMillimetres(figures.limit.position);
         report->delay = figures.delay;
         report->actionsPerS = shared->analysis().actionFrequency(id, now);
     }
+    const auto drifts = view().drifts;
+    for (ObjectReport& report : reports)
+        if (const auto drift = drifts->find(report.object); drift != drifts->end()) {
+            report.driftDeg = inDegrees(drift->second.rotation);
+            report.driftMm = inMillimetres(drift->second.position);
+        }
     return reports;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/net/node/session_node.h"
 #include "engine/net/objects/remote_objects.h"
+#include "engine/net/objects/shown_views.h"
 #include "engine/sync/actions/shared_actions.h"
 #include "engine/sync/clock/clock_mapping.h"
 #include "engine/sync/connection/peer_link.h"
@@ -25,6 +26,7 @@ public:
         std::optional<ClockReport> clockReport;
         std::shared_ptr<const SessionState> state = std::make_shared<SessionState>();
         std::shared_ptr<const SharedActions> actions = std::make_shared<SharedActions>();
+        std::shared_ptr<const ShownViews::Drifts> drifts = std::make_shared<ShownViews::Drifts>();
         std::vector<FactBody> pending;
         std::vector<Link> links;
         std::shared_ptr<const std::vector<PathReport>> paths =

@@ -47,9 +47,11 @@ struct ClockReport {
 /// Measurements of a shared object at this node.
 struct ObjectReport {
     ObjectId object;
-    Duration age{};        ///< of the newest sample of it, at the time of the report
-    double driftDeg = 0.0; ///< how far the last update moved the drawn object
-    double driftMm = 0.0;
+    Duration age{}; ///< of the newest sample of it, at the time of the report
+    /// Between what this node and the object's owner showed at the same session time, a few times a
+    /// second; nothing before the first comparison, and for an own object.
+    std::optional<double> driftDeg{};
+    std::optional<double> driftMm{};
     std::optional<double> turnDegPerS{}; ///< angular speed; nothing where its owner has none
     std::optional<double> moveMmPerS{};  ///< speed of its origin, likewise
     std::optional<double> actionsPerS{}; ///< v_k, by time of arrival here (ApplicationAnalysis)

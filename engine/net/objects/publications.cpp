@@ -31,6 +31,7 @@ void Publications::forget()
     for (Publication& publication : m_publications) {
         publication.toldOf = false;
         publication.lastSent = SessionTime::min();
+        publication.sent->clear();
     }
 }
 
@@ -52,12 +53,23 @@ std::vector<Publications::Outgoing> Publications::sample(const SessionState& sta
         if (!newest || newest->time <= publication.lastSent)
             continue;
         publication.lastSent = newest->time;
+        publication.sent->push(*newest);
         StreamCpo cpo = toStream(*newest);
         cpo.object = *id;
         cpo.sequence = ++publication.sequence;
         samples.push_back({publication.station, cpo});
     }
     return samples;
+}
+
+std::optional<RigidTransform> Publications::measured(ObjectId object, const SessionState& state,
+                                                     ParticipantId self, SessionTime t) const
+{
+    for (const Publication& publication : m_publications)
+        if (idOf(publication, state, self) == object)
+            if (const auto pose = publication.sent->at(t); pose && pose->validity != Validity::Lost)
+                return pose->X_FO;
+    return std::nullopt;
 }
 
 std::optional<ObjectId> Publications::idOf(const Publication& publication,

@@ -3,6 +3,9 @@
 #include "engine/net/node/session_node.h"
 #include "engine/sync/streams/stream_tick.h"
 #include "engine/sync/wire/stream_cpo.h"
+#include "engine/tracking/pose_history.h"
+
+#include <memory>
 
 namespace carina
 {
@@ -28,6 +31,10 @@ public:
     /// Resets for another session: no object is known there.
     void forget();
 
+    /// X_A<object> as it was measured at session time t; nothing where it was not.
+    [[nodiscard]] std::optional<RigidTransform> measured(ObjectId object, const SessionState& state,
+                                                         ParticipantId self, SessionTime t) const;
+
     [[nodiscard]] LocalTime nextTick() const;
     /// At a tick, the samples newer than the last sent, of objects that the session lists.
     [[nodiscard]] std::vector<Outgoing> sample(const SessionState& state, ParticipantId self,
@@ -42,6 +49,7 @@ private:
         bool toldOf = false;
         std::uint16_t sequence = 0;
         SessionTime lastSent = SessionTime::min();
+        std::unique_ptr<PoseHistory> sent = std::make_unique<PoseHistory>();
     };
     [[nodiscard]] static std::optional<ObjectId>
     idOf(const Publication& publication, const SessionState& state, ParticipantId self);

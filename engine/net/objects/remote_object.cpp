@@ -5,17 +5,15 @@
 namespace carina
 {
 
-std::optional<Drift> RemoteObject::take(const StreamCpo& cpo, SessionTime drawn)
+void RemoteObject::take(const StreamCpo& cpo, SessionTime drawn)
 {
     const std::scoped_lock lock{m_mutex};
     StreamCpo next = cpo;
     if (next.validity == StreamValidity::Lost)
         next.motion.reset(); // where it was last, not where it goes
-    const bool wasSeen = m_newest && m_newest->validity != Validity::Lost;
-    const auto drift = m_ahead.take(next, drawn);
+    m_ahead.take(next, drawn);
     m_newest = fromStream(next);
     m_past.push(*m_newest);
-    return wasSeen && next.validity != StreamValidity::Lost ? drift : std::nullopt;
 }
 
 std::optional<PoseSample> RemoteObject::at(SessionTime t) const

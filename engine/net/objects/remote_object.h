@@ -18,8 +18,7 @@ class RemoteObject
 {
 public:
     /// Adds the next sample, newer than the last; `drawn` is the session time being drawn.
-    /// @returns how far it moves the drawn object; nothing where one of the two poses is lost.
-    std::optional<Drift> take(const StreamCpo& cpo, SessionTime drawn);
+    void take(const StreamCpo& cpo, SessionTime drawn);
 
     /// X_AO at session time t; nothing before the first sample. Lost where it was not tracked, and
     /// more than StreamView::kStaleAfter after the newest sample. Without velocity once the

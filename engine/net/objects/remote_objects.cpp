@@ -7,7 +7,7 @@ void RemoteObjects::add(ObjectId object)
 {
     const std::scoped_lock lock{m_mutex};
     if (!m_objects.contains(object))
-        m_objects.emplace(object, Object{std::make_shared<RemoteObject>()});
+        m_objects.emplace(object, std::make_shared<RemoteObject>());
 }
 
 void RemoteObjects::remove(ObjectId object)
@@ -30,8 +30,7 @@ void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
     const auto found = m_objects.find(cpo.object);
     if (found == m_objects.end())
         return;
-    if (const auto drift = found->second.poses->take(cpo, drawn))
-        found->second.drift = *drift;
+    found->second->take(cpo, drawn);
     m_analysis.acted(cpo.object, cpo.time);
 }
 
@@ -39,7 +38,7 @@ std::shared_ptr<const RemoteObject> RemoteObjects::find(ObjectId object) const
 {
     const std::scoped_lock lock{m_mutex};
     const auto found = m_objects.find(object);
-    return found == m_objects.end() ? nullptr : found->second.poses;
+    return found == m_objects.end() ? nullptr : found->second;
 }
 
 std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
@@ -47,9 +46,8 @@ std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
     const std::scoped_lock lock{m_mutex};
     std::vector<ObjectReport> reports;
     for (const auto& [id, object] : m_objects)
-        if (const auto newest = object.poses->newest()) {
-            reports.push_back({id, now - newest->time, inDegrees(object.drift.rotation),
-                               inMillimetres(object.drift.position)});
+        if (const auto newest = object->newest()) {
+            reports.push_back({id, now - newest->time});
             reports.back().actionsPerS = m_analysis.actionFrequency(id, now);
             if (newest->motion && newest->validity != Validity::Lost) {
                 reports.back().turnDegPerS = inDegrees(radians(newest->motion->w_FO.norm()));

@@ -19,20 +19,15 @@ public:
     void remove(ObjectId object);
     void clear();
 
-    /// Adds a sample while session time `drawn` is being drawn, and measures the drift.
+    /// Adds a sample while session time `drawn` is being drawn.
     void take(const StreamCpo& cpo, SessionTime drawn);
 
     [[nodiscard]] std::shared_ptr<const RemoteObject> find(ObjectId object) const;
     [[nodiscard]] std::vector<ObjectReport> reports(SessionTime now) const;
 
 private:
-    struct Object {
-        std::shared_ptr<RemoteObject> poses; // also held by the viewers that draw from it
-        Drift drift{};
-    };
-
     mutable std::mutex m_mutex;
-    std::map<ObjectId, Object> m_objects;
+    std::map<ObjectId, std::shared_ptr<RemoteObject>> m_objects; // viewers draw from them too
     ApplicationAnalysis m_analysis;
 };
 

@@ -55,17 +55,19 @@ bool SharedActions::share(ObjectId object, const Ownership& ownership)
     return isNew || std::exchange(place->second, ownership) != ownership;
 }
 
+std::optional<ParticipantId> SharedActions::ownerOf(ObjectId object) const
+{
+    const auto found = m_owners.find(object);
+    return found == m_owners.end() ? std::nullopt : std::optional{found->second.owner};
+}
+
 bool SharedActions::isOwners(ParticipantId who, const EventCpo& event) const
 {
     const auto found = m_owners.find(event.object);
     return found != m_owners.end() && found->second == Ownership{who, event.epoch};
 }
 
-bool SharedActions::isOwn(ObjectId object) const
-{
-    const auto found = m_owners.find(object);
-    return found != m_owners.end() && found->second.owner == m_self;
-}
+bool SharedActions::isOwn(ObjectId object) const { return ownerOf(object) == m_self; }
 
 Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& action, SessionTime t,
                                       LocalTime drawn) const

@@ -49,6 +49,8 @@ public:
 
     /// Sets the ownership of an object, taken from the facts. @returns whether it changed.
     bool share(ObjectId object, const Ownership& ownership);
+    /// Nothing for an object that is not shared.
+    [[nodiscard]] std::optional<ParticipantId> ownerOf(ObjectId object) const;
     /// Whether `who` is the present owner of the action's object, under the epoch of the action.
     [[nodiscard]] bool isOwners(ParticipantId who, const EventCpo& event) const;
     /// Whether this node owns the object.

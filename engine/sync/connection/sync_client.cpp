@@ -67,6 +67,11 @@ struct SyncClient::Visitor {
         if (client.m_state == State::Connected)
             client.m_actions.take(message, now);
     }
+    void operator()(const ShownPose& shown) const
+    {
+        if (client.m_state == State::Connected)
+            client.m_output.shown.push_back(shown);
+    }
     void operator()(const LagNeeded& needed) const { client.m_actions.setNeededLag(needed.lag); }
     template <class Other> void operator()(const Other&) const {}
 
@@ -115,7 +120,8 @@ LocalTime SyncClient::nextWake() const
         return m_nextHello;
     return std::min({m_link.lastHeard() + kPeerTimeout, m_link.lastSent() + keepAlive(),
                      m_acknowledge ? LocalTime::min() : LocalTime::max(), m_proposals.nextDue(),
-                     m_actions.nextDue(), m_outgoing.empty() ? LocalTime::max() : m_tick.next()});
+                     m_actions.nextDue(), m_outgoing.empty() ? LocalTime::max() : m_tick.next(),
+                     m_shown.empty() ? LocalTime::max() : LocalTime::min()});
 }
 
 void SyncClient::propose(ProposalRecord proposal, LocalTime now)
@@ -189,6 +195,7 @@ void SyncClient::startAfresh()
     m_actions.startAfresh();
     m_output.facts.clear();
     m_output.streams.clear();
+    m_output.shown.clear();
     m_output.startedAfresh = true;
 }
 
@@ -198,6 +205,7 @@ void SyncClient::reconnect(LocalTime now)
     m_link = PeerLink{m_link.connection() + 1, Duration{}, now};
     m_nextHello = now;
     m_outgoing.clear();
+    m_shown.clear();
     m_actions.disconnected();
     m_acknowledge = false;
 }
@@ -250,6 +258,7 @@ void SyncClient::sendDue(LocalTime now)
         records.emplace_back(FactAck{m_facts.last()});
     std::ranges::move(m_actions.takeDue(now), std::back_inserter(records));
     std::ranges::move(dueStreams(now), std::back_inserter(records));
+    std::ranges::copy(std::exchange(m_shown, {}), std::back_inserter(records));
     if (!records.empty() || now >= m_link.lastSent() + keepAlive())
         send(records, now);
 }

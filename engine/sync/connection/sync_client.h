@@ -42,6 +42,7 @@ public:
         std::vector<FactRecord> facts; ///< the next ones in order
         std::vector<StreamSample> streams;
         std::vector<RefusedProposal> refused;
+        std::vector<ShownPose> shown; ///< by the owners of the objects
     };
 
     /// @param join the fact that this participant joins, proposed with every Hello
@@ -68,6 +69,12 @@ public:
     void setOthers(std::vector<ParticipantId> others, LocalTime now)
     {
         m_actions.setOthers(std::move(others), now);
+    }
+    /// What was shown of an own object, for all others to compare with.
+    void tellShown(const ShownPose& shown)
+    {
+        if (m_state == State::Connected)
+            m_shown.push_back(shown);
     }
     /// Queues a sample of an own object for the next tick.
     void publish(StationId station, const StreamCpo& cpo);
@@ -130,6 +137,7 @@ private:
     StreamTable m_table;
     StreamTick m_tick;
     std::map<ObjectId, StreamSample> m_outgoing; // the newest of each
+    std::vector<ShownPose> m_shown;              // to be sent
     ClientActions m_actions;
     Output m_output;
 };

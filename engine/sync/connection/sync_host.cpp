@@ -49,6 +49,14 @@ struct SyncHost::Visitor {
     void operator()(const EventCpo& event) const { take(event); }
     void operator()(const EventBeat& beat) const { take(beat); }
     void operator()(const EventAck& ack) const { host.m_actions.acknowledge(from, ack); }
+    void operator()(const ShownPose& shown) const
+    {
+        if (host.m_actions.shared().ownerOf(shown.object) != peer.participant
+            || !peer.budget.takesMessage(now))
+            return;
+        host.m_output.shown.push_back(shown);
+        host.forward(shown, peer.participant);
+    }
     void operator()(const StrategyMessage& message) const
     {
         if (peer.budget.takesMessage(now))
@@ -139,6 +147,13 @@ LocalTime SyncHost::nextWake() const
                          peer.link.lastSent() + kKeepAlive, peer.facts.nextDue(logEnd())});
     }
     return wake;
+}
+
+void SyncHost::forward(const ShownPose& shown, ParticipantId from)
+{
+    for (auto& [address, peer] : m_peers)
+        if (peer.participant != from)
+            peer.outbox.emplace_back(shown);
 }
 
 void SyncHost::append(const FactRecord& fact)

@@ -78,6 +78,7 @@ public:
         };
         std::vector<Addressed> datagrams;
         std::vector<StreamSample> streams; ///< of other participants
+        std::vector<ShownPose> shown;      ///< by the owners of the objects
         std::vector<PeerAddress> ended;    ///< paths that are to be closed after the datagrams
         struct Displaced {
             PeerAddress address;
@@ -122,6 +123,8 @@ public:
     void append(const FactRecord& fact);
     /// Tells who waits for a fact that it could not be stored.
     void giveUp(const FactRecord& fact, Errc why, LocalTime now);
+    /// What was shown of an object of the host, for all others to compare with.
+    void tellShown(const ShownPose& shown) { forward(shown, kNobody); }
     /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
     /// The session's strategy, taken from the facts.
@@ -152,6 +155,10 @@ public:
     {
         return SessionTime{t.time_since_epoch() + m_clockOffset};
     }
+    [[nodiscard]] LocalTime localTime(SessionTime t) const
+    {
+        return LocalTime{t.time_since_epoch() - m_clockOffset};
+    }
     [[nodiscard]] const std::map<PeerAddress, Peer>& peers() const { return m_peers; }
     /// Whether a program of this participant is connected or admitted.
     [[nodiscard]] bool isHere(ParticipantId participant) const;
@@ -176,6 +183,8 @@ private:
     void welcomeArrivals(LocalTime now);
     void welcome(PeerAddress address, const Arrival& arrival, LocalTime now);
     void remove(PeerAddress address, LocalTime now);
+    /// Passes on what its owner showed of an object.
+    void forward(const ShownPose& shown, ParticipantId from);
     void forgetParticipant(ParticipantId participant, LocalTime now);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
     void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);

@@ -28,7 +28,7 @@ void ActionMeter::arrived(const EventCpo& event, const EventCpo& before, Session
     for (const Arrival& past : m_arrivals)
         if (past.epoch == event.epoch)
             shortest = std::min(shortest, past.delay);
-    m_figures = {driftAfter(event, before, delay), driftAfter(event, before, shortest), delay};
+    m_figures = {driftAfter(event, before, shortest), delay};
 }
 
 } // namespace carina

@@ -8,19 +8,18 @@
 namespace carina
 {
 
-/// Drift and delay of actions on a shared object, at one node.
+/// Least drift and delay of actions on a shared object, at one node.
 struct ActionFigures {
-    Drift drift;      ///< how far the last action moved the drawn object on arrival
     Drift limit;      ///< the least drift that the network delay permits, see ActionMeter
     Duration delay{}; ///< of the last action, from its start to its arrival
 };
 
 /// Measures the actions on one shared object as they arrive at a node.
 ///
-/// The drift is the difference between the previous action and the new one, both evaluated for the
-/// time of arrival; 0 where the action arrives no later than it begins, as at its owner. The limit
-/// is the same difference for the shortest delay of any action under this ownership in the last
-/// kWindow: unlike the drift, it contains no retransmission or queueing.
+/// The limit is the difference between the previous action and the new one, both evaluated for the
+/// shortest delay of any action under this ownership in the last kWindow after its start; 0 where
+/// actions arrive no later than they begin, as at their owner. It assumes that a viewer goes on
+/// with the old action until it hears of the new one.
 class ActionMeter
 {
 public:

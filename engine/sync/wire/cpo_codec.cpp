@@ -17,7 +17,6 @@ constexpr std::uint8_t kTwoBits = 0x3;
 constexpr std::uint8_t kHasMotion = 0x10;
 constexpr std::uint8_t kKnownStreamFlags = 0x1F;
 
-constexpr double kUnitTolerance = 1e-9;
 constexpr float kAxisTolerance = 1e-5F;
 
 void writeStream(ByteWriter& buffer, const StreamCpo& stream)

@@ -10,6 +10,8 @@ namespace carina
 inline constexpr std::size_t kStreamGroupHeaderBytes = 11;
 inline constexpr std::size_t kStreamCpoBytes = 37;
 inline constexpr std::size_t kEventCpoBytes = 93;
+/// By how much the length of a quaternion that arrives may differ from 1.
+inline constexpr double kUnitTolerance = 1e-9;
 
 /// @pre 1 to kStreamsPerGroup streams within kGroupTimeSpan of the first; all numbers finite.
 void writeStreamGroup(ByteWriter& out, const StreamGroup& group);

@@ -3,6 +3,7 @@
 #include "engine/core/errc.h"
 #include "engine/sync/facts/fact_record.h"
 #include "engine/sync/wire/event_cpo.h"
+#include "engine/sync/wire/shown_pose.h"
 #include "engine/sync/wire/stream_cpo.h"
 
 #include <array>
@@ -106,9 +107,10 @@ struct ConnectionUnknown {
 struct Goodbye {
 };
 
-using WireRecord = std::variant<StreamGroup, EventCpo, FactRecord, ProposalRecord, FactAck,
-                                ProposalRefused, Hello, Welcome, HelloRefused, ConnectionUnknown,
-                                Goodbye, EventAck, EventBeat, StrategyMessage, LagNeeded>;
+using WireRecord =
+    std::variant<StreamGroup, EventCpo, FactRecord, ProposalRecord, FactAck, ProposalRefused, Hello,
+                 Welcome, HelloRefused, ConnectionUnknown, Goodbye, EventAck, EventBeat,
+                 StrategyMessage, LagNeeded, ShownPose>;
 
 /// One datagram, decoded.
 struct Datagram {

@@ -28,6 +28,7 @@ enum class RecordKind : std::uint8_t {
     EventBeat,
     StrategyMessage,
     LagNeeded,
+    ShownPose,
 };
 
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
@@ -168,6 +169,25 @@ StrategyMessage readStrategyMessage(ByteReader& in)
     return {{bytes.begin(), bytes.end()}};
 }
 
+ShownPose readShownPose(ByteReader& in)
+{
+    ShownPose shown;
+    shown.object.value = in.number<std::uint16_t>();
+    shown.at = SessionTime{readWireTime(in)};
+    Quat q_AO;
+    Vec3 p_AO;
+    for (double& component : q_AO.coeffs())
+        component = in.realDouble();
+    for (double& metres : p_AO)
+        metres = in.realDouble();
+    // Written so that a NaN fails too.
+    in.require(std::abs(q_AO.norm() - 1.0) <= kUnitTolerance, "rotation");
+    in.require(p_AO.allFinite(), "position");
+    if (in.ok())
+        shown.X_AO = RigidTransform{q_AO, p_AO};
+    return shown;
+}
+
 /// Writes a record's kind and fields.
 class RecordWriter
 {
@@ -254,6 +274,16 @@ public:
         m_out.number(static_cast<std::uint8_t>(message.bytes.size()));
         m_out.bytes(message.bytes);
     }
+    void operator()(const ShownPose& shown)
+    {
+        kind(RecordKind::ShownPose);
+        m_out.number(shown.object.value);
+        writeWireTime(m_out, shown.at.time_since_epoch());
+        for (const double component : shown.X_AO.rotation().coeffs())
+            m_out.real(component);
+        for (const double metres : shown.X_AO.translation())
+            m_out.real(metres);
+    }
     void operator()(const LagNeeded& needed)
     {
         kind(RecordKind::LagNeeded);
@@ -304,6 +334,8 @@ WireRecord readRecord(ByteReader& in)
         return readNamed<EventBeat>(in);
     case RecordKind::StrategyMessage:
         return readStrategyMessage(in);
+    case RecordKind::ShownPose:
+        return readShownPose(in);
     case RecordKind::LagNeeded:
         return LagNeeded{Duration{in.number<std::uint32_t>()}};
     }

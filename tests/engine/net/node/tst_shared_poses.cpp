@@ -84,16 +84,13 @@ private Q_SLOTS:
         StreamCpo cpo = cpoAt(0ms, Vec3::Zero());
         cpo.motion = StreamMotion{Vec3{0.1, 0.0, 0.0}, Vec3::Zero()};
         objects.take(cpo, cpo.time);
-        QCOMPARE(objects.reports(kStart)[0].driftMm, 0.0);
-        // 20 ms at 100 mm/s carry it 2 mm; it is found at 5 mm, turned by 0.1 rad.
         cpo = cpoAt(20ms, Vec3{0.005, 0.0, 0.0});
         cpo.X_AO =
             RigidTransform{Quat{std::cos(0.05), 0.0, 0.0, std::sin(0.05)}, cpo.X_AO.translation()};
         objects.take(cpo, cpo.time);
         const ObjectReport report = objects.reports(kStart + 50ms).at(0);
         QCOMPARE(report.object, ObjectId{1});
-        QVERIFY(std::abs(report.driftMm - 3.0) < 1e-9);
-        QVERIFY(std::abs(report.driftDeg - inDegrees(radians(0.1))) < 1e-9);
+        QVERIFY(!report.driftMm && !report.driftDeg); // its owner told of no view
         QCOMPARE(report.age, Duration{30ms});
     }
 
@@ -123,18 +120,6 @@ private Q_SLOTS:
         objects.add(ObjectId{1});
         objects.take(cpoAt(5s, Vec3::Zero()), kStart + 5s);
         QVERIFY(!objects.reports(kStart + 5s)[0].actionsPerS); // counted anew
-    }
-
-    void lostSamplesHaveNoDrift()
-    {
-        RemoteObjects objects;
-        objects.add(ObjectId{1});
-        objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
-        objects.take(cpoAt(20ms, Vec3{0.05, 0.0, 0.0}, StreamValidity::Lost), kStart + 20ms);
-        QCOMPARE(objects.reports(kStart)[0].driftMm, 0.0);
-        objects.take(cpoAt(40ms, Vec3{0.09, 0.0, 0.0}),
-                     kStart + 40ms); // nothing was shown to drift from
-        QCOMPARE(objects.reports(kStart)[0].driftMm, 0.0);
     }
 
     void posesGoStaleAfter300Milliseconds()

@@ -43,7 +43,7 @@ private Q_SLOTS:
         RemoteObject object;
         QVERIFY(!object.at(kStart));
         QVERIFY(!object.newest());
-        QVERIFY(!object.take(movingAt(0ms, 0.0), kStart));
+        object.take(movingAt(0ms, 0.0), kStart);
         QVERIFY(!object.at(kStart - 1ns));
         QCOMPARE(object.at(kStart)->how, How::Exact);
     }
@@ -72,8 +72,7 @@ private Q_SLOTS:
         RemoteObject object;
         object.take(movingAt(0ms, 0.0), kStart);
         const double before = xAt(object, 50ms);
-        const auto drift = object.take(movingAt(20ms, 0.020 * kSpeed + 0.005), kStart + 50ms);
-        QVERIFY(std::abs(drift->position.si - 0.005) < kExact);
+        object.take(movingAt(20ms, 0.020 * kSpeed + 0.005), kStart + 50ms);
         QVERIFY(std::abs(xAt(object, 50ms) - before) < kExact);
         for (Duration t = 50ms; t < 110ms; t += 10us)
             QVERIFY(std::abs(xAt(object, t + 10us) - xAt(object, t)) < kTinyStep);
@@ -99,8 +98,6 @@ private Q_SLOTS:
         QCOMPARE(shown.validity, Validity::Lost);
         QVERIFY(!shown.motion);
         QVERIFY(std::abs(shown.X_FO.translation().x() - 0.3) < kExact);
-        QVERIFY(!object.take(movingAt(20ms, 0.0), kStart + 20ms)); // nothing was seen to drift from
-        QVERIFY(!object.take(movingAt(40ms, 0.5, StreamValidity::Lost), kStart + 40ms));
     }
 };
 

@@ -34,44 +34,38 @@ private Q_SLOTS:
     void nothingCameYet()
     {
         const ActionFigures figures = ActionMeter{}.figures();
-        QCOMPARE(figures.drift.rotation.si, 0.0);
         QCOMPARE(figures.limit.rotation.si, 0.0);
         QCOMPARE(figures.delay, Duration{});
     }
 
-    void driftIsTheChangeOfVelocityTimesTheDelay()
+    void limitIsTheChangeOfVelocityTimesTheDelay()
     {
         ActionMeter meter;
         meter.arrived(turnAt(kBegin, 2.0F), turnAt(kBegin, 0.5F), kBegin + 40ms);
         const ActionFigures& figures = meter.figures();
-        QVERIFY(isNear(figures.drift.rotation.si, 1.5 * 0.040));
         QVERIFY(isNear(figures.limit.rotation.si, 1.5 * 0.040));
-        QVERIFY(isNear(figures.drift.position.si, 0.0));
+        QVERIFY(isNear(figures.limit.position.si, 0.0));
         QCOMPARE(figures.delay, Duration{40ms});
     }
 
-    void whoPutsAnObjectElsewhereHasNoDrift()
+    void whoPutsAnObjectElsewhereHasNoLimit()
     {
         EventCpo away = turnAt(kBegin - 1s, 0.0F);
         away.p_AO = Vec3{0.5, 0.0, 0.0};
         ActionMeter meter;
         meter.arrived(turnAt(kBegin, 0.0F), away, kBegin);
-        QCOMPARE(meter.figures().drift.position.si, 0.0);
-        // Elsewhere it was drawn in the wrong place until word of it came.
-        meter.arrived(turnAt(kBegin, 0.0F), away, kBegin + 1ns);
-        QVERIFY(isNear(meter.figures().drift.position.si, 0.5));
         QCOMPARE(meter.figures().limit.position.si, 0.0);
     }
 
-    void driftOfATranslationIsADistance()
+    void limitOfATranslationIsADistance()
     {
         EventCpo push = turnAt(kBegin, 0.25F);
         push.kind = ActionKind::Translation;
         ActionMeter meter;
         meter.arrived(push, turnAt(kBegin, 0.0F), kBegin + 100ms);
         const ActionFigures& figures = meter.figures();
-        QVERIFY(isNear(figures.drift.position.si, 0.025));
-        QVERIFY(isNear(figures.drift.rotation.si, 0.0));
+        QVERIFY(isNear(figures.limit.position.si, 0.025));
+        QVERIFY(isNear(figures.limit.rotation.si, 0.0));
     }
 
     void limitIsOfTheShortestDelay()
@@ -80,7 +74,6 @@ private Q_SLOTS:
         meter.arrived(turnAt(kBegin, 1.0F), turnAt(kBegin, 0.0F), kBegin + 20ms);
         meter.arrived(turnAt(kBegin + 1s, 1.0F), turnAt(kBegin + 1s, 0.0F), kBegin + 1s + 50ms);
         const ActionFigures& figures = meter.figures();
-        QVERIFY(isNear(figures.drift.rotation.si, 0.050));
         QVERIFY(isNear(figures.limit.rotation.si, 0.020));
         QCOMPARE(figures.delay, Duration{50ms});
     }
@@ -110,7 +103,7 @@ private Q_SLOTS:
         ActionMeter meter;
         meter.arrived(turnAt(kBegin, 1.0F), turnAt(kBegin, 0.0F), kBegin - 1ms);
         QCOMPARE(meter.figures().delay, Duration{});
-        QCOMPARE(meter.figures().drift.rotation.si, 0.0);
+        QCOMPARE(meter.figures().limit.rotation.si, 0.0);
     }
 
     void forgetsAllButTheLastHundredDelays()

@@ -140,6 +140,13 @@ inline std::vector<GoldenRecord> goldenRecords()
         {"message of the strategy",
          StrategyMessage{{std::byte{0xaa}, std::byte{0xbb}, std::byte{0xcc}}}, "0e  03  aa bb cc"},
         {"needed lag", LagNeeded{Duration{0x01020304}}, "0f  04 03 02 01"},
+        {"shown pose",
+         ShownPose{ObjectId{0x0102}, SessionTime{Duration{0x0304}},
+                   RigidTransform{Quat{0.0, 1.0, 0.0, 0.0}, Vec3{1.0, 2.0, -0.5}}},
+         "10  02 01  04 03 00 00 00 00 00 00"
+         "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 00"
+         "00 00 00 00 00 00 00 00  00 00 00 00 00 00 00 00"
+         "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 40  00 00 00 00 00 00 e0 bf"},
     };
 }
 

@@ -142,7 +142,7 @@ private Q_SLOTS:
         row("sent beyond the range of times", 4, -20, "01 00 00 00 00 00 00 20", "time");
         row("sent before the range of times", 4, -20, "ff ff ff ff ff ff ff df", "time");
         row("record kind zero", 4, 0, "00", "record kind");
-        row("record kind above the last", 4, 0, "10", "record kind");
+        row("record kind above the last", 4, 0, "11", "record kind");
         row("record kind above all", 4, 0, "ff", "record kind");
         row("no streams", 0, 11, "00", "stream count");
         row("too many streams", 0, 11, "1f", "stream count");
@@ -194,6 +194,8 @@ private Q_SLOTS:
         row("strategy without a message", 14, 1, "00", "length of a strategy's message");
         row("strategy with too long a message", 14, 1, "81", "length of a strategy's message");
         row("strategy with a message cut short", 14, 1, "04", "length");
+        row("shown rotation too long", 16, 11, "00 00 80 00 00 00 f0 3f", "rotation");
+        row("shown position infinite", 16, 43, "00 00 00 00 00 00 f0 7f", "position");
     }
 
     void refusesWhatBreaksARule()

@@ -1,0 +1,66 @@
+#include "engine/net/objects/shown_views.h"
+
+#include <utility>
+
+namespace carina
+{
+
+std::optional<RigidTransform> shownPoseOf(const SharedActions& actions, const RemoteObjects& others,
+                                          ObjectId object, SessionTime t, LocalTime drawn)
+{
+    if (const auto acted = actions.shown(object, t, drawn, drawn))
+        return acted->acted.X_AO;
+    const auto poses = others.find(object);
+    const auto pose = poses ? poses->at(t) : std::nullopt;
+    return pose && pose->validity != Validity::Lost ? std::optional{pose->X_FO} : std::nullopt;
+}
+
+std::vector<ShownPose> ShownViews::advance(const SessionState& state, ParticipantId self,
+                                           SessionTime now)
+{
+    std::vector<ShownPose> own;
+    if (now >= m_last + kMeasuredAfter)
+        for (const ObjectId id : std::exchange(m_toMeasure, {}))
+            if (const auto X_AO = m_measuredPose(id, m_last))
+                own.push_back({id, m_last, *X_AO});
+    const SessionTime at = ViewComparison::timeBefore(now);
+    if (at <= m_last)
+        return own;
+    m_last = at;
+    for (const auto& [id, object] : state.objects()) {
+        const auto X_AO = m_shownPose(id, at);
+        if (X_AO && object.owner == self)
+            own.push_back({id, at, *X_AO});
+        else if (X_AO)
+            m_views.remember({id, at, *X_AO});
+        else if (object.owner == self)
+            m_toMeasure.push_back(id);
+    }
+    return own;
+}
+
+SessionTime ShownViews::nextDue(SessionTime now) const
+{
+    return m_toMeasure.empty() ? ViewComparison::timeBefore(now) + ViewComparison::kPeriod
+                               : m_last + kMeasuredAfter;
+}
+
+void ShownViews::compare(const ShownPose& owners)
+{
+    const auto drift = m_views.compare(owners);
+    if (!drift)
+        return;
+    Drifts drifts = *m_drifts;
+    drifts.insert_or_assign(owners.object, *drift);
+    m_drifts = std::make_shared<Drifts>(std::move(drifts));
+}
+
+void ShownViews::clear()
+{
+    m_views.clear();
+    m_drifts = std::make_shared<Drifts>();
+    m_toMeasure.clear();
+    m_last = SessionTime::min();
+}
+
+} // namespace carina

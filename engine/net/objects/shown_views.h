@@ -1,0 +1,60 @@
+#pragma once
+
+#include "engine/net/objects/remote_objects.h"
+#include "engine/session/session_state.h"
+#include "engine/sync/actions/shared_actions.h"
+#include "engine/sync/strategies/view_comparison.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace carina
+{
+
+/// X_AO of an object at session time t, local time `drawn`, as it is acted on, else as its owner's
+/// samples have it; nothing where neither is known, and where it is lost.
+[[nodiscard]] std::optional<RigidTransform> shownPoseOf(const SharedActions& actions,
+                                                        const RemoteObjects& others,
+                                                        ObjectId object, SessionTime t,
+                                                        LocalTime drawn);
+
+/// Takes note of what this node shows of the shared objects a few times a second, and compares it
+/// with what their owners showed at the same session times. Used on the node's thread.
+class ShownViews
+{
+public:
+    /// A tracked object of this node is measured for a time once samples around that time are here.
+    static constexpr Duration kMeasuredAfter = std::chrono::milliseconds{100};
+
+    /// X_AO of an object as this node shows it at session time t; nothing where it shows none.
+    using PoseOf = std::function<std::optional<RigidTransform>(ObjectId, SessionTime)>;
+    /// @param shown of objects of others, and of own ones that are acted on
+    /// @param measured of own tracked objects
+    ShownViews(PoseOf shown, PoseOf measured)
+        : m_shownPose{std::move(shown)}, m_measuredPose{std::move(measured)}
+    {
+    }
+
+    /// @returns what was shown of own objects, to be sent to all others
+    [[nodiscard]] std::vector<ShownPose> advance(const SessionState& state, ParticipantId self,
+                                                 SessionTime now);
+    /// When advance() is to be called next. @param now present session time
+    [[nodiscard]] SessionTime nextDue(SessionTime now) const;
+    void compare(const ShownPose& owners);
+    void clear();
+
+    using Drifts = std::map<ObjectId, Drift>;
+    /// The newest comparison of each object; shared with the threads that read it.
+    [[nodiscard]] const std::shared_ptr<const Drifts>& drifts() const { return m_drifts; }
+
+private:
+    PoseOf m_shownPose;
+    PoseOf m_measuredPose;
+    ViewComparison m_views;
+    std::shared_ptr<const Drifts> m_drifts = std::make_shared<Drifts>();
+    SessionTime m_last = SessionTime::min();
+    std::vector<ObjectId> m_toMeasure; // at m_last
+};
+
+} // namespace carina

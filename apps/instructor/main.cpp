@@ -131,7 +131,7 @@ struct Reach {
     std::uint16_t port = 0;
     bool open = false;
     std::optional<CertificateFiles> certificate{};
-    std::optional<StrategyChoice> strategy{};
+    std::optional<StrategyKind> strategy{};
     std::filesystem::path anatomyCache{}; ///< that the patient is in, if it was imported
 };
 
@@ -147,7 +147,7 @@ Result<Reach> reachOptions(const QCommandLineParser& parser)
             return fail(Errc::WrongOption,
                         "--strategy takes one of "
                             + strategyNames().join(QStringLiteral(", ")).toStdString());
-        reach.strategy = StrategyChoice{.kind = strategy->kind};
+        reach.strategy = strategy->kind;
     }
     if (program::importsPatient(parser))
         reach.anatomyCache = AnatomyCache::defaultFolder();

@@ -26,7 +26,7 @@ PeerLimits limitsOf(Role role)
                 .proposals = 2.0,
                 .events = 0.0,
                 .samples = 0.0,
-                .messages = 500.0};
+                .messages = 1000.0};
     }
     return {};
 }

@@ -35,7 +35,7 @@ struct DriftFigures {
     double timeAverage = 0.0;         ///< mean over time
     double p95 = 0.0;                 ///< over time
     double position = 0.0;            ///< mean over time
-    double limit = 0.0;               ///< lower bound of timeAverage for any strategy
+    double limit = 0.0;               ///< lower bound of timeAverage unless the actor waits
     double positionLimit = 0.0;       ///< lower bound of position
     double response = 0.0;            ///< mean, from an action to its beginning in its actor's view
     std::optional<double> clockError; ///< mean |session clock - host's|, if there is one

@@ -16,8 +16,10 @@ std::vector<StrategyModel::Entry> StrategyModel::entries()
          tr("Every action is dated on one clock and repeated until it has arrived: as near to the "
             "physical limit as the clock is right. The usual one.")},
         {StrategyKind::LocalLag, tr("Local lag"),
-         tr("As the session clock, but an action begins only when it has arrived everywhere, for "
-            "who acts too: no drift, for a delay of the hand.")},
+         tr("As the session clock, but an action begins later, for who acts too: when it has "
+            "arrived "
+            "everywhere, or after the longest lag. On paths that are shorter than that there is no "
+            "drift.")},
         {StrategyKind::AsaAdaptive, tr("ASA, adaptive"),
          tr("The Adaptive Synchronization Algorithm of 2004: an action that arrives is advanced by "
             "half the round trip, which is measured more often while it varies.")},

@@ -17,7 +17,8 @@ class TestLiveDrift : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// 8 ms, at 100 deg/s: below that no viewer can be who goes by arrival, whatever the machine.
+    /// A viewer that begins an action when it arrives is late by 8 ms or more, 0.8 degrees at 100
+    /// deg/s, whatever the machine.
     void programsRunTheStrategyOfTheSession_data()
     {
         QTest::addColumn<QString>("strategy");

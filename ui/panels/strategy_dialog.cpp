@@ -17,7 +17,7 @@ constexpr int kStrategyDialogWidth = 460;
 constexpr int kSentenceLines = 4;
 constexpr int kMostDelaysAsked = 1000;
 constexpr double kSlowestProbesAsked = 0.1;
-constexpr double kFastestProbesAsked = 100.0;
+constexpr double kFastestProbesAsked = 20.0;
 
 void setUp(QDoubleSpinBox& rate)
 {
@@ -111,8 +111,8 @@ void StrategyDialog::refresh()
     const bool isAsa = kind == StrategyKind::AsaAdaptive || kind == StrategyKind::AsaFixed;
     m_delays->setEnabled(kind == StrategyKind::AsaAdaptive);
     m_start->setEnabled(isAsa);
-    m_lowest->setEnabled(kind == StrategyKind::AsaAdaptive);
-    m_highest->setEnabled(kind == StrategyKind::AsaAdaptive);
+    m_lowest->setEnabled(isAsa);
+    m_highest->setEnabled(isAsa);
     m_lag->setEnabled(kind == StrategyKind::LocalLag);
     // The first rate lies between the others, and the lowest below the highest.
     m_highest->setMinimum(m_lowest->value());

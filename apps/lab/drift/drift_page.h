@@ -69,7 +69,8 @@ inline constexpr Key kPosition{"position_mean_mm",
                                "mean distance of the moved object from the truth, over time"};
 inline constexpr Key kLimit{
     "limit_time_average_deg",
-    "time average that no strategy can be below with the delays of the run"};
+    "time average that no strategy can be below with the delays of the run, unless the actor "
+    "waits, as with local-lag"};
 inline constexpr Key kRatio{"ratio_to_limit", "time average to that; null where the limit is 0"};
 inline constexpr Key kResponse{"response_ms",
                                "mean time from an action to its beginning in its actor's own view"};

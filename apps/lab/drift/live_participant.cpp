@@ -31,7 +31,7 @@ Result<std::unique_ptr<SessionNode>> makeNode(const LiveOrders& orders, const QS
                                       .participantName = orders.name,
                                       .port = orders.port,
                                       .open = orders.isOpen,
-                                      .strategy = StrategyChoice{.kind = orders.strategy},
+                                      .strategy = orders.strategy,
                                       .derive = derive},
                                      std::move(store));
         });

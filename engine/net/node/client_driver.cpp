@@ -87,6 +87,7 @@ void ClientDriver::receive(PeerAddress from, std::span<const std::byte> bytes, L
 {
     if (from != m_host)
         return;
+    compareViews(now); // by what was known until now
     if (const auto token = decodeToken(bytes)) {
         m_credentials.keepToken(*token);
         m_tokenReplaced = false;
@@ -174,6 +175,7 @@ void ClientDriver::sendOwnStreams(LocalTime now)
 
 void ClientDriver::compareViews(LocalTime now)
 {
+    m_nextViews = LocalTime::max();
     const auto& clock = m_core.clock().mapping();
     if (!clock || m_state.objects().empty())
         return;

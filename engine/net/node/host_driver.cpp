@@ -163,9 +163,10 @@ Result<void> HostDriver::begin(const HostSettings& settings, const std::string& 
 
 Result<void> HostDriver::chooseStrategy(const HostSettings& settings, LocalTime now)
 {
-    if (!settings.strategy || *settings.strategy == m_decided.state().strategy())
+    StrategyChoice choice = m_decided.state().strategy();
+    if (!settings.strategy || std::exchange(choice.kind, *settings.strategy) == *settings.strategy)
         return {};
-    return decideByHost(kFirstStation, fact::StrategyChosen{*settings.strategy}, now);
+    return decideByHost(kFirstStation, fact::StrategyChosen{choice}, now);
 }
 
 void HostDriver::joinItself(const std::string& name, LocalTime now)
@@ -266,6 +267,7 @@ std::optional<RigidTransform> HostDriver::shownPose(ObjectId object, SessionTime
 
 void HostDriver::compareViews(LocalTime now)
 {
+    m_nextViews = LocalTime::max();
     if (m_stored.state().objects().empty())
         return;
     const SessionTime session = m_core->sessionTime(now);
@@ -470,6 +472,7 @@ void HostDriver::refused(const Error& why, LocalTime) { m_refusal = why; }
 
 void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
+    compareViews(now); // by what was known until now
     if (!isTokenRequest(bytes)) {
         m_speaker = from;
         m_core->receive(from, bytes, now);

@@ -56,8 +56,8 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
     const auto drifts = view().drifts;
     for (ObjectReport& report : reports)
         if (const auto drift = drifts->find(report.object); drift != drifts->end()) {
-            report.driftDeg = inDegrees(drift->second.rotation);
-            report.driftMm = inMillimetres(drift->second.position);
+            report.driftDeg = inDegrees(drift->second.drift.rotation);
+            report.driftMm = inMillimetres(drift->second.drift.position);
         }
     return reports;
 }

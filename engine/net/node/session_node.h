@@ -81,7 +81,7 @@ struct HostSettings {
     std::uint16_t port = 0;      ///< UDP, and TCP for anatomy; 0 takes a free one
     bool open = false;           ///< reachable from other computers; else from this one only
     /// How acted-on objects are kept alike; nothing: as before, by the session clock at first.
-    std::optional<StrategyChoice> strategy{};
+    std::optional<StrategyKind> strategy{};
     /// File for codes, keys and tokens, beside the store; empty: in memory only.
     std::filesystem::path secrets{};
     /// Clients must check this certificate; nothing: a code's key authenticates host and guest.

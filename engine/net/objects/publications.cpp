@@ -67,7 +67,8 @@ std::optional<RigidTransform> Publications::measured(ObjectId object, const Sess
 {
     for (const Publication& publication : m_publications)
         if (idOf(publication, state, self) == object)
-            if (const auto pose = publication.sent->at(t); pose && pose->validity != Validity::Lost)
+            if (const auto pose = publication.sent->at(t);
+                pose && pose->validity != Validity::Lost && pose->how != How::Predicted)
                 return pose->X_FO;
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include "engine/net/objects/shown_views.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -27,6 +28,7 @@ std::vector<ShownPose> ShownViews::advance(const SessionState& state, Participan
     if (at <= m_last)
         return own;
     m_last = at;
+    forgetOld(state, self, now);
     for (const auto& [id, object] : state.objects()) {
         const auto X_AO = m_shownPose(id, at);
         if (X_AO && object.owner == self)
@@ -37,6 +39,20 @@ std::vector<ShownPose> ShownViews::advance(const SessionState& state, Participan
             m_toMeasure.push_back(id);
     }
     return own;
+}
+
+void ShownViews::forgetOld(const SessionState& state, ParticipantId self, SessionTime now)
+{
+    const auto isOld = [&](const auto& entry) {
+        const auto object = state.objects().find(entry.first);
+        return now > entry.second.at + kHolds || object == state.objects().end()
+               || object->second.owner == self;
+    };
+    if (std::ranges::none_of(*m_drifts, isOld))
+        return;
+    Drifts drifts = *m_drifts;
+    std::erase_if(drifts, isOld);
+    m_drifts = std::make_shared<Drifts>(std::move(drifts));
 }
 
 SessionTime ShownViews::nextDue(SessionTime now) const
@@ -51,7 +67,7 @@ void ShownViews::compare(const ShownPose& owners)
     if (!drift)
         return;
     Drifts drifts = *m_drifts;
-    drifts.insert_or_assign(owners.object, *drift);
+    drifts.insert_or_assign(owners.object, Compared{*drift, owners.at});
     m_drifts = std::make_shared<Drifts>(std::move(drifts));
 }
 

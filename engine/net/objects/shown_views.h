@@ -26,6 +26,8 @@ class ShownViews
 public:
     /// A tracked object of this node is measured for a time once samples around that time are here.
     static constexpr Duration kMeasuredAfter = std::chrono::milliseconds{100};
+    /// How long a comparison holds.
+    static constexpr Duration kHolds = std::chrono::seconds{2};
 
     /// X_AO of an object as this node shows it at session time t; nothing where it shows none.
     using PoseOf = std::function<std::optional<RigidTransform>(ObjectId, SessionTime)>;
@@ -44,11 +46,19 @@ public:
     void compare(const ShownPose& owners);
     void clear();
 
-    using Drifts = std::map<ObjectId, Drift>;
-    /// The newest comparison of each object; shared with the threads that read it.
+    /// A comparison for this session time.
+    struct Compared {
+        Drift drift;
+        SessionTime at{};
+    };
+    using Drifts = std::map<ObjectId, Compared>;
+    /// The newest comparison of each object of others, of the last kHolds; shared with the threads
+    /// that read it.
     [[nodiscard]] const std::shared_ptr<const Drifts>& drifts() const { return m_drifts; }
 
 private:
+    void forgetOld(const SessionState& state, ParticipantId self, SessionTime now);
+
     PoseOf m_shownPose;
     PoseOf m_measuredPose;
     ViewComparison m_views;

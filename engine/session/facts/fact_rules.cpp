@@ -27,7 +27,7 @@ Result<void> checkTexts(std::initializer_list<const std::string*> texts)
 
 /// Rates of probes, per second, and numbers of delays that the ASA can be given.
 constexpr double kSlowestProbes = 0.1;
-constexpr double kFastestProbes = 100.0;
+constexpr double kFastestProbes = 20.0;
 constexpr double kMostDelays = 1000.0;
 
 Result<void> checkChoice(const StrategyChoice& choice)

@@ -1,5 +1,6 @@
 #include "engine/sync/actions/client_actions.h"
 
+#include "engine/sync/strategies/relayed_message.h"
 #include "engine/sync/wire/sequence.h"
 
 #include <algorithm>
@@ -11,8 +12,12 @@ namespace carina
 void ClientActions::setStrategy(const StrategyChoice& choice, LocalTime now)
 {
     m_choice = choice;
-    m_longestLag = choice.kind == StrategyKind::LocalLag ? choice.longestLag : Duration{};
-    m_strategy.choose(choice, {m_actions.self(), m_others}, now);
+    beginStrategy(now);
+}
+
+void ClientActions::beginStrategy(LocalTime now)
+{
+    m_strategy.choose(m_choice, {m_actions.self(), m_others}, now);
     m_actions.show(m_strategy.view());
 }
 
@@ -25,16 +30,17 @@ void ClientActions::setOthers(std::vector<ParticipantId> others, LocalTime now)
 void ClientActions::startAfresh()
 {
     m_actions.clear();
+    m_choice = {};
     m_strategy = {};
     m_others.clear();
-    m_longestLag = {};
     m_repeater = EventRepeater{true};
     m_adopted.clear();
     m_acks.clear();
 }
 
-void ClientActions::disconnected()
+void ClientActions::disconnected(LocalTime now)
 {
+    beginStrategy(now);
     m_acks.clear();
     m_repeater.doubt();
 }
@@ -60,7 +66,7 @@ void ClientActions::share(ObjectId object, const Ownership& ownership)
 Result<void> ClientActions::act(ObjectId object, const ObjectAction& action, SessionTime session,
                                 LocalTime now)
 {
-    const SessionTime start = session + std::min(m_longestLag, m_neededLag);
+    const SessionTime start = session + std::min(longestLagOf(m_choice), m_neededLag);
     return m_actions.begun(object, action, start, now).map([&](const EventCpo& event) {
         m_actions.take(event, session, now);
         m_repeater.begin(event, now);
@@ -71,8 +77,10 @@ Result<void> ClientActions::act(ObjectId object, const ObjectAction& action, Ses
 
 void ClientActions::take(const StrategyMessage& message, LocalTime now)
 {
-    m_strategy.receive(message.bytes, now);
-    m_actions.show(m_strategy.view());
+    const auto relayed = decodeRelayed(message.bytes);
+    const auto* action = relayed ? std::get_if<EventCpo>(&relayed->content) : nullptr;
+    if (relayed && (!action || m_actions.isOwners(relayed->from, *action)))
+        m_strategy.receive(message.bytes, now);
 }
 
 void ClientActions::take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now)
@@ -104,6 +112,7 @@ std::vector<WireRecord> ClientActions::takeDue(LocalTime now)
         records.push_back(due.record());
     for (std::vector<std::byte>& bytes : m_strategy.takeDue(now))
         records.emplace_back(StrategyMessage{std::move(bytes)});
+    m_actions.show(m_strategy.view());
     return records;
 }
 

@@ -17,23 +17,25 @@ public:
     void setStrategy(const StrategyChoice& choice, LocalTime now);
     /// The other participants who are present.
     void setOthers(std::vector<ParticipantId> others, LocalTime now);
-    /// Own actions begin by this much later than asked for, or by the needed lag if that is less.
-    void setLongestLag(Duration lag) { m_longestLag = lag; }
-    /// As the host told.
+    /// The lag with which own actions begin everywhere at once, as the host told.
     void setNeededLag(Duration lag) { m_neededLag = lag; }
     /// Forgets everything: the host has another session.
     void startAfresh();
     /// The connection ended. Pending acknowledgements are dropped, and own actions are sent whole
     /// again on the next connection, because a restarted host may have lost what it had
-    /// acknowledged.
-    void disconnected();
+    /// acknowledged. What the strategy's messages brought is forgotten, because later ones may be
+    /// missed.
+    void disconnected(LocalTime now);
+    /// There is a connection again. What the strategy had to send meanwhile is dropped.
+    void connected(LocalTime now) { beginStrategy(now); }
 
     /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
     /// Begins an action on an object of this participant. @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, SessionTime session,
                                    LocalTime now);
-    /// A message of the strategy that the host forwarded.
+    /// A message of the strategy that the host forwarded: dropped where it is an action on an
+    /// object by another than its present owner, as known here.
     void take(const StrategyMessage& message, LocalTime now);
     /// An action that the host forwarded. @param session present session time, where it is known
     void take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
@@ -49,11 +51,12 @@ public:
     [[nodiscard]] const SharedActions& shared() const { return m_actions; }
 
 private:
+    void beginStrategy(LocalTime now);
+
     SharedActions m_actions;
     StrategyChoice m_choice;
     std::vector<ParticipantId> m_others;
     StrategyEnd m_strategy;
-    Duration m_longestLag{};
     Duration m_neededLag{};
     EventRepeater m_repeater{true}; // for objects of this participant
     // newly owned objects, whose action is still to be given to m_repeater

@@ -17,7 +17,7 @@ public:
     /// An object is stale when neither an action nor a heartbeat of it arrived for this long.
     static constexpr Duration kStaleAfter = std::chrono::milliseconds{300};
     /// Actions before the newest that are kept because it starts in the future.
-    static constexpr std::size_t kMostPending = 16;
+    static constexpr std::size_t kMostPending = 64;
     /// An action that starts further ahead than this is refused.
     static constexpr Duration kLargestLead = std::chrono::seconds{10};
 

@@ -18,8 +18,7 @@ EventAck ackOf(const EventCpo& event) { return {event.object, event.epoch, event
 
 void HostActions::setStrategy(const StrategyChoice& choice, LocalTime now)
 {
-    m_hasLag = choice.kind == StrategyKind::LocalLag;
-    m_longestLag = m_hasLag ? choice.longestLag : Duration{};
+    m_choice = choice;
     m_strategy.choose(choice, now);
     m_actions.show(m_strategy.view());
 }
@@ -76,7 +75,7 @@ void HostActions::share(ObjectId object, const Ownership& ownership)
 Result<void> HostActions::act(ObjectId object, const ObjectAction& action, SessionTime session,
                               LocalTime now)
 {
-    const SessionTime start = session + std::min(m_longestLag, lagOf(nullptr));
+    const SessionTime start = session + std::min(longestLagOf(m_choice), lagOf(nullptr));
     return m_actions.begun(object, action, start, now).map([&](const EventCpo& event) {
         m_own.begin(event, now);
         spread(kActingHost, event, session, now);
@@ -97,7 +96,6 @@ void HostActions::take(PeerAddress from, const StrategyMessage& message, bool ma
     if (!isAllowed)
         return;
     m_strategy.receive(peer->second.participant, message.bytes, now);
-    m_actions.show(m_strategy.view());
 }
 
 void HostActions::take(PeerAddress from, const EventCpo& event, SessionTime session, LocalTime now)
@@ -178,7 +176,7 @@ std::vector<WireRecord> HostActions::takeDue(PeerAddress to, LocalTime now)
         records.push_back(due.record());
     for (std::vector<std::byte>& bytes : m_strategy.takeDue(peer->second.participant))
         records.emplace_back(StrategyMessage{std::move(bytes)});
-    if (m_hasLag && now >= peer->second.nextLag) {
+    if (hasLag() && now >= peer->second.nextLag) {
         records.emplace_back(LagNeeded{lagOf(&peer->second)});
         peer->second.nextLag = now + kLagInterval;
     }
@@ -192,7 +190,7 @@ LocalTime HostActions::nextDue() const
     LocalTime next = std::min(m_own.nextDue(), m_strategy.nextDue());
     for (const auto& [address, peer] : m_peers)
         next = std::min({next, peer.acks.empty() ? peer.events.nextDue() : LocalTime::min(),
-                         m_hasLag ? peer.nextLag : LocalTime::max()});
+                         hasLag() ? peer.nextLag : LocalTime::max()});
     return next;
 }
 

@@ -27,8 +27,6 @@ public:
 
     /// The session's strategy, taken from the facts.
     void setStrategy(const StrategyChoice& choice, LocalTime now);
-    /// Whether participants are told the local lag that they need.
-    void setHasLag(bool hasLag) { m_hasLag = hasLag; }
     /// The delay of the path to or from a peer.
     void measured(PeerAddress peer, Duration oneWay);
 
@@ -76,6 +74,7 @@ private:
     };
 
     void tellParticipants(LocalTime now);
+    [[nodiscard]] bool hasLag() const { return m_choice.kind == StrategyKind::LocalLag; }
     /// The lag with which actions of this peer, or nullptr for the host, begin everywhere at once.
     [[nodiscard]] Duration lagOf(const Peer* author) const;
     EventTable::Verdict spread(ParticipantId from, const EventCpo& event, SessionTime session,
@@ -83,8 +82,7 @@ private:
 
     SharedActions m_actions;
     StrategyHost m_strategy;
-    bool m_hasLag = false;
-    Duration m_longestLag{};
+    StrategyChoice m_choice;
     EventRepeater m_own{true};
     std::vector<EventCpo> m_handedOver; // continued or restored, not forwarded yet
     std::set<ObjectId> m_changed;

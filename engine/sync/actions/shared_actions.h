@@ -57,7 +57,8 @@ public:
     [[nodiscard]] bool isOwn(ObjectId object) const;
 
     /// An action of this node that starts at session time t, or with the newest on the object if
-    /// that starts later: from the pose of the object then, with the next action counter.
+    /// that starts later, by at most kLongestLocalLag: from the pose of the object then, with the
+    /// next action counter.
     ///
     /// @param drawn local time at which a relayed strategy is asked for that pose
     /// @returns NotPermitted for an object that this node does not own; NotFinite; OutOfRange for

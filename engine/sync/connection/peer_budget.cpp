@@ -43,11 +43,6 @@ bool PeerBudget::takesProposal(LocalTime now)
 
 bool PeerBudget::takesEvent(LocalTime now) { return counted(m_events, 1.0, m_limits.events, now); }
 
-bool PeerBudget::takesMessage(LocalTime now)
-{
-    return counted(m_messages, 1.0, m_limits.messages, now);
-}
-
 bool PeerBudget::takesSamples(std::size_t count, LocalTime now)
 {
     return counted(m_samples, double(count), m_limits.samples, now);

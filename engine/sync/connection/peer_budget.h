@@ -50,7 +50,12 @@ public:
     [[nodiscard]] bool takesProposal(LocalTime now);
     [[nodiscard]] bool takesEvent(LocalTime now);
     [[nodiscard]] bool takesSamples(std::size_t count, LocalTime now);
-    [[nodiscard]] bool takesMessage(LocalTime now);
+    /// Messages beyond the limit are lost, as the strategies must bear, and are no excess: how many
+    /// there are, the session decides and not the participant.
+    [[nodiscard]] bool takesMessage(LocalTime now)
+    {
+        return m_messages.take(1.0, m_limits.messages, now);
+    }
     /// Whether one more refusal may be answered.
     [[nodiscard]] bool answers(LocalTime now) { return m_answers.take(1.0, kAnswers, now); }
 

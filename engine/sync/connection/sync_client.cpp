@@ -179,6 +179,7 @@ void SyncClient::welcomed(const Welcome& welcome, LocalTime now)
     m_session = welcome.session;
     m_self = welcome.participant;
     m_actions.setSelf(m_self);
+    m_actions.connected(now);
     m_epoch = welcome.epoch;
     m_logAtWelcome = welcome.lastFact;
     m_helloWait = kFirstHelloWait;
@@ -206,7 +207,7 @@ void SyncClient::reconnect(LocalTime now)
     m_nextHello = now;
     m_outgoing.clear();
     m_shown.clear();
-    m_actions.disconnected();
+    m_actions.disconnected(now);
     m_acknowledge = false;
 }
 

@@ -26,7 +26,8 @@ public:
                  .start = asa.start,
                  .lowest = asa.lowest,
                  .highest = asa.highest,
-                 .history = asa.delays}
+                 .history = asa.delays,
+                 .kept = asa.delays}
     {
         setOthers(seat.others, now);
     }

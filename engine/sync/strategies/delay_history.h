@@ -18,8 +18,11 @@ namespace carina
 class DelayHistory
 {
 public:
-    /// p of the paper.
+    /// p of the paper, as published.
     static constexpr std::size_t kCapacity = 100;
+
+    /// @param capacity p, at least 1
+    explicit DelayHistory(std::size_t capacity = kCapacity) : m_capacity{capacity} {}
 
     void add(Duration delay);
     void clear() { m_delays.clear(); }
@@ -27,13 +30,14 @@ public:
     /// Oldest first.
     [[nodiscard]] const std::deque<Duration>& delays() const { return m_delays; }
     [[nodiscard]] std::size_t size() const { return m_delays.size(); }
-    [[nodiscard]] bool isFull() const { return m_delays.size() == kCapacity; }
+    [[nodiscard]] bool isFull() const { return m_delays.size() == m_capacity; }
     /// h_mean, in whole nanoseconds. @pre size() > 0
     [[nodiscard]] Duration mean() const;
     /// sigma, to the nearest nanosecond. @pre size() > 0
     [[nodiscard]] Duration sigma() const;
 
 private:
+    std::size_t m_capacity;
     std::deque<Duration> m_delays; // the newest last
 };
 

@@ -9,7 +9,10 @@ namespace carina
 
 void PlayoutBuffer::add(SessionTime sent, const ActedPose& acted, LocalTime now)
 {
-    m_offsets.push_back(now.time_since_epoch() - sent.time_since_epoch());
+    const Duration offset = now.time_since_epoch() - sent.time_since_epoch();
+    if (!m_offsets.empty() && std::chrono::abs(offset - m_offsets.back()) > kAnotherClock)
+        *this = {};
+    m_offsets.push_back(offset);
     if (m_offsets.size() > kWindow)
         m_offsets.pop_front();
     follow(now);

@@ -25,6 +25,9 @@ public:
     static constexpr std::size_t kWindow = 120;
     static constexpr Duration kPeriod{16'666'667};
     static constexpr int kFollowDivisor = 10;
+    /// A snapshot that is this much earlier or later than the last ones is by another clock: the
+    /// buffer begins anew.
+    static constexpr Duration kAnotherClock = std::chrono::seconds{1};
 
     /// @param sent on the sender's clock
     void add(SessionTime sent, const ActedPose& acted, LocalTime now);

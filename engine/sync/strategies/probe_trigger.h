@@ -22,9 +22,12 @@ public:
         double highest = 20.0;                         ///< per second
         Duration sigmaFloor{};                         ///< a smaller sigma counts as this
         std::size_t history = DelayHistory::kCapacity; ///< number of delays before it adapts
+        std::size_t kept = DelayHistory::kCapacity;    ///< number of delays that are kept
     };
 
-    explicit ProbeTrigger(const Rule& rule) : m_rule{rule}, m_rate{rule.start} {}
+    explicit ProbeTrigger(const Rule& rule) : m_rule{rule}, m_rate{rule.start}, m_history{rule.kept}
+    {
+    }
 
     void addDelay(Duration delay);
     /// Discards the delays and returns to the start value.

@@ -31,9 +31,16 @@ void RelayedParticipant::act(const EventCpo& action, LocalTime now)
 
 std::optional<ShownObject> RelayedParticipant::shown(ObjectId object, LocalTime t) const
 {
-    if (const auto acted = m_view.at(object, t))
-        return ShownObject{*acted};
-    return std::nullopt;
+    const auto acted = m_view.at(object, t);
+    if (!acted)
+        return std::nullopt;
+    ShownObject shown{*acted};
+    if (const EventCpo* action = m_view.running(object)) {
+        shown.kind = action->kind;
+        shown.axis_A = action->axis_A.cast<double>();
+        shown.rate = double{action->rate};
+    }
+    return shown;
 }
 
 void RelayedParticipant::sendRelayed(ParticipantId to,

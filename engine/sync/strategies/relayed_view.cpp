@@ -24,6 +24,12 @@ void RelayedView::forget(ObjectId object)
     m_buffers.erase(object);
 }
 
+const EventCpo* RelayedView::running(ObjectId object) const
+{
+    const auto found = m_running.find(object);
+    return found == m_running.end() ? nullptr : &found->second.action;
+}
+
 std::optional<ActedPose> RelayedView::at(ObjectId object, LocalTime t) const
 {
     if (const auto buffered = m_buffers.find(object); buffered != m_buffers.end())

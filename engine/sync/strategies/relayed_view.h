@@ -21,6 +21,8 @@ public:
 
     /// The object at local time t; nothing for an unknown one.
     [[nodiscard]] std::optional<ActedPose> at(ObjectId object, LocalTime t) const;
+    /// The action that is shown; nullptr where there is none, or snapshots are.
+    [[nodiscard]] const EventCpo* running(ObjectId object) const;
     /// Changes whenever the result of at() may change.
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
 

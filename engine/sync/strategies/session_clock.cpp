@@ -25,13 +25,13 @@ public:
     /// Between probes while the clock is being set.
     static constexpr Duration kAcquireInterval = std::chrono::milliseconds{20};
 
-    SessionClockParticipant(const StarSeat& seat, Duration longestLag, LocalTime now)
+    SessionClockParticipant(const StarSeat& seat, const StrategyChoice& choice, LocalTime now)
         : m_self{seat.self},
-          m_hasLag{longestLag > Duration{}},
+          m_hasLag{choice.kind == StrategyKind::LocalLag},
           m_link{seat.self.value, Duration{}, now}
     {
         m_actions.setSelf(seat.self);
-        m_actions.setLongestLag(longestLag);
+        m_actions.setStrategy(choice, now);
     }
 
     void receive(ParticipantId, std::span<const std::byte> bytes, LocalTime now) override
@@ -152,19 +152,23 @@ SyncStrategy sessionClockStrategy()
             "everything dated on one clock, repeated until it has arrived", SessionClockHost::make,
             [](const StarSeat& seat, const StrategyChoice&,
                LocalTime now) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<SessionClockParticipant>(seat, Duration{}, now);
+                return std::make_unique<SessionClockParticipant>(seat, StrategyChoice{}, now);
             }};
 }
 
 SyncStrategy localLagStrategy()
 {
-    return {StrategyKind::LocalLag, "local-lag",
-            "as session-clock, and an action begins when it has arrived, with its actor too",
-            SessionClockHost::makeWithLag,
-            [](const StarSeat& seat, const StrategyChoice& choice,
-               LocalTime now) -> std::unique_ptr<StarParticipant> {
-                return std::make_unique<SessionClockParticipant>(seat, choice.longestLag, now);
-            }};
+    return {
+        StrategyKind::LocalLag, "local-lag",
+        "as session-clock, but an action begins later, with its actor too: when it has arrived, or "
+        "after a bound",
+        SessionClockHost::makeWithLag,
+        [](const StarSeat& seat, const StrategyChoice& choice,
+           LocalTime now) -> std::unique_ptr<StarParticipant> {
+            StrategyChoice withLag = choice;
+            withLag.kind = StrategyKind::LocalLag;
+            return std::make_unique<SessionClockParticipant>(seat, withLag, now);
+        }};
 }
 
 } // namespace carina

@@ -23,7 +23,8 @@ std::unique_ptr<StarNode> SessionClockHost::makeWithLag(std::uint16_t participan
 
 SessionClockHost::SessionClockHost(std::uint16_t participants, bool hasLag, LocalTime now)
 {
-    m_actions.setHasLag(hasLag);
+    if (hasLag)
+        m_actions.setStrategy({.kind = StrategyKind::LocalLag}, now);
     for (std::uint16_t id = 1; id <= participants; ++id) {
         m_peers.emplace(ParticipantId{id}, Peer{PeerLink{id, Duration{}, now}});
         m_actions.join(id, ParticipantId{id}, now);

@@ -39,6 +39,12 @@ struct StrategyChoice {
     friend bool operator==(const StrategyChoice&, const StrategyChoice&) = default;
 };
 
+/// By how much own actions may begin later than asked for.
+[[nodiscard]] constexpr Duration longestLagOf(const StrategyChoice& choice)
+{
+    return choice.kind == StrategyKind::LocalLag ? choice.longestLag : Duration{};
+}
+
 inline constexpr Duration kLongestLocalLag = std::chrono::milliseconds{100};
 
 } // namespace carina

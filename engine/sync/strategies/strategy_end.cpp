@@ -27,7 +27,6 @@ void StrategyEnd::choose(const StrategyChoice& choice, const StarSeat& seat, Loc
 {
     m_participant =
         isRelayed(choice) ? syncStrategy(choice.kind).makeParticipant(seat, choice, now) : nullptr;
-    m_outgoing.clear();
 }
 
 void StrategyEnd::setOthers(std::span<const ParticipantId> others, LocalTime now)
@@ -79,7 +78,6 @@ const RelayedView* StrategyEnd::view() const
 
 void StrategyHost::choose(const StrategyChoice& choice, LocalTime now)
 {
-    m_choice = choice;
     m_own.choose(choice, {kStarHost, without(m_participants, kStarHost)}, now);
     m_relay = isRelayed(choice) ? std::make_unique<RelayHost>(m_participants) : nullptr;
     m_outgoing.clear();

@@ -31,7 +31,6 @@ public:
 
 private:
     std::unique_ptr<StarParticipant> m_participant;
-    std::vector<std::vector<std::byte>> m_outgoing;
 };
 
 /// The host's end of its session's strategy: forwards the messages of the participants, of whom the
@@ -58,7 +57,6 @@ public:
 private:
     void forward(LocalTime now);
 
-    StrategyChoice m_choice;
     std::vector<ParticipantId> m_participants;
     StrategyEnd m_own;
     std::unique_ptr<StarNode> m_relay; // none where the session clock decides what is shown

@@ -30,11 +30,11 @@ RigidTransform carriedOn(const StreamCpo& sample, SessionTime t)
             sample.X_AO.translation() + seconds * sample.motion->v_AO};
 }
 
-std::optional<Drift> StreamView::take(const StreamCpo& sample, SessionTime drawn)
+void StreamView::take(const StreamCpo& sample, SessionTime drawn)
 {
     if (!m_newest) {
         m_newest = sample;
-        return std::nullopt;
+        return;
     }
     const RigidTransform before = at(drawn);
     const RigidTransform after = carriedOn(sample, drawn);
@@ -44,7 +44,6 @@ std::optional<Drift> StreamView::take(const StreamCpo& sample, SessionTime drawn
     if (drift.rotation > kSmallestTurn || drift.position > kSmallestShift)
         m_difference = {rotationVector(before.rotation() * after.rotation().conjugate()),
                         before.translation() - after.translation(), drawn};
-    return drift;
 }
 
 RigidTransform StreamView::at(SessionTime t) const

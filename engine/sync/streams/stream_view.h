@@ -32,9 +32,7 @@ public:
 
     /// The next sample, newer than the last (StreamTable::accept); `drawn` is the session time that
     /// is being drawn.
-    /// @returns the difference between the new and the drawn pose for that time: the drift of the
-    ///          view; nothing for the first sample.
-    std::optional<Drift> take(const StreamCpo& sample, SessionTime drawn);
+    void take(const StreamCpo& sample, SessionTime drawn);
 
     /// X_AO at session time t. @pre take() was called.
     [[nodiscard]] RigidTransform at(SessionTime t) const;

@@ -71,8 +71,8 @@ struct StrategyMessage {
     std::vector<std::byte> bytes; ///< 1 to kLargestStrategyMessage
 };
 inline constexpr std::size_t kLargestStrategyMessage = 128;
-/// The host tells a participant the local lag with which its actions begin everywhere at once, as
-/// far as the delays of late tell.
+/// The host tells a participant the local lag with which its actions begin everywhere at once,
+/// judged by the recent delays.
 struct LagNeeded {
     Duration lag{}; ///< at most kLongestHold
 };

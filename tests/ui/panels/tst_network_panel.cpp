@@ -114,7 +114,7 @@ private Q_SLOTS:
         QVERIFY(!lag->isEnabled());
         strategy->setCurrentIndex(strategy->findText(QStringLiteral("Local lag")));
         QVERIFY(lag->isEnabled());
-        QVERIFY(strategy->accessibleDescription().contains(QStringLiteral("arrived everywhere")));
+        QVERIFY(strategy->accessibleDescription().contains(QStringLiteral("longest lag")));
         lag->setValue(30);
         QTest::keyClick(dialog->findChild<QPushButton*>(QStringLiteral("use")), Qt::Key_Space);
         QCoreApplication::sendPostedEvents();

@@ -58,8 +58,29 @@ private Q_SLOTS:
                 viewer.compare(shown);
         }
         QCOMPARE(viewer.drifts()->size(), std::size_t{2});
-        QVERIFY(std::abs(viewer.drifts()->at(kTurned).position.si - 0.004) < 1e-12);
-        QVERIFY(owner.drifts()->empty());
+        QVERIFY(std::abs(viewer.drifts()->at(kTurned).drift.position.si - 0.004) < 1e-12);
+    }
+
+    void comparisonHoldsForTwoSeconds()
+    {
+        const SessionState state = twoObjects();
+        ShownViews viewer = viewsLateBy(40ms);
+        QVERIFY(viewer.advance(state, kViewer, kStart).empty());
+        viewer.compare({kTurned, kStart, at(0.0)});
+        static_cast<void>(viewer.advance(state, kViewer, kStart + 2s));
+        QCOMPARE(viewer.drifts()->size(), std::size_t{1});
+        static_cast<void>(viewer.advance(state, kViewer, kStart + 2250ms));
+        QVERIFY(viewer.drifts()->empty());
+    }
+
+    void ownObjectHasNoDrift()
+    {
+        const SessionState state = twoObjects();
+        ShownViews viewer = viewsLateBy(40ms);
+        QVERIFY(viewer.advance(state, kViewer, kStart).empty());
+        viewer.compare({kTurned, kStart, at(0.0)});
+        static_cast<void>(viewer.advance(state, kOwner, kStart + 250ms)); // it took them over
+        QVERIFY(viewer.drifts()->empty());
     }
 
     void trackedObjectIsMeasuredOnceItsSamplesAreHere()

@@ -89,7 +89,7 @@ void TestFactRules::boundsNumbers_data()
     numberRows("lowest rate of the ASA", 0.1, 1.0, [](double v) -> FactBody {
         return chosen([v](StrategyChoice& c) { c.asa.lowest = v; });
     });
-    numberRows("highest rate of the ASA", 1.0, 100.0, [](double v) -> FactBody {
+    numberRows("highest rate of the ASA", 1.0, 20.0, [](double v) -> FactBody {
         return chosen([v](StrategyChoice& c) { c.asa.highest = v; });
     });
     numberRows("first rate of the ASA", 1.0, 20.0, [](double v) -> FactBody {

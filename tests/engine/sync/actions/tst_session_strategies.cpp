@@ -140,8 +140,53 @@ private Q_SLOTS:
         QVERIFY(world.turn(0));
         world.run(300ms);
         world.addLateSite(kPath);
+        world.site(3).client->setStrategy({.kind = StrategyKind::Event}, world.local(3));
         world.run(1s);
         QVERIFY(std::abs(world.behind_deg(3)) < kTolerance_deg);
+        QVERIFY(world.turn(0)); // from here on by the strategy
+        world.run(300ms);
+        QVERIFY(std::abs(world.behind_deg(3) - 100.0 * kDelay_s) < kTolerance_deg);
+    }
+
+    /// The message that stopped the object was missed, and is not repeated.
+    void whoWasAwayShowsWhatIsTrue()
+    {
+        StrategyWorld world{StrategyKind::Event};
+        QVERIFY(world.turn(0));
+        world.run(300ms);
+        world.cut(1, true);
+        QVERIFY(world.act(0, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, {}}));
+        world.run(4s);
+        QVERIFY(std::abs(world.behind_deg(1)) > 10.0);
+        world.cut(1, false);
+        world.run(2s);
+        QVERIFY(std::abs(world.behind_deg(1)) < kTolerance_deg);
+        QVERIFY(world.turn(0));
+        world.run(300ms);
+        QVERIFY(std::abs(world.behind_deg(1) - 100.0 * kDelay_s) < kTolerance_deg);
+    }
+
+    /// A message of the last owner that arrives late.
+    void lastOwnerMovesNothing()
+    {
+        StrategyWorld world{StrategyKind::Event};
+        QVERIFY(world.turn(0));
+        world.run(300ms);
+        const EventCpo old = *world.newest(0);
+        world.takeOver(1, 1);
+        world.run(300ms);
+        QVERIFY(world.act(1, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, {}}));
+        world.run(300ms);
+        const double before = turned_deg(world.shown(2));
+        const WireRecord record{StrategyMessage{encodeRelayed({world.self(0), kAllOthers, old})}};
+        BundleHeader header;
+        header.fromHost = true;
+        header.connection = world.site(2).client->link().connection();
+        header.sequence = 1U << 20;
+        for (const auto& bytes : packDatagrams(std::span{&record, 1}, [&] { return header; }))
+            world.site(2).client->receive(bytes, world.local(2));
+        world.run(300ms);
+        QCOMPARE(turned_deg(world.shown(2)), before);
     }
 
     void newOwnerGoesOnFromWhatItShows()

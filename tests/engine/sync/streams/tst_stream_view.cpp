@@ -52,7 +52,7 @@ private Q_SLOTS:
         QFETCH(int, after_ms);
         QFETCH(double, carried_s);
         StreamView view;
-        QVERIFY(!view.take(sampleOf(0.5, 0ms), kTaken + 10ms));
+        view.take(sampleOf(0.5, 0ms), kTaken + 10ms);
         const RigidTransform drawn = view.at(kTaken + after_ms * 1ms);
         QVERIFY(isNear(xOf(drawn), 0.5 + carried_s));
         QVERIFY(isNear(turnOf(drawn), 2.0 * carried_s));
@@ -65,15 +65,13 @@ private Q_SLOTS:
         QVERIFY(isNear(xOf(carriedOn(sample, kTaken + 100ms)), 0.5));
     }
 
-    void tellsTheDriftAndWorksItOffIn50Milliseconds()
+    void worksOffTheDifferenceIn50Milliseconds()
     {
         // Drawn at 0.1 m and 0.2 rad; 30 mm and 0.1 rad further on than that says the next.
         StreamView view;
         view.take(sampleOf(0.0, 0ms), kTaken);
         const SessionTime drawn = kTaken + 100ms;
-        const auto drift = view.take(sampleOf(0.110, 80ms, 0.26), drawn);
-        QVERIFY(isNear(drift->position.si, 0.030));
-        QVERIFY(isNear(drift->rotation.si, 0.1));
+        view.take(sampleOf(0.110, 80ms, 0.26), drawn);
         QVERIFY(isNear(xOf(view.at(drawn)), 0.100));
         QVERIFY(isNear(turnOf(view.at(drawn)), 0.2));
         // Half of it is left in the middle: 0.155 - 0.015 and 0.35 - 0.05.

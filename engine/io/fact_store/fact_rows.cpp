@@ -136,22 +136,32 @@ template <class Items, class Store> Result<void> forEach(const Items& items, con
     return {};
 }
 
-Result<void> insertFact(const QSqlDatabase& database, const FactRecord& fact)
+Result<void> insertFact(QSqlQuery& insert, const QSqlDatabase& database, const FactRecord& fact)
 {
     const qint64 number = qint64(fact.number.value);
-    const Result<QSqlQuery> stored =
-        executeSql(database,
-                   QStringLiteral("INSERT INTO fact SELECT ?, ?, ?, ?, ?, ?, ?, ?"
-                                  " WHERE ? = (SELECT ifnull(max(number), 0) + 1 FROM fact)"),
-                   {number, qint64(fact.proposal.value), fact.author.value, fact.station.value,
-                    nanoseconds(fact.committed), nanoseconds(fact.effect), qtBytes(fact.body),
-                    factDigest(fact), number});
+    const Result<void> stored =
+        runSql(database, insert,
+               {number, qint64(fact.proposal.value), fact.author.value, fact.station.value,
+                nanoseconds(fact.committed), nanoseconds(fact.effect), qtBytes(fact.body),
+                factDigest(fact), number});
     if (!stored)
-        return tl::unexpected(stored.error());
-    if (stored->numRowsAffected() != 1)
+        return stored;
+    if (insert.numRowsAffected() != 1)
         return fail(Errc::StoreFailed, database.databaseName().toStdString() + ": fact "
                                            + std::to_string(number) + " is not the next");
     return {};
+}
+
+/// @pre a transaction is open.
+Result<void> insertEach(const QSqlDatabase& database, std::span<const FactRecord> facts)
+{
+    return prepareSql(database,
+                      QStringLiteral("INSERT INTO fact SELECT ?, ?, ?, ?, ?, ?, ?, ?"
+                                     " WHERE ? = (SELECT ifnull(max(number), 0) + 1 FROM fact)"))
+        .and_then([&](QSqlQuery insert) {
+            return forEach(
+                facts, [&](const FactRecord& fact) { return insertFact(insert, database, fact); });
+        });
 }
 
 Result<void> writeAction(const QSqlDatabase& database, const EventCpo& event)
@@ -197,9 +207,7 @@ Result<std::vector<FactRecord>> readFacts(const QSqlDatabase& database)
 
 Result<void> insertFacts(const QSqlDatabase& database, std::span<const FactRecord> facts)
 {
-    return inTransaction(database, [&] {
-        return forEach(facts, [&](const FactRecord& fact) { return insertFact(database, fact); });
-    });
+    return inTransaction(database, [&] { return insertEach(database, facts); });
 }
 
 Result<std::optional<ClockAnchor>> readAnchor(const QSqlDatabase& database)
@@ -270,10 +278,8 @@ Result<StoreContent> readContent(const QSqlDatabase& database)
 Result<void> writeContent(const QSqlDatabase& database, const StoreContent& content)
 {
     return inTransaction(database, [&]() -> Result<void> {
-        const Result<void> facts = forEach(
-            content.facts, [&](const FactRecord& fact) { return insertFact(database, fact); });
-        if (!facts)
-            return facts;
+        if (const auto stored = insertEach(database, content.facts); !stored)
+            return stored;
         if (content.anchor)
             if (const auto stored = writeAnchor(database, *content.anchor); !stored)
                 return stored;

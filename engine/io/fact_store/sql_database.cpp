@@ -17,17 +17,31 @@ Error storeError(const QString& path, const QSqlError& error)
             (path + QStringLiteral(": ") + error.databaseText()).toStdString()};
 }
 
-Result<QSqlQuery> executeSql(const QSqlDatabase& database, const QString& sql,
-                             std::initializer_list<QVariant> values)
+Result<QSqlQuery> prepareSql(const QSqlDatabase& database, const QString& sql)
 {
     QSqlQuery query{database};
     query.setForwardOnly(true);
-    const bool prepared = query.prepare(sql);
-    for (const QVariant& value : values)
-        query.addBindValue(value);
-    if (!prepared || !query.exec())
+    if (!query.prepare(sql))
         return tl::unexpected(storeError(database.databaseName(), query.lastError()));
     return query;
+}
+
+Result<void> runSql(const QSqlDatabase& database, QSqlQuery& prepared,
+                    std::initializer_list<QVariant> values)
+{
+    for (const QVariant& value : values)
+        prepared.addBindValue(value);
+    if (!prepared.exec())
+        return tl::unexpected(storeError(database.databaseName(), prepared.lastError()));
+    return {};
+}
+
+Result<QSqlQuery> executeSql(const QSqlDatabase& database, const QString& sql,
+                             std::initializer_list<QVariant> values)
+{
+    return prepareSql(database, sql).and_then([&](QSqlQuery query) {
+        return runSql(database, query, values).map([&] { return std::move(query); });
+    });
 }
 
 Result<void> executeAll(const QSqlDatabase& database, std::initializer_list<QString> statements)

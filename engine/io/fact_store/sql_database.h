@@ -15,7 +15,13 @@ namespace carina
 /// The error of SQLite, with the file in its detail.
 [[nodiscard]] Error storeError(const QString& path, const QSqlError& error);
 
-/// Runs one statement.
+/// A statement that is parsed once, to be run with other values again and again.
+[[nodiscard]] Result<QSqlQuery> prepareSql(const QSqlDatabase& database, const QString& sql);
+/// Runs it. @param values of its parameters, in their order
+[[nodiscard]] Result<void> runSql(const QSqlDatabase& database, QSqlQuery& prepared,
+                                  std::initializer_list<QVariant> values);
+
+/// Prepares and runs one statement.
 [[nodiscard]] Result<QSqlQuery> executeSql(const QSqlDatabase& database, const QString& sql,
                                            std::initializer_list<QVariant> values = {});
 

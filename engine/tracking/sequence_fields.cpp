@@ -15,9 +15,11 @@ Result<std::ifstream> openFile(const std::filesystem::path& path)
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
         return fail(Errc::FileNotFound, path.string() + ": there is no such file");
+    if (std::filesystem::is_directory(path, ignored))
+        return fail(Errc::FileUnreadable, path.string() + ": it is a folder");
     std::ifstream input{path, std::ios::binary};
-    if (!input || std::filesystem::is_directory(path, ignored))
-        return fail(Errc::FileUnreadable, path.string() + ": it cannot be read as a file");
+    if (!input)
+        return fail(Errc::FileUnreadable, path.string() + ": it cannot be read");
     return input;
 }
 

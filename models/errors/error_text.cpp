@@ -70,7 +70,8 @@ public:
         case Errc::FileNotFound:
             return tr("This file or folder does not exist%1: check its name and location.");
         case Errc::FileUnreadable:
-            return tr("A file cannot be read%1: check that you may read it.");
+            return tr(
+                "A file cannot be read%1: check that it is a file, and that you may read it.");
         case Errc::FileEmpty:
             return tr("A file is empty%1: copy or export it again.");
         case Errc::FileTooLarge:

@@ -24,8 +24,12 @@ Result<OpenFile> OpenFile::of(const std::filesystem::path& file, const FileLimit
     OpenFile opened{number, 0};
     struct stat found {
     };
-    if (number < 0 || fstat(number, &found) != 0 || !S_ISREG(found.st_mode))
+    if (number < 0 || fstat(number, &found) != 0)
         return fail(Errc::FileUnreadable, file.string() + ": cannot be read");
+    if (!S_ISREG(found.st_mode))
+        return fail(Errc::FileUnreadable,
+                    file.string()
+                        + (S_ISDIR(found.st_mode) ? ": it is a folder" : ": it is a device"));
     opened.m_size = static_cast<std::uint64_t>(found.st_size);
     if (opened.m_size == 0)
         return fail(Errc::FileEmpty, file.string() + ": it is empty");

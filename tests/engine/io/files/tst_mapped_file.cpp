@@ -73,6 +73,7 @@ private Q_SLOTS:
         const auto folder = MappedFile::of(at("."), kDescriptionLimit);
         QCOMPARE(folder.error().code, Errc::FileUnreadable);
         QVERIFY(folder.error().detail.starts_with(at(".").string()));
+        QVERIFY(folder.error().detail.ends_with(": it is a folder"));
     }
 };
 

@@ -28,6 +28,7 @@ ConductModel::Standing ConductModel::standingOf(ParticipantId participant) const
         participant == kHostingParticipant || participant == m_session.node().self();
     Standing standing;
     standing.name = QString::fromStdString(who.name);
+    standing.role = who.role;
     standing.isMuted = who.muted;
     standing.isBanned = who.removal && who.removal->banned;
     standing.canMute = !isNeeded && (who.present || who.muted);

@@ -15,6 +15,7 @@ public:
     /// What can be decided about one participant.
     struct Standing {
         QString name{};
+        Role role = Role::Observer;
         bool isMuted = false;
         bool isBanned = false;
         bool canMute = false; ///< or unmute

@@ -70,6 +70,10 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->network->setModel(network);
     refreshInvitation();
     connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &conduct, &ConductModel::changeCode);
+    connect(m_ui->participants, &ParticipantsPanel::banned, m_ui->invitation, [this](Role role) {
+        m_ui->invitation->askForNewCode(
+            role, tr("Who was removed knows the code, and can join by it under another name."));
+    });
     m_ui->actions->setModel(actions);
     layDocks();
     m_ui->scene->setBackground(palette().color(QPalette::Base));
@@ -195,9 +199,11 @@ void InstructorWindow::refresh()
 void InstructorWindow::refreshInvitation()
 {
     const JoinCodes codes = m_session.node().joinCodes();
-    if (codes == m_shownCodes)
+    const bool isLocked = m_session.node().state()->isLocked();
+    if (codes == m_shownCodes && isLocked == m_shownLocked)
         return;
     m_shownCodes = codes;
+    m_shownLocked = isLocked;
     m_ui->invitation->show(m_session.node());
 }
 
@@ -221,7 +227,8 @@ void InstructorWindow::refreshStatus()
     const auto oldest = m_participants.oldestSample_ms();
     told += oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked");
     told += tr("%1 frames per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
-    told += tr("Trainees join at port %1").arg(m_session.node().port());
+    told += m_shownLocked ? tr("Locked: nobody new comes in")
+                          : tr("Trainees join at port %1").arg(m_session.node().port());
     m_status->setText(told.join(QStringLiteral("      ")));
 }
 

@@ -60,6 +60,7 @@ private:
     QLabel* m_status;
     bool m_endAsked = false;
     JoinCodes m_shownCodes;
+    bool m_shownLocked = false;
 };
 
 } // namespace carina

@@ -31,10 +31,27 @@ QLabel* codeLabel(const QString& name)
     return label;
 }
 
+QString questionFor(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return InvitationPanel::tr("Give instructors a new code?");
+    case Role::Trainee:
+        return InvitationPanel::tr("Give trainees a new code?");
+    case Role::Observer:
+        return InvitationPanel::tr("Give observers a new code?");
+    }
+    return {};
+}
+
 } // namespace
 
 InvitationPanel::InvitationPanel(QWidget* parent)
     : QWidget{parent},
+      m_locked{new QLabel{tr("The session is locked: nobody new comes in. Those who were in it can "
+                             "come back. Codes and links are shown again when it is unlocked, "
+                             "below the table of participants.")}},
+      m_offer{new QWidget},
       m_picture{new QrCode},
       m_reach{new QLabel},
       m_certificate{new QLabel},
@@ -53,7 +70,9 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     m_showPicture->setCheckable(true);
     m_showPicture->setToolTip(tr("The link as a QR code, for the camera of another computer"));
     connect(m_showPicture, &QPushButton::toggled, m_picture, &QWidget::setVisible);
-    for (QLabel* words : {m_reach, m_certificate})
+    m_locked->setObjectName(QStringLiteral("locked"));
+    m_locked->hide();
+    for (QLabel* words : {m_locked, m_reach, m_certificate})
         words->setWordWrap(true);
     m_copy->setObjectName(QStringLiteral("copy"));
     m_copy->setToolTip(
@@ -62,8 +81,12 @@ InvitationPanel::InvitationPanel(QWidget* parent)
             [this] { QApplication::clipboard()->setText(m_invited.at(m_chosen).link); });
     m_newCode->setObjectName(QStringLiteral("newCode"));
     m_newCode->setToolTip(tr("Replaces the code of the chosen role; those inside stay"));
-    connect(m_newCode, &QPushButton::clicked, this, &InvitationPanel::askForNewCode);
-    auto* column = new QVBoxLayout{this};
+    connect(m_newCode, &QPushButton::clicked, this, [this] { askForNewCode(m_chosen, {}); });
+    auto* page = new QVBoxLayout{this};
+    page->addWidget(m_locked);
+    page->addWidget(m_offer, 1);
+    auto* column = new QVBoxLayout{m_offer};
+    column->setContentsMargins({});
     column->addLayout(rows);
     column->addWidget(m_reach);
     column->addWidget(m_certificate);
@@ -75,6 +98,7 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     column->addLayout(buttons);
     column->addWidget(m_picture, 1);
     column->addStretch();
+    page->addStretch();
 }
 
 void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
@@ -94,9 +118,12 @@ void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
 
 void InvitationPanel::show(const SessionNode& host)
 {
-    const JoinCodes codes = host.joinCodes();
+    m_codes = host.joinCodes();
+    const bool isLocked = host.state()->isLocked();
+    m_locked->setVisible(isLocked);
+    m_offer->setVisible(!isLocked);
     for (auto& [role, invited] : m_invited) {
-        invited.code->setText(QString::fromStdString(codes.at(role).text()));
+        invited.code->setText(QString::fromStdString(m_codes.at(role).text()));
         invited.link = joinLinkText(host, role);
     }
     m_reach->setText(reachText(host));
@@ -105,19 +132,18 @@ void InvitationPanel::show(const SessionNode& host)
     choose(m_chosen);
 }
 
-void InvitationPanel::askForNewCode()
+void InvitationPanel::askForNewCode(Role role, const QString& why)
 {
-    const Role role = m_chosen;
     auto* question = new QMessageBox{this};
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setIcon(QMessageBox::Question);
     question->setWindowTitle(tr("New code"));
-    question->setText(role == Role::Trainee ? tr("Give trainees a new code?")
-                                            : tr("Give observers a new code?"));
-    question->setInformativeText(
+    question->setText(questionFor(role));
+    const QString effect =
         tr("%1 and its link are void at once. Those who are in the session stay, and those who "
            "were in it can come back.")
-            .arg(m_invited.at(role).code->text()));
+            .arg(QString::fromStdString(m_codes.at(role).text()));
+    question->setInformativeText(why.isEmpty() ? effect : why + QLatin1Char(' ') + effect);
     QPushButton* change = question->addButton(tr("&New code"), QMessageBox::AcceptRole);
     change->setObjectName(QStringLiteral("change"));
     question->setDefaultButton(question->addButton(QMessageBox::Cancel));

@@ -18,7 +18,8 @@ class QrCode;
 
 /// The join codes of the session, large enough to be read across a room, who can reach the session,
 /// and, on request, the join link of the chosen role as a QR code. The QR code grows with the
-/// panel, up to a full screen.
+/// panel, up to a full screen. While the session is locked there is nothing to invite to, and the
+/// panel says so instead.
 class InvitationPanel : public QWidget
 {
     Q_OBJECT
@@ -29,6 +30,9 @@ public:
     using QWidget::show;
     /// Shows the codes of a hosting node, as they are now.
     void show(const SessionNode& host);
+
+    /// Asks whether a role is to have a new code. @param why it may need one; empty: it was wanted
+    void askForNewCode(Role role, const QString& why);
 
 Q_SIGNALS:
     /// A role is to have a new code; the user has confirmed it.
@@ -43,10 +47,12 @@ private:
 
     void addRow(QGridLayout& rows, Role role, const QString& name, const QString& codeName);
     void choose(Role role);
-    void askForNewCode();
 
     std::map<Role, Invited> m_invited;
+    JoinCodes m_codes;
     Role m_chosen = Role::Trainee;
+    QLabel* m_locked;
+    QWidget* m_offer; ///< all that follows
     QrCode* m_picture;
     QLabel* m_reach;
     QLabel* m_certificate; ///< hidden if the host has none

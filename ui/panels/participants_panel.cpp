@@ -85,8 +85,11 @@ void ParticipantsPanel::removeOrLetBack()
         return m_conduct->letBack(*id);
     auto* dialog = new RemoveDialog{standing.name, this};
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog, id] { m_conduct->remove(*id, dialog->reason(), dialog->isForGood()); });
+    connect(dialog, &QDialog::accepted, this, [this, dialog, id, role = standing.role] {
+        m_conduct->remove(*id, dialog->reason(), dialog->isForGood());
+        if (dialog->isForGood())
+            Q_EMIT banned(role);
+    });
     dialog->open();
 }
 

@@ -28,6 +28,10 @@ public:
     /// @pre the models outlive the panel.
     void setModel(ParticipantsModel& participants, ConductModel& conduct);
 
+Q_SIGNALS:
+    /// Somebody was removed for good, who still knows the code of the role.
+    void banned(carina::Role role);
+
 private:
     void refresh();
     void muteOrNot();

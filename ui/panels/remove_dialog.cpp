@@ -41,6 +41,7 @@ RemoveDialog::RemoveDialog(const QString& name, QWidget* parent)
     m_remove->setObjectName(QStringLiteral("remove"));
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
     buttons->addButton(m_remove, QDialogButtonBox::AcceptRole);
+    buttons->button(QDialogButtonBox::Cancel)->setDefault(true); // removing is never by mistake
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_reason, &QLineEdit::textChanged, this, &RemoveDialog::refresh);

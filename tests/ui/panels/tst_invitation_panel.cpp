@@ -113,6 +113,47 @@ private Q_SLOTS:
         QVERIFY(pictured(panel)->code == node->joinCodes().at(Role::Observer));
     }
 
+    void newCodeAfterABanSaysWhy()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node);
+        QSignalSpy wanted{&panel, &InvitationPanel::newCodeWanted};
+        for (const Role role : {Role::Instructor, Role::Trainee, Role::Observer}) {
+            panel.askForNewCode(role, QStringLiteral("Somebody was removed."));
+            auto* question = panel.findChildren<QMessageBox*>().last();
+            QVERIFY(question->informativeText().startsWith(QLatin1String("Somebody was removed.")));
+            QVERIFY(question->informativeText().contains(
+                QString::fromStdString(node->joinCodes().at(role).text())));
+            find<QPushButton>(*question, "change").click();
+            QCOMPARE(wanted.takeFirst().first().value<Role>(), role);
+        }
+    }
+
+    void lockedSessionInvitesNobody()
+    {
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.QWidget::show();
+        const auto shown = [&](bool isLocked) {
+            node->propose(kStation, fact::SessionLocked{isLocked});
+            return QTest::qWaitFor([&] { return node->state()->isLocked() == isLocked; }, kSoonMs);
+        };
+        QVERIFY(shown(true));
+        panel.show(*node);
+        QVERIFY(find<QLabel>(panel, "locked").isVisible());
+        for (const char* button : {"showPicture", "copy", "newCode"})
+            QVERIFY(!find<QPushButton>(panel, button).isVisible());
+        for (const QRadioButton* choice : panel.findChildren<QRadioButton*>())
+            QVERIFY(!choice->isVisible());
+        QVERIFY(shown(false));
+        panel.show(*node);
+        QVERIFY(!find<QLabel>(panel, "locked").isVisible());
+        QVERIFY(find<QPushButton>(panel, "copy").isVisible());
+    }
+
     void linkIsCopiedByKeyboard()
     {
         MemoryDisk disk;

@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 
 namespace carina::participants_panel_test
@@ -22,6 +23,7 @@ private Q_SLOTS:
     void mutesByKeyboardAndTakesItBack();
     void removesWithAReasonAndLetsBackIn();
     void removesNobodyWhenCancelled();
+    void removesNobodyByEnterAlone();
     void takesNoReasonThatIsTooLong();
     void locksTheSession();
     void keepsWhoWasChosenWhenSomebodyComesIn();
@@ -90,6 +92,7 @@ void TestParticipantsPanel::mutesByKeyboardAndTakesItBack()
 void TestParticipantsPanel::removesWithAReasonAndLetsBackIn()
 {
     Panel panel;
+    QSignalSpy banned{&panel.panel, &ParticipantsPanel::banned};
     panel.chooseTom();
     Panel::press(panel.remove);
     RemoveDialog& dialog = panel.asked();
@@ -99,6 +102,8 @@ void TestParticipantsPanel::removesWithAReasonAndLetsBackIn()
     Panel::press(*dialog.findChild<QPushButton*>(QStringLiteral("remove")));
     QVERIFY(!panel.tom().present);
     QVERIFY(panel.tom().removal->banned);
+    QCOMPARE(banned.count(), 1); // the code is known to who is out
+    QCOMPARE(banned.first().first().value<Role>(), Role::Trainee);
     QCOMPARE(panel.tom().removal->reason, std::string{"too loud"});
     QCOMPARE(panel.remove.text(), QStringLiteral("&Let back in"));
     QVERIFY(!panel.mute.isEnabled());
@@ -113,6 +118,18 @@ void TestParticipantsPanel::removesNobodyWhenCancelled()
     panel.chooseTom();
     Panel::press(panel.remove);
     QTest::keyClick(&panel.asked(), Qt::Key_Escape);
+    QVERIFY(panel.tom().present && !panel.tom().removal);
+}
+
+void TestParticipantsPanel::removesNobodyByEnterAlone()
+{
+    Panel panel;
+    panel.chooseTom();
+    Panel::press(panel.remove);
+    RemoveDialog& dialog = panel.asked();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog)); // the default is settled when it is shown
+    QTest::keyClick(dialog.findChild<QLineEdit*>(), Qt::Key_Return);
+    QVERIFY(!dialog.isVisible());
     QVERIFY(panel.tom().present && !panel.tom().removal);
 }
 

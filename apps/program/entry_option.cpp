@@ -16,6 +16,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <unistd.h>
 
 namespace carina::program
 {
@@ -34,9 +35,15 @@ const QString kAuthority = QStringLiteral("authority");
 
 const QString kStandardInput = QStringLiteral("-");
 
+void say(const QString& sentence) { std::fprintf(stderr, "%s\n", qPrintable(sentence)); }
+
 Result<std::string> textOf(const QString& file)
 {
     const QDeadlineTimer deadline{kCodeFilePatience_ms};
+    if (!QFile::exists(file))
+        say(QApplication::translate("Entry", "Waiting up to %1 s for the file of codes, %2 …")
+                .arg(kCodeFilePatience_ms / 1000)
+                .arg(file));
     while (!QFile::exists(file) && !deadline.hasExpired())
         QThread::msleep(kLookAgain_ms);
     return readWholeFile(file.toStdString(), kCredentialLimit);
@@ -61,9 +68,24 @@ Result<JoinCode> noCode(const QString& source, Role role)
                 source.toStdString() + ": it has no code for a " + std::string{roleWord(role)});
 }
 
+QString codeWantedText(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return QApplication::translate("Entry", "Type the code for instructors, then Enter:");
+    case Role::Trainee:
+        return QApplication::translate("Entry", "Type the code for trainees, then Enter:");
+    case Role::Observer:
+        return QApplication::translate("Entry", "Type the code for observers, then Enter:");
+    }
+    return {};
+}
+
 /// Not until the end of the input: a person types one line.
 Result<JoinCode> codeInStandardInput(Role role)
 {
+    if (isatty(STDIN_FILENO) != 0)
+        say(codeWantedText(role));
     QTextStream input{stdin};
     QString line;
     while (input.readLineInto(&line))
@@ -88,10 +110,9 @@ Result<JoinCode> codeInFile(const QString& file, Role role)
 /// Everybody on this computer can see the words that a program was started with.
 void warnOfCodeInSight()
 {
-    std::fprintf(stderr, "%s\n",
-                 qPrintable(QApplication::translate(
-                     "Entry", "Everybody on this computer can read a code on the command line: "
-                              "leave it in a file, or type it, with --code-file.")));
+    say(QApplication::translate("Entry",
+                                "Everybody on this computer can read a code on the command line: "
+                                "leave it in a file, or type it, with --code-file."));
 }
 
 } // namespace

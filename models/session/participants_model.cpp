@@ -205,12 +205,13 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
     const auto state = node.state();
     const std::vector<ObjectReport> reports = node.objectReports();
     const auto paths = node.paths();
+    const std::vector<LinkReport> links = node.links();
     std::vector<Row> rows;
     for (const auto& [id, participant] : state->participants()) {
         Row row{.id = id,
                 .name = QString::fromStdString(participant.name),
                 .role = roleText(participant.role),
-                .state = stateText(participant)};
+                .state = stateText(participant, links)};
         if (participant.removal && !participant.present)
             row.reason =
                 tr("Removed by %1")
@@ -220,7 +221,9 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
             row.sends_kB_per_s = 1e-3 * path->traffic->bytesPerSecond;
         for (const ObjectReport& report : reports) {
             const auto object = state->objects().find(report.object);
-            if (!participant.present || object == state->objects().end()
+            // Of who is muted nothing is taken, so that what is known of their objects says
+            // nothing.
+            if (!participant.present || participant.muted || object == state->objects().end()
                 || object->second.owner != id)
                 continue;
             keepLargest(row.age_ms, 1e3 * toSeconds(report.age));
@@ -232,14 +235,15 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
     return rows;
 }
 
-QString ParticipantsModel::stateText(const Participant& participant) const
+QString ParticipantsModel::stateText(const Participant& participant,
+                                     std::span<const LinkReport> links) const
 {
     if (participant.id == m_session.node().self())
         return tr("✓ here");
     if (!participant.present)
         return absenceText(participant);
-    const auto link = linkTo(participant.id);
-    switch (link ? link->state : LinkState::Away) {
+    const auto link = std::ranges::find(links, participant.id, &LinkReport::peer);
+    switch (link != links.end() ? link->state : LinkState::Away) {
     case LinkState::Connected:
         if (participant.muted)
             return tr("▲ muted");
@@ -258,14 +262,6 @@ QString ParticipantsModel::absenceText(const Participant& participant)
     if (!participant.removal)
         return tr("○ left");
     return participant.removal->banned ? tr("✕ banned") : tr("○ removed");
-}
-
-std::optional<LinkReport> ParticipantsModel::linkTo(ParticipantId id) const
-{
-    for (const LinkReport& link : m_session.node().links())
-        if (link.peer == id)
-            return link;
-    return std::nullopt;
 }
 
 } // namespace carina

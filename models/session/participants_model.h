@@ -5,6 +5,7 @@
 #include <QAbstractTableModel>
 #include <QStringList>
 
+#include <span>
 #include <vector>
 
 namespace carina
@@ -55,8 +56,8 @@ private:
 
     void refresh();
     [[nodiscard]] std::vector<Row> currentRows() const;
-    [[nodiscard]] std::optional<LinkReport> linkTo(ParticipantId id) const;
-    [[nodiscard]] QString stateText(const Participant& participant) const;
+    [[nodiscard]] QString stateText(const Participant& participant,
+                                    std::span<const LinkReport> links) const;
     [[nodiscard]] static QString absenceText(const Participant& participant);
     [[nodiscard]] static QString cell(const Row& row, int column);
     /// The text of a cell for a screen reader: with its column name, without the state mark.

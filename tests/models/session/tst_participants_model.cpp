@@ -24,6 +24,7 @@ private Q_SLOTS:
     void tellsOfReplacedTokensForAMinute();
     void showsTheWorstOfSomebodysObjects();
     void forgetsTheObjectsOfWhoLeft();
+    void takesWhoIsMutedForNoBrokenTracker();
     void speaksEachCell();
     void addsWhoComesInAndKeepsWhoLeft();
     void changesCellsWithoutLosingTheSelection();
@@ -200,6 +201,22 @@ void TestParticipantsModel::forgetsTheObjectsOfWhoLeft()
     for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
         QCOMPARE(table.cell(kTraineeRow, column), kNoValue);
     QVERIFY(!table.model.oldestSample_ms());
+}
+
+void TestParticipantsModel::takesWhoIsMutedForNoBrokenTracker()
+{
+    Table table;
+    table.node.reports = {{ObjectId{1}, milliseconds{9000}, 0.03, 1.26}};
+    table.node.linkReports.push_back({FakeSessionNode::kTrainee, LinkState::Connected, {}, {}, {}});
+    table.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, true});
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::State), QStringLiteral("▲ muted"));
+    for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
+        QCOMPARE(table.cell(kTraineeRow, column), kNoValue);
+    QVERIFY(!table.model.oldestSample_ms());
+    table.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, false});
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Age), QStringLiteral("9000 ms"));
 }
 
 void TestParticipantsModel::speaksEachCell()

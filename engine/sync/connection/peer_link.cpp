@@ -45,21 +45,11 @@ std::optional<RoundTrip> PeerLink::heard(const BundleHeader& header, LocalTime n
     m_roundTrips.push_back(length);
     if (m_roundTrips.size() > kRoundTripsKept)
         m_roundTrips.pop_front();
+    // A host asks for these for each peer in each turn, and they change only here.
+    const auto [shortest, longest] = std::ranges::minmax(m_roundTrips);
+    m_shortest = shortest;
+    m_longest = longest;
     return RoundTrip{sent, header.sentAt, header.echo->hold, length};
-}
-
-std::optional<Duration> PeerLink::shortestRoundTrip() const
-{
-    if (m_roundTrips.empty())
-        return std::nullopt;
-    return *std::ranges::min_element(m_roundTrips);
-}
-
-std::optional<Duration> PeerLink::longestRoundTrip() const
-{
-    if (m_roundTrips.empty())
-        return std::nullopt;
-    return *std::ranges::max_element(m_roundTrips);
 }
 
 std::optional<Duration> PeerLink::newestRoundTrip() const

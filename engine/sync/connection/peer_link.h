@@ -47,8 +47,8 @@ public:
     [[nodiscard]] LocalTime lastHeard() const { return m_lastHeard; }
     [[nodiscard]] LocalTime lastSent() const { return m_lastSent; }
     /// Of the last round trips; nothing before the first.
-    [[nodiscard]] std::optional<Duration> shortestRoundTrip() const;
-    [[nodiscard]] std::optional<Duration> longestRoundTrip() const;
+    [[nodiscard]] std::optional<Duration> shortestRoundTrip() const { return m_shortest; }
+    [[nodiscard]] std::optional<Duration> longestRoundTrip() const { return m_longest; }
     [[nodiscard]] std::optional<Duration> newestRoundTrip() const;
     /// Loss of datagrams from the peer; see LossWindow.
     [[nodiscard]] std::optional<double> loss() const { return m_loss.loss(); }
@@ -68,6 +68,8 @@ private:
     std::optional<Arrival> m_newest;
     std::optional<LocalTime> m_answered; // when the newest datagram that was echoed was sent
     std::deque<Duration> m_roundTrips;   // the last kRoundTripsKept
+    std::optional<Duration> m_shortest;  // of these
+    std::optional<Duration> m_longest;
     LossWindow m_loss;
 };
 

@@ -82,6 +82,14 @@ SyncHost::SyncHost(const SessionKey& session, std::vector<FactRecord> log, Durat
 
 void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
+    take(from, bytes, now);
+    if (const auto peer = m_peers.find(from);
+        peer != m_peers.end() && peer->second.budget.isFarExceeded())
+        m_exceeding.insert(from);
+}
+
+void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
+{
     const auto found = m_peers.find(from);
     if (found != m_peers.end()) {
         found->second.traffic.bytes.add(double(bytes.size()), now);
@@ -128,8 +136,10 @@ void SyncHost::advance(LocalTime now)
     endExceedingPeers(now);
     m_actions.advance(sessionTime(now), now);
     const bool tick = m_streams.isDue(now);
+    const bool isForAnybody = tick || m_actions.nextDue() <= now;
     for (auto& [address, peer] : m_peers)
-        sendDue(address, peer, tick, now);
+        if (isForAnybody || nextDueTo(peer) <= now)
+            sendDue(address, peer, tick, now);
     if (tick)
         m_streams.served(now);
 }
@@ -139,13 +149,11 @@ LocalTime SyncHost::nextWake() const
     for (const auto& [address, arrival] : m_arrivals)
         if (arrival.admission.joined <= logEnd())
             return LocalTime::min();
-    LocalTime wake = std::min(m_actions.nextDue(), m_streams.nextDue());
-    for (const auto& [address, peer] : m_peers) {
-        if (peer.welcome || peer.answer || !peer.outbox.empty())
-            return LocalTime::min();
-        wake = std::min({wake, peer.link.lastHeard() + kPeerTimeout,
-                         peer.link.lastSent() + kKeepAlive, peer.facts.nextDue(logEnd())});
-    }
+    if (!m_exceeding.empty())
+        return LocalTime::min();
+    LocalTime wake = std::min({m_actions.nextDue(), m_streams.nextDue(), m_nobodySilentBefore});
+    for (const auto& [address, peer] : m_peers)
+        wake = std::min(wake, nextDueTo(peer));
     return wake;
 }
 
@@ -154,6 +162,13 @@ void SyncHost::forward(const ShownPose& shown, ParticipantId from)
     for (auto& [address, peer] : m_peers)
         if (peer.participant != from)
             peer.outbox.emplace_back(shown);
+}
+
+LocalTime SyncHost::nextDueTo(const Peer& peer) const
+{
+    if (peer.welcome || peer.answer || !peer.outbox.empty())
+        return LocalTime::min();
+    return std::min(peer.link.lastSent() + kKeepAlive, peer.facts.nextDue(logEnd()));
 }
 
 void SyncHost::append(const FactRecord& fact)
@@ -230,6 +245,7 @@ void SyncHost::close(LocalTime now)
         sendDue(address, peer, false, now);
     }
     m_peers.clear();
+    m_exceeding.clear();
 }
 
 Duration SyncHost::slowestPath() const
@@ -294,6 +310,7 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
               static_cast<std::uint16_t>(admission.joined.value),    hello.join.id,
               FactSender{continues ? hello.lastFact : FactNumber{}}, std::move(budget)};
     peer.link.heard(header, heard);
+    m_nobodySilentBefore = std::min(m_nobodySilentBefore, heard + kPeerTimeout);
     m_peers.emplace(address, std::move(peer));
     m_actions.join(address, admission.participant, now);
 }
@@ -429,10 +446,17 @@ void SyncHost::takeStreams(Peer& peer, const StreamGroup& group, LocalTime now)
 
 void SyncHost::dropSilentPeers(LocalTime now)
 {
+    if (now < m_nobodySilentBefore)
+        return;
+    m_nobodySilentBefore = LocalTime::max();
     std::vector<PeerAddress> silent;
-    for (const auto& [address, peer] : m_peers)
-        if (now >= peer.link.lastHeard() + kPeerTimeout)
+    for (const auto& [address, peer] : m_peers) {
+        const LocalTime end = peer.link.lastHeard() + kPeerTimeout;
+        if (now >= end)
             silent.push_back(address);
+        else
+            m_nobodySilentBefore = std::min(m_nobodySilentBefore, end);
+    }
     for (const PeerAddress address : silent)
         remove(address, now);
 }
@@ -440,12 +464,11 @@ void SyncHost::dropSilentPeers(LocalTime now)
 void SyncHost::endExceedingPeers(LocalTime now)
 {
     std::erase_if(m_barredUntil, [now](const auto& entry) { return entry.second <= now; });
-    std::vector<PeerAddress> exceeding;
-    for (const auto& [address, peer] : m_peers)
-        if (peer.budget.isFarExceeded())
-            exceeding.push_back(address);
-    for (const PeerAddress address : exceeding) {
-        const Peer& peer = m_peers.at(address);
+    for (const PeerAddress address : std::exchange(m_exceeding, {})) {
+        const auto exceeding = m_peers.find(address);
+        if (exceeding == m_peers.end())
+            continue; // left meanwhile
+        const Peer& peer = exceeding->second;
         m_barredUntil.insert_or_assign(peer.participant, now + kBarred);
         answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent, {}}, now);
         m_output.ended.push_back(address);

@@ -10,6 +10,7 @@
 #include "engine/sync/streams/host_streams.h"
 
 #include <functional>
+#include <set>
 #include <span>
 
 namespace carina
@@ -177,6 +178,7 @@ private:
         Admission admission;
     };
 
+    void take(PeerAddress from, std::span<const std::byte> bytes, LocalTime now);
     void hello(PeerAddress from, const BundleHeader& header, const Hello& hello, LocalTime now);
     [[nodiscard]] Result<std::optional<Admission>> admit(PeerAddress from, const Hello& hello,
                                                          LocalTime now);
@@ -203,6 +205,8 @@ private:
     void sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now);
     void answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,
                         LocalTime now);
+    /// When a peer is next to be sent something other than streams and actions.
+    [[nodiscard]] LocalTime nextDueTo(const Peer& peer) const;
     [[nodiscard]] FactNumber logEnd() const { return {m_log.size()}; }
 
     SessionKey m_session;
@@ -210,6 +214,10 @@ private:
     Duration m_clockOffset;
     HostRules m_rules;
     std::map<PeerAddress, Peer> m_peers;
+    /// No peer is silent for kPeerTimeout before this.
+    LocalTime m_nobodySilentBefore = LocalTime::max();
+    /// Peers that sent far too much since the last turn.
+    std::set<PeerAddress> m_exceeding;
     std::map<PeerAddress, Arrival> m_arrivals;
     std::map<ParticipantId, LocalTime> m_barredUntil;
     /// Of those who left: who comes again goes on with the same. As many as there are names.

@@ -5,6 +5,7 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace carina::lab
 {
@@ -30,6 +31,8 @@ constexpr Key kGuests{"guests", "as given"};
 constexpr Key kAttacks{"attacks", "one object each:"};
 constexpr Key kName{"name", "of the attack", 1};
 constexpr Key kSent{"sent", "datagrams, handshakes or Hellos of the attacker", 1};
+constexpr Key kTaken{"taken_for_another",
+                     "whether the host took the attacker for another participant; never", 1};
 constexpr Key kGapBefore{"largest_gap_before_ms",
                          "between two samples of the trainee's tube at an observer, in as much "
                          "time before the attack",
@@ -65,7 +68,8 @@ double mostFactsOf(const AttackFigures& figures, Duration length)
 
 bool holds(const AttackFigures& figures, Duration length)
 {
-    return inMilliseconds(figures.during.largestGap) <= kMostGap_ms && figures.during.places > 0
+    return !figures.isTakenForAnother && inMilliseconds(figures.during.largestGap) <= kMostGap_ms
+           && figures.during.places > 0
            && figures.during.drift_mm <= kMostDriftRatio * figures.before.drift_mm && figures.joined
            && toSeconds(*figures.joined) <= kMostJoin_s
            && double(figures.facts) <= mostFactsOf(figures, length)
@@ -79,6 +83,7 @@ QJsonObject objectOf(const AttackFigures& figures, Duration length)
         memory.append(each);
     return {{attack_key::kName, QLatin1StringView{figures.kind->name}},
             {attack_key::kSent, qint64{figures.sent}},
+            {attack_key::kTaken, figures.isTakenForAnother},
             {attack_key::kGapBefore, inMilliseconds(figures.before.largestGap)},
             {attack_key::kGap, inMilliseconds(figures.during.largestGap)},
             {attack_key::kDriftBefore, figures.before.drift_mm},
@@ -110,6 +115,9 @@ Result<AttackSettings> settingsOf(const Words& words)
     }
     if (settings.kinds.empty())
         return words.unknownWord(attack_option::kOnly, names);
+    settings.begins = [count = settings.kinds.size(), begun = 0](const AttackKind& kind) mutable {
+        std::fprintf(stderr, "attack: %d of %zu: %s\n", ++begun, count, kind.name);
+    };
     return settings;
 }
 
@@ -151,16 +159,17 @@ Command attackCommand()
                   .text = "Starts a console and a trainee in a session of their own, and attacks "
                           "it as one who knows a code could, in one way after another. Meanwhile "
                           "an observer watches the trainee's tube and a newcomer joins. Needs a "
-                          "display. The attacks:",
+                          "display. Progress is reported on stderr. The attacks:",
                   .notes = attackNotes(),
                   .options = {attack_option::kSeconds, attack_option::kOnly, attack_option::kGuests,
                               attack_option::kPrograms},
                   .schema = attack_key::kSchema,
                   .keys = {attack_key::kSeconds, attack_key::kGuests, attack_key::kAttacks,
-                           attack_key::kName, attack_key::kSent, attack_key::kGapBefore,
-                           attack_key::kGap, attack_key::kDriftBefore, attack_key::kDrift,
-                           attack_key::kJoin, attack_key::kFacts, attack_key::kMostFacts,
-                           attack_key::kMemory, attack_key::kHolds, kAcceptable}}},
+                           attack_key::kName, attack_key::kSent, attack_key::kTaken,
+                           attack_key::kGapBefore, attack_key::kGap, attack_key::kDriftBefore,
+                           attack_key::kDrift, attack_key::kJoin, attack_key::kFacts,
+                           attack_key::kMostFacts, attack_key::kMemory, attack_key::kHolds,
+                           kAcceptable}}},
         .experiment = runAttacks};
 }
 

@@ -60,6 +60,7 @@ public:
             return tl::unexpected(in.error());
         std::vector<AttackFigures> all;
         for (const AttackKind* kind : m_settings.kinds) {
+            m_settings.begins(*kind);
             all.push_back(attack(*kind));
             if (const auto fault = m_session->fault())
                 return tl::unexpected(*fault);
@@ -144,6 +145,7 @@ private:
         workFor(began + m_settings.length - monotonicNow(), [&] { attack->step(); });
         figures.during = m_witness->take();
         figures.sent = attack->sent();
+        figures.isTakenForAnother = attack->isTakenForAnother();
         attack.reset();
 
         workFor(kCalm, [] {});

@@ -6,6 +6,7 @@
 
 #include <QStringList>
 
+#include <functional>
 #include <optional>
 
 namespace carina::lab
@@ -16,14 +17,16 @@ struct AttackSettings {
     Duration length = std::chrono::seconds{10};
     std::vector<const AttackKind*> kinds{};
     int guests = 0; ///< who come in before the first attack and only take part
+    std::function<void(const AttackKind&)> begins = [](const AttackKind&) {}; ///< called with each
 };
 
 /// What one attack did to a session.
 struct AttackFigures {
     const AttackKind* kind = nullptr;
     std::int64_t sent = 0; ///< as the attack counts
-    Seen before{};         ///< in as much time before it
-    Seen during{};         ///< in the time of the attack
+    bool isTakenForAnother = false;
+    Seen before{}; ///< in as much time before it
+    Seen during{}; ///< in the time of the attack
     std::optional<Duration>
         joined{};           ///< how long a newcomer took meanwhile; nothing: not within 10 s
     std::int64_t facts = 0; ///< by which the log is longer afterwards

@@ -1,9 +1,12 @@
 #include "apps/lab/attack/attacks.h"
 
+#include "apps/lab/attack/impostors.h"
+#include "engine/anatomy/patient/patient_name.h"
 #include "engine/session/facts/fact_codec.h"
 
 #include <QSslPreSharedKeyAuthenticator>
 
+#include <algorithm>
 #include <array>
 #include <random>
 
@@ -11,13 +14,6 @@ namespace carina::lab
 {
 namespace
 {
-
-constexpr unsigned kSeed = 20;
-
-WayIn wayIn(const Target& target, Role role)
-{
-    return {target.port, role, target.codes.at(role), target.derive};
-}
 
 /// One who comes in under a name of its own and then sends something in each turn.
 class Participating : public Attack
@@ -46,7 +42,7 @@ public:
 protected:
     virtual void flood(Intruder& intruder) = 0;
 
-    std::mt19937_64 m_random{kSeed};
+    std::mt19937_64 m_random{kAttackSeed};
 
 private:
     std::string m_name;
@@ -110,6 +106,45 @@ public:
 
 private:
     FactBody body(const Welcome&) override { return fact::ManikinBreathed{}; }
+};
+
+/// Decides without end what an instructor may decide about the patient.
+class Instructing : public Proposing
+{
+public:
+    explicit Instructing(const Target& target) : Proposing{target, Role::Instructor} {}
+
+private:
+    FactBody body(const Welcome&) override
+    {
+        const double share = 0.01 * double(m_random() % 100);
+        switch (m_random() % 4) {
+        case 0:
+            return chosen(m_random() % 2 == 0 ? BuiltinPatient::Adult
+                                              : BuiltinPatient::TwelveYears);
+        case 1:
+            return fact::BreathingRateSet{perMinute(10.0 + 30.0 * share)};
+        case 2:
+            return fact::LungConditionsSet{{{ConditionKind::Asthma, share, ConditionSide::Both}}};
+        default:
+            return fact::TidalVolumeSet{millilitres(200.0 + 300.0 * share)};
+        }
+    }
+    static FactBody chosen(BuiltinPatient patient)
+    {
+        const PatientParameters parameters = parametersOf(patient);
+        return fact::AnatomyChosen{madeHash(parameters), nameOf(parameters)};
+    }
+};
+
+/// Gives observers a new code without end.
+class NewCodes : public Proposing
+{
+public:
+    explicit NewCodes(const Target& target) : Proposing{target, Role::Instructor} {}
+
+private:
+    FactBody body(const Welcome&) override { return fact::RoleCodeChanged{Role::Observer}; }
 };
 
 /// Shares a tube and streams samples of it that are ahead of the session.
@@ -189,46 +224,6 @@ protected:
 
 private:
     static constexpr int kDatagrams = 10;
-};
-
-/// Wants to come in as a trainee who is present, by the id with which that one came in.
-class Impostor : public Attack
-{
-public:
-    explicit Impostor(const Target& target)
-        : m_name{target.attacker},
-          m_victim{target.victim},
-          m_watcher{wayIn(target, Role::Observer)},
-          m_impostor{wayIn(target, Role::Trainee)}
-    {
-    }
-
-    void step() override
-    {
-        if (!m_watcher.isIn() || !m_impostor.isIn())
-            return;
-        if (!m_watcher.welcome() && m_connection % kTurns == 1)
-            m_watcher.hello(m_name, ProposalId{kSeed}, m_connection);
-        for (const FactRecord& record : m_watcher.facts()) {
-            const auto fact = fromRecord(record);
-            const auto* joined = fact ? std::get_if<fact::ParticipantJoined>(&fact->body) : nullptr;
-            if (joined != nullptr && joined->name == m_victim)
-                m_join = record.proposal;
-        }
-        ++m_connection;
-        if (m_join)
-            m_impostor.hello(m_victim, *m_join, m_connection);
-    }
-    [[nodiscard]] std::int64_t sent() const override { return m_impostor.sent(); }
-
-private:
-    static constexpr std::uint32_t kTurns = 100;
-    std::string m_name;
-    std::string m_victim;
-    Intruder m_watcher;
-    Intruder m_impostor;
-    std::optional<ProposalId> m_join;
-    std::uint32_t m_connection = 1;
 };
 
 /// Comes in over one path under ever new names.
@@ -331,14 +326,14 @@ private:
     std::int64_t m_sent = 0;
 };
 
-/// All kinds at once, some twice.
+/// All kinds but these last two at once, some twice.
 class Together : public Attack
 {
 public:
     explicit Together(const Target& target)
     {
         const std::span<const AttackKind> kinds = attackKinds();
-        const auto single = kinds.first(kinds.size() - 1); // without this one
+        const auto single = kinds.first(kinds.size() - kLast);
         for (std::size_t i = 0; i < kAttackers; ++i) {
             Target own = target;
             own.attacker += ' ' + std::to_string(i);
@@ -358,8 +353,14 @@ public:
             sum += attack->sent();
         return sum;
     }
+    [[nodiscard]] bool isTakenForAnother() const override
+    {
+        return std::ranges::any_of(m_attacks,
+                                   [](const auto& attack) { return attack->isTakenForAnother(); });
+    }
 
 private:
+    static constexpr std::size_t kLast = 2; ///< this, and the one after which codes are others
     static constexpr std::size_t kAttackers = 16;
     std::vector<std::unique_ptr<Attack>> m_attacks;
 };
@@ -371,10 +372,17 @@ template <class Kind> std::unique_ptr<Attack> begin(const Target& target)
 
 } // namespace
 
+WayIn wayIn(const Target& target, Role role)
+{
+    return {target.port, role, target.codes.at(role), target.derive};
+}
+
 std::span<const AttackKind> attackKinds()
 {
     // One for each coming and going of those who take part: attacker, newcomer, watcher.
     constexpr double kComings = 20.0;
+    // As many as the host takes from an instructor in a second, and a tenth.
+    constexpr double kInstructing = 110.0;
     static constexpr std::array kKinds{
         AttackKind{"leaving", "an observer proposes that it leaves, without end", kComings, 0.0,
                    begin<Leaving>},
@@ -383,7 +391,11 @@ std::span<const AttackKind> attackKinds()
         AttackKind{"breathing", "a trainee proposes breaths of the manikin without end", kComings,
                    22.0, begin<Breathing>},
         AttackKind{"impostor", "a trainee says Hello with the join of one who is present", kComings,
-                   0.0, begin<Impostor>},
+                   0.0, beginImpostor},
+        AttackKind{"false-token",
+                   "one says that it is a trainee who is present, whose name and number it knows, "
+                   "without the token",
+                   kComings, 0.0, beginFalseToken},
         AttackKind{"client-hellos", "ClientHellos without a cookie", kComings, 0.0,
                    begin<ClientHellos>},
         AttackKind{"paths", "an observer opens paths and says no Hello", kComings, 0.0,
@@ -395,8 +407,13 @@ std::span<const AttackKind> attackKinds()
         AttackKind{"names", "a trainee comes in under ever new names over one path", kComings, 0.0,
                    begin<Names>},
         AttackKind{"garbage", "an observer sends bytes at random", kComings, 0.0, begin<Garbage>},
-        AttackKind{"together", "sixteen attackers, in all these ways at once", 16.0 * kComings,
-                   44.0, begin<Together>}};
+        AttackKind{"instructing", "an instructor changes the patient and its breathing without end",
+                   kComings + 2.0 * kInstructing, kInstructing, begin<Instructing>},
+        AttackKind{"together", "sixteen attackers, in all these ways at once",
+                   16.0 * kComings + 2.0 * kInstructing, 44.0 + 2.0 * kInstructing,
+                   begin<Together>},
+        AttackKind{"new-codes", "an instructor gives observers a new code without end", kComings,
+                   2.0, begin<NewCodes>}};
     return kKinds;
 }
 

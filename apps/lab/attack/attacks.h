@@ -16,6 +16,12 @@ struct Target {
     std::string attacker; ///< name under which it comes in itself
 };
 
+/// With which attacks draw at random.
+inline constexpr unsigned kAttackSeed = 20;
+
+/// With the code of a role.
+[[nodiscard]] WayIn wayIn(const Target& target, Role role);
+
 /// An attack under way.
 class Attack
 {
@@ -25,6 +31,8 @@ public:
     virtual void step() = 0;
     /// Datagrams, handshakes or Hellos sent, as the attack counts.
     [[nodiscard]] virtual std::int64_t sent() const = 0;
+    /// Whether the host took it for a participant that it is not.
+    [[nodiscard]] virtual bool isTakenForAnother() const { return false; }
 };
 
 struct AttackKind {

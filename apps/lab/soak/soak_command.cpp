@@ -36,9 +36,19 @@ constexpr Key kJoins{"joins", "times that the observer was admitted"};
 constexpr Key kEvents{"events", "changes of the breathing and pauses that were proposed"};
 constexpr Key kUnanswered{"unanswered", "proposals that were not facts at the end"};
 constexpr Key kFacts{"facts", "in the log at the end; each stays in memory"};
+constexpr Key kFactsPerMinute{"facts_per_min", "slope of the line through their number"};
 constexpr Key kPrograms{"programs", "one object each for console and trainee:"};
 constexpr Key kName{"name", "of the program", 1};
-constexpr Key kMemory{"memory_kb", "resident memory that is not of a file:", 1};
+constexpr Key kMemory{
+    "memory_kb",
+    "resident memory that is not of a file; the slope is that of the least in each "
+    "sixtieth of the time, under what comes and goes while a patient is made:",
+    1};
+constexpr Key kPerFact{"bytes_per_fact",
+                       "by which memory grows while a fact comes: more than a fact takes, where "
+                       "something else grows; null without facts. Nothing of it is left out of "
+                       "the slope",
+                       1};
 constexpr Key kDescriptors{"descriptors", "open file descriptors, likewise", 1};
 constexpr Key kThreads{"threads", "likewise", 1};
 constexpr Key kFirst{"first", "when measuring began", 2};
@@ -56,9 +66,24 @@ constexpr Key kError{"per_min_se",
 constexpr double kSignificant = 2.0;
 constexpr double kMostPerMinute = 0.05; ///< descriptors or threads: three in an hour
 
-QJsonObject courseOf(const std::vector<TimedFigure>& figures)
+constexpr std::size_t kLevels = 60; ///< of the whole time
+
+/// Memory under what comes and goes.
+std::vector<TimedFigure> levelsOf(const std::vector<TimedFigure>& memory_kb)
 {
-    const Trend trend = trendOf(figures);
+    return leastOfEach(memory_kb, std::max<std::size_t>(1, memory_kb.size() / kLevels));
+}
+
+QJsonValue bytesPerFact(const SoakedProgram& program, const Trend& facts)
+{
+    constexpr double kBytes = 1024.0;
+    if (!(facts.slope > 0.0))
+        return QJsonValue::Null;
+    return kBytes * trendOf(levelsOf(program.memory_kb)).slope / facts.slope;
+}
+
+QJsonObject courseOf(const std::vector<TimedFigure>& figures, const Trend& trend)
+{
     const auto most = std::ranges::max(figures, {}, &TimedFigure::figure).figure;
     return {{soak_key::kFirst, figures.front().figure},
             {soak_key::kLast, figures.back().figure},
@@ -75,7 +100,7 @@ bool staysBelow(const std::vector<TimedFigure>& figures, double limit)
 
 bool isLevel(const SoakedProgram& program, double limit_kb_per_min)
 {
-    return staysBelow(program.memory_kb, limit_kb_per_min)
+    return staysBelow(levelsOf(program.memory_kb), limit_kb_per_min)
            && staysBelow(program.descriptors, kMostPerMinute)
            && staysBelow(program.threads, kMostPerMinute);
 }
@@ -101,13 +126,16 @@ Result<SoakSettings> settingsOf(const Words& words)
 QJsonObject reportOf(const SoakFigures& figures, const SoakSettings& settings, double limit)
 {
     QJsonArray programs;
+    const Trend facts = trendOf(figures.facts);
     bool isAcceptable = figures.unanswered == 0 && figures.joins == settings.joins;
     for (const SoakedProgram& program : figures.programs) {
         isAcceptable = isAcceptable && isLevel(program, limit);
-        programs.append(QJsonObject{{soak_key::kName, QString::fromStdString(program.name)},
-                                    {soak_key::kMemory, courseOf(program.memory_kb)},
-                                    {soak_key::kDescriptors, courseOf(program.descriptors)},
-                                    {soak_key::kThreads, courseOf(program.threads)}});
+        programs.append(QJsonObject{
+            {soak_key::kName, QString::fromStdString(program.name)},
+            {soak_key::kMemory, courseOf(program.memory_kb, trendOf(levelsOf(program.memory_kb)))},
+            {soak_key::kPerFact, bytesPerFact(program, facts)},
+            {soak_key::kDescriptors, courseOf(program.descriptors, trendOf(program.descriptors))},
+            {soak_key::kThreads, courseOf(program.threads, trendOf(program.threads))}});
     }
     return {{soak_key::kSchema, QLatin1StringView{soak_key::kSchema.help}},
             {soak_key::kMinutes, toSeconds(settings.length) / 60.0},
@@ -115,7 +143,8 @@ QJsonObject reportOf(const SoakFigures& figures, const SoakSettings& settings, d
             {soak_key::kJoins, figures.joins},
             {soak_key::kEvents, figures.events},
             {soak_key::kUnanswered, figures.unanswered},
-            {soak_key::kFacts, qint64{figures.facts}},
+            {soak_key::kFacts, figures.facts.back().figure},
+            {soak_key::kFactsPerMinute, facts.slope},
             {soak_key::kPrograms, programs},
             {kAcceptable, isAcceptable}};
 }
@@ -153,10 +182,10 @@ Command soakCommand()
                   .schema = soak_key::kSchema,
                   .keys = {soak_key::kMinutes, soak_key::kPatients, soak_key::kJoins,
                            soak_key::kEvents, soak_key::kUnanswered, soak_key::kFacts,
-                           soak_key::kPrograms, soak_key::kName, soak_key::kMemory,
-                           soak_key::kFirst, soak_key::kLast, soak_key::kMost, soak_key::kSlope,
-                           soak_key::kError, soak_key::kDescriptors, soak_key::kThreads,
-                           kAcceptable}}},
+                           soak_key::kFactsPerMinute, soak_key::kPrograms, soak_key::kName,
+                           soak_key::kMemory, soak_key::kPerFact, soak_key::kFirst, soak_key::kLast,
+                           soak_key::kMost, soak_key::kSlope, soak_key::kError,
+                           soak_key::kDescriptors, soak_key::kThreads, kAcceptable}}},
         .experiment = runSoak};
 }
 

@@ -74,6 +74,7 @@ private:
     void sample(Duration since)
     {
         const double minutes = toSeconds(since) / 60.0;
+        m_figures.facts.push_back({minutes, double(m_script->facts())});
         const auto& programs = m_session->programs();
         for (std::size_t i = 0; i < programs.size(); ++i) {
             const auto footprint = programs[i]->footprint();

@@ -33,7 +33,7 @@ struct SoakFigures {
     int joins = 0;                       ///< times that the observer was admitted
     int events = 0;                      ///< proposed
     int unanswered = 0;                  ///< proposals that were not facts at the end
-    std::int64_t facts = 0;              ///< in the log at the end
+    std::vector<TimedFigure> facts;      ///< in the log
 };
 
 /// Runs a console that hosts a session and a trainee with a simulated tracker, each in its window,

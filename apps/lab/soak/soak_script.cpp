@@ -118,12 +118,13 @@ void SoakScript::comeOrGo()
         m_guest = *std::move(node);
 }
 
+std::uint64_t SoakScript::facts() const { return m_instructor->state()->lastApplied().value; }
+
 void SoakScript::report(SoakFigures& figures) const
 {
     figures.patients = m_patients;
     figures.joins = m_joins;
     figures.events = m_events;
-    figures.facts = m_instructor->state()->lastApplied().value;
     figures.unanswered = static_cast<int>(m_instructor->pending().size());
 }
 

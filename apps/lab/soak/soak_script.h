@@ -23,6 +23,8 @@ public:
     [[nodiscard]] std::optional<Error> refusal() const;
     /// Does what is due. To be called often. @param since the beginning
     void step(Duration since);
+    /// In the log so far.
+    [[nodiscard]] std::uint64_t facts() const;
     /// Counts what was done.
     void report(SoakFigures& figures) const;
 

@@ -293,7 +293,8 @@ void ClientDriver::show(LocalTime now)
         if (auto body = decodeBody(record.body))
             view.pending.push_back(*std::move(body));
     view.clockReport = clockReport(now);
-    view.links.push_back(linkReport(kHostParticipant, linkState(m_core.state()), m_core.link()));
+    view.links = std::make_shared<std::vector<NodeBoard::Link>>(
+        1, linkReport(kHostParticipant, linkState(m_core.state()), m_core.link()));
     m_board.showPaths(view, now, [&] {
         return std::vector{reportPath(kHostParticipant, m_core.link(), m_core.clock().trigger())};
     });

@@ -22,6 +22,8 @@ constexpr ParticipantId kSelf{0};
 constexpr StationId kFirstStation{0};
 /// Shortest interval of storing actions, so that rapid actions do not keep the disk busy.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
+/// Of showing when each peer was last heard; who comes or goes is shown at once.
+constexpr Duration kLinkInterval = std::chrono::milliseconds{50};
 constexpr Duration kWatchInterval = std::chrono::milliseconds{500};
 /// A path is not idle as long as its participant's join may wait for a slow disk.
 constexpr Duration kJoinStoredWithin = std::chrono::seconds{10};
@@ -435,6 +437,18 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
     return paths;
 }
 
+std::shared_ptr<const std::vector<NodeBoard::Link>> HostDriver::links(LocalTime now)
+{
+    if (now < m_nextLinks && m_shownLinks->size() == m_core->peers().size())
+        return m_shownLinks;
+    m_nextLinks = now + kLinkInterval;
+    std::vector<NodeBoard::Link> links;
+    for (const auto& [address, peer] : m_core->peers())
+        links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
+    m_shownLinks = std::make_shared<std::vector<NodeBoard::Link>>(std::move(links));
+    return m_shownLinks;
+}
+
 void HostDriver::show(LocalTime now)
 {
     if (!m_shownState)
@@ -447,8 +461,7 @@ void HostDriver::show(LocalTime now)
     view.state = m_shownState;
     m_board.showActions(view, m_core->actions());
     view.drifts = m_views.drifts();
-    for (const auto& [address, peer] : m_core->peers())
-        view.links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
+    view.links = links(now);
     m_board.showPaths(view, now, [&] { return measurePaths(now); });
     view.refusal = m_refusal ? m_refusal : m_storeFault ? m_storeFault : m_access->fault();
     if (m_board.show(std::move(view)))

@@ -108,6 +108,8 @@ private:
     [[nodiscard]] std::optional<RigidTransform> shownPose(ObjectId object, SessionTime t) const;
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
+    /// Those to the present peers, as shown last where that is not long ago.
+    [[nodiscard]] std::shared_ptr<const std::vector<NodeBoard::Link>> links(LocalTime now);
     [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;
 
     struct Unstored {
@@ -146,6 +148,9 @@ private:
     std::optional<Error> m_storeFault; // what happened to the store, until the end
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;
+    std::shared_ptr<const std::vector<NodeBoard::Link>> m_shownLinks =
+        std::make_shared<std::vector<NodeBoard::Link>>();
+    LocalTime m_nextLinks = LocalTime::min();
 };
 
 } // namespace carina

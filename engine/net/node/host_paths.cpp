@@ -9,6 +9,7 @@ void HostPaths::connected(PeerAddress path, const Credential& who, LocalTime now
 {
     endOldestIdle(who);
     m_paths.emplace(path, Path{who, now});
+    m_nextLook = std::min(m_nextLook, now + kLook);
 }
 
 void HostPaths::idleFrom(PeerAddress path, LocalTime time)
@@ -31,22 +32,19 @@ bool HostPaths::hearsTokenRequest(PeerAddress path, LocalTime now)
 
 void HostPaths::advance(LocalTime now)
 {
+    if (now < m_nextLook)
+        return;
+    m_nextLook = m_paths.empty() ? LocalTime::max() : now + kLook;
     for (auto& [address, path] : m_paths) {
         if (m_isInUse(address)) {
             path.idleSince = now;
         } else if (now >= path.idleSince + kHelloWithin) {
             m_ended.push_back(address);
             path.idleSince = now; // it is told as disconnected next
+        } else {
+            m_nextLook = std::min(m_nextLook, path.idleSince + kHelloWithin);
         }
     }
-}
-
-LocalTime HostPaths::nextWake() const
-{
-    LocalTime wake = LocalTime::max();
-    for (const auto& [address, path] : m_paths)
-        wake = std::min(wake, path.idleSince + kHelloWithin);
-    return wake;
 }
 
 void HostPaths::endOldestIdle(const Credential& who)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/net/entry/psk_identity.h"
+#include "engine/sync/actions/host_actions.h"
 #include "engine/sync/connection/peer_budget.h"
 #include "engine/sync/connection/peer_link.h"
 
@@ -24,6 +25,8 @@ public:
     static constexpr std::size_t kMostIdleOfToken = 4;
     /// Hellos over a path in a second that are judged; twice as many at once.
     static constexpr double kHellos = 10.0;
+    /// How often it is looked which paths are in use.
+    static constexpr Duration kLook = std::chrono::milliseconds{100};
     /// Requests for a token in a second that are answered; twice as many at once.
     static constexpr double kTokenRequests = 8.0;
 
@@ -40,7 +43,7 @@ public:
     [[nodiscard]] bool hearsTokenRequest(PeerAddress path, LocalTime now);
 
     void advance(LocalTime now);
-    [[nodiscard]] LocalTime nextWake() const;
+    [[nodiscard]] LocalTime nextWake() const { return m_nextLook; }
     /// The paths to be closed.
     [[nodiscard]] std::vector<PeerAddress> takeEnded() { return std::exchange(m_ended, {}); }
 
@@ -58,6 +61,7 @@ private:
     std::function<bool(PeerAddress)> m_isInUse;
     std::map<PeerAddress, Path> m_paths;
     std::vector<PeerAddress> m_ended;
+    LocalTime m_nextLook = LocalTime::max();
 };
 
 } // namespace carina

@@ -11,9 +11,10 @@ constexpr Duration kPathInterval = std::chrono::milliseconds{100};
 
 bool sameLinks(const std::vector<NodeBoard::Link>& a, const std::vector<NodeBoard::Link>& b)
 {
-    return std::ranges::equal(a, b, [](const NodeBoard::Link& x, const NodeBoard::Link& y) {
-        return x.report.peer == y.report.peer && x.report.state == y.report.state;
-    });
+    return &a == &b
+           || std::ranges::equal(a, b, [](const NodeBoard::Link& x, const NodeBoard::Link& y) {
+                  return x.report.peer == y.report.peer && x.report.state == y.report.state;
+              });
 }
 
 } // namespace
@@ -68,7 +69,7 @@ bool NodeBoard::show(View view)
     const bool changed = view.self != m_view.self || view.state != m_view.state
                          || view.pending != m_view.pending || view.refusal != m_view.refusal
                          || view.clock.has_value() != m_view.clock.has_value()
-                         || !sameLinks(view.links, m_view.links);
+                         || !sameLinks(*view.links, *m_view.links);
     m_view = std::move(view);
     return changed;
 }

@@ -28,7 +28,7 @@ public:
         std::shared_ptr<const SharedActions> actions = std::make_shared<SharedActions>();
         std::shared_ptr<const ShownViews::Drifts> drifts = std::make_shared<ShownViews::Drifts>();
         std::vector<FactBody> pending;
-        std::vector<Link> links;
+        std::shared_ptr<const std::vector<Link>> links = std::make_shared<std::vector<Link>>();
         std::shared_ptr<const std::vector<PathReport>> paths =
             std::make_shared<std::vector<PathReport>>();
         LocalTime nextPaths = LocalTime::min(); ///< when they are to be measured again

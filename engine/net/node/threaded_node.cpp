@@ -124,7 +124,8 @@ std::vector<LinkReport> ThreadedNode::links() const
 {
     const LocalTime now = monotonicNow();
     std::vector<LinkReport> reports;
-    for (const NodeBoard::Link& link : m_board.view().links) {
+    const auto links = m_board.view().links;
+    for (const NodeBoard::Link& link : *links) {
         reports.push_back(link.report);
         reports.back().sinceLastDatagram = now - link.lastHeard;
     }

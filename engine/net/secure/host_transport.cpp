@@ -67,12 +67,7 @@ LocalTime HostTransport::nextWake() const
     // Datagrams left for the next turn do not signal again.
     if (m_socket.hasPendingDatagrams())
         return LocalTime::min();
-    LocalTime wake = LocalTime::max();
-    for (const auto& [from, handshake] : m_handshakes)
-        wake = std::min(wake, handshake->lastHeard + kHandshakeTimeout);
-    for (const auto& [from, path] : m_paths)
-        wake = std::min(wake, path->lastHeard + kPathTimeout);
-    return wake;
+    return m_nobodySilentBefore;
 }
 
 void HostTransport::send(PeerAddress to, std::span<const std::byte> bytes)
@@ -140,6 +135,7 @@ void HostTransport::greet(const Endpoint& from, const RawDatagram& hello, LocalT
     if (!association->dtls.doHandshake(&m_socket, hello.bytes))
         return;
     m_handshakes.insert_or_assign(from, std::move(association));
+    watch(now + kHandshakeTimeout);
     if (m_handshakes.size() > kMostHandshakes)
         m_handshakes.erase(std::ranges::min_element(
             m_handshakes, {}, [](const auto& entry) { return entry.second->lastHeard; }));
@@ -246,6 +242,7 @@ void HostTransport::proved(Associations::iterator handshake, TransportListener& 
         return;
     peer->address = ++m_lastAddress;
     peer->lastHeard = now;
+    watch(now + kPathTimeout);
     m_byAddress.emplace(peer->address, peer.get());
     const Association& path = *m_paths.emplace(from, std::move(peer)).first->second;
     listener.connected(path.address, path.who, now);
@@ -276,12 +273,19 @@ HostTransport::drop(Associations::iterator path, TransportListener& listener, Lo
 
 void HostTransport::dropSilent(TransportListener& listener, LocalTime now)
 {
-    std::erase_if(m_handshakes, [now](const auto& entry) {
-        return now >= entry.second->lastHeard + kHandshakeTimeout;
-    });
+    if (now < m_nobodySilentBefore)
+        return;
+    m_nobodySilentBefore = LocalTime::max();
+    const auto isSilent = [&](const Association& association, Duration timeout) {
+        const LocalTime end = association.lastHeard + timeout;
+        if (now < end)
+            watch(end);
+        return now >= end;
+    };
+    std::erase_if(m_handshakes,
+                  [&](const auto& entry) { return isSilent(*entry.second, kHandshakeTimeout); });
     for (auto path = m_paths.begin(); path != m_paths.end();)
-        path = now >= path->second->lastHeard + kPathTimeout ? drop(path, listener, now)
-                                                             : std::next(path);
+        path = isSilent(*path->second, kPathTimeout) ? drop(path, listener, now) : std::next(path);
 }
 
 } // namespace carina

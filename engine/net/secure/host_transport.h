@@ -4,6 +4,7 @@
 #include "engine/net/secure/endpoint.h"
 #include "engine/net/secure/secure_transport.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace carina
@@ -80,6 +81,8 @@ private:
     Associations::iterator drop(Associations::iterator path, TransportListener& listener,
                                 LocalTime now);
     void dropSilent(TransportListener& listener, LocalTime now);
+    /// Notes an association that may be silent for too long from a time on.
+    void watch(LocalTime from) { m_nobodySilentBefore = std::min(m_nobodySilentBefore, from); }
 
     QUdpSocket m_socket;
     QDtlsClientVerifier m_verifier;
@@ -92,6 +95,8 @@ private:
     Associations m_paths;
     std::map<PeerAddress, Association*> m_byAddress; // into m_paths
     PeerAddress m_lastAddress = 0;
+    /// No association is silent for too long before this.
+    LocalTime m_nobodySilentBefore = LocalTime::max();
 };
 
 } // namespace carina

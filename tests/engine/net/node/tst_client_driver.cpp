@@ -77,7 +77,7 @@ private Q_SLOTS:
         pair.run(200ms);
         QCOMPARE(pair.board.state()->name(), std::string{"Course"});
         QCOMPARE(pair.board.view().self, ParticipantId{5});
-        QCOMPARE(pair.board.view().links[0].report.state, LinkState::Connected);
+        QCOMPARE(pair.board.view().links->at(0).report.state, LinkState::Connected);
         QCOMPARE(pair.board.clock()->at(pair.now), pair.host.sessionTime(pair.now));
     }
 
@@ -90,7 +90,7 @@ private Q_SLOTS:
         pair.run(200ms);
         QCOMPARE(pair.board.view().refusal->code, Errc::PacketMalformed);
         QCOMPARE(pair.board.state()->lastApplied(), FactNumber{1});
-        QCOMPARE(pair.board.view().links[0].report.state, LinkState::Ended);
+        QCOMPARE(pair.board.view().links->at(0).report.state, LinkState::Ended);
         QVERIFY(pair.host.peers().empty()); // it said goodbye
     }
 

@@ -116,7 +116,7 @@ private Q_SLOTS:
         static_cast<void>((*host)->advance(now)); // lost
         QVERIFY((*host)->takeEnded().empty());
         talk(1s);
-        QCOMPARE(boards[1].view().links.at(0).report.state, LinkState::Ended);
+        QCOMPARE(boards[1].view().links->at(0).report.state, LinkState::Ended);
         QCOMPARE(*boards[1].view().refusal, (Error{Errc::Removed, "Dr Hall: too loud"}));
         QVERIFY(!boards[0].state()->participants().at(id).present);
         talk(HostPaths::kHelloWithin);

@@ -104,7 +104,7 @@ private Q_SLOTS:
         QVERIFY2(oldest < 2 * StreamTick::kPeriod + 2ms,
                  qPrintable(QString::number(toSeconds(oldest))));
         for (const auto* guest : {&anna, &ben}) {
-            const NodeBoard::Link link = guest->board.view().links.at(0);
+            const NodeBoard::Link link = guest->board.view().links->at(0);
             QCOMPARE(link.report.state, LinkState::Connected);
             QVERIFY(world.now - link.lastHeard <= kKeepAlive);
             QVERIFY(guest->board.view().paths->at(0).roundTrip <= 2ms);

@@ -39,11 +39,7 @@ constexpr Key kFacts{"facts", "in the log at the end; each stays in memory"};
 constexpr Key kFactsPerMinute{"facts_per_min", "slope of the line through their number"};
 constexpr Key kPrograms{"programs", "one object each for console and trainee:"};
 constexpr Key kName{"name", "of the program", 1};
-constexpr Key kMemory{
-    "memory_kb",
-    "resident memory that is not of a file; the slope is that of the least in each "
-    "sixtieth of the time, under what comes and goes while a patient is made:",
-    1};
+constexpr Key kMemory{"memory_kb", "resident memory that is not of a file:", 1};
 constexpr Key kPerFact{"bytes_per_fact",
                        "by which memory grows while a fact comes: more than a fact takes, where "
                        "something else grows; null without facts. Nothing of it is left out of "
@@ -66,24 +62,17 @@ constexpr Key kError{"per_min_se",
 constexpr double kSignificant = 2.0;
 constexpr double kMostPerMinute = 0.05; ///< descriptors or threads: three in an hour
 
-constexpr std::size_t kLevels = 60; ///< of the whole time
-
-/// Memory under what comes and goes.
-std::vector<TimedFigure> levelsOf(const std::vector<TimedFigure>& memory_kb)
-{
-    return leastOfEach(memory_kb, std::max<std::size_t>(1, memory_kb.size() / kLevels));
-}
-
 QJsonValue bytesPerFact(const SoakedProgram& program, const Trend& facts)
 {
     constexpr double kBytes = 1024.0;
     if (!(facts.slope > 0.0))
         return QJsonValue::Null;
-    return kBytes * trendOf(levelsOf(program.memory_kb)).slope / facts.slope;
+    return kBytes * trendOf(program.memory_kb).slope / facts.slope;
 }
 
-QJsonObject courseOf(const std::vector<TimedFigure>& figures, const Trend& trend)
+QJsonObject courseOf(const std::vector<TimedFigure>& figures)
 {
+    const Trend trend = trendOf(figures);
     const auto most = std::ranges::max(figures, {}, &TimedFigure::figure).figure;
     return {{soak_key::kFirst, figures.front().figure},
             {soak_key::kLast, figures.back().figure},
@@ -100,7 +89,7 @@ bool staysBelow(const std::vector<TimedFigure>& figures, double limit)
 
 bool isLevel(const SoakedProgram& program, double limit_kb_per_min)
 {
-    return staysBelow(levelsOf(program.memory_kb), limit_kb_per_min)
+    return staysBelow(program.memory_kb, limit_kb_per_min)
            && staysBelow(program.descriptors, kMostPerMinute)
            && staysBelow(program.threads, kMostPerMinute);
 }
@@ -130,12 +119,11 @@ QJsonObject reportOf(const SoakFigures& figures, const SoakSettings& settings, d
     bool isAcceptable = figures.unanswered == 0 && figures.joins == settings.joins;
     for (const SoakedProgram& program : figures.programs) {
         isAcceptable = isAcceptable && isLevel(program, limit);
-        programs.append(QJsonObject{
-            {soak_key::kName, QString::fromStdString(program.name)},
-            {soak_key::kMemory, courseOf(program.memory_kb, trendOf(levelsOf(program.memory_kb)))},
-            {soak_key::kPerFact, bytesPerFact(program, facts)},
-            {soak_key::kDescriptors, courseOf(program.descriptors, trendOf(program.descriptors))},
-            {soak_key::kThreads, courseOf(program.threads, trendOf(program.threads))}});
+        programs.append(QJsonObject{{soak_key::kName, QString::fromStdString(program.name)},
+                                    {soak_key::kMemory, courseOf(program.memory_kb)},
+                                    {soak_key::kPerFact, bytesPerFact(program, facts)},
+                                    {soak_key::kDescriptors, courseOf(program.descriptors)},
+                                    {soak_key::kThreads, courseOf(program.threads)}});
     }
     return {{soak_key::kSchema, QLatin1StringView{soak_key::kSchema.help}},
             {soak_key::kMinutes, toSeconds(settings.length) / 60.0},

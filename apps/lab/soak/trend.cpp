@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace carina::lab
 {
@@ -40,15 +41,6 @@ double correlationOf(const std::vector<double>& deviations)
 }
 
 } // namespace
-
-std::vector<TimedFigure> leastOfEach(std::span<const TimedFigure> figures, std::size_t inARow)
-{
-    CARINA_EXPECTS(inARow > 0);
-    std::vector<TimedFigure> least;
-    for (; figures.size() >= inARow; figures = figures.subspan(inARow))
-        least.push_back(std::ranges::min(figures.first(inARow), {}, &TimedFigure::figure));
-    return least;
-}
 
 Trend trendOf(std::span<const TimedFigure> figures)
 {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 namespace carina::lab
 {
@@ -19,11 +18,6 @@ struct Trend {
     /// with r the correlation of one deviation from the line with the next (Santer et al. 2000).
     double standardError = 0.0;
 };
-
-/// The least of each so many in a row, at its time: a level under what comes and goes. Of those
-/// left over at the end nothing is taken. @pre inARow > 0
-[[nodiscard]] std::vector<TimedFigure> leastOfEach(std::span<const TimedFigure> figures,
-                                                   std::size_t inARow);
 
 /// @pre at least three figures, whose times rise.
 [[nodiscard]] Trend trendOf(std::span<const TimedFigure> figures);

@@ -8,7 +8,6 @@
 namespace carina::trend_test
 {
 
-using carina::lab::leastOfEach;
 using carina::lab::TimedFigure;
 using carina::lab::Trend;
 using carina::lab::trendOf;
@@ -47,20 +46,6 @@ private Q_SLOTS:
         const Trend trend = trendOf(line);
         QVERIFY(std::abs(trend.slope - 2.0) < 1e-12);
         QVERIFY(trend.standardError < 1e-12);
-    }
-
-    void leastOfEachIsTheLevelUnderWhatComesAndGoes()
-    {
-        std::vector<TimedFigure> figures;
-        for (int i = 0; i < 62; ++i) // three of ten are more, by ever another amount
-            figures.push_back({double(i), 2.0 * i + (i % 10 < 3 ? 100.0 + i * i : 0.0)});
-        const std::vector<TimedFigure> least = leastOfEach(figures, 10);
-        QCOMPARE(least.size(), std::size_t{6}); // two are left over
-        QCOMPARE(least.front().time, 3.0);
-        QCOMPARE(least.front().figure, 6.0);
-        QVERIFY(std::abs(trendOf(least).slope - 2.0) < 1e-12);
-        QCOMPARE(leastOfEach(figures, 1).size(), figures.size());
-        QVERIFY(leastOfEach(figures, 63).empty());
     }
 
     void isOneOverTheSpreadOfTheTimesForIndependentFigures()

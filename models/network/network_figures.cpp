@@ -31,14 +31,14 @@ DelaysByPeer meanDelays(const std::vector<PathReport>& paths)
 }
 
 /// From a participant to whoever hears of it last: this node, which passes it on, or another peer.
-std::optional<Duration> longestWayFrom(ParticipantId owner, const DelaysByPeer& delays)
+std::optional<Duration> longestWayFrom(ParticipantId author, const DelaysByPeer& delays)
 {
-    const auto own = delays.find(owner);
+    const auto own = delays.find(author);
     if (own == delays.end())
         return std::nullopt;
     Duration onwards{};
     for (const auto& [peer, delay] : delays)
-        if (peer != owner)
+        if (peer != author)
             onwards = std::max(onwards, delay);
     return own->second + onwards;
 }
@@ -54,9 +54,6 @@ ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
     figures.drift_mm = report.driftMm;
     figures.limit_deg = report.limitDeg ? report.limitDeg : product(report.turnDegPerS, delay);
     figures.limit_mm = report.limitMm ? report.limitMm : product(report.moveMmPerS, delay);
-    figures.actions_per_s = report.actionsPerS;
-    if (const auto longest = longestWayFrom(object.owner, delays))
-        figures.upshot_per_s = upshotFrequency(*longest);
     return figures;
 }
 
@@ -89,6 +86,7 @@ std::vector<NetworkFigures> networkFigures(const SessionNode& node)
     const std::vector<ObjectReport> reports = node.objectReports();
     const DelaysByPeer delays = meanDelays(*paths);
     std::vector<NetworkFigures> all;
+    const std::map<ParticipantId, double> frequencies = node.actionFrequencies();
     for (const PathReport& path : *paths) {
         const auto participant = state->participants().find(path.peer);
         if (participant == state->participants().end())
@@ -96,6 +94,10 @@ std::vector<NetworkFigures> networkFigures(const SessionNode& node)
         NetworkFigures figures = figuresOf(path);
         figures.name = QString::fromStdString(participant->second.name);
         for (const ObjectReport& report : reports) {
+        if (const auto frequency = frequencies.find(path.peer); frequency != frequencies.end())
+            figures.actions_per_s = frequency->second;
+        if (const auto longest = longestWayFrom(path.peer, delays))
+            figures.upshot_per_s = upshotFrequency(*longest);
             const auto object = state->objects().find(report.object);
             if (object != state->objects().end() && object->second.owner == path.peer)
                 figures.objects.push_back(figuresOf(report, object->second, delays));

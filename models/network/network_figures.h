@@ -23,8 +23,6 @@ struct ObjectFigures {
     std::optional<double> limit_deg{};
     std::optional<double> drift_mm{};
     std::optional<double> limit_mm{};
-    std::optional<double> actions_per_s{}; ///< v_k, the action frequency
-    std::optional<double> upshot_per_s{};  ///< v0 = 1 / delay, for the longest path from its owner
 };
 
 /// Figures of the network between this program and one participant. A figure is empty while it is
@@ -45,6 +43,8 @@ struct NetworkFigures {
     std::optional<double> loss_percent{};
     std::optional<TrafficReport> traffic{}; ///< at the host
     std::vector<ObjectFigures> objects{};
+    std::optional<double> actions_per_s{};  ///< v_k, the action frequency (ApplicationAnalysis)
+    std::optional<double> upshot_per_s{};   ///< v0 = 1 / delay, for the longest path from them
 };
 
 /// The figures of all participants to whom this node measures a path, in the order of their ids.

@@ -55,16 +55,17 @@ QString categoryText(ApplicationCategory category)
     return {};
 }
 
-QString actionsText(const ObjectFigures& object)
+QString actionsText(const NetworkFigures& figures)
 {
-    if (!object.actions_per_s && !object.upshot_per_s)
+    if (!figures.actions_per_s && !figures.upshot_per_s)
         return NetworkFiguresModel::tr("not known yet");
-    const QString rates = NetworkFiguresModel::tr("%1 (%2) per s")
-                              .arg(figure(object.actions_per_s, 0), figure(object.upshot_per_s, 0));
-    if (!object.actions_per_s || !object.upshot_per_s)
+    const QString rates =
+        NetworkFiguresModel::tr("%1 (%2) per s")
+            .arg(figure(figures.actions_per_s, 1), figure(figures.upshot_per_s, 0));
+    if (!figures.actions_per_s || !figures.upshot_per_s)
         return rates;
     return NetworkFiguresModel::tr("%1, %2", "actions and their category")
-        .arg(rates, categoryText(categoryOf(*object.actions_per_s, *object.upshot_per_s)));
+        .arg(rates, categoryText(categoryOf(*figures.actions_per_s, *figures.upshot_per_s)));
 }
 
 QString delayText(const NetworkFigures& figures)
@@ -123,6 +124,7 @@ void NetworkFiguresModel::addPath(const NetworkFigures& figures, std::vector<Row
 {
     rows.push_back(
         {tr("Round-trip time"), withUnit(figures.roundTrip_ms, 2, tr("%1 ms")),
+    addActions(figures, rows);
          tr("Time that a datagram takes to the participant and back; the newest measurement")});
     rows.push_back({tr("One-way delay ± σ"), delayText(figures),
                     tr("Latency: half the round-trip time. Mean, and standard deviation (jitter), "
@@ -162,6 +164,16 @@ void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Ro
     rows.push_back({tr("Clock error at most"),
                     withUnit(figures.clockErrorBound_ms, 3, tr("± %1 ms")),
                     tr("Upper bound of the error of the clock offset: half the shortest round-trip "
+void NetworkFiguresModel::addActions(const NetworkFigures& figures, std::vector<Row>& rows)
+{
+    rows.push_back(
+        {tr("Actions, vₖ (v₀)"), actionsText(figures),
+         tr("Action frequency vₖ: how often the participant acts on a shared object, on average "
+            "over all of them; in brackets the upshot frequency v₀ = 1 / delay. Below upshot "
+            "(vₖ < v₀) each action has reached all participants before the next begins; above, it "
+            "has not.")});
+}
+
                        "time, for any asymmetry of the path")});
 }
 
@@ -172,10 +184,6 @@ void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row
          tr("Drift: difference between the pose drawn here and that of the newest sample or action "
             "on its arrival, with the noise of the tracker. In brackets the part that the network "
             "delay makes unavoidable, speed × delay")});
-    rows.push_back({tr("%1: vₖ (v₀)").arg(object.name), actionsText(object),
-                    tr("Action frequency vₖ: how often the object is acted on; in brackets the "
-                       "upshot frequency v₀ = 1 / delay. Below upshot (vₖ < v₀) each action has "
-                       "reached all participants before the next begins; above, it has not.")});
 }
 
 QString NetworkFiguresModel::spoken(const Row& row)

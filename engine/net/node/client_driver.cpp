@@ -219,7 +219,7 @@ void ClientDriver::share(const SharedObject& object)
     if (object.owner == m_core.self())
         m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object.id);
+        m_board.objects.add(object.id, object.owner);
 }
 
 NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>> datagrams) const

@@ -244,7 +244,7 @@ void HostDriver::share(const SharedObject& object)
     if (object.owner == kSelf)
         m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object.id);
+        m_board.objects.add(object.id, object.owner);
 }
 
 void HostDriver::propose(StationId station, FactBody body, LocalTime now)

@@ -3,11 +3,12 @@
 namespace carina
 {
 
-void RemoteObjects::add(ObjectId object)
+void RemoteObjects::add(ObjectId object, ParticipantId owner)
 {
     const std::scoped_lock lock{m_mutex};
     if (!m_objects.contains(object))
         m_objects.emplace(object, Object{std::make_shared<RemoteObject>()});
+    m_objects[object].owner = owner;
 }
 
 void RemoteObjects::remove(ObjectId object)
@@ -32,7 +33,13 @@ void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
         return;
     if (const auto drift = found->second.poses->take(cpo, drawn))
         found->second.drift = *drift;
-    m_analysis.acted(cpo.object, cpo.time);
+    m_analysis.acted(found->second.owner, cpo.object, cpo.time);
+}
+
+ApplicationAnalysis RemoteObjects::analysis() const
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_analysis;
 }
 
 std::shared_ptr<const RemoteObject> RemoteObjects::find(ObjectId object) const
@@ -50,7 +57,6 @@ std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
         if (const auto newest = object.poses->newest()) {
             reports.push_back({id, now - newest->time, inDegrees(object.drift.rotation),
                                inMillimetres(object.drift.position)});
-            reports.back().actionsPerS = m_analysis.actionFrequency(id, now);
             if (newest->motion && newest->validity != Validity::Lost) {
                 reports.back().turnDegPerS = inDegrees(radians(newest->motion->w_FO.norm()));
                 reports.back().moveMmPerS = inMillimetres(metres(newest->motion->v_FO.norm()));

@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
+#include "evaluation/drift/drawn_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,8 @@ public:
         : m_settings{settings},
           m_script{settings.script, settings.seed},
           m_star{*settings.strategy, settings.participants, settings.scenario,
-                 settings.legs,      settings.seed,         -kWarmUp}
+                 settings.legs,      settings.seed,         -kWarmUp},
+          m_views{m_star, settings.scenario.frames, settings.seed}
     {
     }
 
@@ -57,52 +59,44 @@ private:
         m_star.act(m_script.translation(action), t);
     }
 
-    /// The pose of an object that a viewer draws: where it was to begin with while nothing is
-    /// known.
-    RigidTransform drawn(std::uint16_t viewer, ObjectId object, Duration t) const
+    double angleOf(std::uint16_t viewer, const Quat& truth) const
     {
-        const auto shown = m_star.shown(viewer, object, t);
-        return shown ? shown->acted.X_AO : RigidTransform{};
+        return angleBetween(truth, m_views.turned(viewer).rotation()).si;
     }
 
-    double angleAt(std::uint16_t viewer, const Quat& truth, Duration t) const
+    double rawAngleOf(std::uint16_t viewer, const Quat& truth) const
     {
-        return angleBetween(truth, drawn(viewer, ActionScript::kTurned, t).rotation()).si;
-    }
-
-    double rawAngleAt(std::uint16_t viewer, const Quat& truth, Duration t) const
-    {
-        const Quat shown = drawn(viewer, ActionScript::kTurned, t).rotation();
+        const Quat shown = m_views.turned(viewer).rotation();
         return 2.0 * std::acos(std::clamp((truth * shown.conjugate()).w(), -1.0, 1.0));
     }
 
-    double distanceAt(std::uint16_t viewer, const Vec3& truth, Duration t) const
+    double distanceOf(std::uint16_t viewer, const Vec3& truth) const
     {
-        return (drawn(viewer, ActionScript::kMoved, t).translation() - truth).norm();
+        return (m_views.moved(viewer).translation() - truth).norm();
     }
 
     void addSample(Duration t)
     {
-        m_star.runTo(t);
+        m_views.runTo(t);
         const Quat q = m_script.q_AO(t);
         const Vec3 p = m_script.p_AO(t);
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
-            m_angles.push_back(angleAt(viewer, q, t));
-            m_position += distanceAt(viewer, p, t);
+            m_angles.push_back(angleOf(viewer, q));
+            m_position += distanceOf(viewer, p);
         }
     }
 
     void addEndOfAction(Duration t)
     {
-        m_star.runTo(t);
+        m_views.runTo(t);
         const Quat q = m_script.q_AO(t);
         const Vec3 p = m_script.p_AO(t);
         const double viewers = m_star.participants() - 1;
         ActionDrift mean;
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
-            mean.angle += angleAt(viewer, q, t) / viewers;
-            mean.rawAngle += rawAngleAt(viewer, q, t) / viewers;
-            mean.distance += distanceAt(viewer, p, t) / viewers;
+            mean.angle += angleOf(viewer, q) / viewers;
+            mean.rawAngle += rawAngleOf(viewer, q) / viewers;
+            mean.distance += distanceOf(viewer, p) / viewers;
         }
         m_actions.push_back(mean);
         for (std::uint16_t id = 1; id <= m_star.participants(); ++id) {
@@ -154,6 +148,7 @@ private:
     const DriftSettings& m_settings;
     ActionScript m_script;
     VirtualStar m_star;
+    DrawnViews m_views;
     std::vector<double> m_angles;
     double m_position = 0.0;
     std::vector<ActionDrift> m_actions;

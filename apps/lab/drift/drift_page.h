@@ -14,7 +14,9 @@ namespace drift_option
 inline constexpr Option kScenario{
     "scenario", "NAME|FILE",
     "the network: lan, wifi, metro, wan, asymmetric, cellular, 5g, starlink, step, partition, "
-    "burst, bottleneck, duplication, reordering or clock (docs/synchronisation.md); or a file of "
+    "burst, bottleneck, duplication, reordering, clock or paper, which also draws the views at 35 "
+    "Hz "
+    "(docs/synchronisation.md); or a file of "
     "lines \"t_ms delay_ms\", with x as the delay of what is lost, which is repeated"};
 inline constexpr Option kStrategy{
     "strategy", "S",
@@ -70,6 +72,11 @@ inline constexpr Key kPosition{"position_mean_mm",
 inline constexpr Key kLimit{
     "limit_time_average_deg",
     "time average that no strategy can be below with the delays of the run"};
+inline constexpr Key kRawAtLast{
+    "raw_at_last_event_deg",
+    "2 acos(w) of the two orientations at the end of the last action, mean over the runs, as the "
+    "2004 paper has it: where the signs of the two quaternions differ, 360 less the angle"};
+inline constexpr Key kRawGreatest{"raw_greatest_deg", "the greatest of these means of an action"};
 inline constexpr Key kRatio{"ratio_to_limit", "time average to that; null where the limit is 0"};
 inline constexpr Key kClockError{
     "clock_error_ms",

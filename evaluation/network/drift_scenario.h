@@ -32,6 +32,10 @@ struct DriftScenario {
     double clockSkew = 50e-6;
     /// All clocks have the largest offset and skew, alternately fast and slow.
     bool areClocksAtLimits = false;
+    /// Largest error of the clocks that every program has beside its own, disciplined from outside:
+    /// constant, drawn from a uniform distribution. Nothing: there are none.
+    std::optional<Duration> externalClocks{};
+    ViewFrames frames{};
 };
 
 /// The names of the built-in scenarios.

@@ -71,6 +71,7 @@ NetworkFigures figuresOf(const PathReport& path)
         figures.clockOffset_s = toSeconds(*path.clockOffset);
     figures.clockError_ms = inMs(path.clockError);
     figures.clockErrorBound_ms = inMs(path.clockErrorBound);
+    figures.external = path.external;
     if (path.loss)
         figures.loss_percent = 100.0 * *path.loss;
     figures.traffic = path.traffic;
@@ -85,19 +86,19 @@ std::vector<NetworkFigures> networkFigures(const SessionNode& node)
     const auto paths = node.paths();
     const std::vector<ObjectReport> reports = node.objectReports();
     const DelaysByPeer delays = meanDelays(*paths);
-    std::vector<NetworkFigures> all;
     const std::map<ParticipantId, double> frequencies = node.actionFrequencies();
+    std::vector<NetworkFigures> all;
     for (const PathReport& path : *paths) {
         const auto participant = state->participants().find(path.peer);
         if (participant == state->participants().end())
             continue;
         NetworkFigures figures = figuresOf(path);
         figures.name = QString::fromStdString(participant->second.name);
-        for (const ObjectReport& report : reports) {
         if (const auto frequency = frequencies.find(path.peer); frequency != frequencies.end())
             figures.actions_per_s = frequency->second;
         if (const auto longest = longestWayFrom(path.peer, delays))
             figures.upshot_per_s = upshotFrequency(*longest);
+        for (const ObjectReport& report : reports) {
             const auto object = state->objects().find(report.object);
             if (object != state->objects().end() && object->second.owner == path.peer)
                 figures.objects.push_back(figuresOf(report, object->second, delays));

@@ -40,11 +40,12 @@ struct NetworkFigures {
     std::optional<double> clockChange_ms{}; ///< of the offset, since its first estimate
     std::optional<double> clockChangeError_ms{};
     std::optional<double> clockErrorBound_ms{};
+    std::optional<ExternalVerdict> external{}; ///< of clocks disciplined from outside
     std::optional<double> loss_percent{};
     std::optional<TrafficReport> traffic{}; ///< at the host
-    std::vector<ObjectFigures> objects{};
     std::optional<double> actions_per_s{};  ///< v_k, the action frequency (ApplicationAnalysis)
     std::optional<double> upshot_per_s{};   ///< v0 = 1 / delay, for the longest path from them
+    std::vector<ObjectFigures> objects{};
 };
 
 /// The figures of all participants to whom this node measures a path, in the order of their ids.

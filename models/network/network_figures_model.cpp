@@ -91,6 +91,16 @@ QString clockText(const NetworkFigures& figures)
         .arg(signedFigure(*figures.clockChange_ms, 3), figure(figures.clockChangeError_ms, 3));
 }
 
+/// Told by shape besides the words.
+QString externalText(const ExternalVerdict& external)
+{
+    const QString apart = NetworkFiguresModel::tr("%1 ± %2 ms")
+                              .arg(signedFigure(1e3 * toSeconds(external.difference), 3),
+                                   figure(1e3 * toSeconds(external.error), 3));
+    return external.isRefused ? NetworkFiguresModel::tr("▲ refused, %1").arg(apart)
+                              : NetworkFiguresModel::tr("✓ used, %1").arg(apart);
+}
+
 } // namespace
 
 void NetworkFiguresModel::show(const std::optional<NetworkFigures>& figures)
@@ -114,6 +124,7 @@ std::vector<NetworkFiguresModel::Row> NetworkFiguresModel::rowsOf(const NetworkF
     addPath(figures, rows);
     if (figures.traffic)
         addTraffic(*figures.traffic, rows);
+    addActions(figures, rows);
     addClock(figures, rows);
     for (const ObjectFigures& object : figures.objects)
         addObject(object, rows);
@@ -124,7 +135,6 @@ void NetworkFiguresModel::addPath(const NetworkFigures& figures, std::vector<Row
 {
     rows.push_back(
         {tr("Round-trip time"), withUnit(figures.roundTrip_ms, 2, tr("%1 ms")),
-    addActions(figures, rows);
          tr("Time that a datagram takes to the participant and back; the newest measurement")});
     rows.push_back({tr("One-way delay ± σ"), delayText(figures),
                     tr("Latency: half the round-trip time. Mean, and standard deviation (jitter), "
@@ -154,16 +164,6 @@ void NetworkFiguresModel::addTraffic(const TrafficReport& traffic, std::vector<R
                        "datagrams beyond what their role may send, or sent while muted")});
 }
 
-void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Row>& rows)
-{
-    rows.push_back({tr("Clock drift since joining"), clockText(figures),
-                    tr("Change of the offset between the session clock and the clock of the "
-                       "participant's computer since the first measurement, and its standard "
-                       "error. The offset itself, %1, follows from when each computer was started.")
-                        .arg(withUnit(figures.clockOffset_s, 6, tr("%1 s")))});
-    rows.push_back({tr("Clock error at most"),
-                    withUnit(figures.clockErrorBound_ms, 3, tr("± %1 ms")),
-                    tr("Upper bound of the error of the clock offset: half the shortest round-trip "
 void NetworkFiguresModel::addActions(const NetworkFigures& figures, std::vector<Row>& rows)
 {
     rows.push_back(
@@ -174,7 +174,26 @@ void NetworkFiguresModel::addActions(const NetworkFigures& figures, std::vector<
             "has not.")});
 }
 
-                       "time, for any asymmetry of the path")});
+void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Row>& rows)
+{
+    rows.push_back({tr("Clock drift since joining"), clockText(figures),
+                    tr("Change of the offset between the session clock and the clock of the "
+                       "participant's computer since the first measurement, and its standard "
+                       "error. The offset itself, %1, follows from when each computer was started.")
+                        .arg(withUnit(figures.clockOffset_s, 6, tr("%1 s")))});
+    rows.push_back({tr("Clock error at most"),
+                    withUnit(figures.clockErrorBound_ms, 3, tr("± %1 ms")),
+                    tr("Upper bound of the error of the clock offset: half the shortest round-trip "
+                       "time, for any asymmetry of the path, and what the disciplined clocks moved "
+                       "it by")});
+    if (figures.external)
+        rows.push_back(
+            {tr("Disciplined clocks (NTP, PTP)"), externalText(*figures.external),
+             tr("The offset by the system clocks of both computers, which something outside of the "
+                "session disciplines, less that by the round trips, and its standard error. Where "
+                "it agrees with the round trips it corrects them, for they cannot show that a path "
+                "is longer one way than the other; where not, one of the two system clocks is "
+                "wrong and both are left out: check their time service.")});
 }
 
 void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row>& rows)

@@ -111,6 +111,8 @@ void ClientDriver::publish(StationId station, ObjectKind kind, std::string name,
 NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
 {
     sendOwnStreams(now);
+    if (const auto reading = m_externalClock.read(now))
+        m_core.readExternal(*reading, now);
     m_core.advance(now);
     if (m_core.state() == SyncClient::State::Closed && m_core.helloRefused())
         m_credentials.giveUp(*m_core.helloRefused());
@@ -236,8 +238,11 @@ std::optional<ClockReport> ClientDriver::clockReport(LocalTime now) const
     if (!clock.mapping())
         return std::nullopt;
     return ClockReport{clock.mapping()->at(now).time_since_epoch() - now.time_since_epoch(),
-                       clock.skew(), fromSeconds(clock.uncertainty(now)), clock.bound(now),
-                       clock.stateAt(now) == FittedClock::State::Holdover};
+                       clock.skew(),
+                       fromSeconds(clock.uncertainty(now)),
+                       clock.bound(now),
+                       clock.stateAt(now) == FittedClock::State::Holdover,
+                       clock.external()};
 }
 
 void ClientDriver::show(LocalTime now)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/net/entry/client_credentials.h"
+#include "engine/net/node/external_clock.h"
 #include "engine/net/node/node_board.h"
 #include "engine/net/node/node_driver.h"
 #include "engine/net/objects/publications.h"
@@ -54,6 +55,7 @@ private:
     std::optional<Error> m_noEntry;
     NodeBoard& m_board;
     SyncClient m_core;
+    ExternalClock m_externalClock;
     Publications m_publications;
     SessionState m_state;
     std::optional<Error> m_refusal;

@@ -344,6 +344,8 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     takeReport(now);
     sendOwnStreams(now);
     dismissRemoved(now);
+    if (const auto reading = m_externalClock.read(now))
+        m_core->readExternal(*reading);
     m_core->advance(now);
     dropAbsent(now);
     m_paths.advance(now);
@@ -397,6 +399,7 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
         if ((path.clockOffset = peer.clock.offset(session))) {
             path.clockError = fromSeconds(peer.clock.uncertainty(session));
             path.clockErrorBound = peer.clock.bound(session);
+            path.external = peer.clock.external();
         }
         paths.push_back(std::move(path));
     }

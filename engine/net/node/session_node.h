@@ -43,6 +43,7 @@ struct ClockReport {
     Duration standardError{}; ///< of the offset
     Duration bound{};         ///< upper bound of the offset's error (FittedClock::bound)
     bool isHoldover = false;  ///< no probe arrived recently: the clock continues by its last fit
+    std::optional<ExternalVerdict> external{}; ///< of clocks disciplined from outside, if both have
 };
 
 /// Measurements of a shared object at this node.
@@ -188,10 +189,10 @@ public:
     /// nothing if neither happened.
     [[nodiscard]] virtual std::optional<Error> refusal() const = 0;
     [[nodiscard]] virtual std::vector<ObjectReport> objectReports() const = 0;
-
     /// v_k of each participant whose actions this node knows, per second (ApplicationAnalysis); the
     /// poses that this node sends itself are not counted.
     [[nodiscard]] virtual std::map<ParticipantId, double> actionFrequencies() const = 0;
+
     /// Sets a callback, called on the node's thread after the state, the pending proposals or the
     /// links changed; it must not block.
     virtual void onChange(std::function<void()> callback) = 0;

@@ -49,6 +49,11 @@ struct SyncHost::Visitor {
     void operator()(const EventCpo& event) const { take(event); }
     void operator()(const EventBeat& beat) const { take(beat); }
     void operator()(const EventAck& ack) const { host.m_actions.acknowledge(from, ack); }
+    void operator()(const ExternalTimeRecord& own) const
+    {
+        if (host.m_external)
+            peer.clock.setExternal(*host.m_external, own.time);
+    }
     template <class Other> void operator()(const Other&) const {}
 
     void take(const auto& action) const
@@ -105,6 +110,13 @@ void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, Local
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
         std::visit(Visitor{*this, from, peer, now}, record);
+}
+
+void SyncHost::readExternal(const ExternalTime& reading)
+{
+    m_external = {reading.offset - m_clockOffset, reading.error};
+    for (auto& [address, peer] : m_peers)
+        peer.outbox.emplace_back(ExternalTimeRecord{*m_external});
 }
 
 void SyncHost::advance(LocalTime now)

@@ -40,6 +40,12 @@ public:
             take(record, now);
     }
 
+    void readExternal(const ExternalTime& reading, LocalTime now) override
+    {
+        m_external = reading;
+        m_externalRead = now;
+    }
+
     void act(const EventCpo& action, LocalTime now) override
     {
         m_own.insert_or_assign(action.object, Own{action, now});
@@ -114,6 +120,10 @@ private:
                 take(EventCpo{*known}, now);
         } else if (const auto* ack = std::get_if<EventAck>(&record)) {
             m_repeater.acknowledge(*ack);
+        } else if (const auto* host = std::get_if<ExternalTimeRecord>(&record)) {
+            if (m_external)
+                m_clock.setExternal(
+                    externalOffset(host->time, *m_external, now - m_externalRead, now));
         }
     }
 
@@ -140,6 +150,8 @@ private:
     ParticipantId m_self;
     PeerLink m_link;
     FittedClock m_clock;
+    std::optional<ExternalTime> m_external;
+    LocalTime m_externalRead{};
     EventTable m_table;
     EventRepeater m_repeater{true};
     std::map<ObjectId, Own> m_own;

@@ -56,6 +56,12 @@ void SessionClockHost::take(ParticipantId from, const EventCpo& event, LocalTime
     }
 }
 
+void SessionClockHost::readExternal(const ExternalTime& reading, LocalTime)
+{
+    for (auto& [id, peer] : m_peers)
+        peer.acks.emplace_back(ExternalTimeRecord{reading});
+}
+
 void SessionClockHost::advance(LocalTime now)
 {
     for (auto& [id, peer] : m_peers) {

@@ -21,6 +21,7 @@ public:
 
     void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) override;
     void advance(LocalTime now) override;
+    void readExternal(const ExternalTime& reading, LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/external_time.h"
 #include "engine/core/ids.h"
 #include "engine/sync/wire/event_cpo.h"
 
@@ -35,6 +36,10 @@ public:
     virtual void advance(LocalTime now) = 0;
     [[nodiscard]] virtual LocalTime nextWake() const { return LocalTime::max(); }
     [[nodiscard]] std::vector<StarDatagram> take() { return std::exchange(m_outgoing, {}); }
+
+    /// A reading of this program's clock against one that is disciplined from outside; for
+    /// strategies with a session clock.
+    virtual void readExternal(const ExternalTime&, LocalTime) {}
 
     /// Number of datagrams sent only to measure the delay.
     [[nodiscard]] virtual std::uint64_t probesSent() const { return 0; }

@@ -26,6 +26,7 @@ enum class RecordKind : std::uint8_t {
     Goodbye,
     EventAck,
     EventBeat,
+    ExternalTime,
 };
 
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
@@ -158,6 +159,14 @@ ProposalRefused readProposalRefused(ByteReader& in)
     return {proposal, readReason(in)};
 }
 
+ExternalTimeRecord readExternalTime(ByteReader& in)
+{
+    const Duration offset = readWireTime(in);
+    const Duration error = readWireTime(in);
+    in.require(error > Duration{} && error <= kLargestExternalError, "error of a clock");
+    return {{offset, error}};
+}
+
 /// Writes a record's kind and fields.
 class RecordWriter
 {
@@ -236,6 +245,14 @@ public:
         kind(RecordKind::EventBeat);
         writeNamed(m_out, beat);
     }
+    void operator()(const ExternalTimeRecord& record)
+    {
+        CARINA_EXPECTS(record.time.error > Duration{}
+                       && record.time.error <= kLargestExternalError);
+        kind(RecordKind::ExternalTime);
+        writeWireTime(m_out, record.time.offset);
+        writeWireTime(m_out, record.time.error);
+    }
 
 private:
     void kind(RecordKind kind) { m_out.number(static_cast<std::uint8_t>(kind)); }
@@ -279,6 +296,8 @@ WireRecord readRecord(ByteReader& in)
         return readNamed<EventAck>(in);
     case RecordKind::EventBeat:
         return readNamed<EventBeat>(in);
+    case RecordKind::ExternalTime:
+        return readExternalTime(in);
     }
     in.require(false, "record kind");
     return Goodbye{};

@@ -181,6 +181,20 @@ private Q_SLOTS:
         QCOMPARE(linesOf(*model.figures(0)), expected);
     }
 
+    void saysWhetherDisciplinedClocksAreUsed()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.pathReports[0].external = ExternalVerdict{-15ms, 1ms, false};
+        const auto line = [&] { return linesOf(networkFigures(node).at(0)).last(); };
+        QCOMPARE(line(), QStringLiteral("Disciplined clocks (NTP, PTP): used, -15.000 ± 1.000 ms"));
+        node.pathReports[0].external = ExternalVerdict{14ms, 1ms, true};
+        QCOMPARE(line(),
+                 QStringLiteral("Disciplined clocks (NTP, PTP): refused, +14.000 ± 1.000 ms"));
+        node.pathReports[0].external.reset();
+        QVERIFY(!line().startsWith(QStringLiteral("Disciplined")));
+    }
+
     void saysAtTheHostWhatAParticipantSends()
     {
         FakeSessionNode node;

@@ -137,6 +137,8 @@ inline std::vector<GoldenRecord> goldenRecords()
          "0c  02 01  04 03  08 07 06 05"},
         {"event beat", EventBeat{ObjectId{0x0102}, 0x0304, 0x05060708},
          "0d  02 01  04 03  08 07 06 05"},
+        {"external time", ExternalTimeRecord{{Duration{0x0102030405060708}, Duration{0x01020304}}},
+         "0e  08 07 06 05 04 03 02 01  04 03 02 01 00 00 00 00"},
     };
 }
 

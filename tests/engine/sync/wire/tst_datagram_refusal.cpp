@@ -142,7 +142,7 @@ private Q_SLOTS:
         row("sent beyond the range of times", 4, -20, "01 00 00 00 00 00 00 20", "time");
         row("sent before the range of times", 4, -20, "ff ff ff ff ff ff ff df", "time");
         row("record kind zero", 4, 0, "00", "record kind");
-        row("record kind above the last", 4, 0, "0e", "record kind");
+        row("record kind above the last", 4, 0, "0f", "record kind");
         row("record kind above all", 4, 0, "ff", "record kind");
         row("no streams", 0, 11, "00", "stream count");
         row("too many streams", 0, 11, "1f", "stream count");
@@ -191,6 +191,9 @@ private Q_SLOTS:
         row("reason above all", 8, 1, "ff", "reason");
         row("too many words", 8, 2, "c9", "length of a detail");
         row("more words than bytes", 8, 2, "01", "length");
+        row("clock without an error", 14, 9, "00 00 00 00 00 00 00 00", "error of a clock");
+        row("clock off by more than 16 s", 14, 9, "01 a0 ac b9 03 00 00 00", "error of a clock");
+        row("negative error of a clock", 14, 9, "ff ff ff ff ff ff ff ff", "error of a clock");
     }
 
     void refusesWhatBreaksARule()

@@ -40,8 +40,8 @@ ActionScript::ActionScript(const Settings& settings, std::uint32_t seed) : m_set
     for (int action = 0; action < settings.actions; ++action) {
         pose.axis_A = drawnAxis(settings.axes, random);
         m_poses.push_back(pose);
-        pose.q_AO = canonical(rotationFromVector(settings.angularSpeed * seconds * pose.axis_A)
-                              * pose.q_AO);
+        pose.q_AO = (rotationFromVector(settings.angularSpeed * seconds * pose.axis_A) * pose.q_AO)
+                        .normalized();
         pose.p_AO += settings.speed * seconds * pose.axis_A;
     }
 }

@@ -37,7 +37,8 @@ public:
     [[nodiscard]] static Duration startOf(int action) { return action * kActionTime; }
     [[nodiscard]] int actions() const { return static_cast<int>(m_poses.size()); }
 
-    /// Orientation of the object kTurned in A; constant before the first action.
+    /// Orientation of the object kTurned in A; constant before the first action. Of q and -q it is
+    /// the product of all rotations so far, as a program has it that multiplies them.
     [[nodiscard]] Quat q_AO(Duration t) const;
     /// Position of the object kMoved in A, metres.
     [[nodiscard]] Vec3 p_AO(Duration t) const;

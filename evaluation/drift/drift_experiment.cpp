@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
+#include "evaluation/drift/drawn_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,8 @@ public:
         : m_settings{settings},
           m_script{settings.script, settings.seed},
           m_star{*settings.strategy, settings.participants, settings.scenario,
-                 settings.legs,      settings.seed,         -kWarmUp}
+                 settings.legs,      settings.seed,         -kWarmUp},
+          m_views{m_star, settings.scenario.frames, settings.seed}
     {
     }
 
@@ -58,52 +60,51 @@ private:
         m_star.act(m_script.translation(action), t);
     }
 
-    /// The pose of an object that a viewer draws: where it was to begin with while nothing is
-    /// known.
-    RigidTransform drawn(std::uint16_t viewer, ObjectId object, Duration t) const
+    /// The pose of an object in the actor's own view.
+    RigidTransform actors(ObjectId object, Duration t) const
     {
-        const auto shown = m_star.shown(viewer, object, t);
+        const auto shown = m_star.shown(1, object, t);
         return shown ? shown->acted.X_AO : RigidTransform{};
     }
 
-    double angleAt(std::uint16_t viewer, const Quat& truth, Duration t) const
+    double angleOf(std::uint16_t viewer, const Quat& truth) const
     {
-        return angleBetween(truth, drawn(viewer, ActionScript::kTurned, t).rotation()).si;
+        return angleBetween(truth, m_views.turned(viewer).rotation()).si;
     }
 
-    double rawAngleAt(std::uint16_t viewer, const Quat& truth, Duration t) const
+    double rawAngleOf(std::uint16_t viewer, const Quat& truth) const
     {
-        const Quat shown = drawn(viewer, ActionScript::kTurned, t).rotation();
+        const Quat shown = m_views.turned(viewer).rotation();
         return 2.0 * std::acos(std::clamp((truth * shown.conjugate()).w(), -1.0, 1.0));
     }
 
-    double distanceAt(std::uint16_t viewer, const Vec3& truth, Duration t) const
+    double distanceOf(std::uint16_t viewer, const Vec3& truth) const
     {
-        return (drawn(viewer, ActionScript::kMoved, t).translation() - truth).norm();
+        return (m_views.moved(viewer).translation() - truth).norm();
     }
 
     void addSample(Duration t)
     {
-        m_star.runTo(t);
-        const Quat q = drawn(1, ActionScript::kTurned, t).rotation();
-        const Vec3 p = drawn(1, ActionScript::kMoved, t).translation();
+        m_views.runTo(t);
+        const Quat q = actors(ActionScript::kTurned, t).rotation();
+        const Vec3 p = actors(ActionScript::kMoved, t).translation();
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
-            m_angles.push_back(angleAt(viewer, q, t));
-            m_position += distanceAt(viewer, p, t);
+            m_angles.push_back(angleOf(viewer, q));
+            m_position += distanceOf(viewer, p);
         }
     }
 
     void addEndOfAction(Duration t)
     {
-        m_star.runTo(t);
-        const Quat q = drawn(1, ActionScript::kTurned, t).rotation();
-        const Vec3 p = drawn(1, ActionScript::kMoved, t).translation();
+        m_views.runTo(t);
+        const Quat q = actors(ActionScript::kTurned, t).rotation();
+        const Vec3 p = actors(ActionScript::kMoved, t).translation();
         const double viewers = m_star.participants() - 1;
         ActionDrift mean;
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
-            mean.angle += angleAt(viewer, q, t) / viewers;
-            mean.rawAngle += rawAngleAt(viewer, q, t) / viewers;
-            mean.distance += distanceAt(viewer, p, t) / viewers;
+            mean.angle += angleOf(viewer, q) / viewers;
+            mean.rawAngle += rawAngleOf(viewer, m_script.q_AO(t)) / viewers;
+            mean.distance += distanceOf(viewer, p) / viewers;
         }
         m_actions.push_back(mean);
         for (std::uint16_t id = 1; id <= m_star.participants(); ++id) {
@@ -176,6 +177,7 @@ private:
     const DriftSettings& m_settings;
     ActionScript m_script;
     VirtualStar m_star;
+    DrawnViews m_views;
     std::vector<double> m_angles;
     double m_position = 0.0;
     std::vector<ActionDrift> m_actions;

@@ -23,8 +23,11 @@ struct DriftSettings {
 
 /// The drift just before the next action, mean over the viewers.
 struct ActionDrift {
-    double angle = 0.0;    ///< radians, at most pi
-    double rawAngle = 0.0; ///< 2 acos(w), as in Hamza-Lup et al. 2004: radians, above pi if w < 0
+    double angle = 0.0; ///< radians, at most pi
+    /// 2 acos(w), as in Hamza-Lup et al. 2004: radians, above pi if w < 0. It depends on which of q
+    /// and -q each of the two programs has: here the actor the product of its rotations, a viewer
+    /// the one with w >= 0.
+    double rawAngle = 0.0;
     double distance = 0.0; ///< metres
 };
 

@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "evaluation/network/virtual_link.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,17 @@
 namespace carina
 {
 
-/// A network path and the clock errors of its participants.
+/// How the views of an experiment are drawn.
+struct ViewFrames {
+    /// Frames a second; 0 for a view that is drawn at any time it is looked at. A view shows its
+    /// newest frame, which is drawn as of the time at which it begins.
+    double rate = 0.0;
+    /// Each display runs by itself: its phase is any, and its rate is off by up to this share,
+    /// drawn from a uniform distribution.
+    double rateError = 0.0;
+};
+
+/// A network path, the clock errors of its participants and how their views are drawn.
 struct DriftScenario {
     std::string name;
     PathProfile forward;  ///< from the actor to a viewer
@@ -21,6 +32,10 @@ struct DriftScenario {
     double clockSkew = 50e-6;
     /// All clocks have the largest offset and skew, alternately fast and slow.
     bool areClocksAtLimits = false;
+    /// Largest error of the clocks that every program has beside its own, disciplined from outside:
+    /// constant, drawn from a uniform distribution. Nothing: there are none.
+    std::optional<Duration> externalClocks{};
+    ViewFrames frames{};
 };
 
 /// The names of the built-in scenarios.

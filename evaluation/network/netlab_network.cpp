@@ -31,6 +31,8 @@ QString jitterOf(const PathProfile& leg)
         return QStringLiteral("exp:") + nanoseconds(leg.jitterScale);
     case PathProfile::Jitter::Pareto:
         return QStringLiteral("pareto:") + nanoseconds(leg.jitterScale);
+    case PathProfile::Jitter::Uniform:
+        return QStringLiteral("uniform:") + nanoseconds(leg.jitterScale);
     case PathProfile::Jitter::None:
         break;
     }

@@ -89,13 +89,19 @@ bool VirtualLink::isBad(Duration now)
 
 Duration VirtualLink::queueing(Duration now, std::uint64_t nth, Draw draw) const
 {
-    if (m_path.jitter == PathProfile::Jitter::None)
-        return Duration{};
     const double scale = toSeconds(m_path.jitterScale);
     const double left = 1.0 - unit(now.count(), nth, draw);
-    return fromSeconds(m_path.jitter == PathProfile::Jitter::Exponential
-                           ? -scale * std::log(left)
-                           : scale * (std::cbrt(1.0 / left) - 1.0));
+    switch (m_path.jitter) {
+    case PathProfile::Jitter::Exponential:
+        return fromSeconds(-scale * std::log(left));
+    case PathProfile::Jitter::Pareto:
+        return fromSeconds(scale * (std::cbrt(1.0 / left) - 1.0));
+    case PathProfile::Jitter::Uniform:
+        return fromSeconds(scale * (1.0 - 2.0 * left));
+    case PathProfile::Jitter::None:
+        break;
+    }
+    return Duration{};
 }
 
 std::optional<Duration> VirtualLink::baseDelay(Duration now) const

@@ -26,6 +26,7 @@ struct PathProfile {
         None,
         Exponential, ///< of mean `jitterScale`
         Pareto,      ///< of the second kind (Lomax), shape 3, mean jitterScale / 2: heavy-tailed
+        Uniform,     ///< between -jitterScale and +jitterScale; delay is the mean
     };
     /// The Gilbert-Elliott loss model: in the bad state all datagrams are lost. The chain steps
     /// every 10 ms, so these are probabilities per datagram of a stream of 100 per second.

@@ -12,6 +12,8 @@ namespace
 
 // Clocks count from when their machine was started; the host's shows this at virtual time 0.
 constexpr Duration kUptime = std::chrono::hours{500};
+/// Of the disciplined clocks.
+constexpr Duration kReadingInterval = std::chrono::seconds{1};
 
 } // namespace
 
@@ -33,7 +35,7 @@ Duration VirtualStar::Clock::timeOf(LocalTime local) const
 VirtualStar::VirtualStar(const SyncStrategy& strategy, std::uint16_t participants,
                          const DriftScenario& scenario, Legs legs, std::uint64_t seed,
                          Duration start)
-    : m_nodes(participants + 1U)
+    : m_nodes(participants + 1U), m_externalClocks{scenario.externalClocks}, m_nextReading{start}
 {
     std::mt19937_64 random{seed};
     const auto evenly = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; };
@@ -54,11 +56,36 @@ VirtualStar::VirtualStar(const SyncStrategy& strategy, std::uint16_t participant
         node.node = strategy.makeParticipant(starSeat(ParticipantId{id}, participants), {},
                                              node.clock.at(start));
     }
+    for (Node& node : m_nodes)
+        if (m_externalClocks)
+            node.externalError = fromSeconds(evenly() * toSeconds(*m_externalClocks));
     for (std::uint16_t id = 0; id <= participants; ++id)
         serve(id, start);
 }
 
 void VirtualStar::runTo(Duration t)
+{
+    for (; m_externalClocks && m_nextReading <= t; m_nextReading += kReadingInterval) {
+        processTo(m_nextReading);
+        readExternal(m_nextReading);
+    }
+    processTo(t);
+}
+
+void VirtualStar::readExternal(Duration now)
+{
+    // The standard deviation of an even distribution, and the true time with the clock's error.
+    const Duration error = fromSeconds(toSeconds(*m_externalClocks) / std::sqrt(3.0));
+    for (std::uint16_t id = 0; id < m_nodes.size(); ++id) {
+        const Node& node = m_nodes[id];
+        const LocalTime local = node.clock.at(now);
+        const Duration external = kUptime + now + node.externalError;
+        node.node->readExternal({external - local.time_since_epoch(), error}, local);
+        serve(id, now);
+    }
+}
+
+void VirtualStar::processTo(Duration t)
 {
     while (!m_queue.empty() && m_queue.top().at <= t) {
         const Happening happening = m_queue.top();

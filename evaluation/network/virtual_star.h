@@ -68,6 +68,7 @@ private:
         std::optional<VirtualLink> toHost;
         std::optional<VirtualLink> fromHost;
         Duration wake = Duration::max();
+        Duration externalError{}; ///< of its disciplined clock, if the scenario has them
     };
     struct Happening {
         Duration at;
@@ -82,12 +83,16 @@ private:
         }
     };
 
+    void processTo(Duration t);
+    void readExternal(Duration now);
     void serve(std::uint16_t id, Duration now);
     void carry(std::uint16_t from, StarDatagram datagram, Duration now);
     [[nodiscard]] const StarParticipant& participant(std::uint16_t id) const;
 
     std::vector<Node> m_nodes; // the host first
     std::priority_queue<Happening, std::vector<Happening>, std::greater<>> m_queue;
+    std::optional<Duration> m_externalClocks; // as in the scenario
+    Duration m_nextReading{};
     std::uint64_t m_order = 0;
     std::uint64_t m_bytes = 0;
 };

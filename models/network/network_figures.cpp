@@ -31,14 +31,14 @@ DelaysByPeer meanDelays(const std::vector<PathReport>& paths)
 }
 
 /// From a participant to whoever hears of it last: this node, which passes it on, or another peer.
-std::optional<Duration> longestWayFrom(ParticipantId owner, const DelaysByPeer& delays)
+std::optional<Duration> longestWayFrom(ParticipantId author, const DelaysByPeer& delays)
 {
-    const auto own = delays.find(owner);
+    const auto own = delays.find(author);
     if (own == delays.end())
         return std::nullopt;
     Duration onwards{};
     for (const auto& [peer, delay] : delays)
-        if (peer != owner)
+        if (peer != author)
             onwards = std::max(onwards, delay);
     return own->second + onwards;
 }
@@ -54,9 +54,6 @@ ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
     figures.drift_mm = report.driftMm;
     figures.limit_deg = report.limitDeg ? report.limitDeg : product(report.turnDegPerS, delay);
     figures.limit_mm = report.limitMm ? report.limitMm : product(report.moveMmPerS, delay);
-    figures.actions_per_s = report.actionsPerS;
-    if (const auto longest = longestWayFrom(object.owner, delays))
-        figures.upshot_per_s = upshotFrequency(*longest);
     return figures;
 }
 
@@ -74,6 +71,7 @@ NetworkFigures figuresOf(const PathReport& path)
         figures.clockOffset_s = toSeconds(*path.clockOffset);
     figures.clockError_ms = inMs(path.clockError);
     figures.clockErrorBound_ms = inMs(path.clockErrorBound);
+    figures.external = path.external;
     if (path.loss)
         figures.loss_percent = 100.0 * *path.loss;
     figures.traffic = path.traffic;
@@ -88,6 +86,7 @@ std::vector<NetworkFigures> networkFigures(const SessionNode& node)
     const auto paths = node.paths();
     const std::vector<ObjectReport> reports = node.objectReports();
     const DelaysByPeer delays = meanDelays(*paths);
+    const std::map<ParticipantId, double> frequencies = node.actionFrequencies();
     std::vector<NetworkFigures> all;
     for (const PathReport& path : *paths) {
         const auto participant = state->participants().find(path.peer);
@@ -95,6 +94,10 @@ std::vector<NetworkFigures> networkFigures(const SessionNode& node)
             continue;
         NetworkFigures figures = figuresOf(path);
         figures.name = QString::fromStdString(participant->second.name);
+        if (const auto frequency = frequencies.find(path.peer); frequency != frequencies.end())
+            figures.actions_per_s = frequency->second;
+        if (const auto longest = longestWayFrom(path.peer, delays))
+            figures.upshot_per_s = upshotFrequency(*longest);
         for (const ObjectReport& report : reports) {
             const auto object = state->objects().find(report.object);
             if (object != state->objects().end() && object->second.owner == path.peer)

@@ -23,8 +23,6 @@ struct ObjectFigures {
     std::optional<double> limit_deg{};
     std::optional<double> drift_mm{};
     std::optional<double> limit_mm{};
-    std::optional<double> actions_per_s{}; ///< v_k, the action frequency
-    std::optional<double> upshot_per_s{};  ///< v0 = 1 / delay, for the longest path from its owner
 };
 
 /// Figures of the network between this program and one participant. A figure is empty while it is
@@ -42,8 +40,11 @@ struct NetworkFigures {
     std::optional<double> clockChange_ms{}; ///< of the offset, since its first estimate
     std::optional<double> clockChangeError_ms{};
     std::optional<double> clockErrorBound_ms{};
+    std::optional<ExternalVerdict> external{}; ///< of clocks disciplined from outside
     std::optional<double> loss_percent{};
     std::optional<TrafficReport> traffic{}; ///< at the host
+    std::optional<double> actions_per_s{};  ///< v_k, the action frequency (ApplicationAnalysis)
+    std::optional<double> upshot_per_s{};   ///< v0 = 1 / delay, for the longest path from them
     std::vector<ObjectFigures> objects{};
 };
 

@@ -55,16 +55,17 @@ QString categoryText(ApplicationCategory category)
     return {};
 }
 
-QString actionsText(const ObjectFigures& object)
+QString actionsText(const NetworkFigures& figures)
 {
-    if (!object.actions_per_s && !object.upshot_per_s)
+    if (!figures.actions_per_s && !figures.upshot_per_s)
         return NetworkFiguresModel::tr("not known yet");
-    const QString rates = NetworkFiguresModel::tr("%1 (%2) per s")
-                              .arg(figure(object.actions_per_s, 0), figure(object.upshot_per_s, 0));
-    if (!object.actions_per_s || !object.upshot_per_s)
+    const QString rates =
+        NetworkFiguresModel::tr("%1 (%2) per s")
+            .arg(figure(figures.actions_per_s, 1), figure(figures.upshot_per_s, 0));
+    if (!figures.actions_per_s || !figures.upshot_per_s)
         return rates;
     return NetworkFiguresModel::tr("%1, %2", "actions and their category")
-        .arg(rates, categoryText(categoryOf(*object.actions_per_s, *object.upshot_per_s)));
+        .arg(rates, categoryText(categoryOf(*figures.actions_per_s, *figures.upshot_per_s)));
 }
 
 QString delayText(const NetworkFigures& figures)
@@ -90,6 +91,16 @@ QString clockText(const NetworkFigures& figures)
         .arg(signedFigure(*figures.clockChange_ms, 3), figure(figures.clockChangeError_ms, 3));
 }
 
+/// Told by shape besides the words.
+QString externalText(const ExternalVerdict& external)
+{
+    const QString apart = NetworkFiguresModel::tr("%1 ± %2 ms")
+                              .arg(signedFigure(1e3 * toSeconds(external.difference), 3),
+                                   figure(1e3 * toSeconds(external.error), 3));
+    return external.isRefused ? NetworkFiguresModel::tr("▲ refused, %1").arg(apart)
+                              : NetworkFiguresModel::tr("✓ used, %1").arg(apart);
+}
+
 } // namespace
 
 void NetworkFiguresModel::show(const std::optional<NetworkFigures>& figures)
@@ -113,6 +124,7 @@ std::vector<NetworkFiguresModel::Row> NetworkFiguresModel::rowsOf(const NetworkF
     addPath(figures, rows);
     if (figures.traffic)
         addTraffic(*figures.traffic, rows);
+    addActions(figures, rows);
     addClock(figures, rows);
     for (const ObjectFigures& object : figures.objects)
         addObject(object, rows);
@@ -152,6 +164,16 @@ void NetworkFiguresModel::addTraffic(const TrafficReport& traffic, std::vector<R
                        "datagrams beyond what their role may send, or sent while muted")});
 }
 
+void NetworkFiguresModel::addActions(const NetworkFigures& figures, std::vector<Row>& rows)
+{
+    rows.push_back(
+        {tr("Actions, vₖ (v₀)"), actionsText(figures),
+         tr("Action frequency vₖ: how often the participant acts on a shared object, on average "
+            "over all of them; in brackets the upshot frequency v₀ = 1 / delay. Below upshot "
+            "(vₖ < v₀) each action has reached all participants before the next begins; above, it "
+            "has not.")});
+}
+
 void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Row>& rows)
 {
     rows.push_back({tr("Clock drift since joining"), clockText(figures),
@@ -162,7 +184,16 @@ void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Ro
     rows.push_back({tr("Clock error at most"),
                     withUnit(figures.clockErrorBound_ms, 3, tr("± %1 ms")),
                     tr("Upper bound of the error of the clock offset: half the shortest round-trip "
-                       "time, for any asymmetry of the path")});
+                       "time, for any asymmetry of the path, and what the disciplined clocks moved "
+                       "it by")});
+    if (figures.external)
+        rows.push_back(
+            {tr("Disciplined clocks (NTP, PTP)"), externalText(*figures.external),
+             tr("The offset by the system clocks of both computers, which something outside of the "
+                "session disciplines, less that by the round trips, and its standard error. Where "
+                "it agrees with the round trips it corrects them, for they cannot show that a path "
+                "is longer one way than the other; where not, one of the two system clocks is "
+                "wrong and both are left out: check their time service.")});
 }
 
 void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row>& rows)
@@ -172,10 +203,6 @@ void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row
          tr("Drift: difference between the pose drawn here and that of the newest sample or action "
             "on its arrival, with the noise of the tracker. In brackets the part that the network "
             "delay makes unavoidable, speed × delay")});
-    rows.push_back({tr("%1: vₖ (v₀)").arg(object.name), actionsText(object),
-                    tr("Action frequency vₖ: how often the object is acted on; in brackets the "
-                       "upshot frequency v₀ = 1 / delay. Below upshot (vₖ < v₀) each action has "
-                       "reached all participants before the next begins; above, it has not.")});
 }
 
 QString NetworkFiguresModel::spoken(const Row& row)

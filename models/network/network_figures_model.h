@@ -39,6 +39,7 @@ private:
     [[nodiscard]] static std::vector<Row> rowsOf(const NetworkFigures& figures);
     static void addPath(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addTraffic(const TrafficReport& traffic, std::vector<Row>& rows);
+    static void addActions(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addClock(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addObject(const ObjectFigures& object, std::vector<Row>& rows);
 

@@ -79,6 +79,7 @@ public:
     std::vector<LinkReport> linkReports;
     std::vector<PathReport> pathReports;
     std::vector<ObjectReport> reports;
+    std::map<ParticipantId, double> frequencies;
     std::optional<HostDoor> hostDoor;
     int proposed = 0; ///< how many proposals came
 
@@ -151,6 +152,10 @@ public:
     }
     [[nodiscard]] std::optional<Error> refusal() const override { return m_refusal; }
     [[nodiscard]] std::vector<ObjectReport> objectReports() const override { return reports; }
+    [[nodiscard]] std::map<ParticipantId, double> actionFrequencies() const override
+    {
+        return frequencies;
+    }
     void onChange(std::function<void()> callback) override { m_callback = std::move(callback); }
 
 private:

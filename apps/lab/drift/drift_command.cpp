@@ -155,6 +155,14 @@ Result<DriftRequest> requestOf(const Words& words)
     if (!scenario)
         return tl::unexpected(scenario.error());
     request->settings.scenario = *std::move(scenario);
+    if (words.has(drift_option::kExternalClocks)) {
+        const auto error_ms = words.number(drift_option::kExternalClocks, 1e-3, 1000.0, 1.0);
+        if (!error_ms)
+            return tl::unexpected(error_ms.error());
+        if (request->isLive)
+            return driftRefusal(QStringLiteral("--external-clocks-ms is of virtual time."));
+        request->settings.scenario.externalClocks = fromSeconds(1e-3 * *error_ms);
+    }
     return request;
 }
 
@@ -214,6 +222,9 @@ void describeRequest(const DriftRequest& request, QJsonObject& object)
     object[drift_key::kActionTime] = toSeconds(ActionScript::kActionTime);
     object[drift_key::kAxes] = inLatin1(axes->name);
     object[drift_key::kScenario] = QString::fromStdString(settings.scenario.name);
+    object[drift_key::kExternalClocks] = QJsonValue::Null;
+    if (const auto error = settings.scenario.externalClocks)
+        object[drift_key::kExternalClocks] = 1e3 * toSeconds(*error);
     object[drift_key::kSeed] = qint64{settings.seed};
     object[drift_key::kSeeds] = request.seeds;
 }
@@ -243,8 +254,9 @@ Use driftInVirtualTime()
             .schema = drift_key::kSchema,
             .keys = {drift_key::kStrategy,    drift_key::kParticipants, drift_key::kTurningSpeed,
                      drift_key::kMovingSpeed, drift_key::kActions,      drift_key::kActionTime,
-                     drift_key::kAxes,        drift_key::kScenario,     drift_key::kSeed,
-                     drift_key::kSeeds,       drift_key::kAtEvent,      drift_key::kTimeAverage,
+                     drift_key::kAxes,        drift_key::kScenario,     drift_key::kExternalClocks,
+                     drift_key::kSeed,        drift_key::kSeeds,        drift_key::kAtEvent,
+                     drift_key::kRawAtLast,   drift_key::kRawGreatest,  drift_key::kTimeAverage,
                      drift_key::kPercentile,  drift_key::kPosition,     drift_key::kLimit,
                      drift_key::kRatio,       drift_key::kResponse,     drift_key::kClockError,
                      drift_key::kBytes,       drift_key::kProbes,       drift_key::kAccessLink}};

@@ -14,7 +14,9 @@ namespace drift_option
 inline constexpr Option kScenario{
     "scenario", "NAME|FILE",
     "the network: lan, wifi, metro, wan, asymmetric, cellular, 5g, starlink, step, partition, "
-    "burst, bottleneck, duplication, reordering or clock (docs/synchronisation.md); or a file of "
+    "burst, bottleneck, duplication, reordering, clock or paper, which also draws the views at 35 "
+    "Hz "
+    "(docs/synchronisation.md); or a file of "
     "lines \"t_ms delay_ms\", with x as the delay of what is lost, which is repeated"};
 inline constexpr Option kStrategy{
     "strategy", "S",
@@ -31,6 +33,11 @@ inline constexpr Option kAxes{
     "axes", "AXES",
     "cartesian (unless given), where each axis is one of +-x, +-y and +-z, or random, where it is "
     "any"};
+inline constexpr Option kExternalClocks{
+    "external-clocks-ms", "E",
+    "every program has a clock beside its own that is disciplined from outside, by NTP or PTP, and "
+    "off by a constant of at most E, above 0, at most 1000; none unless given, and none with "
+    "--live"};
 inline constexpr Option kSeed{"seed", "K", "of the run, 0 to 4294967295; 1 unless given"};
 inline constexpr Option kSeeds{
     "seeds", "M", "how many runs, with the seeds K, K+1 and so on, 1 to 1000; 1 unless given"};
@@ -43,8 +50,9 @@ inline constexpr Option kWarmUp{
 inline constexpr Option kLogs{"logs", "DIR",
                               "folder for the log of each program; it is created if missing"};
 
-inline constexpr std::array kOfAll{kScenario, kStrategy, kParticipants, kTurningSpeed, kMovingSpeed,
-                                   kActions,  kAxes,     kSeed,         kSeeds};
+inline constexpr std::array kOfAll{kScenario,    kStrategy, kParticipants, kTurningSpeed,
+                                   kMovingSpeed, kActions,  kAxes,         kExternalClocks,
+                                   kSeed,        kSeeds};
 inline constexpr std::array kOfLive{kLive, kNetlab, kWarmUp, kLogs};
 } // namespace drift_option
 
@@ -59,10 +67,16 @@ inline constexpr Key kActions{"actions", "as given"};
 inline constexpr Key kActionTime{"action_s", "duration of an action"};
 inline constexpr Key kAxes{"axes", "as given"};
 inline constexpr Key kScenario{"scenario", "its name"};
+inline constexpr Key kExternalClocks{"external_clocks_ms", "as given; null where there are none"};
 inline constexpr Key kSeed{"seed", "as given"};
 inline constexpr Key kSeeds{"seeds", "as given"};
 inline constexpr Key kAtEvent{"at_event_mean_deg",
                               "mean angle between truth and view just before the next action"};
+inline constexpr Key kRawAtLast{
+    "raw_at_last_event_deg",
+    "2 acos(w) of the two orientations at the end of the last action, mean over the runs, as the "
+    "2004 paper has it: where the signs of the two quaternions differ, 360 less the angle"};
+inline constexpr Key kRawGreatest{"raw_greatest_deg", "the greatest of these means of an action"};
 inline constexpr Key kTimeAverage{"time_average_mean_deg", "mean of that angle over time"};
 inline constexpr Key kPercentile{"p95_deg", "95th percentile over time of that angle, of each run"};
 inline constexpr Key kPosition{"position_mean_mm",

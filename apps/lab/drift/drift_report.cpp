@@ -3,6 +3,7 @@
 #include "apps/lab/drift/drift_page.h"
 #include "engine/core/units.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -32,6 +33,8 @@ double boundByLimit(double limit, const DriftSettings& settings)
 QJsonObject reportOf(const DriftFigures& figures)
 {
     QJsonObject object{{drift_key::kAtEvent, inDegrees(figures.atEvent)},
+                       {drift_key::kRawAtLast, QJsonValue::Null},
+                       {drift_key::kRawGreatest, QJsonValue::Null},
                        {drift_key::kTimeAverage, inDegrees(figures.timeAverage)},
                        {drift_key::kPercentile, inDegrees(figures.p95)},
                        {drift_key::kPosition, inMillimetres(metres(figures.position))},
@@ -41,6 +44,12 @@ QJsonObject reportOf(const DriftFigures& figures)
                        {drift_key::kClockError, QJsonValue::Null},
                        {drift_key::kBytes, figures.bytesPerSecond},
                        {drift_key::kProbes, figures.probesPerSecond}};
+    if (!figures.actions.empty()) {
+        const auto& actions = figures.actions;
+        object[drift_key::kRawAtLast] = inDegrees(actions.back().rawAngle);
+        object[drift_key::kRawGreatest] =
+            inDegrees(std::ranges::max(actions, {}, &ActionDrift::rawAngle).rawAngle);
+    }
     if (figures.limit > 0.0)
         object[drift_key::kRatio] = figures.timeAverage / figures.limit;
     if (figures.clockError)

@@ -90,7 +90,8 @@ Result<FigurePair> measureActions(const FigureSettings& settings, const std::str
                               .network = settings.scenario.name + settings.source.network,
                               .xLabel = "number of the action",
                               .xColumn = "action"});
-    if (settings.isAngleRaw) {
+    const bool isAngleRaw = settings.isAngleRaw && strategy == "none";
+    if (isAngleRaw) {
         pair.orientation.yLabel = "2 acos(w) as in 2004, deg";
         pair.orientation.yColumn = "raw_angle_deg";
     }
@@ -103,7 +104,7 @@ Result<FigurePair> measureActions(const FigureSettings& settings, const std::str
     for (const ActionDrift& action : figures->actions) {
         const double number = static_cast<double>(orientation.x.size()) + 1.0;
         orientation.x.push_back(number);
-        orientation.y.push_back(deg(settings.isAngleRaw ? action.rawAngle : action.angle));
+        orientation.y.push_back(deg(isAngleRaw ? action.rawAngle : action.angle));
         position.x.push_back(number);
         position.y.push_back(mm(action.distance));
     }

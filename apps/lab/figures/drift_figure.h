@@ -17,7 +17,9 @@ struct FigureSettings {
     std::uint32_t seed = 1;
     int actions = 50; ///< of a run
     DriftSource source = virtualDrift(20);
-    bool isAngleRaw = false; ///< 2 acos(w) in the figures by action
+    /// 2 acos(w) in that of `none` by action, where each program turns its own quaternion: with the
+    /// other strategies the actor's comes with its messages.
+    bool isAngleRaw = false;
     /// Called before each curve that is measured, with what it is of.
     std::function<void(const std::string& curve)> onCurve = [](const std::string&) {};
 };

@@ -79,4 +79,20 @@ QByteArray trendsCsv(std::span<const DriftFigure> figures, const FigureStamp& st
     return csv;
 }
 
+QByteArray paperCsv(std::span<const PaperValue> values, const FigureStamp& stamp)
+{
+    QByteArray csv = "version,seed,seeds,network,figure,y,quantity,measured,order,paper_figure,"
+                     "paper_printed,paper_trend,source\n";
+    for (const PaperValue& value : values) {
+        const DriftFigure& figure = *value.figure;
+        csv += stampFields(stamp, figure) + ',' + textField(figure.name) + ','
+               + textField(figure.yColumn) + ',' + textField(value.quantity) + ','
+               + numberField(value.measured) + ','
+               + QByteArray::number(figure.curves.back().trend.coefficients.size() - 1) + ','
+               + QByteArray::number(value.number) + ',' + textField(value.printed) + ','
+               + textField(value.trend) + ",Hamza-Lup et al. 2004\n";
+    }
+    return csv;
+}
+
 } // namespace carina::lab

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/lab/figures/drift_figure.h"
+#include "apps/lab/figures/paper_values.h"
 
 #include <QByteArray>
 
@@ -24,5 +24,9 @@ struct FigureStamp {
 /// coefficient_0 to coefficient_6, empty above the order, and psi_1 to psi_5, the numbers measured
 /// with 2 to 6 participants where a figure is of these. coefficient_1 of order 1 is the slope.
 [[nodiscard]] QByteArray trendsCsv(std::span<const DriftFigure> figures, const FigureStamp& stamp);
+
+/// What the 2004 paper prints, beside ours: columns version, seed, seeds, network, figure, y,
+/// quantity, measured, order (of our trend), paper_figure, paper_printed, paper_trend, source.
+[[nodiscard]] QByteArray paperCsv(std::span<const PaperValue> values, const FigureStamp& stamp);
 
 } // namespace carina::lab

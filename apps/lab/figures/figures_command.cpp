@@ -20,18 +20,19 @@ namespace
 namespace figures_option
 {
 constexpr Option kFolder{"out", "DIR", "folder to write into; it is created if missing"};
-constexpr Option kScenario{
-    "scenario", "NAME|FILE",
-    "the network, as of drift, for all figures but drift-by-delay; metro unless given, which loses "
-    "nothing, so that no trend is bent by a few lost actions"};
+constexpr Option kScenario{"scenario", "NAME|FILE",
+                           "the network, as of drift, for all figures but drift-by-delay; paper "
+                           "unless given, which has the "
+                           "conditions of the 2004 paper, with --live metro"};
 constexpr Option kActions{"actions", "A", "of a run, 8 to 10000; 50 unless given, with --live 12"};
 constexpr Option kSeed{"seed", "K", "of the first run, 0 to 4294967295; 1 unless given"};
 constexpr Option kSeeds{"seeds", "M",
                         "each number is the mean of so many runs, with the seeds from K on, 1 to "
                         "1000; 20 unless given, with --live always 1"};
 constexpr Option kRawAngle{"raw-angle", "",
-                           "draws 2 acos(w) for the orientation by action, as the paper does; it "
-                           "can exceed 180 degrees"};
+                           "draws 2 acos(w) for the orientation by action of none, as the paper "
+                           "does; where the signs of the two quaternions differ it is above 180 "
+                           "degrees for any drift"};
 constexpr Option kLive{"live", "", "measures real programs in real time"};
 constexpr Option kWarmUp{
     "warm-up-s", "T",
@@ -51,6 +52,9 @@ constexpr Key kTrends{
     "trends",
     "name of the table of all trends: coefficients from order 0 up, of which that of order 1 is "
     "the slope of a line, and psi_1 to psi_5, what was measured with 2 to 6 participants"};
+constexpr Key kPaper{
+    "paper",
+    "name of the table of the values that the 2004 paper prints, beside ours; missing with --live"};
 } // namespace figures_key
 
 struct FiguresRequest {
@@ -91,7 +95,8 @@ Result<FiguresRequest> figuresRequest(const Words& words)
     request.settings.isAngleRaw = words.has(figures_option::kRawAngle);
     auto scenario = findScenario(words.has(figures_option::kScenario)
                                      ? words.text(figures_option::kScenario).toStdString()
-                                     : "metro");
+                                 : isLive ? "metro"
+                                          : "paper");
     if (!scenario)
         return tl::unexpected(scenario.error());
     request.settings.scenario = *std::move(scenario);
@@ -136,6 +141,9 @@ Result<void> writeAll(const std::filesystem::path& folder, const std::vector<Dri
         if (!written)
             return written;
     }
+    if (const auto values = besidePaper(figures); !values.empty())
+        if (const auto written = write(folder / "paper.csv", paperCsv(values, stamp)); !written)
+            return written;
     return write(folder / "trends.csv", trendsCsv(figures, stamp));
 }
 
@@ -167,7 +175,7 @@ Result<QJsonObject> drawnFigures(const Words& words)
     QJsonArray names;
     for (const DriftFigure& figure : *figures)
         names.append(QString::fromStdString(figure.name));
-    return QJsonObject{{figures_key::kSchema, QLatin1StringView{figures_key::kSchema.help}},
+    QJsonObject object{{figures_key::kSchema, QLatin1StringView{figures_key::kSchema.help}},
                        {figures_key::kVersion, QString::fromUtf8(stamp.version)},
                        {figures_key::kScenario, QString::fromStdString(settings.scenario.name)},
                        {figures_key::kActions, settings.actions},
@@ -175,6 +183,9 @@ Result<QJsonObject> drawnFigures(const Words& words)
                        {figures_key::kSeeds, request->seeds},
                        {figures_key::kFigures, names},
                        {figures_key::kTrends, QStringLiteral("trends.csv")}};
+    if (!besidePaper(*figures).empty())
+        object[figures_key::kPaper] = QStringLiteral("paper.csv");
+    return object;
 }
 
 Use figuresInVirtualTime()
@@ -186,8 +197,7 @@ Use figuresInVirtualTime()
                 "for the position. The same arguments write the same bytes, except in .png, whose "
                 "letters depend on the installed fonts. Progress is reported on stderr. The first "
                 "five are figures 9 to 13 of the 2004 paper, from runs of our own; the paper does "
-                "not have the others. Delays here are those of the network alone, so the angles of "
-                "the paper are not to be expected.",
+                "not have the others.",
         .notes =
             {{"drift-by-action-none", "drift at each action, with a trend of third order"},
              {"drift-by-action-event", "the same, with a trend of sixth order"},
@@ -206,7 +216,7 @@ Use figuresInVirtualTime()
         .schema = figures_key::kSchema,
         .keys = {figures_key::kVersion, figures_key::kScenario, figures_key::kActions,
                  figures_key::kSeed, figures_key::kSeeds, figures_key::kFigures,
-                 figures_key::kTrends}};
+                 figures_key::kTrends, figures_key::kPaper}};
 }
 
 Use figuresInRealTime()

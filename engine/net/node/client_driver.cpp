@@ -113,6 +113,8 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
 {
     sendOwnStreams(now);
     compareViews(now);
+    if (const auto reading = m_externalClock.read(now))
+        m_core.readExternal(*reading, now);
     m_core.advance(now);
     if (m_core.state() == SyncClient::State::Closed && m_core.helloRefused())
         m_credentials.giveUp(*m_core.helloRefused());
@@ -255,7 +257,7 @@ void ClientDriver::share(const SharedObject& object)
     if (object.owner == m_core.self())
         m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object.id);
+        m_board.objects.add(object.id, object.owner);
 }
 
 NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>> datagrams) const
@@ -272,8 +274,11 @@ std::optional<ClockReport> ClientDriver::clockReport(LocalTime now) const
     if (!clock.mapping())
         return std::nullopt;
     return ClockReport{clock.mapping()->at(now).time_since_epoch() - now.time_since_epoch(),
-                       clock.skew(), fromSeconds(clock.uncertainty(now)), clock.bound(now),
-                       clock.stateAt(now) == FittedClock::State::Holdover};
+                       clock.skew(),
+                       fromSeconds(clock.uncertainty(now)),
+                       clock.bound(now),
+                       clock.stateAt(now) == FittedClock::State::Holdover,
+                       clock.external()};
 }
 
 void ClientDriver::show(LocalTime now)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/net/entry/client_credentials.h"
+#include "engine/net/node/external_clock.h"
 #include "engine/net/node/node_board.h"
 #include "engine/net/node/node_driver.h"
 #include "engine/net/objects/publications.h"
@@ -57,6 +58,7 @@ private:
     std::optional<Error> m_noEntry;
     NodeBoard& m_board;
     SyncClient m_core;
+    ExternalClock m_externalClock;
     Publications m_publications;
     ShownViews m_views{[this](ObjectId id, SessionTime t) { return shownPose(id, t); },
                        [this](ObjectId id, SessionTime t) {

@@ -259,7 +259,7 @@ void HostDriver::share(const SharedObject& object)
     if (object.owner == kSelf)
         m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object.id);
+        m_board.objects.add(object.id, object.owner);
 }
 
 std::optional<RigidTransform> HostDriver::shownPose(ObjectId object, SessionTime t) const
@@ -376,6 +376,8 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     sendOwnStreams(now);
     compareViews(now);
     dismissRemoved(now);
+    if (const auto reading = m_externalClock.read(now))
+        m_core->readExternal(*reading);
     m_core->advance(now);
     dropAbsent(now);
     m_paths.advance(now);
@@ -431,6 +433,7 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
         if ((path.clockOffset = peer.clock.offset(session))) {
             path.clockError = fromSeconds(peer.clock.uncertainty(session));
             path.clockErrorBound = peer.clock.bound(session);
+            path.external = peer.clock.external();
         }
         paths.push_back(std::move(path));
     }

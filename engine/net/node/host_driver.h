@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/io/fact_store/store_writer.h"
+#include "engine/net/node/external_clock.h"
 #include "engine/net/node/host_access.h"
 #include "engine/net/node/host_paths.h"
 #include "engine/net/node/node_board.h"
@@ -126,6 +127,7 @@ private:
     Duration m_storing{}; // how long the last facts took
     NodeBoard& m_board;
     std::unique_ptr<SyncHost> m_core;
+    ExternalClock m_externalClock;
     std::unique_ptr<HostAccess> m_access;
     PeerAddress m_speaker = 0; // sender of the datagram being handled
     HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};

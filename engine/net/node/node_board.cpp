@@ -52,7 +52,6 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
         report->limitDeg = inDegrees(figures.limit.rotation);
         report->limitMm = inMillimetres(figures.limit.position);
         report->delay = figures.delay;
-        report->actionsPerS = shared->analysis().actionFrequency(id, now);
     }
     const auto drifts = view().drifts;
     for (ObjectReport& report : reports)
@@ -61,6 +60,18 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
             report.driftMm = inMillimetres(drift->second.drift.position);
         }
     return reports;
+}
+
+std::map<ParticipantId, double> NodeBoard::actionFrequencies(SessionTime now) const
+{
+    ApplicationAnalysis analysis = objects.analysis();
+    analysis.add(actions()->analysis());
+    const std::size_t shared = std::max<std::size_t>(1, state()->objects().size());
+    std::map<ParticipantId, double> frequencies;
+    for (const ParticipantId k : analysis.participants())
+        if (const auto frequency = analysis.actionFrequency(k, shared, now))
+            frequencies.emplace(k, *frequency);
+    return frequencies;
 }
 
 bool NodeBoard::show(View view)

@@ -58,6 +58,8 @@ public:
     }
     /// Reports on all objects with samples or actions, at session time `now`.
     [[nodiscard]] std::vector<ObjectReport> objectReports(SessionTime now) const;
+    /// v_k of all who act, at session time `now`.
+    [[nodiscard]] std::map<ParticipantId, double> actionFrequencies(SessionTime now) const;
     /// Puts the node's actions into a view; the shown copy is reused where nothing changed.
     void showActions(View& view, const SharedActions& actions) const;
     /// Puts the path reports into a view; they are measured again where the shown ones are too old.

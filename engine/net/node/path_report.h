@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/ids.h"
+#include "engine/sync/clock/fitted_clock.h"
 #include "engine/sync/connection/peer_link.h"
 #include "engine/sync/connection/peer_traffic.h"
 #include "engine/sync/strategies/probe_trigger.h"
@@ -30,6 +31,7 @@ struct PathReport {
     std::optional<Duration> clockOffset{};     ///< session time less the participant's local time
     std::optional<Duration> clockError{};      ///< standard error of the offset
     std::optional<Duration> clockErrorBound{}; ///< upper bound of the offset's error
+    std::optional<ExternalVerdict> external{}; ///< of clocks disciplined from outside, if both have
     std::optional<double> loss{};              ///< 0 to 1, of the datagrams from this participant
     std::optional<TrafficReport> traffic{};    ///< at the host
 };

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,8 +41,9 @@ struct ClockReport {
     Duration offset{};        ///< session time less this program's clock
     double skew = 0.0;        ///< session seconds per second of this program's clock, less 1
     Duration standardError{}; ///< of the offset
-    Duration bound{};         ///< upper bound of the offset's error: half the shortest round trip
+    Duration bound{};         ///< upper bound of the offset's error (FittedClock::bound)
     bool isHoldover = false;  ///< no probe arrived recently: the clock continues by its last fit
+    std::optional<ExternalVerdict> external{}; ///< of clocks disciplined from outside, if both have
 };
 
 /// Measurements of a shared object at this node.
@@ -54,7 +56,6 @@ struct ObjectReport {
     std::optional<double> driftMm{};
     std::optional<double> turnDegPerS{}; ///< angular speed; nothing where its owner has none
     std::optional<double> moveMmPerS{};  ///< speed of its origin, likewise
-    std::optional<double> actionsPerS{}; ///< v_k, by time of arrival here (ApplicationAnalysis)
     // Of the last action on an object that is acted on (see ActionMeter):
     std::optional<double> limitDeg{}; ///< least drift for the delay of the path
     std::optional<double> limitMm{};
@@ -192,6 +193,9 @@ public:
     /// nothing if neither happened.
     [[nodiscard]] virtual std::optional<Error> refusal() const = 0;
     [[nodiscard]] virtual std::vector<ObjectReport> objectReports() const = 0;
+    /// v_k of each participant whose actions this node knows, per second (ApplicationAnalysis); the
+    /// poses that this node sends itself are not counted.
+    [[nodiscard]] virtual std::map<ParticipantId, double> actionFrequencies() const = 0;
 
     /// Sets a callback, called on the node's thread after the state, the pending proposals or the
     /// links changed; it must not block.

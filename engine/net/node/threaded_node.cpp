@@ -145,6 +145,12 @@ std::vector<ObjectReport> ThreadedNode::objectReports() const
     return time ? m_board.objectReports(*time) : std::vector<ObjectReport>{};
 }
 
+std::map<ParticipantId, double> ThreadedNode::actionFrequencies() const
+{
+    const auto time = now();
+    return time ? m_board.actionFrequencies(*time) : std::map<ParticipantId, double>{};
+}
+
 void ThreadedNode::onChange(std::function<void()> callback)
 {
     m_board.onChange(std::move(callback));

@@ -50,6 +50,7 @@ public:
     [[nodiscard]] std::shared_ptr<const std::vector<PathReport>> paths() const override;
     [[nodiscard]] std::optional<Error> refusal() const override;
     [[nodiscard]] std::vector<ObjectReport> objectReports() const override;
+    [[nodiscard]] std::map<ParticipantId, double> actionFrequencies() const override;
     void onChange(std::function<void()> callback) override;
 
 private:

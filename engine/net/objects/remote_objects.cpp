@@ -3,11 +3,12 @@
 namespace carina
 {
 
-void RemoteObjects::add(ObjectId object)
+void RemoteObjects::add(ObjectId object, ParticipantId owner)
 {
     const std::scoped_lock lock{m_mutex};
     if (!m_objects.contains(object))
-        m_objects.emplace(object, std::make_shared<RemoteObject>());
+        m_objects.emplace(object, Object{std::make_shared<RemoteObject>()});
+    m_objects[object].owner = owner;
 }
 
 void RemoteObjects::remove(ObjectId object)
@@ -30,15 +31,21 @@ void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
     const auto found = m_objects.find(cpo.object);
     if (found == m_objects.end())
         return;
-    found->second->take(cpo, drawn);
-    m_analysis.acted(cpo.object, cpo.time);
+    found->second.poses->take(cpo, drawn);
+    m_analysis.acted(found->second.owner, cpo.object, cpo.time);
+}
+
+ApplicationAnalysis RemoteObjects::analysis() const
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_analysis;
 }
 
 std::shared_ptr<const RemoteObject> RemoteObjects::find(ObjectId object) const
 {
     const std::scoped_lock lock{m_mutex};
     const auto found = m_objects.find(object);
-    return found == m_objects.end() ? nullptr : found->second;
+    return found == m_objects.end() ? nullptr : found->second.poses;
 }
 
 std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
@@ -46,9 +53,8 @@ std::vector<ObjectReport> RemoteObjects::reports(SessionTime now) const
     const std::scoped_lock lock{m_mutex};
     std::vector<ObjectReport> reports;
     for (const auto& [id, object] : m_objects)
-        if (const auto newest = object->newest()) {
+        if (const auto newest = object.poses->newest()) {
             reports.push_back({id, now - newest->time});
-            reports.back().actionsPerS = m_analysis.actionFrequency(id, now);
             if (newest->motion && newest->validity != Validity::Lost) {
                 reports.back().turnDegPerS = inDegrees(radians(newest->motion->w_FO.norm()));
                 reports.back().moveMmPerS = inMillimetres(metres(newest->motion->v_FO.norm()));

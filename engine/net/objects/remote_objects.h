@@ -13,8 +13,8 @@ namespace carina
 class RemoteObjects
 {
 public:
-    /// Adds an object of another participant; has no effect for a known one.
-    void add(ObjectId object);
+    /// Adds an object of another participant; of a known one it sets the owner.
+    void add(ObjectId object, ParticipantId owner);
     /// Removes an object that this node owns now, or that is no longer shared.
     void remove(ObjectId object);
     void clear();
@@ -23,11 +23,18 @@ public:
     void take(const StreamCpo& cpo, SessionTime drawn);
 
     [[nodiscard]] std::shared_ptr<const RemoteObject> find(ObjectId object) const;
+    /// How often each participant's samples arrive.
+    [[nodiscard]] ApplicationAnalysis analysis() const;
     [[nodiscard]] std::vector<ObjectReport> reports(SessionTime now) const;
 
 private:
+    struct Object {
+        std::shared_ptr<RemoteObject> poses; // also held by the viewers that draw from it
+        ParticipantId owner = kNobody;
+    };
+
     mutable std::mutex m_mutex;
-    std::map<ObjectId, std::shared_ptr<RemoteObject>> m_objects; // viewers draw from them too
+    std::map<ObjectId, Object> m_objects;
     ApplicationAnalysis m_analysis;
 };
 

@@ -109,8 +109,10 @@ EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<Ses
     const std::optional<EventCpo> before = last ? std::optional{*last} : std::nullopt;
     const auto verdict = m_table.take(event, session, now);
     const bool isNew = verdict == EventTable::Verdict::New;
-    if (isNew && event.action != kContinued)
-        m_analysis.acted(event.object, event.start);
+    const auto owner = m_owners.find(event.object);
+    const bool isOfOwner = owner != m_owners.end() && owner->second.epoch == event.epoch;
+    if (isNew && isOfOwner && event.action != kContinued)
+        m_analysis.acted(owner->second.owner, event.object, event.start);
     if (isNew && before && session)
         m_meters[event.object].arrived(event, *before, *session);
     return verdict;

@@ -86,7 +86,7 @@ public:
                                                    LocalTime now) const;
     /// For every object on which more than one action arrived.
     [[nodiscard]] const std::map<ObjectId, ActionMeter>& meters() const { return m_meters; }
-    /// How often each object is acted on, by all participants.
+    /// How often each participant acts on the objects.
     [[nodiscard]] const ApplicationAnalysis& analysis() const { return m_analysis; }
 
 private:

@@ -16,6 +16,14 @@ constexpr double kFinestScale = 1e-6;
 
 } // namespace
 
+ExternalOffset externalOffset(const ExternalTime& host, const ExternalTime& own, Duration age,
+                              LocalTime at)
+{
+    const double error =
+        std::hypot(toSeconds(host.error), toSeconds(own.error), kClockSkewPrior * toSeconds(age));
+    return {at, own.offset - host.offset, fromSeconds(error)};
+}
+
 void FittedClock::addProbe(const ClockProbe& probe)
 {
     const Duration atHost = probe.hostSent - probe.hostReceived;
@@ -75,11 +83,32 @@ FittedClock::Fit FittedClock::fit() const
     return {fitted.atZero, std::clamp(fitted.slope, -kLargestSkew, kLargestSkew), fitted.error};
 }
 
+Duration FittedClock::fuse(LocalTime now, Duration line)
+{
+    m_verdict.reset();
+    if (!m_external || now - m_external->at > kExternalTime)
+        return Duration{};
+    const Duration lineThen = line + fromSeconds(m_fit.skew * toSeconds(m_external->at - now));
+    const Duration apart = m_external->offset - lineThen;
+    const Duration half = shortestRoundTrip() / 2;
+    const bool isRefused = std::chrono::abs(apart) > half + kErrorsToRefuse * m_external->error;
+    m_verdict = ExternalVerdict{apart, m_external->error, isRefused};
+    if (isRefused)
+        return Duration{};
+    const double ofProbes = toSeconds(half) * toSeconds(half) / 3.0 + m_fit.error * m_fit.error;
+    const double external = toSeconds(m_external->error) * toSeconds(m_external->error);
+    const double share = ofProbes / (ofProbes + external);
+    m_fit.error = std::sqrt(external * share);
+    return std::clamp(fromSeconds(share * toSeconds(apart)), -half, half);
+}
+
 void FittedClock::adopt(LocalTime now)
 {
     m_fit = fit();
-    m_bound = shortestRoundTrip() / 2;
-    const Duration wanted = m_window.front().offset + fromSeconds(m_fit.offset);
+    const Duration line = m_window.front().offset + fromSeconds(m_fit.offset);
+    const Duration moved = fuse(now, line);
+    m_bound = shortestRoundTrip() / 2 + std::chrono::abs(moved);
+    const Duration wanted = line + moved;
     const auto apart = [&] {
         return std::chrono::abs(m_mapping->at(now).time_since_epoch() - now.time_since_epoch()
                                 - wanted);

@@ -26,6 +26,13 @@ public:
     /// @param session session time at which the trip ended
     void add(const RoundTrip& trip, SessionTime session);
 
+    /// What clocks disciplined from outside say at the host, less session time, and at the
+    /// participant, less its local time.
+    void setExternal(const ExternalTime& host, const ExternalTime& participant)
+    {
+        m_clock.setExternal(externalOffset(host, participant, Duration{}, m_newestAtPeer));
+    }
+
     /// h_0, H_p, sigma and gamma_0 of the path (ProbeTrigger), by the rule of an idle participant.
     [[nodiscard]] const ProbeTrigger& trigger() const { return m_clock.trigger(); }
     /// Session time less the participant's local time; nothing before the first fit.
@@ -34,6 +41,12 @@ public:
     [[nodiscard]] double uncertainty(SessionTime session) const;
     /// Upper bound of the error of the offset (FittedClock::bound). @pre offset()
     [[nodiscard]] Duration bound(SessionTime session) const;
+
+    /// As FittedClock::external.
+    [[nodiscard]] const std::optional<ExternalVerdict>& external() const
+    {
+        return m_clock.external();
+    }
 
 private:
     [[nodiscard]] LocalTime peerTime(SessionTime session) const;

@@ -61,6 +61,12 @@ struct SyncClient::Visitor {
     }
     void operator()(const EventCpo& event) const { take(event); }
     void operator()(const EventBeat& beat) const { take(beat); }
+    void operator()(const ExternalTimeRecord& host) const
+    {
+        if (client.m_state == State::Connected && client.m_external)
+            client.m_clock.setExternal(
+                externalOffset(host.time, *client.m_external, now - client.m_externalRead, now));
+    }
     void operator()(const EventAck& ack) const { client.m_actions.acknowledge(ack); }
     void operator()(const StrategyMessage& message) const
     {
@@ -158,7 +164,7 @@ void SyncClient::greetNow(LocalTime now)
 void SyncClient::leave(LocalTime now)
 {
     if (m_state == State::Connected)
-        send(std::array<WireRecord, 1>{Goodbye{}}, now);
+        send(std::array<WireRecord, 1>{Goodbye{}}, false, now);
     m_state = State::Closed;
 }
 
@@ -245,7 +251,7 @@ void SyncClient::addProbe(const RoundTrip& trip, LocalTime now)
 
 void SyncClient::sendHello(LocalTime now)
 {
-    send(std::array<WireRecord, 1>{Hello{m_session, m_facts.last(), m_join}}, now);
+    send(std::array<WireRecord, 1>{Hello{m_session, m_facts.last(), m_join}}, false, now);
     m_nextHello = now + m_helloWait;
     m_helloWait = std::min(2 * m_helloWait, kLastHelloWait);
 }
@@ -260,8 +266,13 @@ void SyncClient::sendDue(LocalTime now)
     std::ranges::move(m_actions.takeDue(now), std::back_inserter(records));
     std::ranges::move(dueStreams(now), std::back_inserter(records));
     std::ranges::copy(std::exchange(m_shown, {}), std::back_inserter(records));
-    if (!records.empty() || now >= m_link.lastSent() + keepAlive())
-        send(records, now);
+    const bool isProbe = records.empty();
+    if (isProbe && now < m_link.lastSent() + keepAlive())
+        return;
+    // With what goes anyway, so that no probe is put off for it.
+    if (std::exchange(m_tellExternal, false))
+        records.emplace_back(ExternalTimeRecord{*m_external});
+    send(records, isProbe, now);
 }
 
 std::vector<WireRecord> SyncClient::dueStreams(LocalTime now)
@@ -278,12 +289,12 @@ std::vector<WireRecord> SyncClient::dueStreams(LocalTime now)
     return records;
 }
 
-void SyncClient::send(std::span<const WireRecord> records, LocalTime now)
+void SyncClient::send(std::span<const WireRecord> records, bool isProbe, LocalTime now)
 {
     const auto header = [&] {
         BundleHeader next = m_link.nextHeader(now);
         next.sender = m_self;
-        next.answerNow = m_state == State::Connected && (m_clock.isAcquiring() || records.empty());
+        next.answerNow = m_state == State::Connected && (m_clock.isAcquiring() || isProbe);
         return next;
     };
     std::ranges::move(packDatagrams(records, header), std::back_inserter(m_output.datagrams));

@@ -57,6 +57,14 @@ public:
     [[nodiscard]] LocalTime nextWake() const;
     [[nodiscard]] Output take() { return std::exchange(m_output, {}); }
 
+    /// A reading of this program's clock against one that is disciplined from outside; it is sent
+    /// to the host.
+    void readExternal(const ExternalTime& reading, LocalTime now)
+    {
+        m_external = reading;
+        m_externalRead = now;
+        m_tellExternal = true;
+    }
     void propose(ProposalRecord proposal, LocalTime now);
     /// Sets the ownership of an object, taken from the facts; samples from others than its owner
     /// are dropped.
@@ -115,7 +123,7 @@ private:
     void addProbe(const RoundTrip& trip, LocalTime now);
     void sendHello(LocalTime now);
     void sendDue(LocalTime now);
-    void send(std::span<const WireRecord> records, LocalTime now);
+    void send(std::span<const WireRecord> records, bool isProbe, LocalTime now);
     [[nodiscard]] Duration keepAlive() const;
 
     ProposalRecord m_join;
@@ -134,6 +142,9 @@ private:
     bool m_acknowledge = false;
     ProposalQueue m_proposals;
     FittedClock m_clock;
+    std::optional<ExternalTime> m_external;
+    LocalTime m_externalRead{};
+    bool m_tellExternal = false;
     StreamTable m_table;
     StreamTick m_tick;
     std::map<ObjectId, StreamSample> m_outgoing; // the newest of each

@@ -62,6 +62,11 @@ struct SyncHost::Visitor {
         if (peer.budget.takesMessage(now))
             host.m_actions.take(from, message, host.m_rules.mayAct(peer.participant), now);
     }
+    void operator()(const ExternalTimeRecord& own) const
+    {
+        if (host.m_external)
+            peer.clock.setExternal(*host.m_external, own.time);
+    }
     template <class Other> void operator()(const Other&) const {}
 
     void take(const auto& action) const
@@ -127,6 +132,13 @@ void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTim
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
         std::visit(Visitor{*this, from, peer, now}, record);
+}
+
+void SyncHost::readExternal(const ExternalTime& reading)
+{
+    m_external = {reading.offset - m_clockOffset, reading.error};
+    for (auto& [address, peer] : m_peers)
+        peer.outbox.emplace_back(ExternalTimeRecord{*m_external});
 }
 
 void SyncHost::advance(LocalTime now)

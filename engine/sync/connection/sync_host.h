@@ -120,6 +120,9 @@ public:
     [[nodiscard]] LocalTime nextWake() const;
     [[nodiscard]] Output take() { return std::exchange(m_output, {}); }
 
+    /// A reading of the host's clock against one that is disciplined from outside; it is sent to
+    /// everybody.
+    void readExternal(const ExternalTime& reading);
     /// Appends a fact that is on disk now. @pre its number is the next.
     void append(const FactRecord& fact);
     /// Tells who waits for a fact that it could not be stored.
@@ -212,6 +215,7 @@ private:
     SessionKey m_session;
     std::vector<FactRecord> m_log;
     Duration m_clockOffset;
+    std::optional<ExternalTime> m_external; // less session time
     HostRules m_rules;
     std::map<PeerAddress, Peer> m_peers;
     /// No peer is silent for kPeerTimeout before this.

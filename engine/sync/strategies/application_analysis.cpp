@@ -1,5 +1,7 @@
 #include "engine/sync/strategies/application_analysis.h"
 
+#include "engine/core/expects.h"
+
 #include <algorithm>
 
 namespace carina
@@ -7,39 +9,77 @@ namespace carina
 namespace
 {
 
-std::int64_t intervalOf(SessionTime t)
+std::int64_t secondOf(SessionTime t)
 {
-    return std::chrono::floor<ApplicationAnalysis::Interval>(t).time_since_epoch().count();
+    return std::chrono::floor<std::chrono::seconds>(t).time_since_epoch().count();
 }
 
 } // namespace
 
-void ApplicationAnalysis::acted(ObjectId k, SessionTime at)
+void ApplicationAnalysis::acted(ParticipantId k, ObjectId j, SessionTime at)
 {
-    const std::int64_t interval = intervalOf(at);
-    const auto [found, isFirst] = m_counts.try_emplace(k);
-    Counts& counts = found->second;
-    counts.first = isFirst ? interval : std::min(counts.first, interval);
-    ++counts.actions[interval];
-    const std::int64_t newest = counts.actions.rbegin()->first;
-    counts.actions.erase(counts.actions.begin(),
-                         counts.actions.lower_bound(newest - 2 * kIntervals));
+    count(k, j, secondOf(at), 1);
 }
 
-std::optional<double> ApplicationAnalysis::actionFrequency(ObjectId k, SessionTime now) const
+void ApplicationAnalysis::count(ParticipantId k, ObjectId j, std::int64_t second,
+                                std::uint32_t actions)
 {
+    const auto [found, isFirst] = m_counts.try_emplace(k);
+    Counts& counts = found->second;
+    counts.first = isFirst ? second : std::min(counts.first, second);
+    counts.seconds[second][j] += actions;
+    const std::int64_t newest = counts.seconds.rbegin()->first;
+    counts.seconds.erase(counts.seconds.begin(), counts.seconds.lower_bound(newest - 2 * kSeconds));
+}
+
+void ApplicationAnalysis::add(const ApplicationAnalysis& other)
+{
+    for (const auto& [k, counts] : other.m_counts) {
+        for (const auto& [second, actions] : counts.seconds)
+            for (const auto& [j, number] : actions)
+                count(k, j, second, number);
+        Counts& sum = m_counts[k];
+        sum.first = std::min(sum.first, counts.first);
+    }
+}
+
+void ApplicationAnalysis::forget(ObjectId j)
+{
+    for (auto& [k, counts] : m_counts) {
+        for (auto& [second, actions] : counts.seconds)
+            actions.erase(j);
+        std::erase_if(counts.seconds, [](const auto& second) { return second.second.empty(); });
+    }
+    std::erase_if(m_counts, [](const auto& counts) { return counts.second.seconds.empty(); });
+}
+
+std::vector<ParticipantId> ApplicationAnalysis::participants() const
+{
+    std::vector<ParticipantId> all;
+    for (const auto& [k, counts] : m_counts)
+        all.push_back(k);
+    return all;
+}
+
+std::optional<double> ApplicationAnalysis::actionFrequency(ParticipantId k, std::size_t m,
+                                                           SessionTime now) const
+{
+    CARINA_EXPECTS(m >= 1);
     const auto found = m_counts.find(k);
     if (found == m_counts.end())
         return std::nullopt;
-    const auto& [first, actions] = found->second;
-    const std::int64_t current = intervalOf(now);
-    const std::int64_t begin = std::max(first, current - kIntervals);
+    const auto& [first, seconds] = found->second;
+    const std::int64_t current = secondOf(now);
+    const std::int64_t begin = std::max(first, current - kSeconds);
     if (begin >= current)
         return std::nullopt;
     std::uint64_t sum = 0;
-    for (auto j = actions.lower_bound(begin); j != actions.end() && j->first < current; ++j)
-        sum += j->second;
-    return static_cast<double>(sum) / toSeconds(Interval{current - begin});
+    for (auto second = seconds.lower_bound(begin);
+         second != seconds.end() && second->first < current; ++second)
+        for (const auto& [j, actions] : second->second)
+            sum += actions;
+    return static_cast<double>(sum)
+           / (static_cast<double>(m) * static_cast<double>(current - begin));
 }
 
 std::optional<double> upshotFrequency(Duration delay)

@@ -3,13 +3,15 @@
 #include "engine/core/ids.h"
 #include "engine/core/session_time.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace carina
 {
 
-/// Whether a shared object is acted on less often than an action needs to arrive.
+/// Whether a participant acts less often than an action needs to arrive.
 enum class ApplicationCategory : std::uint8_t {
     /// v_k < v0: each action arrives before the next; the case that the ASA is designed for.
     BelowUpshot,
@@ -17,46 +19,56 @@ enum class ApplicationCategory : std::uint8_t {
     AboveUpshot,
 };
 
-/// The application analysis of Hamza-Lup et al. 2004: how often shared objects are acted on,
-/// compared with how often the network lets two sites agree.
+/// The application analysis of Hamza-Lup et al. 2004: how often a participant acts on the shared
+/// objects, compared with how often the network lets two sites agree.
 ///
 ///     upshot frequency   v0  = 1 / t_xy                        t_xy: one-way delay from x to y
-///     action frequency   v_k = (sum over j of b_jk) / (m dt)
+///     action frequency   v_k = (sum over j of b_jk) / (m dt)   (eq. 3)
 ///
-/// b_jk is the number of actions on object k in interval j, of m intervals of length dt. What the
-/// paper leaves open is our choice: dt is 1 s; intervals are whole seconds of the session clock, so
-/// that all sites count alike; m is the kIntervals most recent complete intervals, or fewer where
-/// fewer have passed since the first action, so that v_k of an object that is no longer acted on
-/// falls to 0. An action is every change of an object's motion (start, replacement by another
-/// action, end), and each sample of a tracked object. v_k = v0 counts as above. (The paper prints
-/// 1/0.0001 for the v0 of 1 ms; it is 1000 per second.)
+/// b_jk is the number of actions of participant k on object j in the time dt, for the objects j = 1
+/// to m. What the paper leaves open is our choice: m is the number of objects that the session
+/// shares, those on which k does not act included; dt is the kSeconds most recent whole seconds of
+/// the session clock, so that all sites count alike, or fewer where fewer have passed since the
+/// participant's first action; so v_k of a participant who no longer acts falls to 0. An action is
+/// every change of an object's motion (start, replacement by another action, end), and each sample
+/// of a tracked object; its participant is the owner of the object then. v_k = v0 counts as above.
+/// (The paper prints 1/0.0001 for the v0 of 1 ms; it is 1000 per second.)
 ///
-/// Simultaneous actions each count. Late or reordered actions count in the interval of their time,
-/// if that is within 2 kIntervals of the newest. Each action must be reported once only.
+/// Simultaneous actions each count. Late or reordered actions count in the second of their time, if
+/// that is within 2 kSeconds of the participant's newest. Each action must be reported once only.
 class ApplicationAnalysis
 {
 public:
-    /// Length dt of an interval.
-    using Interval = std::chrono::seconds; ///< dt is one of them
-    static constexpr int kIntervals = 10;
+    static constexpr int kSeconds = 10;
 
-    /// Counts an action on object k at time `at`, by its owner.
-    void acted(ObjectId k, SessionTime at);
-    /// Removes an object.
-    void forget(ObjectId k) { m_counts.erase(k); }
+    /// Counts an action of participant k on object j at time `at`.
+    void acted(ParticipantId k, ObjectId j, SessionTime at);
+    /// Adds what was counted elsewhere.
+    void add(const ApplicationAnalysis& other);
+    /// Removes the actions on an object.
+    void forget(ObjectId j);
     void clear() { m_counts.clear(); }
 
-    /// v_k, per second. Nothing for an object never acted on, or before the interval of its first
-    /// action is complete.
-    [[nodiscard]] std::optional<double> actionFrequency(ObjectId k, SessionTime now) const;
+    /// Those of whom an action was counted.
+    [[nodiscard]] std::vector<ParticipantId> participants() const;
+    /// v_k, per second. Nothing for a participant who never acted, or before the second of the
+    /// first action is over.
+    ///
+    /// @param m number of shared objects @pre at least 1
+    [[nodiscard]] std::optional<double> actionFrequency(ParticipantId k, std::size_t m,
+                                                        SessionTime now) const;
 
 private:
+    /// Number of actions in one second, by object.
+    using Actions = std::map<ObjectId, std::uint32_t>;
     struct Counts {
-        std::int64_t first = 0;                        ///< interval with the first action
-        std::map<std::int64_t, std::uint32_t> actions; ///< b_jk by interval j
+        std::int64_t first = 0;                  ///< second of the first action
+        std::map<std::int64_t, Actions> seconds; ///< b_jk
     };
 
-    std::map<ObjectId, Counts> m_counts;
+    void count(ParticipantId k, ObjectId j, std::int64_t second, std::uint32_t actions);
+
+    std::map<ParticipantId, Counts> m_counts;
 };
 
 /// v0, per second, for sites with this one-way delay; nothing for a delay of 0 or less.

@@ -48,6 +48,12 @@ public:
             take(record, now);
     }
 
+    void readExternal(const ExternalTime& reading, LocalTime now) override
+    {
+        m_external = reading;
+        m_externalRead = now;
+    }
+
     void act(const EventCpo& action, LocalTime now) override
     {
         m_actions.share(action.object, {m_self, action.epoch});
@@ -113,6 +119,8 @@ private:
             m_actions.acknowledge(*ack);
         else if (const auto* needed = std::get_if<LagNeeded>(&record))
             m_actions.setNeededLag(needed->lag);
+        else if (const auto* host = std::get_if<ExternalTimeRecord>(&record); host && m_external)
+            m_clock.setExternal(externalOffset(host->time, *m_external, now - m_externalRead, now));
     }
 
     /// Begins own actions as soon as the clock is set.
@@ -139,6 +147,8 @@ private:
     bool m_hasLag; // then it begins from where the object is by that time
     PeerLink m_link;
     FittedClock m_clock;
+    std::optional<ExternalTime> m_external;
+    LocalTime m_externalRead{};
     ClientActions m_actions;
     std::map<ObjectId, Waiting> m_waiting;
     std::uint64_t m_probes = 0;

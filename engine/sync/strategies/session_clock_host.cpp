@@ -2,6 +2,10 @@
 
 #include "engine/sync/wire/datagram_codec.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace carina
 {
 namespace
@@ -58,11 +62,18 @@ void SessionClockHost::take(ParticipantId from, const EventCpo& event, LocalTime
     m_actions.take(from.value, event, sessionTimeAt(now), now);
 }
 
+void SessionClockHost::readExternal(const ExternalTime& reading, LocalTime)
+{
+    for (auto& [id, peer] : m_peers)
+        peer.outbox.emplace_back(ExternalTimeRecord{reading});
+}
+
 void SessionClockHost::advance(LocalTime now)
 {
     m_actions.advance(sessionTimeAt(now), now);
     for (auto& [id, peer] : m_peers) {
-        const std::vector<WireRecord> records = m_actions.takeDue(id.value, now);
+        std::vector<WireRecord> records = m_actions.takeDue(id.value, now);
+        std::ranges::move(std::exchange(peer.outbox, {}), std::back_inserter(records));
         if (records.empty() && !peer.answer)
             continue;
         peer.answer = false;

@@ -26,12 +26,14 @@ public:
 
     void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) override;
     void advance(LocalTime now) override;
+    void readExternal(const ExternalTime& reading, LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override { return m_actions.nextDue(); }
 
 private:
     struct Peer {
         PeerLink link;
         bool answer = false; ///< a datagram is to be sent at once
+        std::vector<WireRecord> outbox{};
     };
 
     void take(ParticipantId from, const EventCpo& event, LocalTime now);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/external_time.h"
 #include "engine/core/ids.h"
 #include "engine/sync/strategies/strategy_choice.h"
 #include "engine/sync/wire/event_cpo.h"
@@ -38,6 +39,10 @@ public:
     [[nodiscard]] std::vector<StarDatagram> take() { return std::exchange(m_outgoing, {}); }
     /// Whether take() has something.
     [[nodiscard]] bool hasOutgoing() const { return !m_outgoing.empty(); }
+
+    /// A reading of this program's clock against one that is disciplined from outside; for
+    /// strategies with a session clock.
+    virtual void readExternal(const ExternalTime&, LocalTime) {}
 
     /// Number of datagrams sent only to measure the delay.
     [[nodiscard]] virtual std::uint64_t probesSent() const { return 0; }

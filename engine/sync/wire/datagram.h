@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/errc.h"
+#include "engine/core/external_time.h"
 #include "engine/sync/facts/fact_record.h"
 #include "engine/sync/wire/event_cpo.h"
 #include "engine/sync/wire/shown_pose.h"
@@ -107,10 +108,17 @@ struct ConnectionUnknown {
 struct Goodbye {
 };
 
+/// The sender's clock, as in BundleHeader::sentAt, is off by this much from one that NTP or PTP
+/// disciplines.
+struct ExternalTimeRecord {
+    ExternalTime time; ///< its error is above 0 and at most kLargestExternalError
+};
+inline constexpr Duration kLargestExternalError = std::chrono::seconds{16};
+
 using WireRecord =
     std::variant<StreamGroup, EventCpo, FactRecord, ProposalRecord, FactAck, ProposalRefused, Hello,
                  Welcome, HelloRefused, ConnectionUnknown, Goodbye, EventAck, EventBeat,
-                 StrategyMessage, LagNeeded, ShownPose>;
+                 StrategyMessage, LagNeeded, ShownPose, ExternalTimeRecord>;
 
 /// One datagram, decoded.
 struct Datagram {

@@ -29,6 +29,7 @@ enum class RecordKind : std::uint8_t {
     StrategyMessage,
     LagNeeded,
     ShownPose,
+    ExternalTime,
 };
 
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
@@ -188,6 +189,14 @@ ShownPose readShownPose(ByteReader& in)
     return shown;
 }
 
+ExternalTimeRecord readExternalTime(ByteReader& in)
+{
+    const Duration offset = readWireTime(in);
+    const Duration error = readWireTime(in);
+    in.require(error > Duration{} && error <= kLargestExternalError, "error of a clock");
+    return {{offset, error}};
+}
+
 /// Writes a record's kind and fields.
 class RecordWriter
 {
@@ -266,7 +275,14 @@ public:
         kind(RecordKind::EventBeat);
         writeNamed(m_out, beat);
     }
-
+    void operator()(const ExternalTimeRecord& record)
+    {
+        CARINA_EXPECTS(record.time.error > Duration{}
+                       && record.time.error <= kLargestExternalError);
+        kind(RecordKind::ExternalTime);
+        writeWireTime(m_out, record.time.offset);
+        writeWireTime(m_out, record.time.error);
+    }
     void operator()(const StrategyMessage& message)
     {
         CARINA_EXPECTS(!message.bytes.empty() && message.bytes.size() <= kLargestStrategyMessage);
@@ -338,6 +354,8 @@ WireRecord readRecord(ByteReader& in)
         return readShownPose(in);
     case RecordKind::LagNeeded:
         return LagNeeded{Duration{in.number<std::uint32_t>()}};
+    case RecordKind::ExternalTime:
+        return readExternalTime(in);
     }
     in.require(false, "record kind");
     return Goodbye{};

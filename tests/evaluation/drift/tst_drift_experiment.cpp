@@ -164,6 +164,18 @@ private Q_SLOTS:
         QVERIFY2(std::abs(deg(figures.atEvent) - 1.5) < 0.03, shown(figures));
     }
 
+    void externalClocksSeeIt()
+    {
+        // Those of the actor and of the viewer are off by up to 1 ms each, evenly: by 2/3 ms from
+        // each other on average, which are 0.067 deg, and 1/250 of the 1.5 deg is left.
+        DriftScenario scenario = *findScenario("asymmetric");
+        scenario.externalClocks = 1ms;
+        const DriftFigures figures = figuresOf("session-clock", scenario, 12);
+        QVERIFY2(deg(figures.atEvent) <= 0.12, shown(figures));
+        QVERIFY2(deg(figures.atEvent) >= 0.03, shown(figures));
+        QVERIFY(*figures.clockError < 1.2e-3);
+    }
+
     void clocksFarOffDoNotMatter()
     {
         const DriftFigures figures = figuresOf("session-clock", "clock", 3);

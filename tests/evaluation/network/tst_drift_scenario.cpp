@@ -28,7 +28,7 @@ class DriftScenarioTest : public QObject
 private Q_SLOTS:
     void everyNameIsFound()
     {
-        QCOMPARE(scenarioNames().size(), 15U);
+        QCOMPARE(scenarioNames().size(), 16U);
         for (const std::string_view name : scenarioNames())
             QCOMPARE(findScenario(std::string{name})->name, std::string{name});
     }
@@ -102,6 +102,17 @@ private Q_SLOTS:
         QCOMPARE(findScenario("clock")->clockOffset, Duration{250ms});
         QCOMPARE(findScenario("clock")->clockSkew, 50e-6);
         QVERIFY(findScenario("clock")->areClocksAtLimits);
+    }
+
+    void paperHasSlowSoftwareAndFrames()
+    {
+        const DriftScenario paper = *findScenario("paper");
+        QCOMPARE(paper.forward.delay, Duration{95ms});
+        QCOMPARE(paper.backward.delay, Duration{95ms});
+        QCOMPARE(paper.frames.rate, 35.0);
+        // A message waits for up to one frame.
+        QVERIFY(std::abs(2.0 * toSeconds(paper.forward.jitterScale) - 1.0 / 35.0) < 1e-8);
+        QCOMPARE(findScenario("metro")->frames.rate, 0.0);
     }
 
     void readsATrace()

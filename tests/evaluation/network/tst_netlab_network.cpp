@@ -44,6 +44,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("said");
         QTest::newRow("heavy tail") << QByteArray{"cellular"} << false
                                     << QByteArray{" jitter=pareto:4000000ns loss=0.0100505 "};
+        QTest::newRow("even") << QByteArray{"paper"} << false
+                              << QByteArray{" delay=47500000ns jitter=uniform:7142857ns "};
         QTest::newRow("before the step")
             << QByteArray{"step"} << false << QByteArray{" delay=4000000ns "};
         QTest::newRow("after the step")

@@ -41,7 +41,6 @@ ObjectReport movingTube()
     ObjectReport report{FakeSessionNode::kTube, 21ms, 0.14, 0.8};
     report.turnDegPerS = 100.0;
     report.moveMmPerS = 50.0;
-    report.actionsPerS = 60.0;
     return report;
 }
 
@@ -109,9 +108,20 @@ private Q_SLOTS:
         QCOMPARE(tube.drift_deg, std::optional{0.14});
         QVERIFY(std::abs(tube.limit_deg.value() - 1.0) < 1e-9); // 100 deg/s x 10 ms
         QVERIFY(std::abs(tube.limit_mm.value() - 0.5) < 1e-9);  // 50 mm/s x 10 ms
-        QCOMPARE(tube.actions_per_s, std::optional{60.0});
-        // From Tom to Olga it is 25 ms.
-        QVERIFY(std::abs(tube.upshot_per_s.value() - 40.0) < 1e-9);
+    }
+
+    void tellsHowOftenEachParticipantActs()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee), knownPath(kObserver)};
+        node.pathReports[1].meanDelay = 15ms;
+        node.frequencies = {{kTrainee, 30.0}};
+        const auto all = networkFigures(node);
+        QCOMPARE(all.at(0).actions_per_s, std::optional{30.0});
+        QVERIFY(!all.at(1).actions_per_s);
+        // From Tom to Olga it is 25 ms, and back.
+        for (const NetworkFigures& one : all)
+            QVERIFY(std::abs(one.upshot_per_s.value() - 40.0) < 1e-9);
     }
 
     void theLimitOfAnObjectThatIsActedOnIsThatOfTheAction()
@@ -130,9 +140,8 @@ private Q_SLOTS:
     {
         FakeSessionNode node;
         node.pathReports = {knownPath(kTrainee)};
-        node.reports = {movingTube()};
         const auto all = networkFigures(node);
-        QVERIFY(std::abs(all.at(0).objects.at(0).upshot_per_s.value() - 100.0) < 1e-9);
+        QVERIFY(std::abs(all.at(0).upshot_per_s.value() - 100.0) < 1e-9);
     }
 
     void saysWhatIsNotKnownYet()
@@ -145,10 +154,10 @@ private Q_SLOTS:
             QStringLiteral("One-way delay ± σ: ") + kUnknown,
             QStringLiteral("Probe rate, γ₀: ") + kUnknown,
             QStringLiteral("Datagram loss: not known before 100 datagrams"),
+            QStringLiteral("Actions, vₖ (v₀): ") + kUnknown,
             QStringLiteral("Clock drift since joining: ") + kUnknown,
             QStringLiteral("Clock error at most: ") + kUnknown,
-            QStringLiteral("tube: drift (limit): 0.140 (unknown)°, 0.800 (unknown) mm"),
-            QStringLiteral("tube: vₖ (v₀): ") + kUnknown};
+            QStringLiteral("tube: drift (limit): 0.140 (unknown)°, 0.800 (unknown) mm")};
         QCOMPARE(linesOf(networkFigures(node).at(0)), expected);
     }
 
@@ -157,6 +166,7 @@ private Q_SLOTS:
         FakeSessionNode node;
         node.pathReports = {knownPath(kTrainee)};
         node.reports = {movingTube()};
+        node.frequencies = {{kTrainee, 30.0}};
         SessionModel session{node};
         const NetworkModel model{session};
         const QStringList expected{
@@ -164,11 +174,25 @@ private Q_SLOTS:
             QStringLiteral("One-way delay ± σ: 10.00 ± 2.00 ms"),
             QStringLiteral("Probe rate, γ₀: 3 per s"),
             QStringLiteral("Datagram loss: 1.2 %"),
+            QStringLiteral("Actions, vₖ (v₀): 30.0 (100) per s, below upshot"),
             QStringLiteral("Clock drift since joining: +0.000 ± 0.076 ms"), // 0.054 twice
             QStringLiteral("Clock error at most: ± 8.000 ms"),
-            QStringLiteral("tube: drift (limit): 0.140 (1.000)°, 0.800 (0.500) mm"),
-            QStringLiteral("tube: vₖ (v₀): 60 (100) per s, below upshot")};
+            QStringLiteral("tube: drift (limit): 0.140 (1.000)°, 0.800 (0.500) mm")};
         QCOMPARE(linesOf(*model.figures(0)), expected);
+    }
+
+    void saysWhetherDisciplinedClocksAreUsed()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.pathReports[0].external = ExternalVerdict{-15ms, 1ms, false};
+        const auto line = [&] { return linesOf(networkFigures(node).at(0)).last(); };
+        QCOMPARE(line(), QStringLiteral("Disciplined clocks (NTP, PTP): used, -15.000 ± 1.000 ms"));
+        node.pathReports[0].external = ExternalVerdict{14ms, 1ms, true};
+        QCOMPARE(line(),
+                 QStringLiteral("Disciplined clocks (NTP, PTP): refused, +14.000 ± 1.000 ms"));
+        node.pathReports[0].external.reset();
+        QVERIFY(!line().startsWith(QStringLiteral("Disciplined")));
     }
 
     void saysAtTheHostWhatAParticipantSends()
@@ -187,16 +211,22 @@ private Q_SLOTS:
     {
         FakeSessionNode node;
         node.pathReports = {knownPath(kTrainee)};
-        node.reports = {movingTube()};
+        node.frequencies = {{kTrainee, 60.0}};
         NetworkFiguresModel table;
         const auto category = [&] {
             table.show(networkFigures(node).at(0));
-            return table.index(table.rowCount() - 1, Column::HowMuch).data().toString();
+            for (int row = 0; row < table.rowCount(); ++row)
+                if (table.index(row, Column::What)
+                        .data()
+                        .toString()
+                        .startsWith(QStringLiteral("Actions")))
+                    return table.index(row, Column::HowMuch).data().toString();
+            return QString{};
         };
-        QCOMPARE(category(), QStringLiteral("60 (100) per s, ✓ below upshot"));
-        node.reports[0].actionsPerS = 100.0;
-        QCOMPARE(category(), QStringLiteral("100 (100) per s, ▲ above upshot"));
-        node.reports[0].actionsPerS.reset();
+        QCOMPARE(category(), QStringLiteral("60.0 (100) per s, ✓ below upshot"));
+        node.frequencies[kTrainee] = 100.0;
+        QCOMPARE(category(), QStringLiteral("100.0 (100) per s, ▲ above upshot"));
+        node.frequencies.clear();
         QCOMPARE(category(), QStringLiteral("– (100) per s"));
     }
 
@@ -219,7 +249,7 @@ private Q_SLOTS:
         const NetworkFigures apart = after(5000s - 1500us, 400us);
         QVERIFY(std::abs(apart.clockChange_ms.value() + 1.5) < 1e-6);
         QVERIFY(std::abs(apart.clockChangeError_ms.value() - 0.5) < 1e-9); // of 0.3 and 0.4
-        QCOMPARE(linesOf(apart).at(4),
+        QCOMPARE(linesOf(apart).at(5),
                  QStringLiteral("Clock drift since joining: -1.500 ± 0.500 ms"));
         QVERIFY(!after({}, 0us).clockChange_ms); // comes in again
         QCOMPARE(after(7000s, 300us).clockChange_ms, std::optional{0.0});

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
+#include <array>
 #include <cmath>
 
 namespace carina::lab::figures_command_test
@@ -94,7 +95,7 @@ private Q_SLOTS:
             for (const char* quantity : {"-orientation", "-position"})
                 expected.append(QLatin1StringView{stem} + QLatin1StringView{quantity});
         QCOMPARE(names, expected);
-        QStringList files{QStringLiteral("trends.csv")};
+        QStringList files{QStringLiteral("paper.csv"), QStringLiteral("trends.csv")};
         for (const QString& name : names)
             for (const char* ending : {".svg", ".png", ".csv"})
                 files.append(name + QLatin1StringView{ending});
@@ -209,9 +210,34 @@ private Q_SLOTS:
         QCOMPARE(none.name, std::string{"drift-by-action-none-orientation"});
         QCOMPARE(none.yColumn, std::string{"raw_angle_deg"});
         QVERIFY(none.yLabel.starts_with("2 acos(w) as in 2004"));
+        QCOMPARE(figures->at(2).yColumn, std::string{"orientation_deg"});
         const DriftFigures experiment = experimentOf("none", 2, 100.0);
         for (std::size_t i = 0; i < experiment.actions.size(); ++i)
             QCOMPARE(none.curves[0].y[i], inDegrees(radians(experiment.actions[i].rawAngle)));
+    }
+
+    void paperStandsBesideOurs()
+    {
+        const auto table =
+            CsvTable::read(m_folder.filePath(QStringLiteral("paper.csv")),
+                           {"paper_figure", "paper_printed", "measured", "order", "source"});
+        QVERIFY(table);
+        // As printed in 2004; none for 3, 4 and 5 participants.
+        const std::array<std::array<const char*, 2>, 5> printed{
+            {{"9", "above 210"}, {"10", "11"}, {"11", "2.83"}, {"13", "2.83"}, {"13", "3.17"}}};
+        QCOMPARE(table->rows(), printed.size());
+        for (std::size_t row = 0; row < printed.size(); ++row) {
+            QCOMPARE(table->text(row, 0), QString::fromLatin1(printed[row][0]));
+            QCOMPARE(table->text(row, 1), QString::fromLatin1(printed[row][1]));
+            QVERIFY(table->text(row, 4).contains(QStringLiteral("2004")));
+        }
+        QCOMPARE(*table->number(0, 3), double{kTrendOfNone});
+        const auto asaOf = [](std::uint16_t participants) {
+            return inDegrees(radians(experimentOf("asa-adaptive", participants, 100.0).atEvent));
+        };
+        QVERIFY(std::abs(*table->number(2, 2) - asaOf(2)) < kRoundingError);
+        QCOMPARE(*table->number(3, 2), asaOf(2));
+        QCOMPARE(*table->number(4, 2), asaOf(6));
     }
 
     void announcesEveryCurve()
@@ -264,7 +290,7 @@ private Q_SLOTS:
         QVERIFY(figuresCommand().run(wordsFor(again.path())));
         const QStringList names =
             QDir{again.path()}.entryList({QStringLiteral("*.csv"), QStringLiteral("*.svg")});
-        QCOMPARE(names.size(), 16 * 2 + 1);
+        QCOMPARE(names.size(), 16 * 2 + 2);
         for (const QString& name : names)
             QVERIFY2(bytesOf(again.filePath(name)) == bytesOf(m_folder.filePath(name)),
                      qPrintable(name));

@@ -12,6 +12,7 @@ namespace
 
 using namespace std::chrono_literals;
 
+constexpr ParticipantId kOwner{2};
 constexpr ParticipantId kAnna{1};
 constexpr StationId kStation{0};
 constexpr SessionTime kStart{1000s};
@@ -79,7 +80,7 @@ private Q_SLOTS:
     void driftIsHowFarANewSampleMovesThePicture()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1});
+        objects.add(ObjectId{1}, kOwner);
         QVERIFY(objects.reports(kStart).empty()); // nothing came yet
         StreamCpo cpo = cpoAt(0ms, Vec3::Zero());
         cpo.motion = StreamMotion{Vec3{0.1, 0.0, 0.0}, Vec3::Zero()};
@@ -96,12 +97,12 @@ private Q_SLOTS:
     void tellsHowFastAnObjectMovesAndHowOftenWordOfItComes()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1});
+        objects.add(ObjectId{1}, kOwner);
         StreamCpo cpo = cpoAt(0ms, Vec3::Zero());
         objects.take(cpo, cpo.time);
         QVERIFY(!objects.reports(kStart)[0].turnDegPerS); // its owner does not say
         QVERIFY(!objects.reports(kStart)[0].moveMmPerS);
-        QVERIFY(!objects.reports(kStart)[0].actionsPerS); // the first second is not over
+        QVERIFY(!objects.analysis().actionFrequency(kOwner, 1, kStart)); // not over
         for (int i = 1; i < 60; ++i) {
             cpo = cpoAt(Duration{1s} * i / 60, Vec3::Zero());
             cpo.motion = StreamMotion{Vec3{0.03, 0.04, 0.0}, Vec3{0.0, 0.0, -2.0}};
@@ -110,21 +111,21 @@ private Q_SLOTS:
         const ObjectReport report = objects.reports(kStart + 1s).at(0);
         QVERIFY(std::abs(report.moveMmPerS.value() - 50.0) < 1e-9);
         QVERIFY(std::abs(report.turnDegPerS.value() - inDegrees(radians(2.0))) < 1e-9);
-        QCOMPARE(report.actionsPerS, std::optional{60.0});
+        QCOMPARE(objects.analysis().actionFrequency(kOwner, 1, kStart + 1s), std::optional{60.0});
         cpo.time = kStart + 1s;
         cpo.validity = StreamValidity::Lost;
         objects.take(cpo, cpo.time);
         QVERIFY(!objects.reports(kStart + 1s)[0].turnDegPerS);
         objects.remove(ObjectId{1});
-        objects.add(ObjectId{1});
+        objects.add(ObjectId{1}, kOwner);
         objects.take(cpoAt(5s, Vec3::Zero()), kStart + 5s);
-        QVERIFY(!objects.reports(kStart + 5s)[0].actionsPerS); // counted anew
+        QVERIFY(!objects.analysis().actionFrequency(kOwner, 1, kStart + 5s)); // counted anew
     }
 
     void posesGoStaleAfter300Milliseconds()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1});
+        objects.add(ObjectId{1}, kOwner);
         objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
         const auto poses = objects.find(ObjectId{1});
         QCOMPARE(poses->at(kStart + 300ms)->validity, Validity::Tracked);
@@ -134,15 +135,15 @@ private Q_SLOTS:
     void addingAgainKeepsWhatCame()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1});
+        objects.add(ObjectId{1}, kOwner);
         objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
-        objects.add(ObjectId{1});
+        objects.add(ObjectId{1}, kOwner);
         QVERIFY(objects.find(ObjectId{1})->newest());
         objects.remove(ObjectId{1});
         QVERIFY(!objects.find(ObjectId{1}));
         objects.take(cpoAt(10ms, Vec3::Zero()),
                      kStart + 10ms); // of an object that is not there: nothing
-        objects.add(ObjectId{1});
+        objects.add(ObjectId{1}, kOwner);
         QVERIFY(!objects.find(ObjectId{1})->newest());
         objects.clear();
         QVERIFY(!objects.find(ObjectId{1}));

@@ -143,10 +143,14 @@ private Q_SLOTS:
         const auto seconds = std::chrono::floor<std::chrono::seconds>(now)
                              - std::chrono::floor<std::chrono::seconds>(first);
         const std::optional expected{4.0 / toSeconds(seconds)};
-        QCOMPARE(world.host().actions().analysis().actionFrequency(kModel, now), expected);
+        const ParticipantId actor = world.site(0).client->self();
+        const auto check = [&](const ApplicationAnalysis& analysis) {
+            QCOMPARE(analysis.actionFrequency(actor, 1, now), expected);
+            QCOMPARE(analysis.participants().size(), std::size_t{1}); // not who took it over
+        };
+        check(world.host().actions().analysis());
         for (std::size_t i = 0; i < 2; ++i)
-            QCOMPARE(world.site(i).client->actions().analysis().actionFrequency(kModel, now),
-                     expected);
+            check(world.site(i).client->actions().analysis());
     }
 
     void othersObjectsCannotBeActedOn()

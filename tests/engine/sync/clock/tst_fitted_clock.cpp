@@ -100,6 +100,92 @@ private Q_SLOTS:
         QVERIFY(std::chrono::abs(errorAt(clock, at(23s), skew)) < 150ns);
     }
 
+    void externalClocksSeeTheAsymmetry()
+    {
+        // 25 and 55 ms: the probes are 15 ms off, within 40, which has the variance 1600/3 ms^2.
+        // The external offset is right, and says 2 ms.
+        FittedClock clock;
+        for (int i = 0; i < 600; ++i) {
+            const LocalTime t = at(i * 100ms);
+            clock.setExternal({t, kOffset, 2ms});
+            clock.addProbe(probe(t, 25ms, 55ms));
+        }
+        const double share = (1600.0 / 3.0) / (1600.0 / 3.0 + 4.0);
+        const LocalTime end = at(60s);
+        QVERIFY(std::abs(toSeconds(errorAt(clock, end)) + (1.0 - share) * 15e-3) < 1e-6);
+        QVERIFY(clock.external());
+        QVERIFY(!clock.external()->isRefused);
+        QVERIFY(std::chrono::abs(clock.external()->difference - 15ms) < 1us);
+        QCOMPARE(clock.external()->error, Duration{2ms});
+        // Standard error of the weighted mean; the bound still holds the truth.
+        QVERIFY(std::abs(clock.uncertainty(end) - 2e-3 * std::sqrt(share)) < 1e-6);
+        QVERIFY(std::abs(toSeconds(clock.bound(end)) - (40e-3 + share * 15e-3)) < 1e-5);
+    }
+
+    void externalClockBeyondTheRoundTripIsRefused_data()
+    {
+        QTest::addColumn<int>("off_ms");
+        QTest::addColumn<bool>("isRefused");
+        // Half the round trip is 10 ms, three standard errors are 3.
+        QTest::newRow("within") << 12 << false;
+        QTest::newRow("beyond") << 14 << true;
+        QTest::newRow("beyond, slow") << -14 << true;
+        QTest::newRow("an hour") << 3'600'000 << true;
+    }
+    void externalClockBeyondTheRoundTripIsRefused()
+    {
+        QFETCH(int, off_ms);
+        QFETCH(bool, isRefused);
+        FittedClock clock;
+        const FittedClock without = afterSteadyProbes(600, 100ms);
+        for (int i = 0; i < 600; ++i) {
+            const LocalTime t = at(i * 100ms);
+            clock.setExternal({t, kOffset + off_ms * 1ms, 1ms});
+            clock.addProbe(probe(t, 10ms, 10ms));
+        }
+        QCOMPARE(clock.external()->isRefused, isRefused);
+        QVERIFY(std::chrono::abs(clock.external()->difference - off_ms * 1ms) < 1us);
+        if (isRefused) // as if there were none
+            QCOMPARE(clock.mapping()->at(at(60s)), without.mapping()->at(at(60s)));
+        else // never further than the round trip permits
+            QVERIFY(std::chrono::abs(errorAt(clock, at(60s))) <= 10ms + kRounding);
+    }
+
+    void oldExternalOffsetHasNoEffect()
+    {
+        FittedClock clock;
+        clock.setExternal({at(0s), kOffset + 5ms, 1ms});
+        for (int i = 0; i < 800; ++i)
+            clock.addProbe(probe(at(i * 100ms), 10ms, 10ms));
+        QVERIFY(!clock.external());
+        QVERIFY(std::chrono::abs(errorAt(clock, at(80s))) < 100ns);
+    }
+
+    void poorExternalClocksHardlyMatter()
+    {
+        // A LAN of 0.1 ms each way knows better than a clock that says 5 ms.
+        FittedClock clock;
+        for (int i = 0; i < 600; ++i) {
+            const LocalTime t = at(i * 100ms);
+            clock.setExternal({t, kOffset + 4ms, 5ms});
+            clock.addProbe(probe(t, 100us, 100us));
+        }
+        QVERIFY(std::chrono::abs(errorAt(clock, at(60s))) < 1us);
+    }
+
+    void readingsAtBothEndsGiveTheOffset()
+    {
+        // 1970 and the session's and this program's clocks; 3 ms and 4 ms, of an age of 0.
+        const ExternalTime host{1000h - 7s, 3ms};
+        const ExternalTime own{1000h, 4ms};
+        const ExternalOffset offset = externalOffset(host, own, 0s, at(5s));
+        QCOMPARE(offset.offset, Duration{7s});
+        QVERIFY(std::abs(toSeconds(offset.error) - 5e-3) < 1e-9);
+        QCOMPARE(offset.at, at(5s));
+        // 100 ppm of 120 s are 12 ms.
+        QVERIFY(std::abs(toSeconds(externalOffset(host, own, 120s, at(5s)).error) - 13e-3) < 1e-9);
+    }
+
     void longHoldDoesNotShiftTheClock()
     {
         // The host answers after 90 ms of its clock: the offset is that of the middle.

@@ -28,6 +28,34 @@ private Q_SLOTS:
             < 1ms);
     }
 
+    void disciplinedClocksAtBothEndsSeeAnAsymmetricPath()
+    {
+        SessionWorld world{29};
+        auto& site = world.site(world.addSite({25ms, 0ms, 0.0, 0.0}, {-250ms, 50}));
+        site.fromHost.setPath({55ms, 0ms, 0.0, 0.0});
+        world.startClient(0, "anna");
+        const auto error = [&] {
+            const LocalTime local = site.clock.at(world.now());
+            return site.client->clock().mapping()->at(local) - world.trueSessionTime();
+        };
+        world.run(60s);
+        QVERIFY(std::chrono::abs(std::chrono::abs(error()) - 15ms) < 100us); // half of 30
+        QVERIFY(!site.client->clock().external());
+        const auto readTrueTime = [&] {
+            const Duration truth = 400'000h + world.now();
+            const LocalTime local = site.clock.at(world.now());
+            world.host().readExternal({truth - world.hostTime().time_since_epoch(), 1ms});
+            site.client->readExternal({truth - local.time_since_epoch(), 1ms}, local);
+        };
+        world.run(60s, 1s, readTrueTime);
+        QVERIFY(std::chrono::abs(error()) < 200us);
+        QVERIFY(!site.client->clock().external()->isRefused);
+        // The host sees the same of the participant's clock.
+        const PeerClock& seen = world.host().peers().begin()->second.clock;
+        QVERIFY(seen.external().has_value());
+        QVERIFY(std::chrono::abs(std::chrono::abs(seen.external()->difference) - 15ms) < 200us);
+    }
+
     void oneSlowDatagramIsNoOtherRouteHoweverOftenItIsAnswered()
     {
         constexpr ObjectId kJaw{2};

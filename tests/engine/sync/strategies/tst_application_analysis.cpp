@@ -8,6 +8,8 @@ namespace
 
 using namespace std::chrono_literals;
 
+constexpr ParticipantId kTom{1};
+constexpr ParticipantId kOlga{2};
 constexpr ObjectId kTrachea{4};
 constexpr ObjectId kLungs{5};
 
@@ -47,21 +49,21 @@ private Q_SLOTS:
     void noActionHasNoFrequency()
     {
         const ApplicationAnalysis analysis;
-        QVERIFY(!analysis.actionFrequency(kTrachea, after(0s)));
+        QVERIFY(!analysis.actionFrequency(kTom, 1, after(0s)));
     }
 
     void oneActionCountsOnceItsSecondIsOver()
     {
         ApplicationAnalysis analysis;
-        analysis.acted(kTrachea, after(400ms));
-        QVERIFY(!analysis.actionFrequency(kTrachea, after(400ms)));
-        QVERIFY(!analysis.actionFrequency(kTrachea, after(1s - 1ns)));
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(1s)), std::optional{1.0});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(2s)), std::optional{0.5});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(10s)), std::optional{0.1});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(11s)), std::optional{0.0});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(1h)), std::optional{0.0});
-        QVERIFY(!analysis.actionFrequency(kTrachea, after(-5s))); // it was not yet
+        analysis.acted(kTom, kTrachea, after(400ms));
+        QVERIFY(!analysis.actionFrequency(kTom, 1, after(400ms)));
+        QVERIFY(!analysis.actionFrequency(kTom, 1, after(1s - 1ns)));
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(1s)), std::optional{1.0});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(2s)), std::optional{0.5});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(10s)), std::optional{0.1});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(11s)), std::optional{0.0});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(1h)), std::optional{0.0});
+        QVERIFY(!analysis.actionFrequency(kTom, 1, after(-5s))); // it was not yet
     }
 
     void aPersonAtAScreenActsFourTimesASecond()
@@ -69,8 +71,8 @@ private Q_SLOTS:
         // The paper's person, 240 ms a response: 25 actions in 6 s, 50 in 12 s.
         ApplicationAnalysis analysis;
         for (int i = 0; i < 100; ++i)
-            analysis.acted(kTrachea, after(i * 240ms));
-        const double frequency = analysis.actionFrequency(kTrachea, after(24s)).value();
+            analysis.acted(kTom, kTrachea, after(i * 240ms));
+        const double frequency = analysis.actionFrequency(kTom, 1, after(24s)).value();
         QVERIFY(std::abs(frequency - 1.0 / 0.24) <= 0.1); // one of ten seconds' actions
     }
 
@@ -78,20 +80,20 @@ private Q_SLOTS:
     {
         ApplicationAnalysis analysis;
         for (int i = 0; i < 30 * 20; ++i)
-            analysis.acted(kTrachea, after(Duration{1s} * i / 30));
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(1s)), std::optional{30.0});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(20s)), std::optional{30.0});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(20s + 999ms)), std::optional{30.0});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(25s)), std::optional{15.0});
+            analysis.acted(kTom, kTrachea, after(Duration{1s} * i / 30));
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(1s)), std::optional{30.0});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(20s)), std::optional{30.0});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(20s + 999ms)), std::optional{30.0});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(25s)), std::optional{15.0});
     }
 
     void actionsOfOneInstantCountEach()
     {
         ApplicationAnalysis analysis;
         for (int i = 0; i < 3; ++i)
-            analysis.acted(kTrachea, after(1s)); // where a second begins: it is that second's
-        QVERIFY(!analysis.actionFrequency(kTrachea, after(1s)));
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(2s)), std::optional{3.0});
+            analysis.acted(kTom, kTrachea, after(1s)); // where a second begins: it is that second's
+        QVERIFY(!analysis.actionFrequency(kTom, 1, after(1s)));
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(2s)), std::optional{3.0});
     }
 
     void theOrderOfArrivalDoesNotMatter()
@@ -99,37 +101,66 @@ private Q_SLOTS:
         ApplicationAnalysis inOrder;
         ApplicationAnalysis reversed;
         for (int i = 0; i < 40; ++i) {
-            inOrder.acted(kTrachea, after(i * 250ms));
-            reversed.acted(kTrachea, after((39 - i) * 250ms));
+            inOrder.acted(kTom, kTrachea, after(i * 250ms));
+            reversed.acted(kTom, kTrachea, after((39 - i) * 250ms));
         }
-        QCOMPARE(reversed.actionFrequency(kTrachea, after(10s)), std::optional{4.0});
-        QCOMPARE(inOrder.actionFrequency(kTrachea, after(10s)), std::optional{4.0});
+        QCOMPARE(reversed.actionFrequency(kTom, 1, after(10s)), std::optional{4.0});
+        QCOMPARE(inOrder.actionFrequency(kTom, 1, after(10s)), std::optional{4.0});
     }
 
     void whatCameFarTooLateIsNotKept()
     {
         ApplicationAnalysis analysis;
-        analysis.acted(kTrachea, after(20s));
-        analysis.acted(kTrachea, after(0s)); // the oldest kept
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(1s)), std::optional{1.0});
-        analysis.acted(kTrachea, after(21s));
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(1s)), std::optional{0.0});
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(22s)), std::optional{0.2});
+        analysis.acted(kTom, kTrachea, after(20s));
+        analysis.acted(kTom, kTrachea, after(0s)); // the oldest kept
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(1s)), std::optional{1.0});
+        analysis.acted(kTom, kTrachea, after(21s));
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(1s)), std::optional{0.0});
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(22s)), std::optional{0.2});
     }
 
-    void objectsAreCountedApart()
+    void equationThreeOfThePaper()
+    {
+        // b_jk in 2 s on m = 3 objects: Tom 6 and 4 and 0, Olga 0 and 3 and 0.
+        ApplicationAnalysis analysis;
+        for (int i = 0; i < 6; ++i)
+            analysis.acted(kTom, kTrachea, after(i * 300ms));
+        for (int i = 0; i < 4; ++i)
+            analysis.acted(kTom, kLungs, after(i * 500ms));
+        for (int i = 0; i < 3; ++i)
+            analysis.acted(kOlga, kLungs, after(i * 600ms));
+        QCOMPARE(analysis.actionFrequency(kTom, 3, after(2s)), std::optional{10.0 / (3.0 * 2.0)});
+        QCOMPARE(analysis.actionFrequency(kOlga, 3, after(2s)), std::optional{3.0 / (3.0 * 2.0)});
+        QCOMPARE(analysis.participants(), (std::vector{kTom, kOlga}));
+    }
+
+    void forgottenObjectsDoNotCount()
     {
         ApplicationAnalysis analysis;
-        analysis.acted(kTrachea, after(0s));
-        analysis.acted(kLungs, after(0s));
-        analysis.acted(kLungs, after(1ms));
-        QCOMPARE(analysis.actionFrequency(kTrachea, after(1s)), std::optional{1.0});
-        QCOMPARE(analysis.actionFrequency(kLungs, after(1s)), std::optional{2.0});
+        analysis.acted(kTom, kTrachea, after(0s));
+        analysis.acted(kTom, kLungs, after(0s));
+        analysis.acted(kOlga, kLungs, after(1ms));
         analysis.forget(kLungs);
-        QVERIFY(!analysis.actionFrequency(kLungs, after(1s)));
-        QVERIFY(analysis.actionFrequency(kTrachea, after(1s)));
+        QCOMPARE(analysis.actionFrequency(kTom, 1, after(1s)), std::optional{1.0});
+        QVERIFY(!analysis.actionFrequency(kOlga, 1, after(1s)));
         analysis.clear();
-        QVERIFY(!analysis.actionFrequency(kTrachea, after(1s)));
+        QVERIFY(!analysis.actionFrequency(kTom, 1, after(1s)));
+    }
+
+    void sumOfTwoCountsIsThatOfOne()
+    {
+        ApplicationAnalysis whole;
+        ApplicationAnalysis samples;
+        ApplicationAnalysis actions;
+        for (int i = 0; i < 50; ++i) {
+            const SessionTime at = after(i * 210ms);
+            whole.acted(kTom, i % 3 == 0 ? kLungs : kTrachea, at);
+            (i % 3 == 0 ? actions : samples).acted(kTom, i % 3 == 0 ? kLungs : kTrachea, at);
+        }
+        samples.add(actions);
+        for (const Duration t : {1s, 5s, 11s, 15s, 30s})
+            QCOMPARE(samples.actionFrequency(kTom, 2, after(t)),
+                     whole.actionFrequency(kTom, 2, after(t)));
     }
 
     void categoryIsByWhichIsLarger()

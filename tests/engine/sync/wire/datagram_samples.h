@@ -147,6 +147,8 @@ inline std::vector<GoldenRecord> goldenRecords()
          "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 00"
          "00 00 00 00 00 00 00 00  00 00 00 00 00 00 00 00"
          "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 40  00 00 00 00 00 00 e0 bf"},
+        {"external time", ExternalTimeRecord{{Duration{0x0102030405060708}, Duration{0x01020304}}},
+         "11  08 07 06 05 04 03 02 01  04 03 02 01 00 00 00 00"},
     };
 }
 

@@ -142,7 +142,7 @@ private Q_SLOTS:
         row("sent beyond the range of times", 4, -20, "01 00 00 00 00 00 00 20", "time");
         row("sent before the range of times", 4, -20, "ff ff ff ff ff ff ff df", "time");
         row("record kind zero", 4, 0, "00", "record kind");
-        row("record kind above the last", 4, 0, "11", "record kind");
+        row("record kind above the last", 4, 0, "12", "record kind");
         row("record kind above all", 4, 0, "ff", "record kind");
         row("no streams", 0, 11, "00", "stream count");
         row("too many streams", 0, 11, "1f", "stream count");
@@ -196,6 +196,9 @@ private Q_SLOTS:
         row("strategy with a message cut short", 14, 1, "04", "length");
         row("shown rotation too long", 16, 11, "00 00 80 00 00 00 f0 3f", "rotation");
         row("shown position infinite", 16, 43, "00 00 00 00 00 00 f0 7f", "position");
+        row("clock without an error", 17, 9, "00 00 00 00 00 00 00 00", "error of a clock");
+        row("clock off by more than 16 s", 17, 9, "01 a0 ac b9 03 00 00 00", "error of a clock");
+        row("negative error of a clock", 17, 9, "ff ff ff ff ff ff ff ff", "error of a clock");
     }
 
     void refusesWhatBreaksARule()

@@ -216,6 +216,7 @@ void InstructorWindow::refreshStatus()
     // What is out of the ordinary stands in front.
     const StationMoment& moment = m_stationScene->moment();
     QStringList told = m_participants.replacedTokens(moment.time);
+    told += m_participants.doubtfulRegistrations();
     if (isAway(moment))
         told += tr("▲ patient not in its original place");
     if (moment.exaggeration != 1.0)

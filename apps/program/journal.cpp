@@ -2,6 +2,7 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "models/patient/shared_patient.h"
+#include "models/site/standing_words.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -29,6 +30,17 @@ QString phaseName(SessionPhase phase)
         return QStringLiteral("ended");
     }
     return {};
+}
+
+/// What the participants who are present stated of their registrations, by name.
+QJsonObject registrations(const SessionState& state)
+{
+    QJsonObject stated;
+    for (const auto& [id, participant] : state.participants())
+        if (participant.present && participant.registration)
+            stated[QString::fromStdString(participant.name)] =
+                standingText(*participant.registration);
+    return stated;
 }
 
 void addPatient(QJsonObject& line, const StationMoment& moment, const SharedObject* patient)
@@ -88,6 +100,7 @@ void Journal::writeLine()
         {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
         {QStringLiteral("right_lung_ml"), inMillilitres(lungs[0].gas)},
         {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)}};
+    line[QStringLiteral("registrations")] = registrations(*state);
     addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
     m_file.flush();

@@ -26,20 +26,20 @@ void addSiteOption(QCommandLineParser& parser)
          QStringLiteral("FILE")});
 }
 
-Result<std::optional<SiteSetup>> siteOption(const QCommandLineParser& parser,
-                                            const PatientModel& patient)
+QString simulatedTrackerName()
+{
+    return QCoreApplication::translate("Program", "Simulated tracker");
+}
+
+Result<std::optional<SitePlace>> siteOption(const QCommandLineParser& parser,
+                                            const PatientModel& patient, const QString& tracker)
 {
     if (!parser.isSet(kSiteFile))
         return std::nullopt;
-    const std::string file = parser.value(kSiteFile).toStdString();
-    const Result<Site> site = readSiteFile(file);
+    const Result<Site> site = readSiteFile(parser.value(kSiteFile).toStdString());
     if (!site)
         return tl::unexpected(site.error());
-    auto setup = siteSetup(*site, patient);
-    if (!setup)
-        return fail(setup.error().code,
-                    file + (setup.error().detail.empty() ? "" : ": " + setup.error().detail));
-    return std::optional{std::move(*setup)};
+    return std::optional{sitePlace(*site, patient, tracker, QDateTime::currentDateTimeUtc())};
 }
 
 void watchSite(const QCommandLineParser& parser, QObject& context,

@@ -13,10 +13,14 @@ namespace carina::program
 /// Adds `--site FILE`.
 void addSiteOption(QCommandLineParser& parser);
 
-/// The site named by `--site`; std::nullopt without it.
-/// @returns the errors of readSiteFile and siteSetup, with the file's name.
-[[nodiscard]] Result<std::optional<SiteSetup>> siteOption(const QCommandLineParser& parser,
-                                                          const PatientModel& patient);
+/// The name of the simulated tracker, as a site keeps it.
+[[nodiscard]] QString simulatedTrackerName();
+
+/// The site named by `--site`, as of now; std::nullopt without it.
+/// @param tracker name of the present tracker; empty where it is not known
+/// @returns the errors of readSiteFile.
+[[nodiscard]] Result<std::optional<SitePlace>>
+siteOption(const QCommandLineParser& parser, const PatientModel& patient, const QString& tracker);
 
 /// Calls `written` whenever the file named by `--site` was rewritten, until `context` is destroyed.
 /// @pre what the callback uses outlives `context`.

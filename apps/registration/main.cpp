@@ -1,4 +1,5 @@
 #include "apps/program/program.h"
+#include "apps/program/site_option.h"
 #include "apps/registration/patient_landmarks.h"
 #include "apps/registration/registration_journal.h"
 #include "apps/registration/registration_report.h"
@@ -136,7 +137,7 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
 
     RegistrationModel registration{{.file = siteFile,
                                     .tracker = workplace->tracker.get(),
-                                    .trackerName = words("Simulated tracker"),
+                                    .trackerName = program::simulatedTrackerName(),
                                     .clock = workplace->clock,
                                     .landmarks = landmarkSetsOf(patient),
                                     .checks = checkPlacesOf(patient)},

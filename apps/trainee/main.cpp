@@ -221,7 +221,9 @@ Result<int> run(const QCommandLineParser& parser)
     const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    const auto site = program::siteOption(parser, *patient->model);
+    const QString trackerName =
+        parser.isSet(kSimulatedTracker) ? program::simulatedTrackerName() : QString{};
+    const auto site = program::siteOption(parser, *patient->model, trackerName);
     if (!site)
         return tl::unexpected(site.error());
     const auto headset =
@@ -239,7 +241,7 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(tracker.error());
     TraineeStation station{
         std::move(entered->node), kStation, *std::move(tracker),
-        [&parser](const PatientModel& of) { return program::siteOption(parser, of); }};
+        [&](const PatientModel& of) { return program::siteOption(parser, of, trackerName); }};
     if (const auto laid = station.lay(patient->model); !laid)
         return tl::unexpected(laid.error());
 
@@ -248,13 +250,18 @@ Result<int> run(const QCommandLineParser& parser)
     ObjectActionModel actions{object};
     SessionPatient sessionPatient{station.node(), kStation, patient->model,
                                   AnatomyCache::defaultFolder()};
-    TraineeWindow window{station.node(), sessionPatient,      station.view(), *headset,
-                         *output,        station.chinProbe(), actions};
+    TraineeWindow window{station.node(), sessionPatient,
+                         station.view(), *headset,
+                         *output,        station.chinProbe(),
+                         actions,        [&station] { return station.standing(); }};
     sessionPatient.follow([&](const SharedPatientModel& another) {
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });
     });
-    program::watchSite(parser, window, [&station] { station.takePlace(); });
+    program::watchSite(parser, window, [&] {
+        station.takePlace(
+            [&] { window.show(*sessionPatient.patient(), station.view(), station.chinProbe()); });
+    });
     const auto journal =
         program::journalFromOptions(parser, station.node(), kStation, window.stationScene());
     if (!journal)

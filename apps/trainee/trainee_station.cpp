@@ -11,17 +11,18 @@ namespace
 
 constexpr int kLookInterval_ms = 50; ///< at the stylus
 
+/// @pre the place, if there is one, can be used.
 std::optional<StationRegistration> registrationIn(const TraineeStation::Place& place)
 {
-    return place ? std::optional{place->registration} : std::nullopt;
+    return place ? std::optional{place->setup->registration} : std::nullopt;
 }
 
 std::unique_ptr<RegistrationGuard> guardOf(const StationTracking& tracking,
                                            const TraineeStation::Place& place)
 {
-    if (!place || !place->guard)
+    if (!place || !place->setup || !place->setup->guard)
         return nullptr;
-    return std::make_unique<RegistrationGuard>(tracking, *place->guard);
+    return std::make_unique<RegistrationGuard>(tracking, *place->setup->guard);
 }
 
 } // namespace
@@ -31,13 +32,16 @@ TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId stat
     : m_node{std::move(node)},
       m_station{station},
       m_hardware{std::move(hardware)},
-      m_placeOf{std::move(placeOf)}
+      m_placeOf{std::move(placeOf)},
+      m_report{*m_node, station}
 {
     if (m_hardware.hasTracker())
         publish();
     QObject::connect(&m_looking, &QTimer::timeout, &m_looking, [this] {
         if (m_laid && m_laid->guard)
             m_laid->guard->look();
+        if (const auto standing = this->standing())
+            m_report.tell(*standing);
     });
     m_looking.start(kLookInterval_ms);
 }
@@ -100,6 +104,8 @@ Result<void> TraineeStation::track(Laid& laid)
     if (!place)
         return tl::unexpected(place.error());
     laid.place = *place;
+    if (laid.place && !laid.place->setup)
+        return {}; // nothing tells where the tools are in the patient
     if (m_hardware.recording)
         replay(laid);
     else if (const auto simulated = simulate(laid); !simulated)
@@ -113,7 +119,8 @@ void TraineeStation::replay(Laid& laid) const
     CARINA_EXPECTS(laid.place.has_value());
     auto tracker = std::make_unique<RecordedTracker>(*m_hardware.recording,
                                                      [node = m_node.get()] { return node->now(); });
-    laid.tracking = std::make_shared<StationTracking>(std::move(tracker), laid.place->registration);
+    laid.tracking =
+        std::make_shared<StationTracking>(std::move(tracker), laid.place->setup->registration);
 }
 
 Result<void> TraineeStation::simulate(Laid& laid) const
@@ -133,20 +140,39 @@ Result<void> TraineeStation::simulate(Laid& laid) const
     return {};
 }
 
-void TraineeStation::takePlace()
+void TraineeStation::takePlace(const std::function<void()>& show)
 {
-    if (!m_laid || !m_laid->tracking)
+    if (!m_laid || !m_hardware.hasTracker())
         return;
-    const auto place = m_placeOf(*m_laid->patient);
-    if (!place || !*place)
+    const auto read = m_placeOf(*m_laid->patient);
+    if (!read || !*read)
         return;
+    const SitePlace& place = **read;
+    m_laid->place->standing = place.standing;
+    if (!place.setup)
+        return; // what was registered before is shown on, and said to be out of date
+    if (!m_laid->tracking) {
+        (void)lay(SharedPatientModel{m_laid->patient}, show);
+        return;
+    }
     // The file is also written for another page or name, which lays nothing and keeps the guard.
-    const Place before = std::exchange(m_laid->place, *place);
-    const bool isLaidAlike = before && isSamePlace(**place, *before);
+    const SiteSetup before = std::exchange(*m_laid->place->setup, *place.setup);
+    const bool isLaidAlike = isSamePlace(*place.setup, before);
     if (!isLaidAlike)
-        m_laid->tracking->takeRegistration((*place)->registration);
-    if (!isLaidAlike || !isSameGuard(**place, *before))
-        m_laid->guard = guardOf(*m_laid->tracking, *place);
+        m_laid->tracking->takeRegistration(place.setup->registration);
+    if (!isLaidAlike || !isSameGuard(*place.setup, before))
+        m_laid->guard = guardOf(*m_laid->tracking, m_laid->place);
+}
+
+std::optional<RegistrationStanding> TraineeStation::standing() const
+{
+    if (!m_laid || !m_hardware.hasTracker())
+        return std::nullopt;
+    if (!m_laid->place)
+        return RegistrationStanding{RegistrationState::Simulated, StaleReason::None, {}};
+    if (m_laid->guard && m_laid->guard->report().state == WatchState::Drifted)
+        return driftedBy(m_laid->guard->report().shift_A.norm());
+    return m_laid->place->standing;
 }
 
 } // namespace carina

@@ -8,6 +8,7 @@
 #include "models/respiration/manikin_breaths.h"
 #include "models/site/site_setup.h"
 #include "models/station/chin_probe_model.h"
+#include "models/station/standing_report.h"
 #include "models/station/station_view.h"
 
 #include <QTimer>
@@ -22,9 +23,9 @@ namespace carina
 class TraineeStation
 {
 public:
-    /// The site's settings for a patient; std::nullopt: the simulated manikin is registered without
+    /// The site as of now, for a patient; std::nullopt: the simulated manikin is registered without
     /// error.
-    using Place = std::optional<SiteSetup>;
+    using Place = std::optional<SitePlace>;
     using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
 
     /// The tracker of the station; without either it has none.
@@ -42,14 +43,16 @@ public:
     TraineeStation(const TraineeStation&) = delete;
     TraineeStation& operator=(const TraineeStation&) = delete;
 
-    /// Replaces the patient.
+    /// Replaces the patient. While its site has no registration that can be used, the station shows
+    /// what others share, as a program without a tracker does.
     /// @param show is called with the new patient in place, while the objects of the former one
     ///             still exist
     /// @returns the error of its site or of the tracker; nothing is changed then.
     [[nodiscard]] Result<void> lay(const SharedPatientModel& patient,
                                    const std::function<void()>& show = {});
-    /// Applies the present settings of the site; without effect if these cannot be used.
-    void takePlace();
+    /// Applies the present site; of one that cannot be used only the standing.
+    /// @param show as in lay(): with its first registration the patient is laid anew
+    void takePlace(const std::function<void()>& show);
     /// The callback is called after each successful lay().
     void onLaid(std::function<void()> callback) { m_onLaid = std::move(callback); }
 
@@ -58,15 +61,18 @@ public:
     [[nodiscard]] const StationView& view() const { return *m_laid->view; }
     [[nodiscard]] ChinProbeModel chinProbe() const
     {
-        return ChinProbeModel{m_laid->tracking.get(), &m_laid->guard};
+        return ChinProbeModel{m_laid->tracking.get()};
     }
+    /// How far the registration can be relied on; std::nullopt without a tracker.
+    [[nodiscard]] std::optional<RegistrationStanding> standing() const;
     /// The true X_HA of the simulated head; empty without a simulation.
     [[nodiscard]] const program::TrueView& truth() const { return m_laid->truth; }
 
 private:
     struct Laid {
         SharedPatientModel patient;
-        /// Shared with the node's thread, which reads poses; null without a tracker.
+        /// Shared with the node's thread, which reads poses; null without a tracker, and while the
+        /// site has no registration that can be used.
         std::shared_ptr<StationTracking> tracking;
         program::TrueView truth;
         std::unique_ptr<StationView> view;
@@ -86,7 +92,8 @@ private:
     std::function<void()> m_onLaid;
     std::unique_ptr<Laid> m_laid;
     std::atomic<std::shared_ptr<StationTracking>> m_published;
-    QTimer m_looking;                          ///< polls the guard
+    QTimer m_looking; ///< polls the guard, and reports the standing
+    StandingReport m_report;
     std::unique_ptr<ManikinBreaths> m_manikin; ///< last, because it uses the members above
 };
 

@@ -121,7 +121,7 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
 }
 
 /// What a trainee may do: share what is their own, ask for what is not, and say when the manikin of
-/// their station breathes. An observer may do nothing.
+/// their station breathes and how their own registration stands. An observer may do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
@@ -140,6 +140,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
                    [&](const fact::ManikinBreathed&) {
                        return author.role == Role::Trainee && author.station == station;
                    },
+                   [&](const fact::RegistrationStated&) { return author.role == Role::Trainee; },
                    [](const auto&) { return false; }},
         body);
 }
@@ -231,6 +232,7 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
                                  [](const fact::ObjectShared&) { return Result<void>{}; },
                                  [](const fact::ObjectHandedOver&) { return Result<void>{}; },
                                  [](const fact::ObjectWanted&) { return Result<void>{}; },
+                                 [](const fact::RegistrationStated&) { return Result<void>{}; },
                                  [&](const auto&) -> Result<void> {
                                      return fail(Errc::SessionEnded, state.name());
                                  }},
@@ -254,6 +256,7 @@ Result<void> checkStation(const SessionState& state, StationId id, const FactBod
     const bool right = std::visit(Overloaded{[](const fact::SessionCreated&) { return true; },
                                              [](const fact::PhaseChanged&) { return true; },
                                              [](const fact::ParticipantLeft&) { return true; },
+                                             [](const fact::RegistrationStated&) { return true; },
                                              [known](const fact::StationAdded&) { return !known; },
                                              [known](const auto&) { return known; }},
                                   body);

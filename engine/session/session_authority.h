@@ -40,8 +40,9 @@ public:
     ///        everything, a participant not yet admitted (kNobody) may join, instructors may
     ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined,
     ///        ParticipantLeft and TokenReplaced, trainees may share objects as themselves, hand
-    ///        these over, ask for ownership and report breaths of the manikin at their station,
-    ///        observers may propose nothing and own nothing, and who is muted nothing either.
+    ///        these over, ask for ownership, report breaths of the manikin at their station and
+    ///        state how their registration stands, observers may propose nothing and own nothing,
+    ///        and who is muted nothing either.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
     ///          participant may share, and where the host or the last instructor is to be muted or
     ///          removed; Muted; SessionFull, NameUnclear, SessionLocked and Banned for a join;

@@ -69,6 +69,11 @@ struct SessionState::Applier {
         if (Participant* participant = known(body.participant))
             participant->tokenReplaced = around.committed;
     }
+    void operator()(const fact::RegistrationStated& body) const
+    {
+        if (Participant* participant = known(around.author))
+            participant->registration = body.standing;
+    }
     void operator()(const fact::ObjectShared& body) const
     {
         const auto [place, added] = state.m_objects.try_emplace(

@@ -31,6 +31,8 @@ struct Participant {
     std::optional<Removal> removal{};
     /// When the token was replaced because a second program came in with it; of this stay.
     std::optional<SessionTime> tokenReplaced{};
+    /// As its program states it; of this stay. Nothing for a program without a tracker.
+    std::optional<RegistrationStanding> registration{};
 };
 
 struct SharedObject {

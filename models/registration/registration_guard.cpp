@@ -1,18 +1,11 @@
 #include "models/registration/registration_guard.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace carina
 {
 namespace
 {
-
-class GuardWords
-{
-    Q_DECLARE_TR_FUNCTIONS(RegistrationGuard)
-};
 
 std::optional<Vec3> tipOf(const std::vector<StylusTip>& styluses, const std::string& tool)
 {
@@ -43,15 +36,6 @@ void RegistrationGuard::look()
     const auto X_AS = m_tracking.newest(ToolRole::Stylus);
     if (X_AS && m_p_SQ)
         (void)m_watch.push(X_AS->time, X_AS->X_FO * *m_p_SQ, X_AS->validity);
-}
-
-QString RegistrationGuard::notice() const
-{
-    if (report().state != WatchState::Drifted)
-        return {};
-    return GuardWords::
-        tr("The manikin has moved by about %1\u00a0mm since it was registered: register it again")
-            .arg(inMillimetres(metres(report().shift_A.norm())), 0, 'f', 0);
 }
 
 } // namespace carina

@@ -5,8 +5,6 @@
 #include "engine/registration/watch/registration_watch.h"
 #include "engine/session/station_tracking.h"
 
-#include <QString>
-
 #include <optional>
 #include <vector>
 
@@ -34,8 +32,6 @@ public:
     void look();
 
     [[nodiscard]] const WatchReport& report() const { return m_watch.report(); }
-    /// A sentence that the registration has drifted, and by how much; empty while it has not.
-    [[nodiscard]] QString notice() const;
 
 private:
     const StationTracking& m_tracking;

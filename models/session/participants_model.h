@@ -11,15 +11,26 @@
 namespace carina
 {
 
-/// The participants of the session as a table: name, role, connection state, how much they send to
-/// the host, age of the newest pose sample, and drift: how far this program's view of
-/// their objects was from theirs at the same session time.
+/// The participants of the session as a table: name, role, connection state, how far the
+/// registration of their manikin can be relied on, how much they send to the host, age of the
+/// newest pose sample, and drift: how far this program's view of their objects was from theirs at
+/// the same session time.
 class ParticipantsModel : public QAbstractTableModel
 {
     Q_OBJECT
 
 public:
-    enum Column { Name, RoleColumn, State, Sends, Age, DriftAngle, DriftDistance, ColumnCount };
+    enum Column {
+        Name,
+        RoleColumn,
+        State,
+        Registration,
+        Sends,
+        Age,
+        DriftAngle,
+        DriftDistance,
+        ColumnCount
+    };
     static constexpr int kIdRole = Qt::UserRole;
 
     /// @pre session outlives this.
@@ -31,6 +42,8 @@ public:
 
     /// A sentence for each participant whose token was replaced in the last minute.
     [[nodiscard]] QStringList replacedTokens(SessionTime now) const;
+    /// A sentence for each participant who is present and whose registration cannot be relied on.
+    [[nodiscard]] QStringList doubtfulRegistrations() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -45,7 +58,8 @@ private:
         QString name;
         QString role;
         QString state;
-        QString reason{}; ///< of a removal
+        QString reason{};                                   ///< of a removal
+        std::optional<RegistrationStanding> registration{}; ///< while present
         std::optional<double> sends_kB_per_s{};
         std::optional<double> age_ms{};
         std::optional<double> drift_deg{};
@@ -59,6 +73,7 @@ private:
     [[nodiscard]] QString stateText(const Participant& participant,
                                     std::span<const LinkReport> links) const;
     [[nodiscard]] static QString absenceText(const Participant& participant);
+    [[nodiscard]] static QString registrationTip(const RegistrationStanding& registration);
     [[nodiscard]] static QString cell(const Row& row, int column);
     /// The text of a cell for a screen reader: with its column name, without the state mark.
     [[nodiscard]] QString spoken(const Row& row, int column) const;

@@ -71,13 +71,26 @@ Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
     const SiteRegistration& fitted = *site.registration;
     Result<SiteSetup> setup = SiteSetup{};
     setup->registration.X_AT = fitted.X_AT;
-    setup->display = site.display;
     if (fitted.X_JM)
         setup->registration.X_JA = *fitted.X_JM * fitted.X_AM.inverse();
     if (fitted.X_BM)
         setup->registration.X_BA = *fitted.X_BM * fitted.X_AM.inverse();
     setup->guard = guardOf(site);
     return setup;
+}
+
+SitePlace sitePlace(const Site& site, const PatientModel& patient, const QString& tracker,
+                    const QDateTime& today)
+{
+    SitePlace place{.standing =
+                        siteStanding(site, {.anatomy = patient.contentHash(),
+                                            .tracker = tracker,
+                                            .today = today,
+                                            .p_A_glottis = patient.landmarks().p_A_glottis}),
+                    .display = site.display};
+    if (const auto setup = siteSetup(site, patient))
+        place.setup = *setup;
+    return place;
 }
 
 } // namespace carina

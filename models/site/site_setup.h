@@ -4,15 +4,22 @@
 #include "engine/session/station_tracking.h"
 #include "models/patient/patient_model.h"
 #include "models/registration/registration_guard.h"
+#include "models/site/site_standing.h"
 
 namespace carina
 {
 
-/// The settings of a station from its site file.
+/// The registration of a station from its site file.
 struct SiteSetup {
     StationRegistration registration;
     /// For monitoring the registration; std::nullopt if its error is unknown.
     std::optional<GuardedRegistration> guard{};
+};
+
+/// A site as a station uses it.
+struct SitePlace {
+    RegistrationStanding standing;            ///< how far its registration can be relied on
+    std::optional<SiteSetup> setup{};         ///< nothing where there is none that can be used
     std::optional<DisplayGeometry> display{}; ///< of the headset, if it was measured
 };
 
@@ -28,5 +35,9 @@ struct SiteSetup {
 
 /// @returns NotRegistered before the fit; the error of checkPatient.
 [[nodiscard]] Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient);
+
+/// @param tracker name of the present tracker; empty where it is not known
+[[nodiscard]] SitePlace sitePlace(const Site& site, const PatientModel& patient,
+                                  const QString& tracker, const QDateTime& today);
 
 } // namespace carina

@@ -1,6 +1,7 @@
 #include "models/site/site_tasks.h"
 
 #include "models/site/site_changes.h"
+#include "models/site/site_standing.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -14,7 +15,6 @@ namespace
 {
 
 constexpr std::size_t kFewestTouches = 3;
-constexpr qint64 kOld_days = 30;
 constexpr std::array kTasks{SiteStep::Tracker, SiteStep::Stylus, SiteStep::Landmarks,
                             SiteStep::Touch,   SiteStep::Fit,    SiteStep::Verify};
 
@@ -23,21 +23,30 @@ class TaskWords
     Q_DECLARE_TR_FUNCTIONS(SiteTasks)
 
 public:
-    static QString changed(StaleCause cause)
+    static QString changed(StaleReason reason)
     {
-        switch (cause) {
-        case StaleCause::Tracker:
+        switch (reason) {
+        case StaleReason::Tracker:
             return tr("Out of date: the tracker was changed afterwards.");
-        case StaleCause::Stylus:
+        case StaleReason::Stylus:
             return tr("Out of date: the stylus was calibrated afterwards.");
-        case StaleCause::Landmarks:
+        case StaleReason::Landmarks:
             return tr("Out of date: landmarks were changed afterwards.");
-        case StaleCause::Manikin:
+        case StaleReason::Manikin:
+        case StaleReason::Drift:
             return tr("Out of date: the manikin was moved afterwards.");
-        case StaleCause::Touches:
+        case StaleReason::Touches:
             return tr("Out of date: landmarks were touched again afterwards.");
-        case StaleCause::Fit:
+        case StaleReason::Fit:
             return tr("Out of date: the patient was fitted again afterwards.");
+        case StaleReason::Patient:
+            return tr("Out of date: the patient was changed afterwards.");
+        case StaleReason::Registering:
+            return tr("The manikin is being registered again.");
+        case StaleReason::Age:
+            return tr("The verification is old: verify two points before a session.");
+        case StaleReason::None:
+            break;
         }
         return {};
     }
@@ -62,7 +71,7 @@ public:
         const std::size_t fresh = freshTouches(site).size();
         for (const TouchedPoint& touch : site.touched)
             if (touch.stale)
-                return {.state = TaskState::Stale, .why = changed(*touch.stale)};
+                return {.state = TaskState::Stale, .why = changed(reasonOf(*touch.stale))};
         if (!site.catalogue || fresh == 0)
             return {};
         const std::size_t all = site.catalogue->landmarks.size();
@@ -71,43 +80,38 @@ public:
         return {.state = TaskState::Begun, .why = tr("%1 of %2 are touched.").arg(fresh).arg(all)};
     }
 
-    static SiteTask relaying()
+    static SiteTask fit(const Site& site, const RegistrationStanding& standing)
     {
-        return {.state = TaskState::Stale, .why = tr("The manikin is being registered again.")};
-    }
-
-    static SiteTask fit(const Site& site)
-    {
-        if (site.relay)
-            return relaying();
-        if (site.registration && !site.registration->stale)
+        if (standing.state == RegistrationState::Stale && standing.reason != StaleReason::Age)
+            return {.state = TaskState::Stale, .why = changed(standing.reason)};
+        if (standing.state != RegistrationState::Missing)
             return {.state = TaskState::Done};
-        if (site.registration)
-            return {.state = TaskState::Stale, .why = changed(*site.registration->stale)};
         if (freshTouches(site).size() < kFewestTouches)
             return {.state = TaskState::Waits, .why = tr("Touch at least three landmarks first.")};
         return {};
     }
 
-    static SiteTask verify(const Site& site, const QDateTime& today)
+    static SiteTask verify(const Site& site, const RegistrationStanding& standing)
     {
-        if (!site.registration)
+        switch (standing.state) {
+        case RegistrationState::Missing:
             return {.state = TaskState::Waits, .why = tr("Fit the patient first.")};
-        if (site.relay)
-            return relaying();
-        if (!site.verification || site.verification->points.empty())
-            return {};
-        if (site.verification->stale)
-            return {.state = TaskState::Stale, .why = changed(*site.verification->stale)};
-        if (site.verification->verdict == Verdict::Good && isOld(site.verification->at, today))
-            return {.state = TaskState::Stale,
-                    .why = tr("The verification is old: verify two points before a session.")};
-        if (site.verification->verdict == Verdict::Good)
-            return {.state = TaskState::Done};
-        if (isNotGood(site))
+        case RegistrationState::Stale:
+            return {.state = TaskState::Stale, .why = changed(standing.reason)};
+        case RegistrationState::NotGood:
             return {.state = TaskState::Begun,
                     .why = tr("The registration is not good enough: touch the landmarks again.")};
-        return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
+        case RegistrationState::Unverified:
+            if (standing.reason != StaleReason::None)
+                return {.state = TaskState::Stale, .why = changed(standing.reason)};
+            if (!site.verification || site.verification->points.empty())
+                return {};
+            return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
+        case RegistrationState::Good:
+        case RegistrationState::Simulated:
+            break;
+        }
+        return {.state = TaskState::Done};
     }
 
     static QString registered(const Site& site, const QDateTime& today)
@@ -155,12 +159,6 @@ public:
                    : tr("Verified %1: not good. Register it again.").arg(when);
     }
 
-    static bool isOld(const std::string& time, const QDateTime& today)
-    {
-        const auto then = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
-        return then.isValid() && then.daysTo(today) > kOld_days;
-    }
-
     static QString relaid(const SiteRelay& relay, const QDateTime& today)
     {
         return tr("The manikin was registered again by %1 landmarks %2.")
@@ -188,9 +186,9 @@ SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool, cons
     case SiteStep::Touch:
         return TaskWords::touch(site, tool);
     case SiteStep::Fit:
-        return TaskWords::fit(site);
+        return TaskWords::fit(site, siteStanding(site, {.tracker = tracker, .today = today}));
     case SiteStep::Verify:
-        return TaskWords::verify(site, today);
+        return TaskWords::verify(site, siteStanding(site, {.tracker = tracker, .today = today}));
     }
     return {};
 }
@@ -245,7 +243,7 @@ QStringList siteHealth(const Site& site, const std::string& tool, const QString&
             sentences << TaskWords::relaid(site.registration->relays.back(), today);
         sentences << TaskWords::verified(site, today);
     }
-    if (const StylusTip* tip = site.stylus(tool); tip && TaskWords::isOld(tip->calibratedAt, today))
+    if (const StylusTip* tip = site.stylus(tool); tip && isLongAgo(tip->calibratedAt, today))
         sentences << TaskWords::oldStylus(*tip, today);
     for (const SiteStep step : kTasks)
         if (const SiteTask task = siteTask(site, step, tool, tracker, today);

@@ -18,7 +18,7 @@ QString ChinProbeModel::assumption() const
     switch (m_tracking->motionAssumption()) {
     case MotionAssumption::BodyProbe:
     case MotionAssumption::ChinMovesManikin:
-        return followed();
+        return notice();
     case MotionAssumption::ChinMovesJaw:
         return probeWords(QT_TRANSLATE_NOOP(
             "ChinProbeModel",
@@ -34,13 +34,6 @@ QString ChinProbeModel::notice() const
 {
     if (!m_tracking)
         return {};
-    const QString drifted = m_guard && *m_guard ? (*m_guard)->notice() : QString{};
-    return drifted.isEmpty() ? followed() : drifted;
-}
-
-/// Which probe the patient follows; empty where it follows none.
-QString ChinProbeModel::followed() const
-{
     switch (m_tracking->motionAssumption()) {
     case MotionAssumption::BodyProbe:
         return probeWords(

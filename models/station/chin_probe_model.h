@@ -1,11 +1,8 @@
 #pragma once
 
 #include "engine/session/station_tracking.h"
-#include "models/registration/registration_guard.h"
 
 #include <QString>
-
-#include <memory>
 
 namespace carina
 {
@@ -15,15 +12,8 @@ namespace carina
 class ChinProbeModel
 {
 public:
-    using Guard = std::unique_ptr<RegistrationGuard>;
-
     /// @param tracking outlives this; null for a program without a tracker
-    /// @param guard    pointer to the owner's present guard of the registration; outlives this;
-    ///                 null for none
-    explicit ChinProbeModel(StationTracking* tracking, const Guard* guard = nullptr)
-        : m_tracking{tracking}, m_guard{guard}
-    {
-    }
+    explicit ChinProbeModel(StationTracking* tracking) : m_tracking{tracking} {}
 
     /// Whether there is a choice: with a body probe no assumption is needed.
     [[nodiscard]] bool isThere() const
@@ -45,15 +35,11 @@ public:
     /// The assumption in force, as a translated sentence; empty for a program without a tracker.
     [[nodiscard]] QString assumption() const;
 
-    /// A permanent notice: that the registration has drifted, or which probe the patient follows;
-    /// else empty.
+    /// A permanent notice: which probe the patient follows; empty where it follows none.
     [[nodiscard]] QString notice() const;
 
 private:
-    [[nodiscard]] QString followed() const;
-
     StationTracking* m_tracking;
-    const Guard* m_guard;
 };
 
 } // namespace carina

@@ -1,6 +1,7 @@
 #include "models/station/station_notice.h"
 
 #include "models/errors/error_text.h"
+#include "models/site/standing_words.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -89,11 +90,14 @@ QString situation(const SessionNode& node, const StationMoment& moment, ViewOutp
 
 } // namespace
 
-QString stationNotice(const SessionNode& node, const StationMoment& moment, ViewOutput output)
+QString stationNotice(const SessionNode& node, const StationMoment& moment, ViewOutput output,
+                      const std::optional<RegistrationStanding>& registration)
 {
     if (isRemoved(node))
         return errorText(node.refusal().value_or(Error{Errc::Removed, {}}));
     QStringList lines{situation(node, moment, output), standing(node, moment.time)};
+    if (registration)
+        lines.append(standingNotice(*registration));
     if (isAway(moment))
         lines.append(noticeWords(QT_TRANSLATE_NOOP(
             "StationNotice", "The virtual patient was moved away from its place")));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/session/facts/registration_facts.h"
 #include "models/station/headset_view.h"
 #include "models/station/station_view.h"
 
@@ -10,13 +11,15 @@ namespace carina
 
 /// The notice shown at a station, as translated lines; empty if there is no problem. The first line
 /// is the most important of: refusal by the host, no host, session not running, headset (if there
-/// is one) or tube out of the tracker's view. A second line is added while the patient is displaced
-/// from its original pose.
+/// is one) or tube out of the tracker's view. A line is added while the registration cannot be
+/// relied on, and one while the patient is displaced from its original pose.
 ///
 /// A muted participant reads that it is muted, and one whose token was replaced why, for a minute.
 /// Once the host has removed this program, only its reason is shown.
+/// @param registration of this program's manikin; std::nullopt for a program without a tracker
 [[nodiscard]] QString stationNotice(const SessionNode& node, const StationMoment& moment,
-                                    ViewOutput output);
+                                    ViewOutput output,
+                                    const std::optional<RegistrationStanding>& registration = {});
 
 /// Whether the host removed this program for good, so that nothing it offers has an effect.
 [[nodiscard]] bool isRemoved(const SessionNode& node);

@@ -73,6 +73,11 @@ private Q_SLOTS:
              folder.path(), QStringLiteral("--seconds"), QStringLiteral("4")},
             folder.filePath(QStringLiteral("trainee.jsonl"))};
         trainee.start();
+        // The console reads at once that nobody verified this place.
+        QTRY_COMPARE_WITH_TIMEOUT(
+            instructor.shown()[QStringLiteral("registrations")].toObject(),
+            (QJsonObject{{QStringLiteral("Trainee"), QStringLiteral("▲ unverified")}}),
+            kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(trainee.hasEnded(), kPatience_ms);
         QCOMPARE(trainee.exitCode(), 0);
         const auto frames = readFrames(folder.filePath(QStringLiteral("trainee_frames.csv")));

@@ -81,6 +81,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->parts->setScene(*m_ui->scene);
     m_ui->section->setScene(*m_ui->scene);
     m_ui->partsPage->setFocusProxy(m_ui->parts);
+    // What it says never widens the window: what matters stands in front.
+    m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_ui->statusBar->addWidget(m_status, 1);
     m_status->setToolTip(
         tr("Oldest sample: time since the oldest pose now drawn was measured (latency)"));
@@ -216,6 +218,8 @@ void InstructorWindow::refreshStatus()
     // What is out of the ordinary stands in front.
     const StationMoment& moment = m_stationScene->moment();
     QStringList told = m_participants.replacedTokens(moment.time);
+    if (const auto doubtful = m_participants.doubtfulRegistrations(); !doubtful.isEmpty())
+        told += tr("▲ %n registration(s) not to be relied on", nullptr, int(doubtful.size()));
     if (isAway(moment))
         told += tr("▲ patient not in its original place");
     if (moment.exaggeration != 1.0)

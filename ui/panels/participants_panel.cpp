@@ -10,7 +10,8 @@ namespace carina
 namespace
 {
 
-constexpr int kWidestColumn = 140; ///< pixels
+constexpr int kWidestColumn = 230;   ///< pixels
+constexpr qsizetype kMostDoubts = 1; ///< in whole sentences; the table has all
 
 } // namespace
 
@@ -25,6 +26,7 @@ ParticipantsPanel::~ParticipantsPanel() = default;
 void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& conduct)
 {
     m_conduct = &conduct;
+    m_participants = &participants;
     m_ui->table->setModel(&participants);
     // A long name gives way, and no number.
     QHeaderView* header = m_ui->table->horizontalHeader();
@@ -35,10 +37,27 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
     connect(&participants, &QAbstractItemModel::modelReset, this, &ParticipantsPanel::refresh);
     connect(m_ui->table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &ParticipantsPanel::refresh);
+    connect(&participants, &QAbstractItemModel::dataChanged, this,
+            &ParticipantsPanel::refreshDoubts);
+    connect(&participants, &QAbstractItemModel::rowsInserted, this,
+            &ParticipantsPanel::refreshDoubts);
+    connect(&participants, &QAbstractItemModel::modelReset, this,
+            &ParticipantsPanel::refreshDoubts);
     connect(m_ui->mute, &QPushButton::clicked, this, &ParticipantsPanel::muteOrNot);
     connect(m_ui->remove, &QPushButton::clicked, this, &ParticipantsPanel::removeOrLetBack);
     connect(m_ui->lock, &QCheckBox::clicked, &conduct, &ConductModel::setLocked);
     refresh();
+    refreshDoubts();
+}
+
+void ParticipantsPanel::refreshDoubts()
+{
+    const QStringList all = m_participants->doubtfulRegistrations();
+    QStringList told = all.first(std::min(kMostDoubts, all.size()));
+    if (all.size() > told.size())
+        told += tr("and %n more", nullptr, int(all.size() - told.size()));
+    m_ui->doubts->setText(told.join(QLatin1Char{'\n'}));
+    m_ui->doubts->setVisible(!told.isEmpty());
 }
 
 std::optional<ParticipantId> ParticipantsPanel::chosen() const

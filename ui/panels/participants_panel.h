@@ -34,12 +34,15 @@ Q_SIGNALS:
 
 private:
     void refresh();
+    /// Says of whom the registration cannot be relied on, and why.
+    void refreshDoubts();
     void muteOrNot();
     /// Asks why, and removes; lets a banned participant back in at once.
     void removeOrLetBack();
     [[nodiscard]] std::optional<ParticipantId> chosen() const;
 
     std::unique_ptr<Ui::ParticipantsPanel> m_ui;
+    ParticipantsModel* m_participants = nullptr;
     ConductModel* m_conduct = nullptr;
 };
 

@@ -24,7 +24,8 @@ constexpr int kNoticeMargin = 4; // pixels
 
 TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
                              const StationView& view, const HeadsetView& headset, ViewOutput output,
-                             ChinProbeModel chinProbe, ObjectActionModel& actions)
+                             ChinProbeModel chinProbe, ObjectActionModel& actions,
+                             Standing standing)
     : m_node{node},
       m_patient{patient},
       m_scene{new SceneView{this}},
@@ -35,6 +36,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_notices{new QLabel{this}, new QLabel{this}},
       m_headset{headset},
       m_chinProbe{chinProbe},
+      m_standing{std::move(standing)},
       m_stationScene{*m_scene, *patient.patient(), view}
 {
     setWindowTitle(tr("Carina trainee"));
@@ -161,21 +163,22 @@ void TraineeWindow::addPresets()
 
 void TraineeWindow::addMotion()
 {
-    if (m_chinProbe.isThere())
-        addChinProbe();
+    const std::vector<QAction*> choices = addChinProbe();
     QAction* assumed = m_menu.addAction(QString{});
     assumed->setEnabled(false);
     QAction* end = m_menu.addSeparator();
     const auto say = [=, this] {
         assumed->setText(m_chinProbe.assumption());
         assumed->setVisible(!assumed->text().isEmpty());
+        for (QAction* choice : choices)
+            choice->setVisible(m_chinProbe.isThere());
         end->setVisible(assumed->isVisible());
     };
     connect(&m_menu, &QMenu::aboutToShow, this, say);
     say();
 }
 
-void TraineeWindow::addChinProbe()
+std::vector<QAction*> TraineeWindow::addChinProbe()
 {
     auto* choices = new QActionGroup{this};
     const auto add = [this, choices](bool movesManikin, const QString& text) {
@@ -184,9 +187,10 @@ void TraineeWindow::addChinProbe()
         action->setCheckable(true);
         action->setChecked(movesManikin == m_chinProbe.movesManikin());
         choices->addAction(action);
+        return action;
     };
-    add(false, tr("Manikin lies still, chin probe moves the &jaw"));
-    add(true, tr("&Manikin is moved with its mouth closed"));
+    return {add(false, tr("Manikin lies still, chin probe moves the &jaw")),
+            add(true, tr("&Manikin is moved with its mouth closed"))};
 }
 
 void TraineeWindow::addFetching()
@@ -238,7 +242,8 @@ QPoint TraineeWindow::menuPlace() const
 
 QString TraineeWindow::notice() const
 {
-    QString notice = stationNotice(m_node, m_stationScene.moment(), m_stationScene.output());
+    QString notice = stationNotice(m_node, m_stationScene.moment(), m_stationScene.output(),
+                                   m_standing ? m_standing() : std::nullopt);
     if (notice.isEmpty())
         notice = m_chinProbe.notice();
     const QString patient = m_patient.notice();

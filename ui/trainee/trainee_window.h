@@ -29,10 +29,14 @@ class TraineeWindow : public QMainWindow
     Q_OBJECT
 
 public:
+    /// How far the registration of this program's manikin can be relied on; std::nullopt for a
+    /// program without a tracker.
+    using Standing = std::function<std::optional<RegistrationStanding>()>;
+
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
-                  ObjectActionModel& actions);
+                  ObjectActionModel& actions, Standing standing = {});
 
     /// Draws another patient from now on.
     /// @param chinProbe of the patient's tracking
@@ -53,7 +57,8 @@ private:
     void addOutputs();
     void addPresets();
     void addMotion();
-    void addChinProbe();
+    /// The choices of what the chin probe moves; shown while there is a choice.
+    [[nodiscard]] std::vector<QAction*> addChinProbe();
     void addFetching();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QPoint menuPlace() const;
@@ -73,6 +78,7 @@ private:
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
     HeadsetView m_headset;
     ChinProbeModel m_chinProbe;
+    Standing m_standing;
     StationScene m_stationScene;
     QMenu m_menu;
     std::vector<QAction*> m_presets; ///< of the screen's camera

@@ -92,6 +92,12 @@ template <>
 inline constexpr std::tuple kFields<AsaParameters>{&AsaParameters::delays, &AsaParameters::start,
                                                    &AsaParameters::lowest, &AsaParameters::highest};
 
+template <>
+inline constexpr std::tuple kFields<fact::RegistrationStated>{&fact::RegistrationStated::standing};
+template <>
+inline constexpr std::tuple kFields<RegistrationStanding>{
+    &RegistrationStanding::state, &RegistrationStanding::reason, &RegistrationStanding::error};
+
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>
 inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};
@@ -167,6 +173,9 @@ template <class Enum> inline constexpr Enum kLastEnumerator{};
 template <> inline constexpr SessionPhase kLastEnumerator<SessionPhase> = SessionPhase::Ended;
 template <> inline constexpr Role kLastEnumerator<Role> = Role::Observer;
 template <> inline constexpr StrategyKind kLastEnumerator<StrategyKind> = StrategyKind::None;
+template <>
+inline constexpr RegistrationState kLastEnumerator<RegistrationState> = RegistrationState::Missing;
+template <> inline constexpr StaleReason kLastEnumerator<StaleReason> = StaleReason::Drift;
 template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Patient;
 template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
 template <>

@@ -52,6 +52,19 @@ Result<void> checkChoice(const StrategyChoice& choice)
         });
 }
 
+constexpr double kLargestError_mm = 1000.0;
+
+Result<void> checkStanding(const RegistrationStanding& standing)
+{
+    const bool mustHaveReason = standing.state == RegistrationState::Stale;
+    const bool mayHaveReason = mustHaveReason || standing.state == RegistrationState::Unverified;
+    const bool hasReason = standing.reason != StaleReason::None;
+    if (hasReason ? !mayHaveReason : mustHaveReason)
+        return fail(Errc::OutOfRange, "the reason why a registration is stale");
+    return checkNumber("error of a registration", inMillimetres(standing.error), 0.0,
+                       kLargestError_mm, " mm");
+}
+
 struct BodyCheck {
     Result<void> operator()(const fact::SessionCreated& f) const
     {
@@ -97,6 +110,10 @@ struct BodyCheck {
     Result<void> operator()(const fact::RoleCodeChanged&) const { return {}; }
     Result<void> operator()(const fact::TokenReplaced&) const { return {}; }
     Result<void> operator()(const fact::StrategyChosen& f) const { return checkChoice(f.choice); }
+    Result<void> operator()(const fact::RegistrationStated& f) const
+    {
+        return checkStanding(f.standing);
+    }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

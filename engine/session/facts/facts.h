@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
 #include "engine/session/facts/conduct_facts.h"
+#include "engine/session/facts/registration_facts.h"
 #include "engine/session/respiration/respiration_facts.h"
 #include "engine/sync/strategies/strategy_choice.h"
 
@@ -126,13 +127,14 @@ using FactBody = std::variant<
     fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
     fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet,
     fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
-    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen>;
+    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)
 {
     return std::holds_alternative<fact::ManikinBreathed>(body)
-           || std::holds_alternative<fact::RespirationCheckpoint>(body);
+           || std::holds_alternative<fact::RespirationCheckpoint>(body)
+           || std::holds_alternative<fact::RegistrationStated>(body);
 }
 
 /// Whether a fact changes who is present.

@@ -90,6 +90,8 @@ void TestSessionPermissions::permitsByRole_data()
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
     row("places the tube", "yynnnn", [](auto) { return fact::TubePlaced{}; });
     row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{}; });
+    row("states how its registration stands", "yyynnn",
+        [](auto) { return fact::RegistrationStated{}; });
     row("leaves a checkpoint", "ynnnnn", [](auto) { return sampleCheckpoint(); });
     row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
     row("comes back", "ynnnny", [&](auto id) { return joinAs(state, id); });
@@ -185,6 +187,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine");
     row("hand over", fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1}, "fine");
     row("ask", fact::ObjectWanted{kSampleTube}, "fine");
+    row("state a registration", fact::RegistrationStated{}, "fine");
     row("station", fact::StationAdded{"S"}, "session ended");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "session ended");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");
@@ -317,6 +320,7 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "out of range");
     row("condition", fact::LungConditionsSet{}, "fine", "out of range");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine", "fine");
+    row("registration", fact::RegistrationStated{}, "fine", "fine");
 }
 
 void TestSessionPermissions::knowsTheStationItIsAbout()

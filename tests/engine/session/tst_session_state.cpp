@@ -17,6 +17,7 @@ private Q_SLOTS:
     void knowsWhoAndWhatIsThere();
     void remembersWhoLeftAndTakesThemBack();
     void givesAnObjectToItsNewOwner();
+    void keepsEachParticipantsRegistrationForItsStay();
     void movesThroughThePhasesAtTheirTimes();
     void countsOnlyRunningTime();
     void drivesEachStationByItsOwnFacts();
@@ -119,6 +120,20 @@ void TestSessionState::givesAnObjectToItsNewOwner()
     QCOMPARE(tube.epoch, std::uint16_t{3});
     QCOMPARE(tube.kind, ObjectKind::Stylus);
     QCOMPARE(tube.name, std::string{"probe"});
+}
+
+void TestSessionState::keepsEachParticipantsRegistrationForItsStay()
+{
+    LogWriter writer = sampleSession();
+    const RegistrationStanding notGood{RegistrationState::NotGood, StaleReason::None,
+                                       millimetres(4.2)};
+    writer.add(atSeconds(1.0), fact::RegistrationStated{notGood}, kSampleStation, kSampleTrainee);
+    SessionState state = stateOf(writer);
+    QVERIFY(state.participants().at(kSampleTrainee).registration == notGood);
+    QVERIFY(!state.participants().at(kSampleOtherTrainee).registration);
+    writer.add(atSeconds(2.0), fact::ParticipantJoined{kSampleTrainee, Role::Trainee, "Tom"});
+    state = stateOf(writer);
+    QVERIFY(!state.participants().at(kSampleTrainee).registration); // another place, perhaps
 }
 
 void TestSessionState::movesThroughThePhasesAtTheirTimes()

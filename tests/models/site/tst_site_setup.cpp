@@ -28,7 +28,6 @@ private Q_SLOTS:
         QVERIFY((setup->registration.X_AT * site.X_TA).matrix().isApprox(Mat4::Identity(), kExact));
         const RigidTransform X_JA = site.X_TJ.inverse() * site.X_TA;
         QVERIFY(setup->registration.X_JA->matrix().isApprox(X_JA.matrix(), kExact));
-        QVERIFY(!setup->display);
     }
 
     void knowsNoChinProbeThatWasNotSeen()
@@ -38,10 +37,31 @@ private Q_SLOTS:
         site.fitAll(*model);
         Site without = model->site();
         without.registration->X_JM.reset();
-        without.display = DisplayGeometry{.screenWidth = 0.5};
         const auto setup = siteSetup(without, site.patient());
         QVERIFY(!setup->registration.X_JA);
-        QCOMPARE(setup->display->screenWidth, 0.5);
+    }
+
+    /// What cannot be used says why, and the headset is known all the same.
+    void judgesThePlaceWhereverItIs()
+    {
+        RegistrationSite site;
+        const auto model = site.model();
+        Site open = model->site();
+        open.display = DisplayGeometry{.screenWidth = 0.5};
+        const auto placeOf = [&](const Site& of) {
+            return sitePlace(of, site.patient(), {}, QDateTime{{2004, 3, 27}, {12, 0}, Qt::UTC});
+        };
+        QVERIFY(!placeOf(open).setup);
+        QCOMPARE(placeOf(open).standing.state, RegistrationState::Missing);
+        QCOMPARE(placeOf(open).display->screenWidth, 0.5);
+        site.fitAll(*model);
+        const SitePlace fitted = placeOf(model->site());
+        QVERIFY(fitted.setup && !fitted.display);
+        QCOMPARE(fitted.standing.state, RegistrationState::Unverified);
+        Site foreign = model->site();
+        foreign.catalogue->anatomy = "somebody else";
+        QVERIFY(!placeOf(foreign).setup);
+        QCOMPARE(placeOf(foreign).standing.reason, StaleReason::Patient);
     }
 
     void refusesASiteThatIsNotFitted()

@@ -81,6 +81,9 @@ std::vector<Golden> goldenFacts()
         {"strategy chosen",
          fact::StrategyChosen{{StrategyKind::AsaFixed, {0x0102, 1.0, 0.5, 2.0}, Duration{0x0304}}},
          "1a 03 0201 000000000000f03f 000000000000e03f 0000000000000040 0403000000000000"},
+        {"registration stated",
+         fact::RegistrationStated{{RegistrationState::Stale, StaleReason::Drift, metres(0.5)}},
+         "1b 04 0a 000000000000e03f"},
     };
 }
 
@@ -131,7 +134,7 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 27", "1b", "kind of fact 27");
+    row("kind 28", "1c", "kind of fact 28");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
@@ -142,6 +145,8 @@ void TestFactCodec::refusesBadBytes_data()
     row("infinite rate", "08 000000000000f07f", "fact of kind 8: finite number");
     row("negative infinite volume", "09 000000000000f0ff", "fact of kind 9: finite number");
     row("fraction not a number", "0a 000000000000f87f", "fact of kind 10: finite number");
+    row("standing 6", "1b 06 00 0000000000000000", "fact of kind 27: enumerator");
+    row("stale by 11", "1b 04 0b 0000000000000000", "fact of kind 27: enumerator");
     row("text cut within a character", "03 01c3", "fact of kind 3: UTF-8");
     row("text with a surrogate", "03 03eda080", "fact of kind 3: UTF-8");
     row("text longer than the bytes", "03 ff41", "fact of kind 3: length");

@@ -15,6 +15,8 @@ private Q_SLOTS:
     void boundsNumbers_data();
     void boundsNumbers();
     void boundsTheStrategy();
+    void knowsWhichStandingHasAReason();
+    void boundsTheErrorOfARegistration();
     void boundsTexts_data();
     void boundsTexts();
     void namesTheValueAndItsRange();
@@ -121,6 +123,35 @@ void TestFactRules::boundsTheStrategy()
     QCOMPARE(lag(Duration{}), QByteArray{"fine"});
     QCOMPARE(lag(kLongestLocalLag), QByteArray{"fine"});
     QCOMPARE(lag(kLongestLocalLag + Duration{1}), QByteArray{"out of range"});
+}
+
+void TestFactRules::knowsWhichStandingHasAReason()
+{
+    const auto stated = [](RegistrationState state, StaleReason reason) {
+        return verdictOn(fact::RegistrationStated{{state, reason, {}}});
+    };
+    for (const auto state : {RegistrationState::Simulated, RegistrationState::Good,
+                             RegistrationState::NotGood, RegistrationState::Missing}) {
+        QCOMPARE(stated(state, StaleReason::None), QByteArray{"fine"});
+        QCOMPARE(stated(state, StaleReason::Stylus), QByteArray{"out of range"});
+    }
+    QCOMPARE(stated(RegistrationState::Unverified, StaleReason::None), QByteArray{"fine"});
+    QCOMPARE(stated(RegistrationState::Unverified, StaleReason::Fit), QByteArray{"fine"});
+    QCOMPARE(stated(RegistrationState::Stale, StaleReason::None), QByteArray{"out of range"});
+    QCOMPARE(stated(RegistrationState::Stale, StaleReason::Stylus), QByteArray{"fine"});
+}
+
+void TestFactRules::boundsTheErrorOfARegistration()
+{
+    const auto stated = [](double error_m) {
+        return verdictOn(fact::RegistrationStated{
+            {RegistrationState::Good, StaleReason::None, metres(error_m)}});
+    };
+    QCOMPARE(stated(0.0), QByteArray{"fine"}); // not known
+    QCOMPARE(stated(1.0), QByteArray{"fine"});
+    QCOMPARE(stated(1.001), QByteArray{"out of range"});
+    QCOMPARE(stated(-1e-4), QByteArray{"out of range"});
+    QCOMPARE(stated(kNaN), QByteArray{"not finite"});
 }
 
 void TestFactRules::boundsTexts_data()

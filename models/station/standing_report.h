@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/net/node/session_node.h"
+
+namespace carina
+{
+
+/// Tells the session how far the registration of this program's manikin can be relied on: once this
+/// participant is in, after it came in again, and whenever that changes.
+class StandingReport
+{
+public:
+    /// @pre node outlives this.
+    StandingReport(SessionNode& node, StationId station) : m_node{node}, m_station{station} {}
+
+    /// To be called often: it proposes a fact only where the session does not have this standing,
+    /// and the same one at most once a second.
+    void tell(const RegistrationStanding& standing);
+
+private:
+    SessionNode& m_node;
+    StationId m_station;
+    std::optional<RegistrationStanding> m_told;
+    SessionTime m_again{}; ///< from when on the same may be proposed again
+};
+
+} // namespace carina

@@ -1,0 +1,118 @@
+#include "models/station/standing_report.h"
+
+#include "models/site/standing_words.h"
+#include "models/station/station_notice.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+namespace carina::standing_report_test
+{
+namespace
+{
+
+using std::chrono::milliseconds;
+using test::FakeSessionNode;
+
+constexpr RegistrationStanding kGood{RegistrationState::Good, StaleReason::None, {1.4e-3}};
+constexpr RegistrationStanding kNotGood{RegistrationState::NotGood, StaleReason::None, {4.2e-3}};
+
+struct Trainee {
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    StandingReport report{node, FakeSessionNode::kStation};
+
+    [[nodiscard]] std::optional<RegistrationStanding> known() const
+    {
+        return node.state()->participants().at(FakeSessionNode::kTrainee).registration;
+    }
+};
+
+} // namespace
+
+/// What a trainee's program tells the session of its registration.
+class TestStandingReport : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tellsOnceAndEveryChange()
+    {
+        Trainee trainee;
+        trainee.report.tell(kGood);
+        QVERIFY(trainee.known() == kGood);
+        trainee.report.tell(kGood);
+        QCOMPARE(trainee.node.proposed, 1);
+        trainee.report.tell(kNotGood);
+        QVERIFY(trainee.known() == kNotGood);
+        trainee.report.tell(kGood);
+        QCOMPARE(trainee.node.proposed, 3);
+    }
+
+    void tellsAgainAfterComingInAgain()
+    {
+        Trainee trainee;
+        trainee.report.tell(kGood);
+        trainee.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
+        QVERIFY(!trainee.known());
+        trainee.report.tell(kGood);
+        QVERIFY(!trainee.known()); // it was said less than a second ago
+        trainee.node.advance(milliseconds{1000});
+        trainee.report.tell(kGood);
+        QVERIFY(trainee.known() == kGood);
+    }
+
+    void waitsWhileTheHostIsAway()
+    {
+        Trainee trainee;
+        trainee.node.hostGoesAway();
+        trainee.report.tell(kGood);
+        trainee.node.advance(milliseconds{5000});
+        trainee.report.tell(kGood);
+        trainee.report.tell(kNotGood);
+        QCOMPARE(trainee.node.proposed, 1);
+        trainee.node.hostComesBack();
+        trainee.report.tell(kNotGood);
+        QVERIFY(trainee.known() == kNotGood);
+    }
+
+    void saysNothingWhileItIsMutedOrNobody()
+    {
+        Trainee trainee;
+        trainee.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, true});
+        trainee.report.tell(kGood);
+        QCOMPARE(trainee.node.proposed, 0);
+        trainee.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, false});
+        trainee.node.becomes(kNobody);
+        trainee.report.tell(kGood);
+        QCOMPARE(trainee.node.proposed, 0);
+        trainee.node.becomes(FakeSessionNode::kTrainee);
+        trainee.report.tell(kGood);
+        QVERIFY(trainee.known() == kGood);
+    }
+
+    /// At once in the trainee's own window, whatever the host has of it.
+    void isInTheNoticeOfItsOwnWindow()
+    {
+        Trainee trainee;
+        trainee.node.linkReports.emplace_back().state = LinkState::Connected;
+        trainee.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        StationMoment moment;
+        moment.time = *trainee.node.now() + std::chrono::seconds{1};
+        moment.tube.emplace();
+        const auto notice = [&](const std::optional<RegistrationStanding>& standing) {
+            return stationNotice(trainee.node, moment, ViewOutput::Screen, standing);
+        };
+        QCOMPARE(notice(kNotGood), standingNotice(kNotGood));
+        QVERIFY(notice(kNotGood).contains(QStringLiteral("4.2\u00a0mm")));
+        QVERIFY(notice(kGood).isEmpty());
+        QVERIFY(notice(std::nullopt).isEmpty());
+        moment.tube.reset();
+        QCOMPARE(notice(kNotGood),
+                 QStringLiteral("Tube out of the tracker's view\n") + standingNotice(kNotGood));
+    }
+};
+
+CARINA_TEST(TestStandingReport)
+
+} // namespace carina::standing_report_test
+
+#include "tst_standing_report.moc"

@@ -158,8 +158,8 @@ int measure()
     if (!host)
         return EXIT_FAILURE;
     for (int i = 0; i < kStreams; ++i)
-        (*host)->publish(carina::StationId{}, carina::ObjectKind::Tube,
-                         "object " + std::to_string(i), poseSource(**host, i));
+        (*host)->publish(carina::ObjectKind::Tube, "object " + std::to_string(i),
+                         poseSource(**host, i));
     const Receivers receivers{(*host)->port(), (*host)->joinCodes().at(carina::Role::Trainee)};
     for (const QDeadlineTimer patience{kPatience}; !areAllIn(**host);) {
         if (patience.hasExpired()) {

@@ -84,7 +84,6 @@ std::optional<double> joinOnce(const SessionNode& host, int round)
     const auto node = SessionNode::join({.port = host.port(),
                                          .participantName = "Late " + std::to_string(round),
                                          .role = Role::Observer,
-                                         .station = kStation,
                                          .code = host.joinCodes().at(Role::Observer),
                                          .derive = keyAtOnce});
     while (node && monotonicNow() - begin < kPatience) {

@@ -52,8 +52,13 @@ void WaveformPlot::setUp(const QString& name, const QString& unit, double span_s
     m_timeUnit = timeUnit;
     m_span_s = span_s;
     m_least = least;
-    m_values.clear();
     setMinimumHeight(kPlotHeight + (timeUnit.isEmpty() ? 0 : fontMetrics().height()));
+    clear();
+}
+
+void WaveformPlot::clear()
+{
+    m_values.clear();
     rescale(true);
     update();
 }

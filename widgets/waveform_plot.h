@@ -42,6 +42,9 @@ public:
     /// @pre both are finite
     void add(double time_s, double value);
 
+    /// Removes all values.
+    void clear();
+
     [[nodiscard]] Drawing drawing() const;
     [[nodiscard]] QSize sizeHint() const override;
 

@@ -1,15 +1,18 @@
 #include "apps/instructor/scripted_console.h"
+#include "apps/instructor/shown_station.h"
 #include "apps/program/entry_option.h"
 #include "apps/program/journal.h"
 #include "apps/program/measurement.h"
 #include "apps/program/patient_option.h"
 #include "apps/program/program.h"
+#include "engine/anatomy/patient/patient_name.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "engine/io/fact_store/sql_fact_store.h"
 #include "engine/net/discovery/session_beacon.h"
 #include "engine/net/entry/session_identity.h"
-#include "engine/session/respiration/introduced_patient.h"
+#include "engine/session/station_rules.h"
 #include "engine/sync/strategies/strategy.h"
+#include "models/patient/new_patient.h"
 #include "models/patient/shared_patient.h"
 #include "models/respiration/checkpoint_keeper.h"
 #include "ui/instructor/instructor_window.h"
@@ -25,9 +28,9 @@ namespace carina
 namespace
 {
 
-constexpr StationId kStation{0};
 const QString kCertificate = QStringLiteral("certificate");
 const QString kStrategy = QStringLiteral("strategy");
+const QString kAddStation = QStringLiteral("add-station");
 const QString kPrivateKey = QStringLiteral("private-key");
 
 QString words(const char* text) { return QApplication::translate("Instructor", text); }
@@ -70,6 +73,11 @@ void addOptions(QCommandLineParser& parser)
                             "as before, in a new session by %2.")
                           .arg(strategyNames().join(QStringLiteral(", ")), strategyNames().first()),
                       QStringLiteral("NAME")});
+    parser.addOption({kAddStation,
+                      words("Open a station of this name, unless there is one; with a patient as "
+                            "for --patient after a colon, such as \"Room 5: adult\". May be given "
+                            "several times."),
+                      QStringLiteral("NAME")});
     program::addPatientOptions(parser);
     program::addMeasureOptions(parser);
     program::addJournalOption(parser);
@@ -97,19 +105,46 @@ QString latestSessionFile(const QDir& folder)
     return all.isEmpty() ? newSessionFile(folder) : folder.filePath(all.last());
 }
 
-/// Tells a new session which patient lies at the station and how it breathes at rest.
-void introducePatient(SessionNode& node, const program::ChosenPatient& patient)
+/// Tells the session which patient lies at its first station and how it breathes at rest, unless it
+/// has one and no other is asked for, and makes it something to act on.
+void introduceFirst(SessionNode& node, const program::ChosenPatient& patient, bool isAskedFor)
 {
-    const auto state = node.state();
-    const auto station = state->stations().find(kStation);
-    const bool known = station != state->stations().end()
-                       && station->second.anatomyHash == patient.model->contentHash();
-    if (known)
-        return;
-    node.propose(kStation,
-                 fact::AnatomyChosen{patient.model->contentHash(), patient.model->name()});
-    for (const FactBody& told : introducedPatient(buildOf(patient.dimensions)))
-        node.propose(kStation, told);
+    const StationId first = firstOpenStation(*node.state());
+    const std::string present = node.state()->stations().at(first).anatomyHash;
+    if (present.empty() || (isAskedFor && present != patient.model->contentHash()))
+        introducePatient(node, first, patient.model->contentHash(), patient.model->name(),
+                         patient.dimensions);
+    sharePatient(node, first, words("Virtual patient").toStdString());
+}
+
+/// A station of `--add-station`.
+struct WantedStation {
+    QString name;
+    QString patient;
+};
+
+Result<std::vector<WantedStation>> wantedStations(const QCommandLineParser& parser)
+{
+    std::vector<WantedStation> wanted;
+    for (const QString& value : parser.values(kAddStation)) {
+        const QString name = value.section(QLatin1Char(':'), 0, 0).trimmed();
+        const QString patient = value.section(QLatin1Char(':'), 1).trimmed();
+        wanted.push_back({name, patient.isEmpty() ? QStringLiteral("child") : patient});
+        const auto figures = patientFromWords(wanted.back().patient.toStdString());
+        if (name.isEmpty() || !figures)
+            return fail(Errc::WrongOption,
+                        "--add-station: "
+                            + (figures ? value.toStdString() : figures.error().detail));
+    }
+    return wanted;
+}
+
+void openStations(const SessionNode& node, StationsModel& stations,
+                  const std::vector<WantedStation>& wanted)
+{
+    for (const auto& [name, patient] : wanted)
+        if (!openStationNamed(*node.state(), name.toStdString()))
+            stations.add(name, patient, StationsModel::After::StayHere);
 }
 
 /// Measures the window while a script works its controls, then leaves.
@@ -228,6 +263,9 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(reach.error());
     if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
+    const auto wanted = wantedStations(parser);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
     const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
@@ -237,31 +275,47 @@ Result<int> run(const QCommandLineParser& parser)
     const auto beacon = beaconOf(**node);
     if (!beacon)
         program::warn(beacon.error());
-    introducePatient(**node, *patient);
-    sharePatient(**node, kStation, words("Virtual patient").toStdString());
+    introduceFirst(**node, *patient, program::namesPatient(parser));
     if (const QString codes = parser.value(QStringLiteral("codes")); !codes.isEmpty())
         if (const auto written = program::writeCodes(codes, (*node)->joinCodes()); !written)
             return tl::unexpected(written.error());
 
     SessionModel session{**node};
-    BreathingModel breathing{session, kStation};
+    StationsModel stations{session};
+    const StationId first = stations.shown();
+    BreathingModel breathing{session, first};
     ParticipantsModel participants{session};
     ConductModel conduct{session};
     NetworkModel network{session};
-    SharedObjectModel object{session, kStation};
+    SharedObjectModel object{session, first};
     ObjectActionModel actions{object};
-    RespirationModel respiration{session, kStation};
-    BreathTrace trace{session, kStation};
+    RespirationModel respiration{session, first};
+    BreathTrace trace{session, first};
     const CheckpointKeeper checkpoints{**node};
-    StationView view{**node, kStation, patient->model->lungs(), posesOf(**node, kStation)};
-    InstructorWindow window{session, breathing, respiration, trace,           participants,
-                            conduct, network,   actions,     *patient->model, view};
+    ShownStation shown{**node, first, patient->model};
+    InstructorWindow window{session, breathing, respiration, trace,           participants, conduct,
+                            network, actions,   stations,    shown.patient(), shown.view()};
+    shown.onShown(
+        [&window](const PatientModel& another, StationView& view) { window.show(another, view); });
     window.resize(options->size);
     window.show();
-    const auto journal =
-        program::journalFromOptions(parser, **node, kStation, window.stationScene());
+    const auto journal = program::journalFromOptions(parser, **node, first, window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());
+    QObject::connect(&stations, &StationsModel::shownChanged, &stations, [&](StationId now) {
+        breathing.setStation(now);
+        object.setStation(now);
+        respiration.setStation(now);
+        trace.setStation(now);
+        shown.setStation(now);
+        if (*journal)
+            (*journal)->setStation(now);
+    });
+    QObject::connect(&stations, &StationsModel::forAllChanged, &stations, [&](bool all) {
+        breathing.setForAll(all);
+        respiration.setForAll(all);
+    });
+    openStations(**node, stations, *wanted);
     if (parser.isSet(QStringLiteral("start")) && session.canStart())
         session.start();
     return options->folder.isEmpty() ? QApplication::exec()

@@ -94,6 +94,7 @@ void Journal::writeLine()
         {QStringLiteral("session_ns"), nanoseconds(shown)},
         {QStringLiteral("facts"), qint64(state->lastApplied().value)},
         {QStringLiteral("session_id"), QString::fromStdString(state->sessionId())},
+        {QStringLiteral("station"), QString::fromStdString(station->second.name)},
         {QStringLiteral("anatomy"), QString::fromStdString(m_scene.patient().contentHash())},
         {QStringLiteral("phase"), phaseName(state->phaseAt(shown))},
         {QStringLiteral("breathing_rate_per_min"), inPerMinute(pattern.rate)},

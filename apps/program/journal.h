@@ -12,11 +12,11 @@ namespace carina::program
 
 /// Logs the displayed state of a program, for later analysis: one JSON object per line, ten times a
 /// second. Keys: local_ns (CLOCK_MONOTONIC) and session_ns of the latest frame, facts (number of
-/// the last one), session_id, anatomy (content hash of the patient drawn), phase,
-/// breathing_rate_per_min, tidal_volume_ml, right_lung_ml and left_lung_ml (gas in each, from the
-/// mechanics); for the virtual patient patient_owner (a participant's number) and, after an action
-/// on it, patient_rate (rad/s, m/s or 1/s of the present motion), patient_xyz_mm, patient_q_xyzw
-/// and patient_size: its pose and scale in the anatomy frame.
+/// the last one), session_id, station (its name), anatomy (content hash of the patient drawn),
+/// phase, breathing_rate_per_min, tidal_volume_ml, right_lung_ml and left_lung_ml (gas in each,
+/// from the mechanics); for the virtual patient patient_owner (a participant's number) and, after
+/// an action on it, patient_rate (rad/s, m/s or 1/s of the present motion), patient_xyz_mm,
+/// patient_q_xyzw and patient_size: its pose and scale in the anatomy frame.
 class Journal
 {
 public:
@@ -26,6 +26,9 @@ public:
                                                                const SessionNode& node,
                                                                StationId station,
                                                                const StationScene& scene);
+
+    /// Logs another station from now on.
+    void setStation(StationId station) { m_station = station; }
 
 private:
     Journal(const SessionNode& node, StationId station, const StationScene& scene);

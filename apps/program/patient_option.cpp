@@ -83,6 +83,11 @@ void addPatientOptions(QCommandLineParser& parser)
 
 bool importsPatient(const QCommandLineParser& parser) { return parser.isSet(kAnatomy); }
 
+bool namesPatient(const QCommandLineParser& parser)
+{
+    return importsPatient(parser) || parser.isSet(kPatient);
+}
+
 Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
 {
     const bool imported = importsPatient(parser);

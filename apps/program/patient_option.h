@@ -20,6 +20,9 @@ void addPatientOptions(QCommandLineParser& parser);
 /// Whether these options name an anatomy set rather than a built-in patient.
 [[nodiscard]] bool importsPatient(const QCommandLineParser& parser);
 
+/// Whether these options name a patient, of either kind.
+[[nodiscard]] bool namesPatient(const QCommandLineParser& parser);
+
 /// The patient named by these options; by default the built-in child. An imported set is taken for
 /// an adult. On its first import a dialog lets the person correct the roles of its surfaces, unless
 /// the program runs without a person (`--start`, `--measure`, `--journal`).

@@ -9,6 +9,7 @@
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "engine/io/files/file_limit.h"
 #include "models/patient/shared_patient.h"
+#include "models/station/own_station.h"
 #include "ui/trainee/trainee_window.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -20,9 +21,9 @@ namespace carina
 namespace
 {
 
-constexpr StationId kStation{0};
 const QString kSimulatedTracker = QStringLiteral("simulated-tracker");
 const QString kRecordedTracker = QStringLiteral("recorded-tracker");
+const QString kStationName = QStringLiteral("station");
 const QString kManikinBreathes = QStringLiteral("manikin-breathes");
 
 void addOptions(QCommandLineParser& parser)
@@ -43,6 +44,11 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption({QStringLiteral("observe"),
                       QApplication::translate("Trainee", "Join as an observer, who watches and "
                                                          "changes nothing.")});
+    parser.addOption(
+        {kStationName,
+         QApplication::translate("Trainee", "Name of the station to come to. Without it: where the "
+                                            "trainee was last, else the first that is open."),
+         QStringLiteral("NAME")});
     parser.addOption(
         {kSimulatedTracker,
          QApplication::translate("Trainee", "Use a simulated tracker and scripted hands; without a "
@@ -75,7 +81,7 @@ void addOptions(QCommandLineParser& parser)
 QJsonObject actionReport(const SessionNode& node)
 {
     const auto state = node.state();
-    const SharedObject* patient = sharedPatient(*state, kStation);
+    const SharedObject* patient = sharedPatient(*state, ownStation(node));
     for (const ObjectReport& report : node.objectReports())
         if (patient && report.object == patient->id && report.delay)
             return {{QStringLiteral("action_delay_ms"), 1e3 * toSeconds(*report.delay)}};
@@ -131,7 +137,7 @@ Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
 {
     Entry entry{{.participantName = parser.value(QStringLiteral("as")).toStdString(),
                  .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer : Role::Trainee,
-                 .station = kStation}};
+                 .station = parser.value(kStationName).toStdString()}};
     const auto link = program::linkArgument(parser);
     if (!link)
         return tl::unexpected(link.error());
@@ -240,15 +246,17 @@ Result<int> run(const QCommandLineParser& parser)
     if (!tracker)
         return tl::unexpected(tracker.error());
     TraineeStation station{
-        std::move(entered->node), kStation, *std::move(tracker),
+        std::move(entered->node), *std::move(tracker),
         [&](const PatientModel& of) { return program::siteOption(parser, of, trackerName); }};
     if (const auto laid = station.lay(patient->model); !laid)
         return tl::unexpected(laid.error());
 
     SessionModel session{station.node()};
-    SharedObjectModel object{session, kStation};
+    OwnStation place{session};
+    station.setStation(place.id()); // it may have been let in meanwhile
+    SharedObjectModel object{session, place.id()};
     ObjectActionModel actions{object};
-    SessionPatient sessionPatient{station.node(), kStation, patient->model,
+    SessionPatient sessionPatient{station.node(), place.id(), patient->model,
                                   AnatomyCache::defaultFolder()};
     TraineeWindow window{station.node(), sessionPatient,
                          station.view(), *headset,
@@ -263,9 +271,16 @@ Result<int> run(const QCommandLineParser& parser)
             [&] { window.show(*sessionPatient.patient(), station.view(), station.chinProbe()); });
     });
     const auto journal =
-        program::journalFromOptions(parser, station.node(), kStation, window.stationScene());
+        program::journalFromOptions(parser, station.node(), place.id(), window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());
+    QObject::connect(&place, &OwnStation::changed, &place, [&](StationId now) {
+        station.setStation(now);
+        object.setStation(now);
+        sessionPatient.setStation(now);
+        if (*journal)
+            (*journal)->setStation(now);
+    });
     return show(window, parser, *options, station);
 }
 

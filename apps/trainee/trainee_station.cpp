@@ -27,13 +27,13 @@ std::unique_ptr<RegistrationGuard> guardOf(const StationTracking& tracking,
 
 } // namespace
 
-TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, StationId station,
-                               Hardware hardware, PlaceOf placeOf)
+TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, Hardware hardware,
+                               PlaceOf placeOf)
     : m_node{std::move(node)},
-      m_station{station},
+      m_station{ownStation(*m_node)},
       m_hardware{std::move(hardware)},
       m_placeOf{std::move(placeOf)},
-      m_report{*m_node, station}
+      m_report{*m_node}
 {
     if (m_hardware.hasTracker())
         publish();
@@ -61,20 +61,30 @@ TraineeStation::~TraineeStation()
 void TraineeStation::publish()
 {
     const auto share = [this](ObjectKind kind, ToolRole tool, std::string name) {
-        m_node->publish(m_station, kind, std::move(name),
-                        [this, tool]() -> std::optional<PoseSample> {
-                            const auto tracking = m_published.load();
-                            return tracking ? tracking->newest(tool) : std::nullopt;
-                        });
+        m_node->publish(kind, std::move(name), [this, tool]() -> std::optional<PoseSample> {
+            const auto tracking = m_published.load();
+            return tracking ? tracking->newest(tool) : std::nullopt;
+        });
     };
     share(ObjectKind::Tube, ToolRole::Tube, "Tube");
     share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
     share(ObjectKind::Head, ToolRole::Head, "Head");
-    m_manikin =
-        std::make_unique<ManikinBreaths>(*m_node, m_station, [this]() -> std::optional<PoseSample> {
-            const auto tracking = m_published.load();
-            return tracking ? tracking->newest(ToolRole::Chest) : std::nullopt;
-        });
+    m_manikin = std::make_unique<ManikinBreaths>(*m_node, [this]() -> std::optional<PoseSample> {
+        const auto tracking = m_published.load();
+        return tracking ? tracking->newest(ToolRole::Chest) : std::nullopt;
+    });
+}
+
+void TraineeStation::setStation(StationId station)
+{
+    m_station = station;
+    if (m_laid)
+        m_laid->view->setStation(station, posesFor(*m_laid));
+}
+
+ObjectPoses TraineeStation::posesFor(const Laid& laid) const
+{
+    return laid.tracking ? posesOf(*laid.tracking) : posesOf(*m_node, m_station);
 }
 
 Result<void> TraineeStation::lay(const SharedPatientModel& patient,
@@ -84,9 +94,8 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
     if (m_hardware.hasTracker())
         if (const auto tracked = track(*next); !tracked)
             return tracked;
-    next->view = std::make_unique<StationView>(*m_node, m_station, patient->lungs(),
-                                               next->tracking ? posesOf(*next->tracking)
-                                                              : posesOf(*m_node, m_station));
+    next->view =
+        std::make_unique<StationView>(*m_node, m_station, patient->lungs(), posesFor(*next));
     const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
     m_published.store(m_laid->tracking);
     if (show)

@@ -37,12 +37,13 @@ public:
         [[nodiscard]] bool hasTracker() const { return simulated || recording; }
     };
 
-    TraineeStation(std::unique_ptr<SessionNode> node, StationId station, Hardware hardware,
-                   PlaceOf placeOf);
+    TraineeStation(std::unique_ptr<SessionNode> node, Hardware hardware, PlaceOf placeOf);
     ~TraineeStation();
     TraineeStation(const TraineeStation&) = delete;
     TraineeStation& operator=(const TraineeStation&) = delete;
 
+    /// Shows another station of the session from now on.
+    void setStation(StationId station);
     /// Replaces the patient. While its site has no registration that can be used, the station shows
     /// what others share, as a program without a tracker does.
     /// @param show is called with the new patient in place, while the objects of the former one
@@ -80,13 +81,14 @@ private:
         Place place;                              ///< as read from the site last
     };
 
+    [[nodiscard]] ObjectPoses posesFor(const Laid& laid) const;
     [[nodiscard]] Result<void> track(Laid& laid);
     [[nodiscard]] Result<void> simulate(Laid& laid) const;
     void replay(Laid& laid) const;
     void publish();
 
     std::unique_ptr<SessionNode> m_node;
-    StationId m_station;
+    StationId m_station; ///< where this participant is
     Hardware m_hardware;
     PlaceOf m_placeOf;
     std::function<void()> m_onLaid;

@@ -52,21 +52,24 @@ enum class Errc : std::uint8_t {
     StoreFailed,     ///< the fact log could not be written
     StoreCorrupt,    ///< the fact log could not be read completely
     StoreTooOld,     ///< the fact log is of an earlier version of Carina and cannot be read
-    StoreReplaced, ///< the file of the fact log was deleted, replaced or changed while it was open
-    ClockLost,     ///< the stored clock of a session contradicts its log
-    NotPermitted,  ///< the role may not do this
-    SessionEnded,  ///< the session takes no more changes
-    NameTaken,     ///< the name and role of another program, or of who has a token for them
-    NameUnclear,   ///< a name with invisible characters, or one that looks like another's
-    SessionFull,   ///< no more participants of this role are taken
-    TooMuchSent,   ///< more than a participant of this role may send
-    Muted,         ///< an instructor has muted the participant
-    Removed,       ///< an instructor has removed the participant
-    Banned,        ///< an instructor has removed the participant for good
-    SessionLocked, ///< the session admits nobody new
-    UsedElsewhere, ///< the participant's token was used by another program
-    WrongCode,     ///< not a join code of this session and role
-    WrongLink,     ///< a text that is not a link to a session
+    StoreReplaced,  ///< the file of the fact log was deleted, replaced or changed while it was open
+    ClockLost,      ///< the stored clock of a session contradicts its log
+    NotPermitted,   ///< the role may not do this
+    SessionEnded,   ///< the session takes no more changes
+    NameTaken,      ///< the name and role of another program, or of who has a token for them
+    NameUnclear,    ///< a name with invisible characters, or one that looks like another's
+    SessionFull,    ///< no more participants of this role are taken
+    TooMuchSent,    ///< more than a participant of this role may send
+    Muted,          ///< an instructor has muted the participant
+    Removed,        ///< an instructor has removed the participant
+    Banned,         ///< an instructor has removed the participant for good
+    SessionLocked,  ///< the session admits nobody new
+    UsedElsewhere,  ///< the participant's token was used by another program
+    StationUnknown, ///< no open station of the session has this name or number
+    StationOccupied, ///< a station cannot be closed while participants are at it
+    StationCount,    ///< a session would have no open station left, or too many
+    WrongCode,       ///< not a join code of this session and role
+    WrongLink,       ///< a text that is not a link to a session
     NotEnoughMemory, ///< too little memory to derive a key from a join code
     OwnerChanged,    ///< the object has another owner in the meantime
     SetNotNamed,     ///< no station of the session has the requested patient

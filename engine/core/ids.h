@@ -14,8 +14,12 @@ template <class Tag, class Number> struct Id {
     friend constexpr auto operator<=>(const Id&, const Id&) = default;
 };
 
-/// One manikin with its tracker, tools and patient. 0 is the first station of a session.
+/// One manikin with its tracker, tools and patient. The session host gives the numbers.
 using StationId = Id<struct StationTag, std::uint16_t>;
+/// In a change of the patient: each station that is open when the change is decided.
+inline constexpr StationId kAllStations{0xFFFE};
+/// In a fact that is of the session as a whole; in a proposal also where the host is to choose.
+inline constexpr StationId kNoStation{0xFFFF};
 /// One running program that takes part in a session. 0 is the session host.
 using ParticipantId = Id<struct ParticipantTag, std::uint16_t>;
 /// The id of a program that the session host has not admitted yet.

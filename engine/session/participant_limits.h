@@ -19,6 +19,11 @@ namespace carina
 /// two.
 inline constexpr std::size_t kMostOfAKind = 2;
 
+/// Open stations of a session.
+inline constexpr std::size_t kMostStations = 8;
+/// Over its whole life: what happened at them stays in its log.
+inline constexpr std::size_t kMostStationsEver = 64;
+
 /// Participants that a session takes, over its whole life: their numbers and names stay in its log.
 inline constexpr std::size_t kMostParticipants = 1024;
 /// Of the participants of a role that are present at once.

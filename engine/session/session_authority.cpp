@@ -5,6 +5,7 @@
 #include "engine/session/facts/plain_name.h"
 #include "engine/session/participant_limits.h"
 #include "engine/session/respiration/respiration_rules.h"
+#include "engine/session/station_rules.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -67,6 +68,13 @@ Result<void> settleId(typename Entries::key_type& id, const Entries& entries, co
     return {};
 }
 
+Result<void> checkParticipant(const SessionState& state, ParticipantId id)
+{
+    if (!state.participants().contains(id))
+        return fail(Errc::OutOfRange, "participant " + std::to_string(id.value));
+    return {};
+}
+
 Result<void> checkObject(const SessionState& state, ObjectId id)
 {
     if (!state.objects().contains(id))
@@ -81,9 +89,11 @@ Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOv
         return known;
     const SharedObject& object = state.objects().at(handed.object);
     const auto owner = state.participants().find(handed.owner);
-    if (owner == state.participants().end())
-        return fail(Errc::OutOfRange, "participant " + std::to_string(handed.owner.value));
-    if (owner->second.role == Role::Observer)
+    if (const auto known = checkParticipant(state, handed.owner); !known)
+        return known;
+    const bool isElsewhere =
+        owner->second.role == Role::Trainee && owner->second.station != object.station;
+    if (owner->second.role == Role::Observer || isElsewhere)
         return fail(Errc::NotPermitted, owner->second.name);
     if (object.epoch != handed.epoch)
         return fail(Errc::OwnerChanged, object.name);
@@ -93,56 +103,57 @@ Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOv
 Result<void> settleIds(const SessionState& state, FactBody& body)
 {
     return std::visit(
-        Overloaded{[&](fact::ParticipantJoined& joined) {
-                       return settleId(joined.participant, state.participants(), "participant",
-                                       [&](const Participant& known) {
-                                           return known.name == joined.name
-                                                  && known.role == joined.role;
-                                       });
-                   },
-                   [&](fact::ParticipantLeft& left) {
-                       return state.participants().contains(left.participant)
-                                  ? Result<void>{}
-                                  : fail(Errc::OutOfRange,
-                                         "participant " + std::to_string(left.participant.value));
-                   },
-                   [&](fact::ObjectShared& shared) {
-                       return settleId(shared.object, state.objects(), "object",
-                                       [&](const SharedObject& known) {
-                                           return known.kind == shared.kind
-                                                  && known.name == shared.name
-                                                  && known.owner == shared.owner;
-                                       });
-                   },
-                   [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, handed); },
-                   [&](fact::ObjectWanted& wanted) { return checkObject(state, wanted.object); },
-                   [](auto&) { return Result<void>{}; }},
+        Overloaded{
+            [&](fact::ParticipantJoined& joined) {
+                return settleId(joined.participant, state.participants(), "participant",
+                                [&](const Participant& known) {
+                                    return known.name == joined.name && known.role == joined.role;
+                                });
+            },
+            [&](fact::ParticipantLeft& left) { return checkParticipant(state, left.participant); },
+            [&](fact::ObjectShared& shared) {
+                return settleId(shared.object, state.objects(), "object",
+                                [&](const SharedObject& known) {
+                                    return known.kind == shared.kind && known.name == shared.name
+                                           && known.owner == shared.owner;
+                                });
+            },
+            [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, handed); },
+            [&](fact::ObjectWanted& wanted) { return checkObject(state, wanted.object); },
+            [&](fact::ParticipantMoved& moved) {
+                return checkParticipant(state, moved.participant);
+            },
+            [](auto&) { return Result<void>{}; }},
         body);
 }
 
-/// What a trainee may do: share what is their own, ask for what is not, and say when the manikin of
-/// their station breathes and how their own registration stands. An observer may do nothing.
+/// What a trainee may do: state how their registration stands, and for the station they are at
+/// share what is their own, ask for what is not, and say when the manikin breathes. An observer may
+/// do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
-    return std::visit(
-        Overloaded{[&](const fact::ObjectShared& f) {
-                       const auto known = state.objects().find(f.object);
-                       return author.role == Role::Trainee && f.owner == author.id
-                              && (known == state.objects().end()
-                                  || known->second.owner == author.id);
-                   },
-                   [&](const fact::ObjectHandedOver& f) {
-                       return author.role == Role::Trainee
-                              && state.objects().at(f.object).owner == author.id;
-                   },
-                   [&](const fact::ObjectWanted&) { return author.role == Role::Trainee; },
-                   [&](const fact::ManikinBreathed&) {
-                       return author.role == Role::Trainee && author.station == station;
-                   },
-                   [&](const fact::RegistrationStated&) { return author.role == Role::Trainee; },
-                   [](const auto&) { return false; }},
-        body);
+    if (author.role != Role::Trainee)
+        return false;
+    if (std::holds_alternative<fact::RegistrationStated>(body))
+        return true;
+    if (author.station != station)
+        return false;
+    return std::visit(Overloaded{[&](const fact::ObjectShared& f) {
+                                     const auto known = state.objects().find(f.object);
+                                     return f.owner == author.id
+                                            && (known == state.objects().end()
+                                                || known->second.owner == author.id);
+                                 },
+                                 [&](const fact::ObjectHandedOver& f) {
+                                     return state.objects().at(f.object).owner == author.id;
+                                 },
+                                 [&](const fact::ObjectWanted& f) {
+                                     return state.objects().at(f.object).station == station;
+                                 },
+                                 [](const fact::ManikinBreathed&) { return true; },
+                                 [](const auto&) { return false; }},
+                      body);
 }
 
 /// Nobody else creates a session, knows all that was decided by the time of a checkpoint, or sees
@@ -248,32 +259,20 @@ Result<void> checkCheckpoint(SessionTime now, const FactBody& body)
     return {};
 }
 
-Result<void> checkStation(const SessionState& state, StationId id, const FactBody& body)
-{
-    const bool known = state.stations().contains(id);
-    if (isAboutConduct(body))
-        return {};
-    const bool right = std::visit(Overloaded{[](const fact::SessionCreated&) { return true; },
-                                             [](const fact::PhaseChanged&) { return true; },
-                                             [](const fact::ParticipantLeft&) { return true; },
-                                             [](const fact::RegistrationStated&) { return true; },
-                                             [known](const fact::StationAdded&) { return !known; },
-                                             [known](const auto&) { return known; }},
-                                  body);
-    if (!right)
-        return fail(Errc::OutOfRange, "station " + std::to_string(id.value)
-                                          + (known ? " (exists)" : " (does not exist)"));
-    return {};
-}
-
-/// By what was last decided about the patient, whenever it takes effect.
+/// By what was last decided about each patient, whenever it takes effect.
 Result<void> checkPatient(const SessionState& state, StationId id, const FactBody& body)
 {
     const auto* set = std::get_if<fact::TidalVolumeSet>(&body);
     if (!set)
         return {};
-    const RespirationTimeline& respiration = state.stations().at(id).respiration;
-    return checkTidalVolume(respiration.settingsAt(SessionTime::max()).build, set->tidalVolume);
+    for (const auto& [number, station] : state.stations()) {
+        if (station.closed || (id != number && id != kAllStations))
+            continue;
+        const PatientBuild build = station.respiration.settingsAt(SessionTime::max()).build;
+        if (auto breathed = checkTidalVolume(build, set->tidalVolume); !breathed)
+            return breathed;
+    }
+    return {};
 }
 
 bool canFollow(SessionPhase before, SessionPhase after)
@@ -319,6 +318,8 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
               proposal.body};
     const Result<void> verdict =
         settleIds(m_state, fact.body)
+            .and_then([&] { return settledStation(m_state, fact.station, fact.body); })
+            .map([&](StationId station) { fact.station = station; })
             .and_then([&] { return checkNamed(m_state, fact.body); })
             .and_then(
                 [&] { return checkPermission(m_state, fact.author, fact.station, fact.body); })
@@ -328,6 +329,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             .and_then([&] { return checkConduct(m_state, fact.body); })
             .and_then([&] { return checkNumbers(m_state, fact.body); })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
+            .and_then([&] { return checkStations(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPhase(m_state, fact.body); })
             .and_then([&] { return checkCheckpoint(now, fact.body); });

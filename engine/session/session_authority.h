@@ -36,19 +36,25 @@ public:
     /// owner, kind and name, likewise. Other ids must exist. An ObjectHandedOver is refused unless
     /// it names the present epoch of the ownership.
     ///
+    /// The station of a StationAdded, and of a ParticipantJoined at kNoStation, is given by
+    /// settledStation. A change of the patient at kAllStations is one fact, and so has one effect
+    /// time, for all stations that are open then.
+    ///
     /// @param proposal its author decides what is permitted. The host itself (0) may propose
     ///        everything, a participant not yet admitted (kNobody) may join, instructors may
     ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined,
-    ///        ParticipantLeft and TokenReplaced, trainees may share objects as themselves, hand
-    ///        these over, ask for ownership, report breaths of the manikin at their station and
-    ///        state how their registration stands, observers may propose nothing and own nothing,
-    ///        and who is muted nothing either.
+    ///        ParticipantLeft and TokenReplaced, trainees may state how their registration stands,
+    ///        and for the station they are at share objects as themselves, hand these over, ask for
+    ///        ownership and report breaths of the manikin, observers may propose nothing and own
+    ///        nothing, and who is muted nothing either.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
-    ///          participant may share, and where the host or the last instructor is to be muted or
-    ///          removed; Muted; SessionFull, NameUnclear, SessionLocked and Banned for a join;
-    ///          SessionEnded after the end, except for facts about participants, entry and shared
-    ///          objects; OutOfRange for a parameter outside the range of a patient, an unknown
-    ///          station, participant or object, and a phase that cannot follow the present one;
+    ///          participant may share, for an object that passes to a trainee of another station,
+    ///          and where the host or the last instructor is to be muted or removed; Muted;
+    ///          SessionFull, NameUnclear, SessionLocked and Banned for a join; NameUnclear,
+    ///          StationCount and StationOccupied for a station; SessionEnded after the end, except
+    ///          for facts about participants, entry and shared objects; OutOfRange for a parameter
+    ///          outside the range of a patient, an unknown participant or object, and a phase that
+    ///          cannot follow the present one; StationUnknown for a station that is not open;
     ///          OwnerChanged for an object that has changed its owner meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,
                                      Duration slowestPath) const;

@@ -7,6 +7,12 @@
 
 namespace carina
 {
+namespace
+{
+
+constexpr ParticipantId kHostOfSession{0};
+
+} // namespace
 
 /// What each kind of fact does to the state; `around` is the fact that the body came in.
 struct SessionState::Applier {
@@ -43,6 +49,7 @@ struct SessionState::Applier {
         Participant joined{body.participant, body.role, body.name, around.station, true};
         joined.muted = before && before->muted;
         state.m_participants.insert_or_assign(body.participant, std::move(joined));
+        bringAlong(body.participant);
     }
     void operator()(const fact::ParticipantLeft& body) const { leave(body.participant); }
     void operator()(const fact::ParticipantMuted& body) const
@@ -63,6 +70,23 @@ struct SessionState::Applier {
     }
     void operator()(const fact::SessionLocked& body) const { state.m_locked = body.locked; }
     void operator()(const fact::StrategyChosen& body) const { state.m_strategy = body.choice; }
+    void operator()(const fact::StationRenamed& body) const
+    {
+        forStations([&body](Station& station) { station.name = body.name; });
+    }
+    void operator()(const fact::StationClosed&) const
+    {
+        forStations([](Station& station) { station.closed = true; });
+    }
+    void operator()(const fact::ParticipantMoved& body) const
+    {
+        Participant* participant = known(body.participant);
+        if (!participant || !state.isOpen(around.station))
+            return;
+        participant->station = around.station;
+        participant->moved = around.committed;
+        bringAlong(body.participant);
+    }
     void operator()(const fact::RoleCodeChanged&) const {} // of the host's secrets
     void operator()(const fact::TokenReplaced& body) const
     {
@@ -105,60 +129,68 @@ struct SessionState::Applier {
     }
     void operator()(const fact::AnatomyChosen& body) const
     {
-        if (Station* station = ofFact()) {
-            station->anatomyHash = body.contentHash;
-            station->anatomyName = body.name;
-        }
+        forStations([&body](Station& station) {
+            station.anatomyHash = body.contentHash;
+            station.anatomyName = body.name;
+        });
     }
     void operator()(const fact::BreathingRateSet& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setRate(around.effect, body.rate);
+        forStations(
+            [&](Station& station) { station.respiration.setRate(around.effect, body.rate); });
     }
     void operator()(const fact::TidalVolumeSet& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setTidalVolume(around.effect, body.tidalVolume);
+        forStations([&](Station& station) {
+            station.respiration.setTidalVolume(around.effect, body.tidalVolume);
+        });
     }
     void operator()(const fact::InspiratoryFractionSet& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setInspiratoryFraction(around.effect, body.fraction);
+        forStations([&](Station& station) {
+            station.respiration.setInspiratoryFraction(around.effect, body.fraction);
+        });
     }
     void operator()(const fact::PatientBuildSet& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setBuild(around.effect, body.build);
+        forStations(
+            [&](Station& station) { station.respiration.setBuild(around.effect, body.build); });
     }
     void operator()(const fact::LungConditionsSet& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setConditions(around.effect, body.conditions);
+        forStations([&](Station& station) {
+            station.respiration.setConditions(around.effect, body.conditions);
+        });
     }
     void operator()(const fact::VentilatorSet& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setVentilator(around.effect, body.settings);
+        forStations([&](Station& station) {
+            station.respiration.setVentilator(around.effect, body.settings);
+        });
     }
     void operator()(const fact::TubePlaced& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setTube(around.effect, body.innerDiameter);
+        forStations([&](Station& station) {
+            station.respiration.setTube(around.effect, body.innerDiameter);
+        });
     }
     void operator()(const fact::BodyPositionSet& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.setPosition(around.effect, body.position);
+        forStations([&](Station& station) {
+            station.respiration.setPosition(around.effect, body.position);
+        });
     }
     void operator()(const fact::ManikinBreathed& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.addBreath({around.effect, body.began});
+        forStations([&](Station& station) {
+            station.respiration.addBreath({around.effect, body.began});
+        });
     }
     void operator()(const fact::RespirationCheckpoint& body) const
     {
-        if (Station* station = ofFact())
-            station->respiration.addCheckpoint({body.at, body.state});
+        forStations([&](Station& station) {
+            station.respiration.addCheckpoint({body.at, body.state});
+        });
     }
 
     void leave(ParticipantId id) const
@@ -179,13 +211,43 @@ struct SessionState::Applier {
             ++object.epoch;
         std::erase(object.wantedBy, owner);
     }
-    /// The station that the fact is about; nullptr where there is none.
-    [[nodiscard]] Station* ofFact() const
+    /// What a participant carries is at their station. Elsewhere only instructors own or ask for
+    /// anything.
+    void bringAlong(ParticipantId id) const
     {
-        const auto station = state.m_stations.find(around.station);
-        return station == state.m_stations.end() ? nullptr : &station->second;
+        const Participant& carrier = state.m_participants.at(id);
+        for (auto& [number, object] : state.m_objects) {
+            if (object.station == carrier.station)
+                continue;
+            if (object.owner == id && isCarried(object.kind))
+                object.station = carrier.station;
+            if (object.station == carrier.station || carrier.role == Role::Instructor)
+                continue;
+            std::erase(object.wantedBy, id);
+            if (object.owner == id)
+                own(object, kHostOfSession);
+        }
+    }
+    /// Calls `change` with each open station that the fact is about.
+    template <class Change> void forStations(const Change& change) const
+    {
+        for (auto& [id, station] : state.m_stations)
+            if (!station.closed && (around.station == id || around.station == kAllStations))
+                change(station);
     }
 };
+
+bool SessionState::isOpen(StationId station) const
+{
+    const auto found = m_stations.find(station);
+    return found != m_stations.end() && !found->second.closed;
+}
+
+StationId SessionState::stationOf(ParticipantId participant) const
+{
+    const auto found = m_participants.find(participant);
+    return found == m_participants.end() ? kNoStation : found->second.station;
+}
 
 std::string removalText(const SessionState& state, const Removal& removal)
 {

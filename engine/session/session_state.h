@@ -33,6 +33,8 @@ struct Participant {
     std::optional<SessionTime> tokenReplaced{};
     /// As its program states it; of this stay. Nothing for a program without a tracker.
     std::optional<RegistrationStanding> registration{};
+    /// When an instructor moved them to their station; of this stay.
+    std::optional<SessionTime> moved{};
 };
 
 struct SharedObject {
@@ -49,6 +51,7 @@ struct SharedObject {
 struct Station {
     StationId id;
     std::string name;
+    bool closed = false;
     std::string anatomyHash;
     std::string anatomyName;
     RespirationTimeline respiration;
@@ -62,7 +65,8 @@ struct Station {
 class SessionState
 {
 public:
-    /// Applies a fact. One about an unknown station or participant changes nothing.
+    /// Applies a fact. One about an unknown or closed station, or an unknown participant, changes
+    /// nothing.
     /// @pre fact.number is one more than the last applied.
     void apply(const Fact& fact);
 
@@ -82,7 +86,11 @@ public:
         return m_participants;
     }
     [[nodiscard]] const std::map<ObjectId, SharedObject>& objects() const { return m_objects; }
+    /// Also those that are closed: their numbers are not used again.
     [[nodiscard]] const std::map<StationId, Station>& stations() const { return m_stations; }
+    [[nodiscard]] bool isOpen(StationId station) const;
+    /// Where the participant is, or was last; kNoStation for one who is not known.
+    [[nodiscard]] StationId stationOf(ParticipantId participant) const;
 
 private:
     struct Applier;

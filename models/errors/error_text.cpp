@@ -130,7 +130,7 @@ public:
                       "another name, or ask the instructor.");
         case Errc::NameUnclear:
             return tr("This name cannot be told from another one, or has characters that cannot be "
-                      "seen%1: join under a plain name of your own.");
+                      "seen%1: choose another, plain name.");
         case Errc::SessionFull:
             return tr("The session is full%1: ask the instructor who can leave, or join later.");
         case Errc::TooMuchSent:
@@ -150,6 +150,13 @@ public:
         case Errc::UsedElsewhere:
             return tr("Another program came in with your name and token, and this one had to "
                       "leave%1: if that was not you, tell the instructor.");
+        case Errc::StationUnknown:
+            return tr("The session has no such open station%1: choose one of those that are open.");
+        case Errc::StationOccupied:
+            return tr("Participants are at this station%1: move them to another one first.");
+        case Errc::StationCount:
+            return tr("A session has one to eight open stations%1: close another one first, or add "
+                      "one before you close the last.");
         case Errc::WrongCode:
             return tr("This code is not valid for the session%1: ask the instructor for the code "
                       "of your role and join with it.");

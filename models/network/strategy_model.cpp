@@ -51,7 +51,7 @@ QString StrategyModel::chosenName() const
 void StrategyModel::choose(const StrategyChoice& choice)
 {
     if (choice != chosen())
-        m_session.node().propose(StationId{}, fact::StrategyChosen{choice});
+        m_session.node().propose(kNoStation, fact::StrategyChosen{choice});
 }
 
 } // namespace carina

@@ -32,6 +32,12 @@ SharedObjectModel::SharedObjectModel(SessionModel& session, StationId station, Q
     connect(&m_session, &SessionModel::changed, this, &SharedObjectModel::changed);
 }
 
+void SharedObjectModel::setStation(StationId station)
+{
+    if (std::exchange(m_station, station) != station)
+        Q_EMIT changed();
+}
+
 std::vector<SharedObjectModel::Named<ObjectId>> SharedObjectModel::objects() const
 {
     std::vector<Named<ObjectId>> all;
@@ -184,7 +190,8 @@ std::vector<SharedObjectModel::Named<ParticipantId>> SharedObjectModel::heirs() 
     std::vector<Named<ParticipantId>> all;
     for (const auto& [id, person] : state->participants())
         if (person.present && person.role != Role::Observer && id != object->owner
-            && id != m_session.node().self())
+            && id != m_session.node().self()
+            && (person.role == Role::Instructor || person.station == m_station))
             all.push_back({id, QString::fromStdString(person.name)});
     const auto turn = [&object](const Named<ParticipantId>& heir) {
         return std::ranges::find(object->wantedBy, heir.id) - object->wantedBy.begin();

@@ -29,6 +29,9 @@ public:
     /// @pre session outlives this.
     SharedObjectModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
+    /// The objects of another station from now on.
+    void setStation(StationId station);
+
     [[nodiscard]] SessionModel& session() const { return m_session; }
 
     /// The objects that can be moved by actions, in the order in which they were shared.

@@ -41,6 +41,13 @@ void SessionPatient::follow(Lay lay)
     look();
 }
 
+void SessionPatient::setStation(StationId station)
+{
+    m_station = station;
+    if (m_lay)
+        look();
+}
+
 void SessionPatient::look()
 {
     const auto state = m_node.state();

@@ -34,6 +34,8 @@ public:
                    std::filesystem::path cacheFolder, int licenceShown_ms = kLicenceShown_ms);
     ~SessionPatient() override;
 
+    /// Another station's patient is drawn from now on, as soon as it is available.
+    void setStation(StationId station);
     /// Starts to follow the session; `lay` is called, on this object's thread, for each new
     /// patient.
     void follow(Lay lay);

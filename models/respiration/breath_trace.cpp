@@ -2,6 +2,8 @@
 
 #include <QTimer>
 
+#include <utility>
+
 namespace carina
 {
 namespace
@@ -27,6 +29,14 @@ BreathTrace::BreathTrace(SessionModel& session, StationId station, QObject* pare
     timer->start(kTraceInterval_ms);
 }
 
+void BreathTrace::setStation(StationId station)
+{
+    if (std::exchange(m_station, station) == station)
+        return;
+    m_traced = {};
+    Q_EMIT startedAfresh();
+}
+
 void BreathTrace::sample()
 {
     const auto now = m_session.node().now();
@@ -35,13 +45,13 @@ void BreathTrace::sample()
     if (!now || station == state->stations().end())
         return;
     const SessionTime end = sampleBefore(*now);
-    SessionTime next = m_last ? *m_last + kSampleEvery : end;
+    SessionTime next = m_traced.last ? *m_traced.last + kSampleEvery : end;
     if (end - next > kLongestGap)
         next = end;
     for (; next <= end; next += kSampleEvery) {
         if (station->second.respiration.runsAt(next))
-            take(m_breathing.at(station->second.respiration, next), next);
-        m_last = next;
+            take(m_traced.breathing.at(station->second.respiration, next), next);
+        m_traced.last = next;
     }
 }
 
@@ -50,32 +60,32 @@ void BreathTrace::take(const RespirationRun& run, SessionTime t)
     const RespiratoryFold& fold = run.fold();
     const Volume gas = fold.content()[0].gas + fold.content()[1].gas;
     const BreathTally& breath = fold.breath();
-    if (breath.steps < m_breathSteps || m_breathBegan.si == 0.0) {
-        m_breathBegan = breath.least[0] + breath.least[1]; // as far as is known
-        m_wasVentilated = m_isVentilated;
+    if (breath.steps < m_traced.breathSteps || m_traced.breathBegan.si == 0.0) {
+        m_traced.breathBegan = breath.least[0] + breath.least[1]; // as far as is known
+        m_traced.wasVentilated = m_traced.isVentilated;
     }
-    m_isVentilated = fold.settings().ventilator.mode != VentilationMode::Spontaneous;
-    m_breathSteps = breath.steps;
-    m_figures = fold.lastBreath();
+    m_traced.isVentilated = fold.settings().ventilator.mode != VentilationMode::Spontaneous;
+    m_traced.breathSteps = breath.steps;
+    m_traced.figures = fold.lastBreath();
     Q_EMIT sampled({toSeconds(t.time_since_epoch()),
                     60.0 * inLitresPerSecond(fold.moment().airwayFlow),
-                    inCmH2O(fold.moment().opening), inMillilitres(gas - m_breathBegan)});
+                    inCmH2O(fold.moment().opening), inMillilitres(gas - m_traced.breathBegan)});
 }
 
 std::optional<BreathTrace::Figures> BreathTrace::lastBreath() const
 {
-    if (m_figures.rate.si == 0.0)
+    if (m_traced.figures.rate.si == 0.0)
         return std::nullopt;
     std::optional<Figures::Airway> airway;
-    if (m_wasVentilated)
-        airway = Figures::Airway{inCmH2O(m_figures.peak), inCmH2O(m_figures.plateau)};
-    return Figures{inMillilitres(m_figures.tidalVolume),
-                   inMillilitres(m_figures.tidalVolumeOfLung[0]),
-                   inMillilitres(m_figures.tidalVolumeOfLung[1]),
-                   inPerMinute(m_figures.rate),
+    if (m_traced.wasVentilated)
+        airway = Figures::Airway{inCmH2O(m_traced.figures.peak), inCmH2O(m_traced.figures.plateau)};
+    return Figures{inMillilitres(m_traced.figures.tidalVolume),
+                   inMillilitres(m_traced.figures.tidalVolumeOfLung[0]),
+                   inMillilitres(m_traced.figures.tidalVolumeOfLung[1]),
+                   inPerMinute(m_traced.figures.rate),
                    airway,
-                   inCmH2O(m_figures.autoPeep),
-                   60.0 * inLitresPerSecond(m_figures.alveolarVentilation)};
+                   inCmH2O(m_traced.figures.autoPeep),
+                   60.0 * inLitresPerSecond(m_traced.figures.alveolarVentilation)};
 }
 
 } // namespace carina

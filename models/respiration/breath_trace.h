@@ -46,6 +46,9 @@ public:
     /// @pre session outlives this.
     BreathTrace(SessionModel& session, StationId station, QObject* parent = nullptr);
 
+    /// Traces the patient of another station from now on.
+    void setStation(StationId station);
+
     /// std::nullopt before the first complete breath.
     [[nodiscard]] std::optional<Figures> lastBreath() const;
 
@@ -54,19 +57,25 @@ public:
 
 Q_SIGNALS:
     void sampled(const carina::BreathTrace::Sample& sample);
+    /// The next sample is of another patient.
+    void startedAfresh();
 
 private:
     void take(const RespirationRun& run, SessionTime t);
 
     SessionModel& m_session;
     StationId m_station;
-    RespirationFollower m_breathing;
-    std::optional<SessionTime> m_last;
-    Volume m_breathBegan; ///< gas in both lungs at the start of the breath
-    std::int64_t m_breathSteps = 0;
-    BreathFigures m_figures;
-    bool m_isVentilated = false;  ///< the breath of the latest sample
-    bool m_wasVentilated = false; ///< the last complete breath
+    /// What is known of the patient.
+    struct Traced {
+        RespirationFollower breathing{};
+        std::optional<SessionTime> last{};
+        Volume breathBegan{}; ///< gas in both lungs at the start of the breath
+        std::int64_t breathSteps = 0;
+        BreathFigures figures{};
+        bool isVentilated = false;  ///< the breath of the latest sample
+        bool wasVentilated = false; ///< the last complete breath
+    };
+    Traced m_traced;
 };
 
 } // namespace carina

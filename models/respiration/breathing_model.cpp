@@ -55,7 +55,7 @@ bool same(double a, double b) { return std::abs(a - b) <= kSame * std::max(1.0, 
 } // namespace
 
 BreathingModel::BreathingModel(SessionModel& session, StationId station, QObject* parent)
-    : QObject{parent}, m_session{session}, m_station{station}
+    : QObject{parent}, m_session{session}, m_stations{station}
 {
     connect(&m_session, &SessionModel::changed, this, &BreathingModel::refresh);
     auto* timer = new QTimer{this};
@@ -63,23 +63,43 @@ BreathingModel::BreathingModel(SessionModel& session, StationId station, QObject
     timer->start(kLookInterval_ms);
 }
 
+void BreathingModel::setStation(StationId station)
+{
+    if (std::exchange(m_stations.shown, station) == station)
+        return;
+    m_wishes = {};
+    m_undo.clear();
+    refresh();
+    Q_EMIT changed();
+}
+
+void BreathingModel::setForAll(bool all)
+{
+    m_stations.all = all;
+    refresh();
+}
+
 double BreathingModel::value(BreathingParameter parameter) const
 {
     const SessionTime now = m_session.node().now().value_or(SessionTime{});
-    return valueOf(patternAt(m_session.node(), m_station, now), parameter);
+    return valueOf(patternAt(m_session.node(), m_stations.shown, now), parameter);
 }
 
 std::optional<double> BreathingModel::pending(BreathingParameter parameter) const
 {
     const Wish& wish = m_wishes[std::size_t(parameter)];
-    return wish.latest ? wish.latest : wish.sent;
+    const std::optional<Setting>& wanted = wish.latest ? wish.latest : wish.sent;
+    return wanted ? std::optional{wanted->value} : std::nullopt;
 }
 
-/// By what was last decided about the patient, as the host judges it.
+/// By what was last decided about each patient, as the host judges it.
 int BreathingModel::largestTidalVolume_ml() const
 {
-    const PatientBuild build = settingsAt(m_session.node(), m_station, SessionTime::max()).build;
-    const Volume largest = std::min(kLargestTidalVolume, largestTidalVolume(build));
+    const SessionNode& node = m_session.node();
+    Volume largest = kLargestTidalVolume;
+    for (const StationId station : stationsOf(*node.state(), m_stations.target()))
+        largest = std::min(largest,
+                           largestTidalVolume(settingsAt(node, station, SessionTime::max()).build));
     return static_cast<int>(inMillilitres(largest) + kSame);
 }
 
@@ -95,15 +115,30 @@ QString BreathingModel::travellingText() const
     return lines.join(QLatin1Char('\n'));
 }
 
+/// The values that a change would replace, at the shown station also one that is under way.
+std::vector<BreathingModel::Setting> BreathingModel::present(BreathingParameter parameter) const
+{
+    const SessionNode& node = m_session.node();
+    std::vector<Setting> settings;
+    for (const StationId station : stationsOf(*node.state(), m_stations.target()))
+        settings.push_back(
+            {station, valueOf(patternAt(node, station, SessionTime::max()), parameter)});
+    const auto underWay = pending(parameter);
+    for (Setting& setting : settings)
+        if (setting.station == m_stations.shown)
+            setting.value = underWay.value_or(value(parameter));
+    return settings;
+}
+
 void BreathingModel::set(BreathingParameter parameter, double value)
 {
-    const double before = pending(parameter).value_or(this->value(parameter));
-    if (same(value, before))
+    const std::vector<Setting> before = present(parameter);
+    if (std::ranges::all_of(before, [&](const Setting& at) { return same(value, at.value); }))
         return;
     // A drag is one change: only its first step is what undo goes back to.
     if (!pending(parameter) || m_undo.empty() || m_undo.back().parameter != parameter)
         m_undo.push_back({parameter, before});
-    ask(parameter, value);
+    ask(parameter, {m_stations.target(), value});
 }
 
 void BreathingModel::undo()
@@ -112,32 +147,37 @@ void BreathingModel::undo()
         return;
     const Change change = m_undo.back();
     m_undo.pop_back();
-    ask(change.parameter, change.before);
+    for (const Setting& before : change.before)
+        if (before.station == m_stations.shown)
+            ask(change.parameter, before);
+        else
+            propose(change.parameter, before);
 }
 
-void BreathingModel::ask(BreathingParameter parameter, double value)
+void BreathingModel::ask(BreathingParameter parameter, const Setting& setting)
 {
     Wish& wish = m_wishes[std::size_t(parameter)];
-    if (wish.sent)
-        wish.latest = value;
-    else
-        propose(parameter, value);
+    if (wish.sent) {
+        wish.latest = setting;
+    } else {
+        wish.sent = setting;
+        propose(parameter, setting);
+    }
     Q_EMIT changed();
 }
 
-void BreathingModel::propose(BreathingParameter parameter, double value)
+void BreathingModel::propose(BreathingParameter parameter, const Setting& setting)
 {
-    m_wishes[std::size_t(parameter)].sent = value;
     SessionNode& node = m_session.node();
     switch (parameter) {
     case BreathingParameter::Rate:
-        node.propose(m_station, fact::BreathingRateSet{perMinute(value)});
+        node.propose(setting.station, fact::BreathingRateSet{perMinute(setting.value)});
         break;
     case BreathingParameter::TidalVolume:
-        node.propose(m_station, fact::TidalVolumeSet{millilitres(value)});
+        node.propose(setting.station, fact::TidalVolumeSet{millilitres(setting.value)});
         break;
     case BreathingParameter::Expiration:
-        node.propose(m_station, fact::InspiratoryFractionSet{fractionOf(value)});
+        node.propose(setting.station, fact::InspiratoryFractionSet{fractionOf(setting.value)});
         break;
     }
 }
@@ -150,16 +190,16 @@ bool BreathingModel::isUnderWay(BreathingParameter parameter, double sent) const
     if (!node.pending().empty())
         return true; // the host has not answered yet
     // Decided for later, unless the host refused it or somebody decided otherwise since.
-    return same(valueOf(patternAt(node, m_station, SessionTime::max()), parameter), sent);
+    return same(valueOf(patternAt(node, m_stations.shown, SessionTime::max()), parameter), sent);
 }
 
 void BreathingModel::refresh()
 {
     for (const BreathingParameter parameter : kBreathingParameters) {
         Wish& wish = m_wishes[std::size_t(parameter)];
-        if (wish.sent && !isUnderWay(parameter, *wish.sent)) {
+        if (wish.sent && !isUnderWay(parameter, wish.sent->value)) {
             wish.sent.reset();
-            if (const std::optional<double> next = std::exchange(wish.latest, std::nullopt))
+            if (const auto next = std::exchange(wish.latest, std::nullopt))
                 ask(parameter, *next);
         }
     }

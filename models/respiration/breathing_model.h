@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/respiration/addressed_stations.h"
 #include "models/session/session_model.h"
 
 #include <array>
@@ -32,11 +33,16 @@ public:
     /// @pre session outlives this.
     BreathingModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
+    /// Shows the patient of another station from now on. What was changed before cannot be undone.
+    void setStation(StationId station);
+    /// Whether a change is for the patients of all open stations, by one fact with one effect time.
+    void setForAll(bool all);
+
     /// The value in force now.
     [[nodiscard]] double value(BreathingParameter parameter) const;
     /// The value that was requested and is not in force yet.
     [[nodiscard]] std::optional<double> pending(BreathingParameter parameter) const;
-    /// The largest tidal volume that can be set for this patient, whole millilitres.
+    /// The largest tidal volume that can be set, for all whom a change is for; whole millilitres.
     [[nodiscard]] int largestTidalVolume_ml() const;
     /// The pending changes, one per line: "Breathing rate → 24 /min"; empty if there are none.
     [[nodiscard]] QString travellingText() const;
@@ -44,7 +50,7 @@ public:
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
 
     void set(BreathingParameter parameter, double value);
-    /// Sets the parameter changed last back to what it was before.
+    /// Sets the parameter changed last back to what it was before, at each station.
     void undo();
 
 Q_SIGNALS:
@@ -52,14 +58,19 @@ Q_SIGNALS:
     void changed();
 
 private:
+    /// A value at a station, or at all.
+    struct Setting {
+        StationId station;
+        double value = 0.0;
+    };
     struct Change {
         BreathingParameter parameter;
-        double before = 0.0;
+        std::vector<Setting> before; ///< of each station that was changed
     };
     /// The requested values of one parameter.
     struct Wish {
-        std::optional<double> sent;   ///< proposed, not in force yet
-        std::optional<double> latest; ///< to be proposed once `sent` is in force
+        std::optional<Setting> sent;   ///< proposed, not in force yet
+        std::optional<Setting> latest; ///< to be proposed once `sent` is in force
     };
 
     struct Shown {
@@ -69,13 +80,14 @@ private:
         friend bool operator==(const Shown&, const Shown&) = default;
     };
 
-    void ask(BreathingParameter parameter, double value);
+    [[nodiscard]] std::vector<Setting> present(BreathingParameter parameter) const;
+    void ask(BreathingParameter parameter, const Setting& setting);
     [[nodiscard]] bool isUnderWay(BreathingParameter parameter, double sent) const;
-    void propose(BreathingParameter parameter, double value);
+    void propose(BreathingParameter parameter, const Setting& setting);
     void refresh();
 
     SessionModel& m_session;
-    StationId m_station;
+    AddressedStations m_stations;
     std::array<Wish, kBreathingParameters.size()> m_wishes;
     std::vector<Change> m_undo;
     Shown m_shown; ///< at the latest changed()

@@ -20,7 +20,7 @@ void CheckpointKeeper::keep()
     if (!now)
         return;
     for (const auto& [id, station] : state->stations())
-        if (station.respiration.runsAt(*now))
+        if (!station.closed && station.respiration.runsAt(*now))
             m_node.propose(id, m_stations[id].at(station.respiration, *now).checkpoint());
 }
 

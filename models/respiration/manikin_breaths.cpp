@@ -3,9 +3,8 @@
 namespace carina
 {
 
-ManikinBreaths::ManikinBreaths(SessionNode& node, StationId station, PoseSource marker,
-                               QObject* parent)
-    : QObject{parent}, m_node{node}, m_station{station}, m_marker{std::move(marker)}
+ManikinBreaths::ManikinBreaths(SessionNode& node, PoseSource marker, QObject* parent)
+    : QObject{parent}, m_node{node}, m_marker{std::move(marker)}
 {
     m_timer.callOnTimeout(this, &ManikinBreaths::look);
     m_timer.start(kInterval_ms);
@@ -22,7 +21,7 @@ void ManikinBreaths::look()
     const auto now = m_node.now();
     if (began && now && m_node.self() != kNobody
         && m_node.state()->phaseAt(*now) == SessionPhase::Running)
-        m_node.propose(m_station, fact::ManikinBreathed{*began});
+        m_node.propose(ownStation(m_node), fact::ManikinBreathed{*began});
 }
 
 } // namespace carina

@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// Detects the breaths of a station's manikin from a marker on its chest and reports them to the
-/// session, so that the virtual patient breathes in synchrony.
+/// Detects the breaths of the manikin at this participant's station from a marker on its chest and
+/// reports them to the session, so that the virtual patient breathes in synchrony.
 class ManikinBreaths : public QObject
 {
     Q_OBJECT
@@ -20,15 +20,13 @@ public:
 
     /// @param marker returns the newest sample of the marker in A; std::nullopt if there is none
     /// @pre node outlives this.
-    ManikinBreaths(SessionNode& node, StationId station, PoseSource marker,
-                   QObject* parent = nullptr);
+    ManikinBreaths(SessionNode& node, PoseSource marker, QObject* parent = nullptr);
 
     /// Processes the newest sample; a timer calls it every kInterval_ms.
     void look();
 
 private:
     SessionNode& m_node;
-    StationId m_station;
     PoseSource m_marker;
     BreathDetector m_detector;
     QTimer m_timer;

@@ -4,6 +4,9 @@
 
 #include <QTimer>
 
+#include <algorithm>
+#include <utility>
+
 namespace carina
 {
 namespace
@@ -48,12 +51,22 @@ struct DecisionFact {
 } // namespace
 
 RespirationModel::RespirationModel(SessionModel& session, StationId station, QObject* parent)
-    : QObject{parent}, m_session{session}, m_station{station}
+    : QObject{parent}, m_session{session}, m_stations{station}
 {
     connect(&m_session, &SessionModel::changed, this, &RespirationModel::refresh);
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &RespirationModel::refresh);
     timer->start(kRespirationLook_ms);
+}
+
+void RespirationModel::setStation(StationId station)
+{
+    if (std::exchange(m_stations.shown, station) == station)
+        return;
+    m_wishes = {};
+    m_undo.clear();
+    refresh();
+    Q_EMIT changed();
 }
 
 LungConditions RespirationModel::conditions() const { return std::get<LungConditions>(shown(0)); }
@@ -154,10 +167,11 @@ QString RespirationModel::obstacle() const
     return {};
 }
 
-RespirationModel::Decision RespirationModel::decidedAt(std::size_t thing, SessionTime t) const
+RespirationModel::Decision RespirationModel::decidedAt(StationId id, std::size_t thing,
+                                                       SessionTime t) const
 {
     const auto state = m_session.node().state();
-    const auto station = state->stations().find(m_station);
+    const auto station = state->stations().find(id);
     const RespiratorySettings settings = station != state->stations().end()
                                              ? station->second.respiration.settingsAt(t)
                                              : RespiratorySettings{};
@@ -168,13 +182,14 @@ RespirationModel::Decision RespirationModel::decidedAt(std::size_t thing, Sessio
 
 RespirationModel::Decision RespirationModel::inForce(std::size_t thing) const
 {
-    return decidedAt(thing, m_session.node().now().value_or(SessionTime{}));
+    return decidedAt(m_stations.shown, thing, m_session.node().now().value_or(SessionTime{}));
 }
 
 std::optional<RespirationModel::Decision> RespirationModel::pending(std::size_t thing) const
 {
     const Wish& wish = m_wishes[thing];
-    return wish.latest ? wish.latest : wish.sent;
+    const std::optional<Setting>& wanted = wish.latest ? wish.latest : wish.sent;
+    return wanted ? std::optional{wanted->decision} : std::nullopt;
 }
 
 RespirationModel::Decision RespirationModel::shown(std::size_t thing) const
@@ -182,42 +197,59 @@ RespirationModel::Decision RespirationModel::shown(std::size_t thing) const
     return pending(thing).value_or(inForce(thing));
 }
 
+/// The values that a change would replace, at the shown station also one that is under way.
+std::vector<RespirationModel::Setting> RespirationModel::present(std::size_t thing) const
+{
+    std::vector<Setting> settings;
+    for (const StationId id : stationsOf(*m_session.node().state(), m_stations.target()))
+        settings.push_back(
+            {id, id == m_stations.shown ? shown(thing) : decidedAt(id, thing, SessionTime::max())});
+    return settings;
+}
+
 void RespirationModel::set(const Decision& decision)
 {
-    const Decision before = shown(decision.index());
-    if (decision == before || !obstacle().isEmpty())
+    const std::size_t thing = decision.index();
+    const std::vector<Setting> before = present(thing);
+    const auto isSo = [&](const Setting& at) { return at.decision == decision; };
+    if (std::ranges::all_of(before, isSo) || !obstacle().isEmpty())
         return;
     // A drag is one change: only its first step is what undo goes back to.
     const bool goesOn =
-        !m_undo.empty() && m_undo.back().index() == decision.index() && pending(decision.index());
+        !m_undo.empty() && m_undo.back().front().decision.index() == thing && pending(thing);
     if (!goesOn)
         m_undo.push_back(before);
-    ask(decision);
+    ask({m_stations.target(), decision});
 }
 
 void RespirationModel::undo()
 {
     if (m_undo.empty())
         return;
-    const Decision before = m_undo.back();
+    const std::vector<Setting> change = m_undo.back();
     m_undo.pop_back();
-    ask(before);
+    for (const Setting& before : change)
+        if (before.station == m_stations.shown)
+            ask(before);
+        else
+            propose(before);
 }
 
-void RespirationModel::ask(const Decision& decision)
+void RespirationModel::ask(const Setting& setting)
 {
-    Wish& wish = m_wishes[decision.index()];
-    if (wish.sent)
-        wish.latest = decision;
-    else
-        propose(decision);
+    Wish& wish = m_wishes[setting.decision.index()];
+    if (wish.sent) {
+        wish.latest = setting;
+    } else {
+        wish.sent = setting;
+        propose(setting);
+    }
     Q_EMIT changed();
 }
 
-void RespirationModel::propose(const Decision& decision)
+void RespirationModel::propose(const Setting& setting)
 {
-    m_wishes[decision.index()].sent = decision;
-    m_session.node().propose(m_station, std::visit(DecisionFact{}, decision));
+    m_session.node().propose(setting.station, std::visit(DecisionFact{}, setting.decision));
 }
 
 bool RespirationModel::isUnderWay(const Decision& sent) const
@@ -227,13 +259,13 @@ bool RespirationModel::isUnderWay(const Decision& sent) const
     if (!m_session.node().pending().empty())
         return true; // the host has not answered yet
     // Decided for later, unless the host refused it or somebody decided otherwise since.
-    return decidedAt(sent.index(), SessionTime::max()) == sent;
+    return decidedAt(m_stations.shown, sent.index(), SessionTime::max()) == sent;
 }
 
 void RespirationModel::refresh()
 {
     for (Wish& wish : m_wishes) {
-        if (!wish.sent || isUnderWay(*wish.sent))
+        if (!wish.sent || isUnderWay(wish.sent->decision))
             continue;
         wish.sent.reset();
         if (const auto next = std::exchange(wish.latest, std::nullopt))

@@ -4,6 +4,7 @@
 #include "engine/lungs/mechanics/ventilation.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
+#include "models/respiration/addressed_stations.h"
 #include "models/session/session_model.h"
 
 #include <array>
@@ -29,6 +30,11 @@ class RespirationModel : public QObject
 public:
     /// @pre session outlives this.
     RespirationModel(SessionModel& session, StationId station, QObject* parent = nullptr);
+
+    /// Shows the patient of another station from now on. What was changed before cannot be undone.
+    void setStation(StationId station);
+    /// Whether a change is for the patients of all open stations, by one fact with one effect time.
+    void setForAll(bool all) { m_stations.all = all; }
 
     // The value requested or, if no change is pending, in force.
     [[nodiscard]] LungConditions conditions() const;
@@ -63,7 +69,7 @@ public:
     [[nodiscard]] QString obstacle() const;
 
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
-    /// Reverts the last change.
+    /// Reverts the last change, at each station.
     void undo();
 
 Q_SIGNALS:
@@ -75,10 +81,15 @@ private:
     using Decision = std::variant<LungConditions, VentilatorSettings, Length, BodyPosition>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
 
+    /// A value for a station, or for all.
+    struct Setting {
+        StationId station;
+        Decision decision;
+    };
     /// The requested values of one quantity.
     struct Wish {
-        std::optional<Decision> sent;   ///< proposed, not in force yet
-        std::optional<Decision> latest; ///< to be proposed once `sent` is in force
+        std::optional<Setting> sent;   ///< proposed, not in force yet
+        std::optional<Setting> latest; ///< to be proposed once `sent` is in force
     };
     struct Shown {
         std::array<Decision, kThings> decisions{LungConditions{}, VentilatorSettings{}, Length{},
@@ -89,22 +100,23 @@ private:
         friend bool operator==(const Shown&, const Shown&) = default;
     };
 
-    [[nodiscard]] Decision decidedAt(std::size_t thing, SessionTime t) const;
+    [[nodiscard]] Decision decidedAt(StationId station, std::size_t thing, SessionTime t) const;
+    [[nodiscard]] std::vector<Setting> present(std::size_t thing) const;
     [[nodiscard]] Decision inForce(std::size_t thing) const;
     [[nodiscard]] std::optional<Decision> pending(std::size_t thing) const;
     [[nodiscard]] Decision shown(std::size_t thing) const;
     [[nodiscard]] bool isUnderWay(const Decision& sent) const;
     [[nodiscard]] std::optional<LungConditions> with(std::size_t place, ConditionKind kind) const;
     void set(const Decision& decision);
-    void ask(const Decision& decision);
-    void propose(const Decision& decision);
+    void ask(const Setting& setting);
+    void propose(const Setting& setting);
     void refresh();
 
     SessionModel& m_session;
-    StationId m_station;
+    AddressedStations m_stations;
     std::array<Wish, kThings> m_wishes;
-    std::vector<Decision> m_undo; ///< the value before each change
-    Shown m_shown;                ///< at the latest changed()
+    std::vector<std::vector<Setting>> m_undo; ///< before each change, at each station
+    Shown m_shown;                            ///< at the latest changed()
 };
 
 } // namespace carina

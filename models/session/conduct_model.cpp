@@ -59,6 +59,6 @@ void ConductModel::setLocked(bool locked) { decide(fact::SessionLocked{locked});
 
 void ConductModel::changeCode(Role role) { decide(fact::RoleCodeChanged{role}); }
 
-void ConductModel::decide(FactBody body) { m_session.node().propose(StationId{}, std::move(body)); }
+void ConductModel::decide(FactBody body) { m_session.node().propose(kNoStation, std::move(body)); }
 
 } // namespace carina

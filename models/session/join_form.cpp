@@ -39,6 +39,8 @@ JoinField fieldOf(Errc refusal)
     case Errc::NameTaken:
     case Errc::NameUnclear:
         return JoinField::Name;
+    case Errc::StationUnknown:
+        return JoinField::Station;
     case Errc::CertificateExpired:
     case Errc::CertificateUntrusted:
     case Errc::CertificateOfAnother:
@@ -97,6 +99,8 @@ std::optional<JoinGap> whatIsMissing(const JoinForm& form, const std::filesystem
                        JoinWords::tr("Leave the name in the certificate empty, or type it as the "
                                      "instructor's window shows it, such as "
                                      "carina.hospital.example.")};
+    if (static_cast<std::size_t>(form.station.trimmed().toUtf8().size()) > kLongestText)
+        return JoinGap{Station, JoinWords::tr("Type a shorter name of a station, or none.")};
     return std::nullopt;
 }
 
@@ -115,7 +119,8 @@ JoinForm formOf(const JoinSettings& settings)
             .name = QString::fromStdString(settings.participantName),
             .role = settings.role,
             .certificate = settings.certificate ? QString::fromStdString(settings.certificate->name)
-                                                : QString{}};
+                                                : QString{},
+            .station = QString::fromStdString(settings.station)};
 }
 
 void fillIn(JoinSettings& settings, const JoinForm& form)
@@ -126,6 +131,7 @@ void fillIn(JoinSettings& settings, const JoinForm& form)
     settings.address = form.address.trimmed().toStdString();
     settings.port = form.port.trimmed().toUShort();
     settings.role = form.role;
+    settings.station = form.station.trimmed().toStdString();
     settings.code.reset();
     if (const auto code = JoinCode::parse(form.code.toStdString()))
         settings.code = *code;

@@ -17,9 +17,10 @@ struct JoinForm {
     QString name{};
     Role role = Role::Trainee;
     QString certificate{}; ///< the name in the host's certificate, if it has one
+    QString station{};     ///< its name; empty: where this participant was last, else the first
 };
 
-enum class JoinField : std::uint8_t { Address, Port, Code, Name, Certificate };
+enum class JoinField : std::uint8_t { Address, Port, Code, Name, Certificate, Station };
 
 /// What has to be corrected in a form, and in which field.
 struct JoinGap {

@@ -29,6 +29,12 @@ QString roleText(Role role)
     return {};
 }
 
+QString stationName(const SessionState& state, StationId station)
+{
+    const auto found = state.stations().find(station);
+    return found == state.stations().end() ? kNothing : QString::fromStdString(found->second.name);
+}
+
 /// The number in place of %1.
 QString number(const std::optional<double>& value, int decimals, const QString& words)
 {
@@ -130,6 +136,8 @@ QString ParticipantsModel::cell(const Row& row, int column)
         return row.name;
     case RoleColumn:
         return row.role;
+    case Station:
+        return row.station;
     case State:
         return row.state;
     case Registration:
@@ -185,6 +193,8 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
         return tr("Name");
     case RoleColumn:
         return tr("Role");
+    case Station:
+        return tr("Station");
     case State:
         return tr("State");
     case Registration:
@@ -241,6 +251,7 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
         Row row{.id = id,
                 .name = QString::fromStdString(participant.name),
                 .role = roleText(participant.role),
+                .station = stationName(*state, participant.station),
                 .state = stateText(participant, links)};
         if (participant.removal && !participant.present)
             row.reason =

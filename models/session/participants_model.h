@@ -11,7 +11,7 @@
 namespace carina
 {
 
-/// The participants of the session as a table: name, role, connection state, how far the
+/// The participants of the session as a table: name, role, station, connection state, how far the
 /// registration of their manikin can be relied on, how much they send to the host, age of the
 /// newest pose sample, and drift: how far this program's view of their objects was from theirs at
 /// the same session time.
@@ -23,6 +23,7 @@ public:
     enum Column {
         Name,
         RoleColumn,
+        Station,
         State,
         Registration,
         Sends,
@@ -57,6 +58,7 @@ private:
         ParticipantId id;
         QString name;
         QString role;
+        QString station;
         QString state;
         QString reason{};                                   ///< of a removal
         std::optional<RegistrationStanding> registration{}; ///< while present

@@ -98,7 +98,7 @@ void SessionModel::end() { setPhase(SessionPhase::Ended); }
 
 void SessionModel::setPhase(SessionPhase phase)
 {
-    m_node.propose(StationId{}, fact::PhaseChanged{phase});
+    m_node.propose(kNoStation, fact::PhaseChanged{phase});
 }
 
 } // namespace carina

@@ -30,7 +30,7 @@ void StandingReport::tell(const RegistrationStanding& standing)
         return;
     m_told = standing;
     m_again = *now + kAgain;
-    m_node.propose(m_station, fact::RegistrationStated{standing});
+    m_node.propose(kNoStation, fact::RegistrationStated{standing});
 }
 
 } // namespace carina

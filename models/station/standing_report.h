@@ -11,7 +11,7 @@ class StandingReport
 {
 public:
     /// @pre node outlives this.
-    StandingReport(SessionNode& node, StationId station) : m_node{node}, m_station{station} {}
+    explicit StandingReport(SessionNode& node) : m_node{node} {}
 
     /// To be called often: it proposes a fact only where the session does not have this standing,
     /// and the same one at most once a second.
@@ -19,7 +19,6 @@ public:
 
 private:
     SessionNode& m_node;
-    StationId m_station;
     std::optional<RegistrationStanding> m_told;
     SessionTime m_again{}; ///< from when on the same may be proposed again
 };

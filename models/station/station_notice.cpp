@@ -18,6 +18,8 @@ namespace
 constexpr Duration kHostSilent = std::chrono::milliseconds{800};
 /// For so long it is said that a token was replaced.
 constexpr Duration kTokenTold = std::chrono::minutes{1};
+/// For so long it is said that an instructor moved this participant.
+constexpr Duration kMoveTold = std::chrono::seconds{15};
 
 QString noticeWords(const char* text) { return QCoreApplication::translate("StationNotice", text); }
 
@@ -67,6 +69,13 @@ QString standing(const SessionNode& node, SessionTime now)
             "StationNotice", "Another program was here with your name and token. It had to leave, "
                              "and this one has a new token. If that was not you, tell the "
                              "instructor.")));
+    const auto station = state->stations().find(self->second.station);
+    if (const auto& at = self->second.moved;
+        at && now < *at + kMoveTold && station != state->stations().end())
+        lines.append(noticeWords(QT_TRANSLATE_NOOP("StationNotice",
+                                                   "The instructor has moved you to the station "
+                                                   "“%1”"))
+                         .arg(QString::fromStdString(station->second.name)));
     return lines.join(QLatin1Char{'\n'});
 }
 

@@ -82,6 +82,13 @@ StationView::StationView(const SessionNode& node, StationId station, const LungP
 {
 }
 
+void StationView::setStation(StationId station, ObjectPoses poses)
+{
+    m_station = station;
+    m_poses = std::move(poses);
+    m_breathing = {};
+}
+
 StationMoment StationView::at(SessionTime t, std::size_t level) const
 {
     StationMoment moment;

@@ -51,6 +51,9 @@ public:
     StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                 ObjectPoses poses);
 
+    /// Shows another station from now on, with the same patient.
+    void setStation(StationId station, ObjectPoses poses);
+
     /// Multiplies the motion of the chest from rest, within its range; 1 by default. The drawn
     /// volumes are then not the patient's, and the view must say so.
     void exaggerate(double factor) { m_exaggeration = factor; }

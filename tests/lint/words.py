@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""lint.words ROOT: no path of one machine, and no promise of later work, in any file."""
+"""lint.words ROOT: no path of one machine, and no promise of later work, in any file; no number of
+a station in a program, because stations follow from the session."""
 
 import re
 import sys
@@ -13,6 +14,13 @@ REFUSED = [
     (re.compile(r"\b(?:[T]ODO|[F]IXME|[X]XX)\b"), "a promise of later work"),
 ]
 OTHERS_TEXTS = {"LICENSE"}
+STATION_NUMBER = (re.compile(r"\bStationId(?:\s+\w+)?\s*[({]\s*\d"), "the number of a station")
+PROGRAMS = {"apps", "ui", "models", "evaluation"}
+
+
+def refused_in(path):
+    is_program = path.parts[0] in PROGRAMS or path.parts[:2] == ("engine", "net")
+    return REFUSED + [STATION_NUMBER] if is_program else REFUSED
 
 
 def faults_of(root):
@@ -21,7 +29,7 @@ def faults_of(root):
         text = None if path.name in OTHERS_TEXTS else tree.text_of(root, path)
         for number, line in enumerate((text or "").splitlines(), start=1):
             faults += [f"{path}:{number}: {what}: {line.strip()}"
-                       for pattern, what in REFUSED if pattern.search(line)]
+                       for pattern, what in refused_in(path) if pattern.search(line)]
     return faults
 
 

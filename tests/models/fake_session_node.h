@@ -27,7 +27,7 @@ public:
     {
         m_actions.setSelf(self);
         decide(fact::SessionCreated{"Routine intubation", "00ff"});
-        decide(fact::StationAdded{"Station 1"});
+        addStation("Station 1");
         decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
         decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
         decide(fact::ParticipantJoined{{}, Role::Observer, "Olga"});
@@ -41,9 +41,15 @@ public:
     /// The host decides by itself, or for somebody else.
     void decide(FactBody body, ParticipantId author = kHost)
     {
-        judge({nextId(), author, kStation, std::move(body)});
+        decideAt(kStation, std::move(body), author);
+    }
+    void decideAt(StationId station, FactBody body, ParticipantId author = kHost)
+    {
+        judge({nextId(), author, station, std::move(body)});
         announce();
     }
+    /// Its number follows that of the station added last; the first is kStation.
+    void addStation(const char* name) { decideAt(kNoStation, fact::StationAdded{name}); }
     /// The virtual patient becomes something to act on.
     void sharePatient(ParticipantId owner)
     {
@@ -124,7 +130,7 @@ public:
             bodies.push_back(proposal.body);
         return bodies;
     }
-    void publish(StationId, ObjectKind, std::string, PoseSource) override {}
+    void publish(ObjectKind, std::string, PoseSource) override {}
     [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId) const override
     {
         return nullptr;

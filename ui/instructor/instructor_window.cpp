@@ -53,11 +53,15 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
                                    RespirationModel& respiration, BreathTrace& trace,
                                    ParticipantsModel& participants, ConductModel& conduct,
                                    NetworkModel& network, ObjectActionModel& actions,
-                                   const PatientModel& patient, StationView& view)
+                                   StationsModel& stations, SessionPatient& patient,
+                                   StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_respiration{respiration},
       m_participants{participants},
+      m_stations{stations},
+      m_patient{patient},
+      m_view{&view},
       m_phase{new QLabel{this}},
       m_status{new QLabel{this}}
 {
@@ -66,7 +70,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);
     m_ui->waveforms->setTrace(trace);
-    m_ui->participants->setModel(participants, conduct);
+    m_ui->participants->setModel(participants, conduct, stations);
+    m_ui->stations->setModel(stations);
     m_ui->network->setModel(network);
     refreshInvitation();
     connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &conduct, &ConductModel::changeCode);
@@ -77,7 +82,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->actions->setModel(actions);
     layDocks();
     m_ui->scene->setBackground(palette().color(QPalette::Base));
-    m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
+    m_stationScene = std::make_unique<StationScene>(*m_ui->scene, *patient.patient(), view);
     m_ui->parts->setScene(*m_ui->scene);
     m_ui->section->setScene(*m_ui->scene);
     m_ui->partsPage->setFocusProxy(m_ui->parts);
@@ -87,7 +92,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_status->setToolTip(
         tr("Oldest sample: time since the oldest pose now drawn was measured (latency)"));
     fillSessionBar();
-    connectViews(view);
+    connectViews();
 
     connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};
@@ -99,6 +104,15 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
 }
 
 InstructorWindow::~InstructorWindow() = default;
+
+void InstructorWindow::show(const PatientModel& patient, StationView& view)
+{
+    m_view = &view;
+    view.exaggerate(m_ui->exaggeration->value());
+    m_stationScene->show(patient, view);
+    m_ui->parts->setScene(*m_ui->scene);
+    m_ui->section->setScene(*m_ui->scene);
+}
 
 void InstructorWindow::layDocks()
 {
@@ -154,7 +168,7 @@ void InstructorWindow::fillSessionBar()
     raises(m_ui->showNetwork, m_ui->networkDock);
 }
 
-void InstructorWindow::connectViews(StationView& view)
+void InstructorWindow::connectViews()
 {
     const auto shows = [this](ViewPreset preset) {
         return [this, preset] { m_ui->scene->showFrom(preset); };
@@ -163,7 +177,7 @@ void InstructorWindow::connectViews(StationView& view)
     connect(m_ui->side, &QToolButton::clicked, this, shows(ViewPreset::Right));
     connect(m_ui->head, &QToolButton::clicked, this, shows(ViewPreset::Trainee));
     connect(m_ui->exaggeration, &QDoubleSpinBox::valueChanged, this,
-            [&view](double factor) { view.exaggerate(factor); });
+            [this](double factor) { m_view->exaggerate(factor); });
 }
 
 void InstructorWindow::endOnSecondPress()
@@ -187,7 +201,7 @@ void InstructorWindow::refresh()
                          .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
                               m_session.runningTimeText()));
     m_phase->setMinimumWidth(std::max(m_phase->minimumWidth(), m_phase->sizeHint().width()));
-    m_ui->patientState->setText(tr("● Condition: %1").arg(m_respiration.inForceText()));
+    m_ui->patientState->setText(patientText());
     m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
     m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
     m_ui->start->setEnabled(m_session.canStart());
@@ -196,6 +210,15 @@ void InstructorWindow::refresh()
     m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
     refreshInvitation();
     refreshStatus();
+}
+
+QString InstructorWindow::patientText() const
+{
+    QString text = tr("● Condition: %1").arg(m_respiration.inForceText());
+    if (m_stations.isForAll())
+        text = tr("▲ Changes of breathing and condition are for all %1 stations.   %2")
+                   .arg(QString::number(m_stations.open().size()), text);
+    return text;
 }
 
 void InstructorWindow::refreshInvitation()
@@ -220,6 +243,8 @@ void InstructorWindow::refreshStatus()
     QStringList told = m_participants.replacedTokens(moment.time);
     if (const auto doubtful = m_participants.doubtfulRegistrations(); !doubtful.isEmpty())
         told += tr("▲ %n registration(s) not to be relied on", nullptr, int(doubtful.size()));
+    if (const QString patient = m_patient.notice(); !patient.isEmpty())
+        told += patient;
     if (isAway(moment))
         told += tr("▲ patient not in its original place");
     if (moment.exaggeration != 1.0)

@@ -2,12 +2,14 @@
 
 #include "models/network/network_model.h"
 #include "models/objects/object_action_model.h"
+#include "models/patient/session_patient.h"
 #include "models/respiration/breath_trace.h"
 #include "models/respiration/breathing_model.h"
 #include "models/respiration/respiration_model.h"
 #include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
 #include "models/session/session_model.h"
+#include "models/station/stations_model.h"
 #include "ui/scene/station_scene.h"
 
 #include <QLabel>
@@ -23,8 +25,9 @@ class InstructorWindow;
 namespace carina
 {
 
-/// The instructor's console: session control, breathing and disease of the patient, respiratory
-/// waveforms, participants, network, actions on shared objects, and a 3-D view of the patient.
+/// The instructor's console: session control, and for the station that is shown breathing and
+/// disease of the patient, respiratory waveforms, actions on shared objects, and a 3-D view of the
+/// patient; besides, stations, participants and network.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT
@@ -34,8 +37,14 @@ public:
     InstructorWindow(SessionModel& session, BreathingModel& breathing,
                      RespirationModel& respiration, BreathTrace& trace,
                      ParticipantsModel& participants, ConductModel& conduct, NetworkModel& network,
-                     ObjectActionModel& actions, const PatientModel& patient, StationView& view);
+                     ObjectActionModel& actions, StationsModel& stations, SessionPatient& patient,
+                     StationView& view);
     ~InstructorWindow() override;
+
+    /// Draws another patient from now on. @pre both outlive the window, or live until the next
+    /// show.
+    void show(const PatientModel& patient, StationView& view);
+    using QMainWindow::show;
 
     [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
 
@@ -45,7 +54,8 @@ protected:
 private:
     void fillSessionBar();
     void layDocks();
-    void connectViews(StationView& view);
+    void connectViews();
+    [[nodiscard]] QString patientText() const;
     void refreshInvitation();
     void endOnSecondPress();
     void refresh();
@@ -55,6 +65,9 @@ private:
     SessionModel& m_session;
     const RespirationModel& m_respiration;
     ParticipantsModel& m_participants;
+    const StationsModel& m_stations;
+    const SessionPatient& m_patient;
+    StationView* m_view;
     std::unique_ptr<StationScene> m_stationScene;
     QLabel* m_phase;
     QLabel* m_status;

@@ -39,6 +39,7 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
       m_code{field("code", tr("Code"), begin.code)},
       m_name{field("name", tr("Your name"), begin.name)},
       m_role{new QComboBox},
+      m_station{field("station", tr("Station"), begin.station)},
       m_certificate{field("certificate", tr("Name in its certificate"), begin.certificate)},
       m_typed{new QWidget{this}},
       m_missing{wrapping("missing")},
@@ -56,6 +57,7 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
     m_role->addItem(tr("Observer, who watches and changes nothing"),
                     QVariant::fromValue(static_cast<int>(Role::Observer)));
     m_role->setCurrentIndex(m_role->findData(static_cast<int>(begin.role)));
+    m_station->setPlaceholderText(tr("empty for the first, or where you were last"));
     m_certificate->setPlaceholderText(tr("empty if the instructor's window names none"));
     m_code->setPlaceholderText(tr("empty if you were in this session before"));
     layOut();
@@ -77,7 +79,8 @@ JoinForm JoinDialog::form() const
             m_code->text(),
             m_name->text(),
             static_cast<Role>(m_role->currentData().toInt()),
-            m_certificate->text()};
+            m_certificate->text(),
+            m_station->text()};
 }
 
 QLineEdit* JoinDialog::field(const char* name, const QString& label, const QString& text)
@@ -100,6 +103,7 @@ void JoinDialog::layOut()
     form->addRow(tr("&Code of your role"), m_code);
     form->addRow(tr("Your &name"), m_name);
     form->addRow(tr("&Role"), m_role);
+    form->addRow(tr("St&ation"), m_station);
     form->addRow(tr("Cer&tificate"), m_certificate);
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
     buttons->addButton(m_join, QDialogButtonBox::AcceptRole);
@@ -190,6 +194,8 @@ QLineEdit* JoinDialog::fieldOf(JoinField field) const
         return m_name;
     case JoinField::Certificate:
         return m_certificate;
+    case JoinField::Station:
+        return m_station;
     }
     return nullptr;
 }

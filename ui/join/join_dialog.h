@@ -52,6 +52,7 @@ private:
     QLineEdit* m_code;
     QLineEdit* m_name;
     QComboBox* m_role;
+    QLineEdit* m_station;
     QLineEdit* m_certificate;
     QWidget* m_typed; ///< parent of all input fields above
     QLabel* m_missing;

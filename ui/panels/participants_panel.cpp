@@ -23,16 +23,21 @@ ParticipantsPanel::ParticipantsPanel(QWidget* parent)
 
 ParticipantsPanel::~ParticipantsPanel() = default;
 
-void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& conduct)
+void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& conduct,
+                                 StationsModel& stations)
 {
     m_conduct = &conduct;
     m_participants = &participants;
+    m_stations = &stations;
     m_ui->table->setModel(&participants);
     // A long name gives way, and no number.
     QHeaderView* header = m_ui->table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setMaximumSectionSize(kWidestColumn);
     header->setStretchLastSection(true);
+    m_ui->move->setMenu(&m_moves);
+    connect(&m_moves, &QMenu::aboutToShow, this, &ParticipantsPanel::offerStations);
+    connect(&stations, &StationsModel::changed, this, &ParticipantsPanel::refresh);
     connect(&conduct, &ConductModel::changed, this, &ParticipantsPanel::refresh);
     connect(&participants, &QAbstractItemModel::modelReset, this, &ParticipantsPanel::refresh);
     connect(m_ui->table->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -82,10 +87,33 @@ void ParticipantsPanel::refresh()
     m_ui->remove->setText(standing.isBanned ? tr("&Let back in") : tr("Remo&ve…"));
     m_ui->remove->setEnabled(standing.canRemove || standing.isBanned);
     m_ui->lock->setChecked(m_conduct->isLocked());
+    const bool areSeveral = m_stations->open().size() > 1;
+    m_ui->table->setColumnHidden(ParticipantsModel::Station, !areSeveral);
+    m_ui->move->setVisible(areSeveral);
+    m_ui->move->setEnabled(id.has_value());
     const QString whom =
         standing.name.isEmpty() ? tr("Choose a participant in the table") : standing.name;
     m_ui->mute->setAccessibleDescription(whom);
     m_ui->remove->setAccessibleDescription(whom);
+    m_ui->move->setAccessibleDescription(whom);
+}
+
+void ParticipantsPanel::offerStations()
+{
+    m_moves.clear();
+    const auto id = chosen();
+    if (!id)
+        return;
+    for (const StationsModel::Row& row : m_stations->open()) {
+        QString name = row.name;
+        name.replace(QLatin1Char('&'), QStringLiteral("&&")); // no mnemonic
+        QAction* move = m_moves.addAction(
+            name, this, [this, id = *id, to = row.id] { m_stations->move(id, to); });
+        const bool isThere = m_stations->stationOf(*id) == row.id;
+        move->setCheckable(isThere);
+        move->setChecked(isThere);
+        move->setEnabled(!isThere);
+    }
 }
 
 void ParticipantsPanel::muteOrNot()

@@ -2,7 +2,9 @@
 
 #include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
+#include "models/station/stations_model.h"
 
+#include <QMenu>
 #include <QWidget>
 
 #include <memory>
@@ -16,7 +18,8 @@ namespace carina
 {
 
 /// The participants of the session as a table, and what an instructor may decide about the chosen
-/// one: mute, remove, let back in. Besides, the session can be locked.
+/// one: mute, remove, let back in, and, where several stations are open, move to another one.
+/// Besides, the session can be locked.
 class ParticipantsPanel : public QWidget
 {
     Q_OBJECT
@@ -26,7 +29,7 @@ public:
     ~ParticipantsPanel() override;
 
     /// @pre the models outlive the panel.
-    void setModel(ParticipantsModel& participants, ConductModel& conduct);
+    void setModel(ParticipantsModel& participants, ConductModel& conduct, StationsModel& stations);
 
 Q_SIGNALS:
     /// Somebody was removed for good, who still knows the code of the role.
@@ -36,6 +39,7 @@ private:
     void refresh();
     /// Says of whom the registration cannot be relied on, and why.
     void refreshDoubts();
+    void offerStations();
     void muteOrNot();
     /// Asks why, and removes; lets a banned participant back in at once.
     void removeOrLetBack();
@@ -44,6 +48,8 @@ private:
     std::unique_ptr<Ui::ParticipantsPanel> m_ui;
     ParticipantsModel* m_participants = nullptr;
     ConductModel* m_conduct = nullptr;
+    StationsModel* m_stations = nullptr;
+    QMenu m_moves; ///< a station each
 };
 
 } // namespace carina

@@ -54,6 +54,11 @@ void WaveformPanel::setTrace(BreathTrace& trace)
 {
     m_trace = &trace;
     connect(&trace, &BreathTrace::sampled, this, &WaveformPanel::show);
+    connect(&trace, &BreathTrace::startedAfresh, this, [this] {
+        for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
+            plot->clear();
+        refreshFigures();
+    });
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &WaveformPanel::refreshFigures);
     timer->start(kFiguresInterval_ms);

@@ -1,5 +1,6 @@
 #include "ui/trainee/trainee_window.h"
 
+#include "models/station/own_station.h"
 #include "models/station/station_notice.h"
 #include "ui/panels/actions_panel.h"
 #include "ui/panels/parts_panel.h"
@@ -115,6 +116,7 @@ void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& m
 
 void TraineeWindow::makeMenu()
 {
+    addStation();
     addOutputs();
     m_menu.addSeparator();
     addPresets();
@@ -133,6 +135,20 @@ void TraineeWindow::makeMenu()
     open->setShortcutContext(Qt::ApplicationShortcut); // also while the scene has the keyboard
     connect(open, &QAction::triggered, this, [this] { m_menu.popup(mapToGlobal(menuPlace())); });
     addAction(open);
+}
+
+void TraineeWindow::addStation()
+{
+    QAction* station = m_menu.addAction(QString{});
+    station->setEnabled(false);
+    QAction* end = m_menu.addSeparator();
+    const auto say = [=, this] {
+        station->setText(stationText(m_node));
+        station->setVisible(!station->text().isEmpty());
+        end->setVisible(station->isVisible());
+    };
+    connect(&m_menu, &QMenu::aboutToShow, this, say);
+    say();
 }
 
 void TraineeWindow::addOutputs()

@@ -54,6 +54,8 @@ private:
     void makeParts();
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
+    /// Says at which station this is, where there are several.
+    void addStation();
     void addOutputs();
     void addPresets();
     void addMotion();

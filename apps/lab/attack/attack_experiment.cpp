@@ -74,7 +74,6 @@ private:
         return SessionNode::join({.port = m_session->port(),
                                   .participantName = name,
                                   .role = role,
-                                  .station = kAttackedStation,
                                   .code = m_session->codes().at(role),
                                   .derive = m_derive});
     }

@@ -63,8 +63,8 @@ protected:
     {
         std::vector<WireRecord> proposals;
         for (int i = 0; i < kProposals; ++i)
-            proposals.emplace_back(toRecord(Proposal{ProposalId{m_random()}, kNobody,
-                                                     kAttackedStation, body(*intruder.welcome())}));
+            proposals.emplace_back(toRecord(Proposal{
+                ProposalId{m_random()}, kNobody, intruder.station(), body(*intruder.welcome())}));
         intruder.send(proposals);
     }
 
@@ -157,14 +157,14 @@ protected:
     void flood(Intruder& intruder) override
     {
         const Welcome& me = *intruder.welcome();
-        if (!m_shared) {
+        if (!m_shared && intruder.station() != kNoStation) {
             m_shared = true;
             const WireRecord proposal = toRecord(
-                Proposal{ProposalId{m_random()}, kNobody, kAttackedStation,
+                Proposal{ProposalId{m_random()}, kNobody, intruder.station(),
                          fact::ObjectShared{ObjectId{}, me.participant, ObjectKind::Tube, "Tube"}});
             intruder.send(std::span{&proposal, 1});
         }
-        StreamGroup group{me.participant, me.epoch, kAttackedStation, {}};
+        StreamGroup group{me.participant, me.epoch, intruder.station(), {}};
         for (std::uint16_t object = 1; object <= kStreamsPerGroup; ++object)
             group.streams.push_back(sampleOf(ObjectId{object}, intruder.sessionNow()));
         const WireRecord record = group;

@@ -19,12 +19,21 @@ SessionTime Intruder::sessionNow() const
     return SessionTime{monotonicNow().time_since_epoch() + m_sessionOffset};
 }
 
+/// The epoch is the number of the fact that it joined.
+StationId Intruder::station() const
+{
+    for (const FactRecord& fact : m_facts)
+        if (m_welcome && static_cast<std::uint16_t>(fact.number.value) == m_welcome->epoch)
+            return fact.station;
+    return kNoStation;
+}
+
 void Intruder::hello(const std::string& name, ProposalId id, std::uint32_t connection)
 {
     m_header.connection = connection;
     m_header.sequence = 0;
     m_header.sender = kNobody;
-    const Proposal join{id, kNobody, kAttackedStation,
+    const Proposal join{id, kNobody, kNoStation,
                         fact::ParticipantJoined{ParticipantId{}, m_role, name}};
     const WireRecord record = Hello{{}, {}, toRecord(join)};
     send(std::span{&record, 1});

@@ -11,9 +11,6 @@
 namespace carina::lab
 {
 
-/// At which intruder, witness and newcomers are.
-inline constexpr StationId kAttackedStation{0};
-
 /// How an intruder gets in: what anybody with a role's code has.
 struct WayIn {
     std::uint16_t port = 0; ///< of the host, on this computer
@@ -35,6 +32,8 @@ public:
     [[nodiscard]] int ended() const { return m_ended; }
     /// As whom the host admitted it last; nothing before.
     [[nodiscard]] const std::optional<Welcome>& welcome() const { return m_welcome; }
+    /// The station that the host admitted it to; kNoStation before it was told.
+    [[nodiscard]] StationId station() const;
     /// Why the host refused its last Hello, if it did.
     [[nodiscard]] const std::optional<Errc>& helloRefused() const { return m_helloRefused; }
     /// The facts that the host sent, in order of arrival.

@@ -8,7 +8,6 @@ namespace carina::lab
 namespace
 {
 
-constexpr StationId kStation{0};
 constexpr std::array kNames{"turned", "moved"};
 
 Result<std::unique_ptr<SessionNode>> makeNode(const LiveOrders& orders, const QString& folder)
@@ -21,7 +20,6 @@ Result<std::unique_ptr<SessionNode>> makeNode(const LiveOrders& orders, const QS
         return SessionNode::join({.port = orders.port,
                                   .participantName = orders.name,
                                   .role = Role::Trainee,
-                                  .station = kStation,
                                   .code = JoinCode::random(),
                                   .address = orders.address,
                                   .derive = derive});
@@ -66,7 +64,8 @@ std::optional<ObjectId> LiveParticipant::find(Which which) const
 void LiveParticipant::share()
 {
     for (const char* name : kNames)
-        m_node->propose(kStation, fact::ObjectShared{{}, m_node->self(), ObjectKind::Tube, name});
+        m_node->propose(ownStation(*m_node),
+                        fact::ObjectShared{{}, m_node->self(), ObjectKind::Tube, name});
     m_hasShared = true;
 }
 

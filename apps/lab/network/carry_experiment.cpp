@@ -16,7 +16,6 @@ namespace carina::lab
 namespace
 {
 
-constexpr StationId kCarriedStation{0};
 constexpr Duration kLook = std::chrono::microseconds{100}; ///< between two looks at what came
 constexpr Duration kComingIn = std::chrono::seconds{20};
 
@@ -57,8 +56,9 @@ public:
         if (!host)
             return tl::unexpected(host.error());
         m_host = *std::move(host);
-        m_host->propose(kCarriedStation, fact::AnatomyChosen{set.anatomy.contentHash, "Made up"});
-        m_host->publish(kCarriedStation, ObjectKind::Tube, "Tube", [this] { return tubeNow(); });
+        m_host->propose(ownStation(*m_host),
+                        fact::AnatomyChosen{set.anatomy.contentHash, "Made up"});
+        m_host->publish(ObjectKind::Tube, "Tube", [this] { return tubeNow(); });
         return join();
     }
 
@@ -119,7 +119,6 @@ private:
     {
         auto client = SessionNode::join({.port = m_host->port(),
                                          .participantName = "Trainee",
-                                         .station = kCarriedStation,
                                          .code = m_host->joinCodes().at(Role::Trainee),
                                          .derive = sameKey});
         if (!client)

@@ -11,8 +11,6 @@ namespace carina::lab
 namespace
 {
 
-constexpr StationId kStation{0};
-
 bool isIn(const SessionState& state, Role role)
 {
     return std::ranges::any_of(state.participants(), [role](const auto& entry) {
@@ -46,7 +44,6 @@ JoinSettings SoakScript::entry(Role role, const char* name) const
     return {.port = m_port,
             .participantName = name,
             .role = role,
-            .station = kStation,
             .code = m_codes.at(role),
             .tokens = m_tokens.path().toStdString()};
 }
@@ -86,9 +83,10 @@ void SoakScript::changePatient()
 {
     const PatientParameters parameters =
         parametersOf(m_patients % 2 == 0 ? BuiltinPatient::Adult : BuiltinPatient::TwelveYears);
-    m_instructor->propose(kStation, fact::AnatomyChosen{madeHash(parameters), nameOf(parameters)});
+    const StationId station = ownStation(*m_instructor);
+    m_instructor->propose(station, fact::AnatomyChosen{madeHash(parameters), nameOf(parameters)});
     for (const FactBody& told : introducedPatient(buildOf(dimensionsFor(parameters).value())))
-        m_instructor->propose(kStation, told);
+        m_instructor->propose(station, told);
     ++m_patients;
 }
 
@@ -102,7 +100,8 @@ void SoakScript::changeBreathing()
         fact::LungConditionsSet{{}},
         fact::PhaseChanged{SessionPhase::Paused},
         fact::PhaseChanged{SessionPhase::Running}};
-    m_instructor->propose(kStation, events[static_cast<std::size_t>(m_events) % events.size()]);
+    m_instructor->propose(ownStation(*m_instructor),
+                          events[static_cast<std::size_t>(m_events) % events.size()]);
     ++m_events;
 }
 

@@ -54,9 +54,9 @@ ClientDriver::ClientDriver(const JoinSettings& settings, NodeBoard& board, Local
       m_door{settings.address, settings.port, {}},
       m_expectsCertificate{settings.certificate.has_value()},
       m_board{board},
-      m_core{newProposal(settings.station, fact::ParticipantJoined{ParticipantId{}, settings.role,
-                                                                   settings.participantName}),
-             QRandomGenerator::system()->generate(), now}
+      m_core{newProposal(kNoStation, fact::ParticipantJoined{ParticipantId{}, settings.role,
+                                                             settings.participantName}),
+             QRandomGenerator::system()->generate(), now, settings.station}
 {
     show(now);
 }
@@ -104,9 +104,9 @@ void ClientDriver::propose(StationId station, FactBody body, LocalTime now)
     m_core.propose(newProposal(station, std::move(body)), now);
 }
 
-void ClientDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+void ClientDriver::publish(ObjectKind kind, std::string name, PoseSource newest)
 {
-    m_publications.add(station, kind, std::move(name), std::move(newest));
+    m_publications.add(kind, std::move(name), std::move(newest));
 }
 
 NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
@@ -125,7 +125,7 @@ NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
         if (!apply(record, now))
             break;
     for (const StreamSample& sample : output.streams)
-        m_board.objects.take(sample.cpo, m_core.clock().mapping()->at(now));
+        m_board.objects.take(sample, m_core.clock().mapping()->at(now));
     for (const ShownPose& shown : output.shown)
         m_views.compare(shown);
     for (const RefusedProposal& refused : output.refused)
@@ -216,6 +216,9 @@ bool ClientDriver::apply(const FactRecord& record, LocalTime now)
     noteStrategy(fact->body, now);
     if (const auto object = objectOf(fact->body); object && m_state.objects().contains(*object))
         share(m_state.objects().at(*object));
+    if (changesPlace(fact->body))
+        for (const auto& [id, object] : m_state.objects())
+            share(object);
     return true;
 }
 
@@ -257,7 +260,7 @@ void ClientDriver::share(const SharedObject& object)
     if (object.owner == m_core.self())
         m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object.id, object.owner);
+        m_board.objects.add(object.id, object.owner, object.station);
 }
 
 NodeDriver::Datagrams ClientDriver::addressed(std::vector<std::vector<std::byte>> datagrams) const

@@ -25,7 +25,7 @@ public:
     void refused(const Error& why, LocalTime now) override;
     void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
     void propose(StationId station, FactBody body, LocalTime now) override;
-    void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    void publish(ObjectKind kind, std::string name, PoseSource newest) override;
     void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;

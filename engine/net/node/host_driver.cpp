@@ -5,6 +5,7 @@
 #include "engine/net/node/host_clock.h"
 #include "engine/session/facts/fact_codec.h"
 #include "engine/session/participant_limits.h"
+#include "engine/session/station_rules.h"
 
 #include <QCryptographicHash>
 #include <QRandomGenerator>
@@ -19,7 +20,6 @@ namespace
 {
 
 constexpr ParticipantId kSelf{0};
-constexpr StationId kFirstStation{0};
 /// Shortest interval of storing actions, so that rapid actions do not keep the disk busy.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
 /// Of showing when each peer was last heard; who comes or goes is shown at once.
@@ -124,11 +124,11 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
                            Duration clockOffset)
 {
     HostRules rules{
-        [this](const ProposalRecord& join, LocalTime now) {
-            return m_paths.hearsHello(m_speaker, now) ? identify(join, now)
+        [this](const Hello& hello, LocalTime now) {
+            return m_paths.hearsHello(m_speaker, now) ? identify(hello, now)
                                                       : Result<Identity>{fail(Errc::TooMuchSent)};
         },
-        [this](const ProposalRecord& join, LocalTime now) { return admit(join, now); },
+        [this](const Hello& hello, LocalTime now) { return admit(hello, now); },
         [this](ProposalId proposal) { return m_decided.settled(proposal).has_value(); },
         [this](const ProposalRecord& record, LocalTime now) { return decideForPeer(record, now); },
         [this](ParticipantId participant, LocalTime now) { left(participant, now); },
@@ -138,7 +138,8 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
         },
         [this](ParticipantId participant) {
             return limitsOf(m_stored.state().participants().at(participant).role);
-        }};
+        },
+        [this](ParticipantId participant) { return m_stored.state().stationOf(participant); }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
     for (const auto& [id, object] : m_stored.state().objects())
@@ -157,10 +158,9 @@ void HostDriver::resumeActions(const std::vector<EventCpo>& actions, LocalTime n
 Result<void> HostDriver::begin(const HostSettings& settings, const std::string& sessionId,
                                LocalTime now)
 {
-    return decideByHost(kFirstStation, fact::SessionCreated{settings.sessionName, sessionId}, now)
-        .and_then([&] {
-            return decideByHost(kFirstStation, fact::StationAdded{kFirstStationName}, now);
-        });
+    return decideByHost(kNoStation, fact::SessionCreated{settings.sessionName, sessionId}, now)
+        .and_then(
+            [&] { return decideByHost(kNoStation, fact::StationAdded{kFirstStationName}, now); });
 }
 
 Result<void> HostDriver::chooseStrategy(const HostSettings& settings, LocalTime now)
@@ -168,7 +168,7 @@ Result<void> HostDriver::chooseStrategy(const HostSettings& settings, LocalTime 
     StrategyChoice choice = m_decided.state().strategy();
     if (!settings.strategy || std::exchange(choice.kind, *settings.strategy) == *settings.strategy)
         return {};
-    return decideByHost(kFirstStation, fact::StrategyChosen{choice}, now);
+    return decideByHost(kNoStation, fact::StrategyChosen{choice}, now);
 }
 
 void HostDriver::joinItself(const std::string& name, LocalTime now)
@@ -177,8 +177,11 @@ void HostDriver::joinItself(const std::string& name, LocalTime now)
     const SessionTime time = m_core->sessionTime(now);
     const FactNumber number{m_decided.state().lastApplied().value + 1};
     const fact::ParticipantJoined joined{kSelf, Role::Instructor, name};
+    const StationId last = m_decided.state().stationOf(kSelf);
+    const StationId station =
+        m_decided.state().isOpen(last) ? last : firstOpenStation(m_decided.state());
     m_epoch = static_cast<std::uint16_t>(number.value);
-    enter({number, ProposalId{hostRandom()}, kSelf, kFirstStation, time, time, joined});
+    enter({number, ProposalId{hostRandom()}, kSelf, station, time, time, joined});
 }
 
 Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
@@ -237,6 +240,9 @@ void HostDriver::stored(std::size_t count, LocalTime now)
             m_core->setStrategy(chosen->choice, now);
         if (const auto object = objectOf(fact.body))
             share(m_stored.state().objects().at(*object));
+        if (changesPlace(fact.body))
+            for (const auto& [id, object] : m_stored.state().objects())
+                share(object);
         m_unstored.pop_front();
         m_shownState.reset();
     }
@@ -259,7 +265,7 @@ void HostDriver::share(const SharedObject& object)
     if (object.owner == kSelf)
         m_board.objects.remove(object.id);
     else
-        m_board.objects.add(object.id, object.owner);
+        m_board.objects.add(object.id, object.owner, object.station);
 }
 
 std::optional<RigidTransform> HostDriver::shownPose(ObjectId object, SessionTime t) const
@@ -288,9 +294,9 @@ void HostDriver::propose(StationId station, FactBody body, LocalTime now)
         m_refusal = fact.error();
 }
 
-void HostDriver::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+void HostDriver::publish(ObjectKind kind, std::string name, PoseSource newest)
 {
-    m_publications.add(station, kind, std::move(name), std::move(newest));
+    m_publications.add(kind, std::move(name), std::move(newest));
 }
 
 void HostDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
@@ -387,7 +393,7 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     replaceTokens(output.displaced, now);
     handOver(now);
     for (const StreamSample& sample : output.streams)
-        m_board.objects.take(sample.cpo, m_core->sessionTime(now));
+        m_board.objects.take(sample, m_core->sessionTime(now));
     for (const ShownPose& shown : output.shown)
         m_views.compare(shown);
     show(now);
@@ -502,9 +508,21 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
         m_tokens.push_back({from, encodeToken({peer->second.participant, *token})});
 }
 
-Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now) const
+Result<Proposal> HostDriver::joinOf(const Hello& hello) const
 {
-    const auto proposal = fromRecord(join);
+    auto proposal = fromRecord(hello.join);
+    if (!proposal)
+        return proposal;
+    const auto wanted = openStationNamed(m_decided.state(), hello.station);
+    if (!hello.station.empty() && !wanted)
+        return fail(Errc::StationUnknown, "open: " + openStationNames(m_decided.state()));
+    proposal->station = wanted.value_or(kNoStation);
+    return proposal;
+}
+
+Result<Identity> HostDriver::identify(const Hello& hello, LocalTime now) const
+{
+    const auto proposal = joinOf(hello);
     if (!proposal)
         return tl::unexpected(proposal.error());
     const auto* joined = std::get_if<fact::ParticipantJoined>(&proposal->body);
@@ -517,7 +535,7 @@ Result<Identity> HostDriver::identify(const ProposalRecord& join, LocalTime now)
         .and_then([&](const Fact& fact) {
             const ParticipantId id = std::get<fact::ParticipantJoined>(fact.body).participant;
             return m_access->check(m_speaker, joined->role, id)
-                .and_then([&] { return checkReturn(id, join.id); })
+                .and_then([&] { return checkReturn(id, hello.join.id); })
                 .map([&] {
                     return Identity{id, m_access->isProven(m_speaker)};
                 });
@@ -536,10 +554,10 @@ Result<void> HostDriver::checkReturn(ParticipantId id, ProposalId join) const
     return isOut ? tl::unexpected(removalError(state, *known->second.removal)) : Result<void>{};
 }
 
-Result<std::optional<Admission>> HostDriver::admit(const ProposalRecord& join, LocalTime now)
+Result<std::optional<Admission>> HostDriver::admit(const Hello& hello, LocalTime now)
 {
-    const auto who = identify(join, now);
-    auto proposal = fromRecord(join);
+    const auto who = identify(hello, now);
+    auto proposal = joinOf(hello);
     if (!who || !proposal)
         return tl::unexpected(who ? proposal.error() : who.error());
     const auto& participants = m_decided.state().participants();
@@ -634,7 +652,7 @@ void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& d
             m_refusal = token.error();
             continue;
         }
-        static_cast<void>(decideByHost(StationId{}, fact::TokenReplaced{participant}, now));
+        static_cast<void>(decideByHost(kNoStation, fact::TokenReplaced{participant}, now));
         for (const auto& [address, peer] : m_core->peers())
             if (peer.participant == participant)
                 m_tokens.push_back({address, encodeToken({participant, *token})});
@@ -644,7 +662,7 @@ void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& d
 void HostDriver::left(ParticipantId participant, LocalTime now)
 {
     // What is refused is shown as the node's refusal; the participant is gone all the same.
-    static_cast<void>(decideByHost(StationId{}, fact::ParticipantLeft{participant}, now));
+    static_cast<void>(decideByHost(kNoStation, fact::ParticipantLeft{participant}, now));
 }
 
 void HostDriver::dropAbsent(LocalTime now)

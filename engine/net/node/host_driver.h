@@ -41,7 +41,7 @@ public:
     void refused(const Error& why, LocalTime now) override;
     void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
     void propose(StationId station, FactBody body, LocalTime now) override;
-    void publish(StationId station, ObjectKind kind, std::string name, PoseSource newest) override;
+    void publish(ObjectKind kind, std::string name, PoseSource newest) override;
     void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;
@@ -73,11 +73,13 @@ private:
     /// The facts that are decided cannot be stored: everything is as it was before them.
     void giveUp(const Error& why, LocalTime now);
 
-    [[nodiscard]] Result<Identity> identify(const ProposalRecord& join, LocalTime now) const;
+    /// The proposal to join at the station that is wanted. @returns StationUnknown.
+    [[nodiscard]] Result<Proposal> joinOf(const Hello& hello) const;
+    [[nodiscard]] Result<Identity> identify(const Hello& hello, LocalTime now) const;
     /// @returns SessionLocked for who did not prove who it is; Removed for a run of a program that
     ///          was removed.
     [[nodiscard]] Result<void> checkReturn(ParticipantId id, ProposalId join) const;
-    [[nodiscard]] Result<std::optional<Admission>> admit(const ProposalRecord& join, LocalTime now);
+    [[nodiscard]] Result<std::optional<Admission>> admit(const Hello& hello, LocalTime now);
     /// Whether the proposal became the fact that this participant joined.
     [[nodiscard]] bool isJoinOf(ProposalId proposal, ParticipantId participant) const;
     void left(ParticipantId participant, LocalTime now);

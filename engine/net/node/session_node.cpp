@@ -117,7 +117,9 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
 Result<std::unique_ptr<SessionNode>> SessionNode::join(const JoinSettings& settings)
 {
     const fact::ParticipantJoined joined{ParticipantId{}, settings.role, settings.participantName};
-    if (const auto valid = checkBody(joined); !valid)
+    const auto valid =
+        checkBody(joined).and_then([&] { return checkBody(fact::StationAdded{settings.station}); });
+    if (!valid)
         return tl::unexpected(valid.error());
     const QHostAddress host{QString::fromStdString(settings.address)};
     if (host.isNull())

@@ -98,7 +98,7 @@ struct JoinSettings {
     std::uint16_t port = 0; ///< of the host
     std::string participantName;
     Role role = Role::Trainee;
-    StationId station;
+    std::string station{}; ///< its name; empty: where this participant was last, else the first
     std::optional<JoinCode> code{};    ///< required unless there is a token of an earlier admission
     std::filesystem::path tokens{};    ///< folder for tokens; empty: in memory only
     std::string address = "127.0.0.1"; ///< of the host, IPv4 or IPv6
@@ -127,8 +127,8 @@ public:
     /// Joins a session; returns at once, and connects and reconnects in the background.
     ///
     /// @pre a QCoreApplication exists.
-    /// @returns OutOfRange for a name that checkBody refuses; WrongAddress; errors of reading the
-    ///          authority's file.
+    /// @returns OutOfRange for a name, also of a station, that checkBody refuses; WrongAddress;
+    ///          errors of reading the authority's file.
     [[nodiscard]] static Result<std::unique_ptr<SessionNode>> join(const JoinSettings& settings);
     virtual ~SessionNode() = default;
 
@@ -161,11 +161,11 @@ public:
     /// Proposals not yet acknowledged, oldest first.
     [[nodiscard]] virtual std::vector<FactBody> pending() const = 0;
 
-    /// Shares a local object under the id that the host assigns to this owner, kind and name.
+    /// Shares a local object, at the station where this participant is, under the id that the host
+    /// assigns to this owner, kind and name.
     /// `newest` is called on the node's thread, 60 times a second, for the newest sample
     /// X_A<object> (with its velocity, where known), which is sent where it is newer than the last.
-    virtual void publish(StationId station, ObjectKind kind, std::string name,
-                         PoseSource newest) = 0;
+    virtual void publish(ObjectKind kind, std::string name, PoseSource newest) = 0;
     /// The poses X_A<object> of an object that another participant shares; nullptr for an unknown
     /// or own object. Shared because a viewer may use it while the node removes the object.
     [[nodiscard]] virtual std::shared_ptr<const RemoteObject> object(ObjectId id) const = 0;
@@ -201,5 +201,11 @@ public:
     /// links changed; it must not block.
     virtual void onChange(std::function<void()> callback) = 0;
 };
+
+/// The station where this program's participant is; kNoStation before it is admitted.
+[[nodiscard]] inline StationId ownStation(const SessionNode& node)
+{
+    return node.state()->stationOf(node.self());
+}
 
 } // namespace carina

@@ -79,12 +79,12 @@ void ThreadedNode::propose(StationId station, FactBody body)
 
 std::vector<FactBody> ThreadedNode::pending() const { return m_board.view().pending; }
 
-void ThreadedNode::publish(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+void ThreadedNode::publish(ObjectKind kind, std::string name, PoseSource newest)
 {
     QMetaObject::invokeMethod(
         m_loop.get(),
-        [this, station, kind, name = std::move(name), newest = std::move(newest)] {
-            m_loop->driver().publish(station, kind, name, newest);
+        [this, kind, name = std::move(name), newest = std::move(newest)] {
+            m_loop->driver().publish(kind, name, newest);
             m_loop->serve();
         },
         Qt::QueuedConnection);

@@ -3,13 +3,14 @@
 #include "engine/net/objects/pose_stream.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
 
-void Publications::add(StationId station, ObjectKind kind, std::string name, PoseSource newest)
+void Publications::add(ObjectKind kind, std::string name, PoseSource newest)
 {
-    m_publications.push_back({station, kind, std::move(name), std::move(newest)});
+    m_publications.push_back({kind, std::move(name), std::move(newest)});
 }
 
 std::vector<Publications::Wanted> Publications::takeUnknown(const SessionState& state,
@@ -21,7 +22,7 @@ std::vector<Publications::Wanted> Publications::takeUnknown(const SessionState& 
             continue;
         publication.toldOf = true;
         wanted.push_back(
-            {publication.station, {ObjectId{}, self, publication.kind, publication.name}});
+            {state.stationOf(self), {ObjectId{}, self, publication.kind, publication.name}});
     }
     return wanted;
 }
@@ -47,7 +48,10 @@ std::vector<Publications::Outgoing> Publications::sample(const SessionState& sta
     if (m_publications.empty() || !m_tick.isDue(now))
         return samples;
     m_tick.served(now);
+    const StationId station = state.stationOf(self);
     for (Publication& publication : m_publications) {
+        if (std::exchange(publication.sentAt, station) != station)
+            publication.sent->clear(); // in the frame of another patient
         const auto id = idOf(publication, state, self);
         const auto newest = id ? publication.newest() : std::nullopt;
         if (!newest || newest->time <= publication.lastSent)
@@ -57,7 +61,7 @@ std::vector<Publications::Outgoing> Publications::sample(const SessionState& sta
         StreamCpo cpo = toStream(*newest);
         cpo.object = *id;
         cpo.sequence = ++publication.sequence;
-        samples.push_back({publication.station, cpo});
+        samples.push_back({station, cpo});
     }
     return samples;
 }

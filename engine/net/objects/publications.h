@@ -20,11 +20,11 @@ public:
     };
     /// An object to be proposed to the host.
     struct Wanted {
-        StationId station;
+        StationId station;         ///< where the participant is
         fact::ObjectShared object; ///< with id 0; the host assigns it
     };
 
-    void add(StationId station, ObjectKind kind, std::string name, PoseSource newest);
+    void add(ObjectKind kind, std::string name, PoseSource newest);
 
     /// Objects that the session does not list as this participant's yet; each is returned once.
     [[nodiscard]] std::vector<Wanted> takeUnknown(const SessionState& state, ParticipantId self);
@@ -42,13 +42,13 @@ public:
 
 private:
     struct Publication {
-        StationId station;
         ObjectKind kind;
         std::string name;
         PoseSource newest;
         bool toldOf = false;
         std::uint16_t sequence = 0;
         SessionTime lastSent = SessionTime::min();
+        StationId sentAt = kNoStation; ///< the station of what follows
         std::unique_ptr<PoseHistory> sent = std::make_unique<PoseHistory>();
     };
     [[nodiscard]] static std::optional<ObjectId>

@@ -3,12 +3,14 @@
 namespace carina
 {
 
-void RemoteObjects::add(ObjectId object, ParticipantId owner)
+void RemoteObjects::add(ObjectId object, ParticipantId owner, StationId station)
 {
     const std::scoped_lock lock{m_mutex};
-    if (!m_objects.contains(object))
-        m_objects.emplace(object, Object{std::make_shared<RemoteObject>()});
-    m_objects[object].owner = owner;
+    Object& entry = m_objects[object];
+    if (!entry.poses || entry.station != station)
+        entry.poses = std::make_shared<RemoteObject>();
+    entry.owner = owner;
+    entry.station = station;
 }
 
 void RemoteObjects::remove(ObjectId object)
@@ -25,11 +27,12 @@ void RemoteObjects::clear()
     m_analysis.clear();
 }
 
-void RemoteObjects::take(const StreamCpo& cpo, SessionTime drawn)
+void RemoteObjects::take(const StreamSample& sample, SessionTime drawn)
 {
     const std::scoped_lock lock{m_mutex};
+    const StreamCpo& cpo = sample.cpo;
     const auto found = m_objects.find(cpo.object);
-    if (found == m_objects.end())
+    if (found == m_objects.end() || found->second.station != sample.station)
         return;
     found->second.poses->take(cpo, drawn);
     m_analysis.acted(found->second.owner, cpo.object, cpo.time);

@@ -2,6 +2,7 @@
 
 #include "engine/net/node/session_node.h"
 #include "engine/sync/strategies/application_analysis.h"
+#include "engine/sync/streams/stream_table.h"
 
 #include <map>
 #include <mutex>
@@ -13,14 +14,16 @@ namespace carina
 class RemoteObjects
 {
 public:
-    /// Adds an object of another participant; of a known one it sets the owner.
-    void add(ObjectId object, ParticipantId owner);
+    /// Adds an object of another participant; of a known one it sets the owner. Poses at another
+    /// station are not continued: they are in the frame of another patient.
+    void add(ObjectId object, ParticipantId owner, StationId station);
     /// Removes an object that this node owns now, or that is no longer shared.
     void remove(ObjectId object);
     void clear();
 
-    /// Adds a sample while session time `drawn` is being drawn.
-    void take(const StreamCpo& cpo, SessionTime drawn);
+    /// Adds a sample while session time `drawn` is being drawn; one of a station where the object
+    /// is not is dropped.
+    void take(const StreamSample& sample, SessionTime drawn);
 
     [[nodiscard]] std::shared_ptr<const RemoteObject> find(ObjectId object) const;
     /// How often each participant's samples arrive.
@@ -31,6 +34,7 @@ private:
     struct Object {
         std::shared_ptr<RemoteObject> poses; // also held by the viewers that draw from it
         ParticipantId owner = kNobody;
+        StationId station = kNoStation;
     };
 
     mutable std::mutex m_mutex;

@@ -23,7 +23,8 @@ namespace
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
 template <class T>
-concept OfFields = (std::tuple_size_v<std::remove_cvref_t<decltype(kFields<T>)>> > 0);
+concept OfFields =
+    std::is_empty_v<T> ||(std::tuple_size_v<std::remove_cvref_t<decltype(kFields<T>)>> > 0);
 
 // One pair of overloads per type of field.
 

@@ -85,6 +85,9 @@ template <>
 inline constexpr std::tuple kFields<fact::TokenReplaced>{&fact::TokenReplaced::participant};
 template <>
 inline constexpr std::tuple kFields<fact::StrategyChosen>{&fact::StrategyChosen::choice};
+template <> inline constexpr std::tuple kFields<fact::StationRenamed>{&fact::StationRenamed::name};
+template <>
+inline constexpr std::tuple kFields<fact::ParticipantMoved>{&fact::ParticipantMoved::participant};
 template <>
 inline constexpr std::tuple kFields<StrategyChoice>{&StrategyChoice::kind, &StrategyChoice::asa,
                                                     &StrategyChoice::longestLag};

@@ -114,6 +114,9 @@ struct BodyCheck {
     {
         return checkStanding(f.standing);
     }
+    Result<void> operator()(const fact::StationRenamed& f) const { return checkTexts({&f.name}); }
+    Result<void> operator()(const fact::StationClosed&) const { return {}; }
+    Result<void> operator()(const fact::ParticipantMoved&) const { return {}; }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

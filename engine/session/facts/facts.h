@@ -43,12 +43,14 @@ struct PhaseChanged {
 
     friend bool operator==(const PhaseChanged&, const PhaseChanged&) = default;
 };
+/// A station is open from now on; its number is that of the fact.
 struct StationAdded {
     std::string name;
 
     friend bool operator==(const StationAdded&, const StationAdded&) = default;
 };
-/// A participant joined, for the first time or again: the same name and role give the same id.
+/// A participant joined at the station of the fact, for the first time or again: the same name and
+/// role give the same id.
 struct ParticipantJoined {
     ParticipantId participant;
     Role role = Role::Observer;
@@ -115,6 +117,22 @@ struct StrategyChosen {
 
     friend bool operator==(const StrategyChosen&, const StrategyChosen&) = default;
 };
+struct StationRenamed {
+    std::string name;
+
+    friend bool operator==(const StationRenamed&, const StationRenamed&) = default;
+};
+/// Nobody comes to the station any more, and nothing about it changes.
+struct StationClosed {
+    friend bool operator==(const StationClosed&, const StationClosed&) = default;
+};
+/// A participant is at the station of the fact from now on, with the tools they share; what they
+/// owned at the former station and cannot carry passes to the host.
+struct ParticipantMoved {
+    ParticipantId participant;
+
+    friend bool operator==(const ParticipantMoved&, const ParticipantMoved&) = default;
+};
 
 } // namespace fact
 
@@ -127,7 +145,8 @@ using FactBody = std::variant<
     fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
     fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet,
     fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
-    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated>;
+    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
+    fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)
@@ -144,6 +163,17 @@ using FactBody = std::variant<
            || std::holds_alternative<fact::ParticipantLeft>(body)
            || std::holds_alternative<fact::ParticipantRemoved>(body);
 }
+
+/// Whether a fact may bring a participant to another station, and with them what they own.
+[[nodiscard]] inline bool changesPlace(const FactBody& body)
+{
+    return std::holds_alternative<fact::ParticipantJoined>(body)
+           || std::holds_alternative<fact::ParticipantMoved>(body);
+}
+
+/// Whether objects of this kind are tools or parts of a person, which go where the person goes; the
+/// others stay at their station.
+[[nodiscard]] constexpr bool isCarried(ObjectKind kind) { return kind != ObjectKind::Patient; }
 
 /// The object whose ownership a fact changes; nothing for other facts.
 [[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)

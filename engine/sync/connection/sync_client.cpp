@@ -88,8 +88,12 @@ struct SyncClient::Visitor {
     }
 };
 
-SyncClient::SyncClient(ProposalRecord join, std::uint32_t firstConnection, LocalTime now)
-    : m_join{std::move(join)}, m_link{firstConnection, Duration{}, now}, m_nextHello{now}
+SyncClient::SyncClient(ProposalRecord join, std::uint32_t firstConnection, LocalTime now,
+                       std::string station)
+    : m_join{std::move(join)},
+      m_station{std::move(station)},
+      m_link{firstConnection, Duration{}, now},
+      m_nextHello{now}
 {
 }
 
@@ -182,6 +186,7 @@ void SyncClient::welcomed(const Welcome& welcome, LocalTime now)
         startAfresh();
     m_state = State::Connected;
     m_helloRefused.reset();
+    m_station.clear();
     m_session = welcome.session;
     m_self = welcome.participant;
     m_actions.setSelf(m_self);
@@ -251,7 +256,8 @@ void SyncClient::addProbe(const RoundTrip& trip, LocalTime now)
 
 void SyncClient::sendHello(LocalTime now)
 {
-    send(std::array<WireRecord, 1>{Hello{m_session, m_facts.last(), m_join}}, false, now);
+    send(std::array<WireRecord, 1>{Hello{m_session, m_facts.last(), m_join, m_station}}, false,
+         now);
     m_nextHello = now + m_helloWait;
     m_helloWait = std::min(2 * m_helloWait, kLastHelloWait);
 }

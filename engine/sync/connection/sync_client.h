@@ -48,7 +48,11 @@ public:
     /// @param join the fact that this participant joins, proposed with every Hello
     /// @param firstConnection random, so that datagrams to an earlier run of the program are not
     ///        accepted
-    SyncClient(ProposalRecord join, std::uint32_t firstConnection, LocalTime now);
+    /// @param station that is wanted (Hello::station), until it is first welcomed: later it may
+    /// have
+    ///        been moved to another one
+    SyncClient(ProposalRecord join, std::uint32_t firstConnection, LocalTime now,
+               std::string station = {});
 
     /// A datagram from the host's address. A malformed one is dropped.
     void receive(std::span<const std::byte> bytes, LocalTime now);
@@ -127,6 +131,7 @@ private:
     [[nodiscard]] Duration keepAlive() const;
 
     ProposalRecord m_join;
+    std::string m_station; // wanted; empty once welcomed
     State m_state = State::Connecting;
     PeerLink m_link;
     LocalTime m_nextHello;

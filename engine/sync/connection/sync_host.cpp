@@ -25,7 +25,8 @@ std::string shortened(const std::string& utf8)
 /// What is behind a refusal is told only to whom it concerns.
 HelloRefused refusalOf(const Error& why)
 {
-    const bool concernsThem = why.code == Errc::Removed || why.code == Errc::Banned;
+    const bool concernsThem =
+        why.code == Errc::Removed || why.code == Errc::Banned || why.code == Errc::StationUnknown;
     return {why.code, concernsThem ? shortened(why.detail) : std::string{}};
 }
 
@@ -330,19 +331,17 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
 Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& hello,
                                                  LocalTime now)
 {
-    ProposalRecord join = hello.join;
-    join.author = kNobody;
-    const auto who = m_rules.identify(join, now);
+    const auto who = m_rules.identify(hello, now);
     if (!who)
         return tl::unexpected(who.error());
     if (isBarred(who->participant, now))
         return fail(Errc::TooMuchSent);
-    if (who->participant == kHost || isTaken(from, *who, join.id, now))
+    if (who->participant == kHost || isTaken(from, *who, hello.join.id, now))
         return fail(Errc::NameTaken);
     // To come in again writes a fact, as a proposal does.
     if (PeerBudget* budget = knownBudget(who->participant); budget && !budget->takesProposal(now))
         return fail(Errc::TooMuchSent);
-    return m_rules.admit(join, now);
+    return m_rules.admit(hello, now);
 }
 
 PeerBudget* SyncHost::knownBudget(ParticipantId participant)
@@ -442,7 +441,8 @@ void SyncHost::takeStreams(Peer& peer, const StreamGroup& group, LocalTime now)
     if (group.owner != peer.participant || group.epoch != peer.epoch)
         return;
     peer.traffic.samples.add(double(group.streams.size()), now);
-    if (!peer.budget.takesSamples(group.streams.size(), now) || !m_rules.mayAct(peer.participant)) {
+    if (!peer.budget.takesSamples(group.streams.size(), now) || !m_rules.mayAct(peer.participant)
+        || group.station != m_rules.stationOf(peer.participant)) {
         peer.traffic.refused += group.streams.size();
         return;
     }

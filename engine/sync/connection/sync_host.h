@@ -35,10 +35,10 @@ struct Identity {
 /// it is on disk, by SyncHost::append, or is given up by SyncHost::giveUp.
 struct HostRules {
     /// The participant that a join would be admitted as; changes nothing.
-    std::function<Result<Identity>(const ProposalRecord& join, LocalTime)> identify;
+    std::function<Result<Identity>(const Hello& hello, LocalTime)> identify;
     /// Admits a participant. A repeated join gets the fact it already has. Nothing where the
     /// program is to ask again.
-    std::function<Result<std::optional<Admission>>(const ProposalRecord& join, LocalTime)> admit;
+    std::function<Result<std::optional<Admission>>(const Hello& hello, LocalTime)> admit;
     /// Whether a proposal was decided before, so that there is or will be a fact of it.
     std::function<bool(ProposalId)> isSettled;
     /// Decides on a new proposal.
@@ -49,6 +49,8 @@ struct HostRules {
     std::function<bool(ParticipantId)> mayAct;
     /// What is taken from a participant.
     std::function<PeerLimits(ParticipantId)> limits;
+    /// The station that a participant is at, of which alone its streams are taken.
+    std::function<StationId(ParticipantId)> stationOf;
 };
 
 /// The session host's end, without socket, clock or thread: replicates the log to every peer,

@@ -16,7 +16,7 @@ namespace carina
 {
 
 /// Version of this layout; a peer with another version is refused.
-inline constexpr std::uint8_t kProtocolVersion = 9;
+inline constexpr std::uint8_t kProtocolVersion = 10;
 /// Bytes. With DTLS (29 bytes) a UDP payload has at most 1200 bytes, which fits the MTU of any
 /// usual path without fragmentation.
 inline constexpr std::size_t kLargestDatagram = 1160;
@@ -87,7 +87,10 @@ struct Hello {
     SessionKey session{}; ///< the session known to the client
     FactNumber lastFact;  ///< the last it holds of it
     ProposalRecord join;  ///< the fact that the client joins, for the session to judge
+    /// The name of the station that its user wants: at most kLongestStationName bytes; empty: any.
+    std::string station{};
 };
+inline constexpr std::size_t kLongestStationName = 64;
 /// The host admits the client.
 struct Welcome {
     SessionKey session{};

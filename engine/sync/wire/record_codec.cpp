@@ -33,12 +33,12 @@ enum class RecordKind : std::uint8_t {
 };
 
 /// Reasons that travel; the first has the number 1 on the wire and stands for all others too.
-constexpr std::array kWireReasons{Errc::NotPermitted,    Errc::SessionEnded, Errc::NameTaken,
-                                  Errc::OutOfRange,      Errc::StoreFailed,  Errc::PacketMalformed,
-                                  Errc::VersionMismatch, Errc::NotFinite,    Errc::OwnerChanged,
-                                  Errc::NameUnclear,     Errc::SessionFull,  Errc::TooMuchSent,
-                                  Errc::Muted,           Errc::Removed,      Errc::Banned,
-                                  Errc::SessionLocked,   Errc::UsedElsewhere};
+constexpr std::array kWireReasons{
+    Errc::NotPermitted,  Errc::SessionEnded,    Errc::NameTaken,       Errc::OutOfRange,
+    Errc::StoreFailed,   Errc::PacketMalformed, Errc::VersionMismatch, Errc::NotFinite,
+    Errc::OwnerChanged,  Errc::NameUnclear,     Errc::SessionFull,     Errc::TooMuchSent,
+    Errc::Muted,         Errc::Removed,         Errc::Banned,          Errc::SessionLocked,
+    Errc::UsedElsewhere, Errc::StationUnknown,  Errc::StationOccupied, Errc::StationCount};
 
 void writeReason(ByteWriter& out, Errc reason)
 {
@@ -70,13 +70,27 @@ std::vector<std::byte> readBody(ByteReader& in)
     return {body.begin(), body.end()};
 }
 
+void writeText(ByteWriter& out, const std::string& text, std::size_t longest)
+{
+    CARINA_EXPECTS(text.size() <= longest);
+    out.number(static_cast<std::uint8_t>(text.size()));
+    out.bytes(std::as_bytes(std::span{text}));
+}
+
+std::string readText(ByteReader& in, std::size_t longest, const char* rule)
+{
+    const auto size = in.number<std::uint8_t>();
+    in.require(size <= longest, rule);
+    std::string text;
+    for (const std::byte b : in.bytes(size))
+        text.push_back(static_cast<char>(b));
+    return text;
+}
+
 HelloRefused readHelloRefused(ByteReader& in)
 {
     HelloRefused refused{readReason(in)};
-    const auto size = in.number<std::uint8_t>();
-    in.require(size <= kLongestDetail, "length of a detail");
-    for (const std::byte b : in.bytes(size))
-        refused.detail.push_back(static_cast<char>(b));
+    refused.detail = readText(in, kLongestDetail, "length of a detail");
     return refused;
 }
 
@@ -126,6 +140,7 @@ Hello readHello(ByteReader& in)
     hello.session = readSessionKey(in);
     hello.lastFact = readFactNumber(in);
     hello.join = readProposal(in);
+    hello.station = readText(in, kLongestStationName, "length of a station's name");
     return hello;
 }
 
@@ -246,6 +261,7 @@ public:
         m_out.bytes(hello.session);
         m_out.number(hello.lastFact.value);
         writeProposal(m_out, hello.join);
+        writeText(m_out, hello.station, kLongestStationName);
     }
     void operator()(const Welcome& welcome)
     {
@@ -257,11 +273,9 @@ public:
     }
     void operator()(const HelloRefused& refused)
     {
-        CARINA_EXPECTS(refused.detail.size() <= kLongestDetail);
         kind(RecordKind::HelloRefused);
         writeReason(m_out, refused.reason);
-        m_out.number(static_cast<std::uint8_t>(refused.detail.size()));
-        m_out.bytes(std::as_bytes(std::span{refused.detail}));
+        writeText(m_out, refused.detail, kLongestDetail);
     }
     void operator()(const ConnectionUnknown&) { kind(RecordKind::ConnectionUnknown); }
     void operator()(const Goodbye&) { kind(RecordKind::Goodbye); }

@@ -39,7 +39,7 @@ void TestSessionAuthority::boundsABreathByThePatientOfTheStation()
     QCOMPARE(verdict(judgeBy(SessionAuthority{writer.log()}, kSampleInstructor, deep)),
              QByteArray{"fine"});
     QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleInstructor, deep, StationId{9})),
-             QByteArray{"out of range"});
+             QByteArray{"station unknown"});
 }
 
 void TestSessionAuthority::numbersAndDatesAFact()
@@ -244,7 +244,7 @@ void TestSessionAuthority::resumesFromItsLog()
 void TestSessionAuthority::changesNothingByJudging()
 {
     const SessionAuthority authority = sampleAuthority();
-    QVERIFY(judgeBy(authority, kSampleHost, fact::StationAdded{"S"}, StationId{1}).has_value());
+    QVERIFY(judgeBy(authority, kSampleHost, fact::StationAdded{"S"}, kNoStation).has_value());
     QCOMPARE(authority.state().lastApplied().value, std::uint64_t{7});
     QVERIFY(!authority.settled(ProposalId{5}));
 }

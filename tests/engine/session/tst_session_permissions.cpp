@@ -188,7 +188,9 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("hand over", fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1}, "fine");
     row("ask", fact::ObjectWanted{kSampleTube}, "fine");
     row("state a registration", fact::RegistrationStated{}, "fine");
-    row("station", fact::StationAdded{"S"}, "session ended");
+    row("station's name", fact::StationRenamed{"S"}, "session ended");
+    row("closing", fact::StationClosed{}, "session ended");
+    row("move", fact::ParticipantMoved{kSampleTrainee}, "session ended");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "session ended");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "session ended");
@@ -209,7 +211,7 @@ void TestSessionPermissions::createsFirstAndOnce()
     const FactBody creation = fact::SessionCreated{"New", "ab"};
     const SessionAuthority empty{{}};
     QCOMPARE(verdict(judgeBy(empty, kSampleHost, creation)), QByteArray{"fine"});
-    QCOMPARE(verdict(judgeBy(empty, kSampleHost, fact::StationAdded{"S"})),
+    QCOMPARE(verdict(judgeBy(empty, kSampleHost, fact::StationAdded{"S"}, kNoStation)),
              QByteArray{"not permitted"});
     QCOMPARE(verdict(judgeBy(empty, kNobody, creation)), QByteArray{"not permitted"});
     QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, creation)),
@@ -309,16 +311,15 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
                         const char* unknown) {
         QTest::newRow(name) << body << QByteArray{known} << QByteArray{unknown};
     };
-    row("new station", fact::StationAdded{"S"}, "out of range", "fine");
-    row("join", fact::ParticipantJoined{{}, Role::Observer, "New"}, "fine", "out of range");
+    row("join", fact::ParticipantJoined{{}, Role::Observer, "New"}, "fine", "station unknown");
     row("leave", fact::ParticipantLeft{kSampleTrainee}, "fine", "fine");
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine",
-        "out of range");
-    row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "out of range");
-    row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "out of range");
-    row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "out of range");
-    row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "out of range");
-    row("condition", fact::LungConditionsSet{}, "fine", "out of range");
+        "station unknown");
+    row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "station unknown");
+    row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "station unknown");
+    row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "station unknown");
+    row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "station unknown");
+    row("condition", fact::LungConditionsSet{}, "fine", "station unknown");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine", "fine");
     row("registration", fact::RegistrationStated{}, "fine", "fine");
 }

@@ -177,6 +177,15 @@ class Words(Tree):
         self.write("docs/start.md", f"cd {MACHINE}\n")
         self.assertEqual(len(words.faults_of(self.root)), 1)
 
+    def test_refuses_the_number_of_a_station_in_a_program(self):
+        number = "constexpr StationId kStation{0};\n"
+        self.write("engine/core/ids.h", number)
+        self.write("tests/apps/tst_main.cpp", number)
+        self.assertEqual(words.faults_of(self.root), [])
+        for path in ("apps/main.cpp", "engine/net/pump.cpp", "models/drift.cpp"):
+            self.write(path, number)
+        self.assertEqual(len(words.faults_of(self.root)), 3)
+
     def test_a_path_of_the_project_is_right(self):
         inside = [folder + MACHINE[:6] + "page.md" for folder in ("tests", "build")]
         self.write("docs/start.md", f"{' and '.join(inside)} and ../shared/data\n")

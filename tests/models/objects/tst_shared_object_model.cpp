@@ -20,6 +20,7 @@ private Q_SLOTS:
     void saysWhoseItIs();
     void offersWhatTheHostPermits_data();
     void offersWhatTheHostPermits();
+    void knowsOnlyItsStation();
     void listsThoseWhoAskFirst();
     void asksAndTakesTheWishBack();
     void takesOver();
@@ -164,6 +165,21 @@ void TestSharedObjectModel::offersWhatTheHostPermits()
         seat.model.handOver(FakeSessionNode::kInstructor);
         QCOMPARE(seat.node.proposed - before, int(asks) + int(takes));
     }
+}
+
+void TestSharedObjectModel::knowsOnlyItsStation()
+{
+    Seat seat{FakeSessionNode::kInstructor};
+    seat.addTrainee("Tess");
+    seat.node.addStation("Room 5");
+    QVERIFY(seat.heirs().contains(QStringLiteral("Tess")));
+    seat.node.decideAt(StationId{1}, fact::ParticipantMoved{ParticipantId{4}});
+    QVERIFY(!seat.heirs().contains(QStringLiteral("Tess"))); // what is here is not hers to have
+    QSignalSpy changed{&seat.model, &SharedObjectModel::changed};
+    seat.model.setStation(StationId{1});
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(seat.model.objects().empty());
+    QVERIFY(!seat.model.chosen());
 }
 
 void TestSharedObjectModel::listsThoseWhoAskFirst()

@@ -76,6 +76,19 @@ private Q_SLOTS:
         QVERIFY(!m_model->canStop() && !m_model->canFetchAgain());
     }
 
+    void goesToAnotherStation()
+    {
+        constexpr StationId kRoom{1};
+        m_node->addStation("Room 5");
+        m_node->decide(fact::AnatomyChosen{madeHash(parametersOf(BuiltinPatient::Adult)), "Adult"});
+        m_node->decideAt(kRoom, somebody());
+        importInto(m_folder->path().toStdString(), carriedSample());
+        follow();
+        QVERIFY(m_laid.empty());
+        m_model->setStation(kRoom);
+        QTRY_COMPARE_WITH_TIMEOUT(m_laid, std::vector<std::string>{kSetHash}, kSoon_ms);
+    }
+
     void fetchesThePatientThatIsNotHere()
     {
         m_node->hostDoor = doorAt(m_host->port());

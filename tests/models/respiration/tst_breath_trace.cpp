@@ -19,6 +19,7 @@ class TestBreathTrace : public QObject
 
 private Q_SLOTS:
     void samplesEvery20Milliseconds();
+    void tracesAnotherStation();
     void showsWhatTheFoldHas();
     void beginsEachBreathAtNoVolume();
     void isSilentWhileTheSessionDoesNotRun();
@@ -71,6 +72,25 @@ void TestBreathTrace::samplesEvery20Milliseconds()
         if (i > 0)
             QVERIFY(std::abs(desk.samples[i].time_s - desk.samples[i - 1].time_s - 0.02) < 1e-6);
     }
+}
+
+void TestBreathTrace::tracesAnotherStation()
+{
+    constexpr StationId kRoom{1};
+    Desk desk;
+    desk.node.addStation("Room 5");
+    desk.node.decideAt(kRoom, fact::BreathingRateSet{perMinute(40.0)});
+    desk.start();
+    desk.run(seconds{20});
+    QSignalSpy afresh{&desk.trace, &BreathTrace::startedAfresh};
+    desk.trace.setStation(FakeSessionNode::kStation);
+    QCOMPARE(afresh.count(), 0); // it is this one
+    desk.trace.setStation(kRoom);
+    QCOMPARE(afresh.count(), 1);
+    QVERIFY(!desk.trace.lastBreath());
+    desk.run(seconds{10});
+    QVERIFY2(std::abs(desk.trace.lastBreath()->rate_perMin - 40.0) < 1.0,
+             qPrintable(QString::number(desk.trace.lastBreath()->rate_perMin)));
 }
 
 void TestBreathTrace::showsWhatTheFoldHas()

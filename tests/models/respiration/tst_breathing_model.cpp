@@ -26,11 +26,16 @@ private Q_SLOTS:
     void followsAnotherInstructor();
     void signalsOnlyWhatChanged();
     void boundsABreathByThePatient();
+    void goesToAnotherStation();
+    void changesAllStationsByOneFact();
+    void undoesAtEachStationWhatWasThere();
+    void boundsABreathByAllPatients();
 };
 
 namespace
 {
 
+constexpr StationId kRoom{1};
 constexpr double kTolerance = 1e-9; ///< of the unit shown
 constexpr std::chrono::milliseconds kLead{100};
 
@@ -52,6 +57,11 @@ struct Console {
         deliver();
     }
     [[nodiscard]] double rate() const { return breathing.value(Rate); }
+    [[nodiscard]] double rateAt(StationId station) const
+    {
+        const auto& respiration = node.state()->stations().at(station).respiration;
+        return inPerMinute(respiration.settingsAt(SessionTime::max()).pattern.rate);
+    }
 };
 
 #define COMPARE_NEAR(actual, expected)                                                             \
@@ -210,6 +220,74 @@ void TestBreathingModel::boundsABreathByThePatient()
     QCOMPARE(console.breathing.largestTidalVolume_ml(), 1925);
     console.node.decide(fact::PatientBuildSet{{metres(2.1), 110.0, 40.0, Sex::Male}});
     QCOMPARE(console.breathing.largestTidalVolume_ml(), 2000);
+}
+
+void TestBreathingModel::goesToAnotherStation()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    console.breathing.set(Rate, 25.0);
+    console.settle();
+    QVERIFY(console.breathing.canUndo());
+    QSignalSpy changes{&console.breathing, &BreathingModel::changed};
+    console.breathing.setStation(kRoom);
+    QVERIFY(changes.count() >= 1);
+    COMPARE_NEAR(console.rate(), inPerMinute(BreathingPattern{}.rate));
+    QVERIFY(!console.breathing.canUndo()); // it would be of the other station
+    console.breathing.set(Rate, 33.0);
+    console.settle();
+    COMPARE_NEAR(console.rate(), 33.0);
+    console.breathing.setStation(FakeSessionNode::kStation);
+    COMPARE_NEAR(console.rate(), 25.0);
+}
+
+void TestBreathingModel::changesAllStationsByOneFact()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    console.breathing.setForAll(true);
+    const FactNumber before = console.node.state()->lastApplied();
+    console.breathing.set(Rate, 25.0);
+    QCOMPARE(console.node.state()->lastApplied().value, before.value + 1);
+    QVERIFY(console.breathing.pending(Rate));
+    console.settle();
+    COMPARE_NEAR(console.rate(), 25.0);
+    COMPARE_NEAR(console.rateAt(kRoom), 25.0);
+    console.breathing.setForAll(false);
+    console.breathing.set(Rate, 30.0);
+    console.settle();
+    COMPARE_NEAR(console.rate(), 30.0);
+    COMPARE_NEAR(console.rateAt(kRoom), 25.0);
+    console.breathing.setForAll(true);
+    console.breathing.set(Rate, 30.0); // so here, and not there
+    console.settle();
+    COMPARE_NEAR(console.rateAt(kRoom), 30.0);
+}
+
+void TestBreathingModel::undoesAtEachStationWhatWasThere()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    console.breathing.set(Rate, 22.0);
+    console.settle();
+    console.breathing.setForAll(true);
+    console.breathing.set(Rate, 30.0);
+    console.settle();
+    COMPARE_NEAR(console.rateAt(kRoom), 30.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rate(), 22.0);
+    COMPARE_NEAR(console.rateAt(kRoom), inPerMinute(BreathingPattern{}.rate));
+}
+
+void TestBreathingModel::boundsABreathByAllPatients()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    console.node.decide(fact::PatientBuildSet{{metres(1.75), 77.0, 40.0, Sex::Male}});
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 1925);
+    console.breathing.setForAll(true);
+    QCOMPARE(console.breathing.largestTidalVolume_ml(), 1000); // the child in room 5
 }
 
 CARINA_TEST(TestBreathingModel)

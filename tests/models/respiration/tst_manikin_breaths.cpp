@@ -31,7 +31,7 @@ constexpr std::chrono::milliseconds kFrame{16};
 struct Manikin {
     FakeSessionNode node;
     Validity validity = Validity::Tracked;
-    ManikinBreaths breaths{node, FakeSessionNode::kStation, [this] { return marker(); }};
+    ManikinBreaths breaths{node, [this] { return marker(); }};
 
     explicit Manikin(ParticipantId self = FakeSessionNode::kTrainee) : node{self}
     {

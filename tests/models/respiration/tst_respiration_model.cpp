@@ -19,6 +19,7 @@ class TestRespirationModel : public QObject
 private Q_SLOTS:
     void showsWhatIsInForce();
     void setsAndTellsWhatTravels();
+    void changesAllStationsAndUndoesEach();
     void choosesAConditionWithASeverityToBeSeen();
     void putsATubeIntoOneBronchus();
     void keepsOneProposalUnderWayWhileASeverityIsDragged();
@@ -80,6 +81,36 @@ void TestRespirationModel::showsWhatIsInForce()
     QVERIFY(!console.model.canUndo());
     QVERIFY(console.model.travellingText().isEmpty());
     QVERIFY(console.model.obstacle().isEmpty());
+}
+
+void TestRespirationModel::changesAllStationsAndUndoesEach()
+{
+    constexpr StationId kRoom{1};
+    Console console;
+    console.node.addStation("Room 5");
+    const auto at = [&](StationId station) {
+        const auto& respiration = console.node.state()->stations().at(station).respiration;
+        return respiration.settingsAt(SessionTime::max()).position;
+    };
+    console.model.setPosition(BodyPosition::Prone);
+    console.settle();
+    console.model.setForAll(true);
+    console.model.setPosition(BodyPosition::LeftLateral);
+    console.settle();
+    QCOMPARE(at(FakeSessionNode::kStation), BodyPosition::LeftLateral);
+    QCOMPARE(at(kRoom), BodyPosition::LeftLateral);
+    console.model.undo();
+    console.settle();
+    QCOMPARE(at(FakeSessionNode::kStation), BodyPosition::Prone);
+    QCOMPARE(at(kRoom), BodyPosition::Supine);
+    console.model.setForAll(false);
+    console.model.setStation(kRoom);
+    QCOMPARE(console.model.position(), BodyPosition::Supine);
+    QVERIFY(!console.model.canUndo());
+    console.model.setPosition(BodyPosition::RightLateral);
+    console.settle();
+    QCOMPARE(at(FakeSessionNode::kStation), BodyPosition::Prone);
+    QCOMPARE(at(kRoom), BodyPosition::RightLateral);
 }
 
 void TestRespirationModel::setsAndTellsWhatTravels()

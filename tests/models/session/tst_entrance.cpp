@@ -41,7 +41,7 @@ private Q_SLOTS:
     void triesWhatWasTypedWithWhatIsKnown()
     {
         JoinSettings known;
-        known.station = StationId{3};
+        known.station = "Room 3";
         known.tokens = "kept";
         Entrance entrance{known, join()};
         QVERIFY(!entrance.isTrying());
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE(m_tried.size(), std::size_t{1});
         QCOMPARE(m_tried[0].address, std::string{"192.0.2.7"});
         QVERIFY(m_tried[0].role == Role::Observer);
-        QCOMPARE(m_tried[0].station, StationId{3});
+        QCOMPARE(m_tried[0].station, std::string{"Room 3"});
         QCOMPARE(m_tried[0].tokens.string(), std::string{"kept"});
         QVERIFY(entrance.settings().role == Role::Observer);
     }

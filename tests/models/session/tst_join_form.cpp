@@ -31,6 +31,7 @@ private Q_SLOTS:
         JoinForm form = complete();
         form.name = QStringLiteral("  Anna ");
         form.role = Role::Observer;
+        form.station = QStringLiteral(" Room 5 ");
         QCOMPARE(missingIn(form), QString{});
         JoinSettings settings;
         fillIn(settings, form);
@@ -38,6 +39,10 @@ private Q_SLOTS:
         QCOMPARE(settings.address, std::string{"192.0.2.7"});
         QCOMPARE(settings.port, std::uint16_t{45000});
         QVERIFY(settings.role == Role::Observer);
+        QCOMPARE(settings.station, std::string{"Room 5"});
+        QCOMPARE(formOf(settings).station, QStringLiteral("Room 5"));
+        form.station = QString{65, QLatin1Char('x')};
+        QCOMPARE(whatIsMissing(form, {})->field, JoinField::Station);
         QCOMPARE(settings.code->text(), std::string{"7K3QM-XW2PD"});
     }
 
@@ -74,6 +79,7 @@ private Q_SLOTS:
         QTest::newRow("another's") << Errc::CertificateOfAnother << JoinField::Certificate;
         QTest::newRow("no certificate") << Errc::CertificateMissing << JoinField::Certificate;
         QTest::newRow("a certificate") << Errc::CertificateNeeded << JoinField::Certificate;
+        QTest::newRow("station") << Errc::StationUnknown << JoinField::Station;
         QTest::newRow("version") << Errc::VersionMismatch << JoinField::Address;
     }
 

@@ -16,6 +16,7 @@ class TestParticipantsModel : public QObject
 
 private Q_SLOTS:
     void listsEverybodyWithTheirRole();
+    void saysWhoIsWhere();
     void namesItsColumns();
     void saysWhetherSomebodyIsThere_data();
     void saysWhetherSomebodyIsThere();
@@ -75,13 +76,25 @@ void TestParticipantsModel::listsEverybodyWithTheirRole()
     QCOMPARE(table.cell(kObserverRow, Column::RoleColumn), QStringLiteral("Observer"));
 }
 
+void TestParticipantsModel::saysWhoIsWhere()
+{
+    Table table;
+    table.node.addStation("Room 5");
+    table.node.decideAt(StationId{1}, fact::ParticipantMoved{FakeSessionNode::kTrainee});
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Station), QStringLiteral("Room 5"));
+    QCOMPARE(table.cell(kObserverRow, Column::Station), QStringLiteral("Station 1"));
+    QCOMPARE(table.cell(kTraineeRow, Column::Station, Qt::AccessibleTextRole),
+             QStringLiteral("Station: Room 5"));
+}
+
 void TestParticipantsModel::namesItsColumns()
 {
     const Table table;
-    const QStringList expected{QStringLiteral("Name"),    QStringLiteral("Role"),
-                               QStringLiteral("State"),   QStringLiteral("Registration"),
-                               QStringLiteral("Sends"),   QStringLiteral("Age"),
-                               QStringLiteral("Drift °"), QStringLiteral("Drift mm")};
+    const QStringList expected{
+        QStringLiteral("Name"),  QStringLiteral("Role"),         QStringLiteral("Station"),
+        QStringLiteral("State"), QStringLiteral("Registration"), QStringLiteral("Sends"),
+        QStringLiteral("Age"),   QStringLiteral("Drift °"),      QStringLiteral("Drift mm")};
     QStringList headers;
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();

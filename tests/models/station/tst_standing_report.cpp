@@ -18,7 +18,7 @@ constexpr RegistrationStanding kNotGood{RegistrationState::NotGood, StaleReason:
 
 struct Trainee {
     FakeSessionNode node{FakeSessionNode::kTrainee};
-    StandingReport report{node, FakeSessionNode::kStation};
+    StandingReport report{node};
 
     [[nodiscard]] std::optional<RegistrationStanding> known() const
     {

@@ -66,6 +66,7 @@ private Q_SLOTS:
     void exaggeratesOnlyWhereAsked();
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
+    void tellsForAWhileThatOneWasMoved();
     void saysThatThePatientIsAway();
     void saysWhatWasDecidedAboutItsParticipant();
     void saysWhenTheHeadsetIsLost_data();
@@ -147,8 +148,28 @@ void TestStationView::showsThePatientAsActionsHaveItAtTheTimeOfLight()
     node.ownerActs(FakeSessionNode::kPatient, {ActionKind::Translation, Vec3::UnitX(), 0.5});
     QCOMPARE(view.at(kNow + std::chrono::seconds{2}, 0).patient->acted.X_AO.translation(),
              Vec3(1.0, 0.0, 0.0));
-    const StationView elsewhere{node, StationId{1}, pair, tellingPoses(kNow)};
+    StationView elsewhere{node, StationId{1}, pair, tellingPoses(kNow)};
     QVERIFY(!elsewhere.at(kNow, 0).patient);
+    elsewhere.setStation(FakeSessionNode::kStation, tellingPoses(kNow));
+    QVERIFY(elsewhere.at(kNow, 0).patient);
+}
+
+void TestStationView::tellsForAWhileThatOneWasMoved()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    node.addStation("Room 5");
+    node.decideAt(StationId{1}, fact::ParticipantMoved{FakeSessionNode::kTrainee});
+    StationMoment moment;
+    moment.tube = tellingPose(ObjectKind::Tube, kNow);
+    const auto noticeAfter = [&](std::chrono::seconds time) {
+        moment.time = *node.now() + time;
+        return stationNotice(node, moment, ViewOutput::Screen);
+    };
+    QCOMPARE(noticeAfter(std::chrono::seconds{14}),
+             QStringLiteral("The instructor has moved you to the station “Room 5”"));
+    QCOMPARE(noticeAfter(std::chrono::seconds{15}), QString{});
 }
 
 void TestStationView::saysThatThePatientIsAway()

@@ -132,6 +132,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("field");
         QTest::newRow("code") << Errc::WrongCode << QStringLiteral("code");
         QTest::newRow("name") << Errc::NameTaken << QStringLiteral("name");
+        QTest::newRow("station") << Errc::StationUnknown << QStringLiteral("station");
         QTest::newRow("certificate") << Errc::CertificateNeeded << QStringLiteral("certificate");
         QTest::newRow("version") << Errc::VersionMismatch << QStringLiteral("address");
     }

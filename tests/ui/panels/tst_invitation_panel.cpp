@@ -43,7 +43,7 @@ private Q_SLOTS:
         QVERIFY(link
                 == (JoinLink{"127.0.0.1", node->port(), Role::Trainee,
                              node->joinCodes().at(Role::Trainee)}));
-        JoinSettings settings{.participantName = "Anna", .station = kStation, .derive = cheapKey};
+        JoinSettings settings{.participantName = "Anna", .derive = cheapKey};
         settings.address = link->address;
         settings.port = link->port;
         settings.role = link->role;

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QToolButton>
 
 namespace carina::participants_panel_test
 {
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void locksTheSession();
     void saysWhoseRegistrationCannotBeReliedOn();
     void keepsWhoWasChosenWhenSomebodyComesIn();
+    void movesToAnotherStationWhereThereIsOne();
 };
 
 namespace
@@ -41,13 +43,14 @@ struct Panel {
     SessionModel session{node};
     ParticipantsModel participants{session};
     ConductModel conduct{session};
+    StationsModel stations{session};
     ParticipantsPanel panel;
     QTableView& table = *panel.findChild<QTableView*>();
     QPushButton& mute = button("mute");
     QPushButton& remove = button("remove");
     QCheckBox& lock = *panel.findChild<QCheckBox*>(QStringLiteral("lock"));
 
-    Panel() { panel.setModel(participants, conduct); }
+    Panel() { panel.setModel(participants, conduct, stations); }
     [[nodiscard]] QPushButton& button(const char* name) const
     {
         return *panel.findChild<QPushButton*>(QLatin1String{name});
@@ -66,6 +69,28 @@ struct Panel {
 };
 
 } // namespace
+
+void TestParticipantsPanel::movesToAnotherStationWhereThereIsOne()
+{
+    Panel panel;
+    auto& move = *panel.panel.findChild<QToolButton*>(QStringLiteral("move"));
+    QVERIFY(move.isHidden());
+    QVERIFY(panel.table.isColumnHidden(ParticipantsModel::Station));
+    panel.node.addStation("Room & hall");
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(!move.isHidden() && !move.isEnabled());
+    QVERIFY(!panel.table.isColumnHidden(ParticipantsModel::Station));
+    panel.chooseTom();
+    QVERIFY(move.isEnabled());
+    QCOMPARE(move.accessibleDescription(), QStringLiteral("Tom"));
+    Q_EMIT move.menu()->aboutToShow();
+    const QList<QAction*> offered = move.menu()->actions();
+    QCOMPARE(offered.size(), 2);
+    QVERIFY(offered[0]->isChecked() && !offered[0]->isEnabled()); // where he is
+    QCOMPARE(offered[1]->text(), QStringLiteral("Room && hall"));
+    offered[1]->trigger();
+    QCOMPARE(panel.tom().station, StationId{1});
+}
 
 void TestParticipantsPanel::offersNothingBeforeSomebodyIsChosen()
 {

@@ -66,8 +66,7 @@ public:
         auto guest = std::make_unique<Guest>();
         guest->address = 100 + m_guests.size();
         guest->driver = std::make_unique<ClientDriver>(
-            JoinSettings{.participantName = name, .role = role, .station = kStation}, guest->board,
-            now);
+            JoinSettings{.participantName = name, .role = role}, guest->board, now);
         host->connected(guest->address, {role, std::nullopt}, now);
         guest->driver->connected(kPathToHost, {}, now);
         m_guests.push_back(std::move(guest));

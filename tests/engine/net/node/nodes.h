@@ -45,7 +45,6 @@ inline JoinSettings joinSettings(const SessionNode& host, const char* name,
     return {.port = host.port(),
             .participantName = name,
             .role = role,
-            .station = kStation,
             .code = host.joinCodes().at(role),
             .derive = cheapKey};
 }

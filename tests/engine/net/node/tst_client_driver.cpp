@@ -42,7 +42,7 @@ struct Pair {
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
                 [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; },
                 [](ParticipantId) { return limitsOf(Role::Instructor); }}},
-          client{{0, "Anna", role, StationId{}}, board, now}
+          client{{0, "Anna", role}, board, now}
     {
         client.connected(kHost, {}, now);
     }
@@ -128,7 +128,7 @@ private Q_SLOTS:
         Pair pair{logOf({fact::SessionCreated{"Course", "00ff"}})};
         pair.run(500ms);
         QVERIFY(pair.client.nextWake() > pair.now);
-        pair.client.publish(StationId{}, ObjectKind::Tube, "Tube", [] { return std::nullopt; });
+        pair.client.publish(ObjectKind::Tube, "Tube", [] { return std::nullopt; });
         QVERIFY(pair.client.nextWake() <= pair.now);
         static_cast<void>(pair.client.advance(pair.now));
         // The object is proposed at once; the tick comes 60 times a second.

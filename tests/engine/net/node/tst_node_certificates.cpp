@@ -75,7 +75,7 @@ private Q_SLOTS:
         const auto olga = join(guest(*instructor, "Olga", Role::Observer));
         QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kSoonMs);
         const std::size_t facts = disk.facts.size();
-        olga->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*olga));
+        olga->publish(ObjectKind::Tube, "Tube", stillTube(*olga));
         olga->propose(kStation, fact::TidalVolumeSet{5e-4});
         QTRY_VERIFY_WITH_TIMEOUT(olga->refusal().has_value(), kSoonMs);
         QCOMPARE(olga->refusal()->code, Errc::NotPermitted);

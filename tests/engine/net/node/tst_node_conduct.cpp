@@ -96,7 +96,7 @@ private Q_SLOTS:
         LocalTime now = monotonicNow();
         const auto host = HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk),
                                            boards[0], now);
-        ClientDriver guest{{.participantName = "Anna", .station = kStation}, boards[1], now};
+        ClientDriver guest{{.participantName = "Anna"}, boards[1], now};
         (*host)->connected(kGuest, {Role::Trainee, {}}, now);
         guest.connected(kGuest, {}, now);
         const auto talk = [&](Duration length) {
@@ -172,7 +172,7 @@ private Q_SLOTS:
     void mutedParticipantSeesAndChangesNothing()
     {
         Course course;
-        course.anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*course.anna));
+        course.anna->publish(ObjectKind::Tube, "Tube", stillTube(*course.anna));
         QTRY_VERIFY_WITH_TIMEOUT(
             onlyObject(*course.instructor) && onlyObject(*course.instructor)->newest(), kSoonMs);
         const ParticipantId id = course.anna->self();
@@ -183,7 +183,7 @@ private Q_SLOTS:
         course.anna->propose(kStation, fact::ObjectWanted{tube});
         QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Muted}, kSoonMs);
         course.anna->act(tube, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, {}});
-        course.anna->publish(kStation, ObjectKind::Stylus, "Stylus", stillTube(*course.anna));
+        course.anna->publish(ObjectKind::Stylus, "Stylus", stillTube(*course.anna));
         QTRY_VERIFY_WITH_TIMEOUT(course.anna->pending().empty(), kSoonMs);
         QVERIFY(!course.anna->shown(tube, *course.anna->now()));
         QCOMPARE(course.instructor->state()->lastApplied().value, facts);
@@ -331,7 +331,7 @@ private Q_SLOTS:
         const LocalTime now = monotonicNow();
         const auto host = HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk),
                                            boards[0], now);
-        ClientDriver guest{{.participantName = "Anna", .station = kStation}, boards[1], now};
+        ClientDriver guest{{.participantName = "Anna"}, boards[1], now};
         (*host)->connected(kGuest, {Role::Trainee, {}}, now);
         guest.connected(kGuest, {}, now);
         std::optional<ProposalId> join;
@@ -356,7 +356,7 @@ private Q_SLOTS:
     void hostSeesWhatEverybodySends()
     {
         Course course;
-        course.anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*course.anna));
+        course.anna->publish(ObjectKind::Tube, "Tube", stillTube(*course.anna));
         const SessionNode& instructor = *course.instructor;
         QTRY_VERIFY_WITH_TIMEOUT(trafficAt(instructor).samplesPerSecond > 20.0, 2 * kSoonMs);
         QVERIFY(trafficAt(instructor).samplesPerSecond < 90.0);

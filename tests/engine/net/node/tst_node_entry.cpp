@@ -37,8 +37,7 @@ NodeBoard::View greet(HostDriver& host, const Credential& proved, Role role)
     constexpr PeerAddress kPathToHost = 1;
     NodeBoard board;
     LocalTime now = monotonicNow();
-    ClientDriver guest{
-        {.participantName = "Mallory", .role = role, .station = kStation}, board, now};
+    ClientDriver guest{{.participantName = "Mallory", .role = role}, board, now};
     host.connected(kGuest, proved, now);
     guest.connected(kPathToHost, {}, now);
     for (int turn = 0; turn < 100; ++turn, now += 1ms) {
@@ -205,7 +204,7 @@ private Q_SLOTS:
         olga->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
         QTRY_VERIFY_WITH_TIMEOUT(olga->refusal().has_value(), kSoonMs);
         QCOMPARE(olga->refusal()->code, Errc::NotPermitted);
-        olga->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*olga));
+        olga->publish(ObjectKind::Tube, "Tube", stillTube(*olga));
         QTRY_VERIFY_WITH_TIMEOUT(olga->pending().empty(), kSoonMs);
         QVERIFY(instructor->state()->objects().empty());
         QCOMPARE(disk.facts.size(), facts);

@@ -22,7 +22,7 @@ private Q_SLOTS:
         QVERIFY(instructor->paths()->empty());
         const auto anna = join(*instructor, "Anna");
         const auto ben = join(*instructor, "Ben");
-        anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
+        anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         const auto isMeasured = [&](const SessionNode& node) {
             const auto paths = instructor->paths();
             const auto path = std::ranges::find(*paths, node.self(), &PathReport::peer);

@@ -15,7 +15,7 @@ private Q_SLOTS:
         const auto instructor = host(disk);
         const auto anna = join(*instructor, "Anna");
         const auto ben = join(*instructor, "Ben");
-        anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
+        anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         for (const auto* node : {instructor.get(), ben.get()}) {
             QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(), kSoonMs);
             const auto pose = onlyObject(*node)->at(*node->now());
@@ -40,7 +40,7 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const auto instructor = host(disk);
-        instructor->publish(kStation, ObjectKind::Head, "Head", stillTube(*instructor));
+        instructor->publish(ObjectKind::Head, "Head", stillTube(*instructor));
         const auto anna = join(*instructor, "Anna");
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*anna) && onlyObject(*anna)->newest(), kSoonMs);
     }
@@ -50,7 +50,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         auto anna = join(*instructor, "Anna");
-        anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
+        anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
                                  kSoonMs);
         anna.reset();

@@ -179,7 +179,7 @@ private Q_SLOTS:
         auto instructor = host(disk);
         const std::uint16_t port = instructor->port();
         const auto anna = join(*instructor, "Anna");
-        anna->publish(kStation, ObjectKind::Tube, "Tube", stillTube(*anna));
+        anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
                                  kSoonMs);
         instructor.reset();

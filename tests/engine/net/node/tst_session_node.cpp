@@ -128,7 +128,7 @@ private Q_SLOTS:
             QCOMPARE(hosted.error().code, Errc::OutOfRange);
         }
         QVERIFY(disk.facts.empty());
-        const auto joined = SessionNode::join({1, tooLong, Role::Trainee, kStation});
+        const auto joined = SessionNode::join({1, tooLong, Role::Trainee});
         QVERIFY(!joined);
         QCOMPARE(joined.error().code, Errc::OutOfRange);
     }

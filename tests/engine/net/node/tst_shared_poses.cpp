@@ -27,6 +27,9 @@ StreamCpo cpoAt(Duration after, const Vec3& p_AO, StreamValidity validity = Stre
     return cpo;
 }
 
+/// As its owner sends it.
+StreamSample sampleOf(const StreamCpo& cpo) { return {kOwner, 1, kStation, cpo}; }
+
 /// A session that knows what Anna shares.
 SessionState stateWith(std::initializer_list<fact::ObjectShared> objects)
 {
@@ -80,15 +83,15 @@ private Q_SLOTS:
     void driftIsHowFarANewSampleMovesThePicture()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1}, kOwner);
+        objects.add(ObjectId{1}, kOwner, kStation);
         QVERIFY(objects.reports(kStart).empty()); // nothing came yet
         StreamCpo cpo = cpoAt(0ms, Vec3::Zero());
         cpo.motion = StreamMotion{Vec3{0.1, 0.0, 0.0}, Vec3::Zero()};
-        objects.take(cpo, cpo.time);
+        objects.take(sampleOf(cpo), cpo.time);
         cpo = cpoAt(20ms, Vec3{0.005, 0.0, 0.0});
         cpo.X_AO =
             RigidTransform{Quat{std::cos(0.05), 0.0, 0.0, std::sin(0.05)}, cpo.X_AO.translation()};
-        objects.take(cpo, cpo.time);
+        objects.take(sampleOf(cpo), cpo.time);
         const ObjectReport report = objects.reports(kStart + 50ms).at(0);
         QCOMPARE(report.object, ObjectId{1});
         QCOMPARE(report.age, Duration{30ms});
@@ -97,16 +100,16 @@ private Q_SLOTS:
     void tellsHowFastAnObjectMovesAndHowOftenWordOfItComes()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1}, kOwner);
+        objects.add(ObjectId{1}, kOwner, kStation);
         StreamCpo cpo = cpoAt(0ms, Vec3::Zero());
-        objects.take(cpo, cpo.time);
+        objects.take(sampleOf(cpo), cpo.time);
         QVERIFY(!objects.reports(kStart)[0].turnDegPerS); // its owner does not say
         QVERIFY(!objects.reports(kStart)[0].moveMmPerS);
         QVERIFY(!objects.analysis().actionFrequency(kOwner, 1, kStart)); // not over
         for (int i = 1; i < 60; ++i) {
             cpo = cpoAt(Duration{1s} * i / 60, Vec3::Zero());
             cpo.motion = StreamMotion{Vec3{0.03, 0.04, 0.0}, Vec3{0.0, 0.0, -2.0}};
-            objects.take(cpo, cpo.time);
+            objects.take(sampleOf(cpo), cpo.time);
         }
         const ObjectReport report = objects.reports(kStart + 1s).at(0);
         QVERIFY(std::abs(report.moveMmPerS.value() - 50.0) < 1e-9);
@@ -114,19 +117,19 @@ private Q_SLOTS:
         QCOMPARE(objects.analysis().actionFrequency(kOwner, 1, kStart + 1s), std::optional{60.0});
         cpo.time = kStart + 1s;
         cpo.validity = StreamValidity::Lost;
-        objects.take(cpo, cpo.time);
+        objects.take(sampleOf(cpo), cpo.time);
         QVERIFY(!objects.reports(kStart + 1s)[0].turnDegPerS);
         objects.remove(ObjectId{1});
-        objects.add(ObjectId{1}, kOwner);
-        objects.take(cpoAt(5s, Vec3::Zero()), kStart + 5s);
+        objects.add(ObjectId{1}, kOwner, kStation);
+        objects.take(sampleOf(cpoAt(5s, Vec3::Zero())), kStart + 5s);
         QVERIFY(!objects.analysis().actionFrequency(kOwner, 1, kStart + 5s)); // counted anew
     }
 
     void posesGoStaleAfter300Milliseconds()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1}, kOwner);
-        objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
+        objects.add(ObjectId{1}, kOwner, kStation);
+        objects.take(sampleOf(cpoAt(0ms, Vec3::Zero())), kStart + 0ms);
         const auto poses = objects.find(ObjectId{1});
         QCOMPARE(poses->at(kStart + 300ms)->validity, Validity::Tracked);
         QCOMPARE(poses->at(kStart + 301ms)->validity, Validity::Lost);
@@ -135,15 +138,15 @@ private Q_SLOTS:
     void addingAgainKeepsWhatCame()
     {
         RemoteObjects objects;
-        objects.add(ObjectId{1}, kOwner);
-        objects.take(cpoAt(0ms, Vec3::Zero()), kStart + 0ms);
-        objects.add(ObjectId{1}, kOwner);
+        objects.add(ObjectId{1}, kOwner, kStation);
+        objects.take(sampleOf(cpoAt(0ms, Vec3::Zero())), kStart + 0ms);
+        objects.add(ObjectId{1}, kOwner, kStation);
         QVERIFY(objects.find(ObjectId{1})->newest());
         objects.remove(ObjectId{1});
         QVERIFY(!objects.find(ObjectId{1}));
-        objects.take(cpoAt(10ms, Vec3::Zero()),
+        objects.take(sampleOf(cpoAt(10ms, Vec3::Zero())),
                      kStart + 10ms); // of an object that is not there: nothing
-        objects.add(ObjectId{1}, kOwner);
+        objects.add(ObjectId{1}, kOwner, kStation);
         QVERIFY(!objects.find(ObjectId{1})->newest());
         objects.clear();
         QVERIFY(!objects.find(ObjectId{1}));
@@ -152,7 +155,7 @@ private Q_SLOTS:
     void unknownObjectsAreToldOfOnce()
     {
         Publications publications;
-        publications.add(kStation, ObjectKind::Tube, "Tube", [] { return std::nullopt; });
+        publications.add(ObjectKind::Tube, "Tube", [] { return std::nullopt; });
         const SessionState empty = stateWith({});
         const auto wanted = publications.takeUnknown(empty, kAnna);
         QCOMPARE(wanted.size(), std::size_t{1});
@@ -171,7 +174,7 @@ private Q_SLOTS:
         Publications publications;
         QCOMPARE(publications.nextTick(), LocalTime::max());
         std::optional<PoseSample> newest;
-        publications.add(kStation, ObjectKind::Tube, "Tube", [&] { return newest; });
+        publications.add(ObjectKind::Tube, "Tube", [&] { return newest; });
         const SessionState state = stateWith({kTube});
         LocalTime now{1s};
         const auto tick = [&] {
@@ -198,9 +201,9 @@ private Q_SLOTS:
     void othersObjectsAreNotOurs()
     {
         Publications publications;
-        publications.add(kStation, ObjectKind::Tube, "Tube", [] { return PoseSample{}; });
-        publications.add(kStation, ObjectKind::Jaw, "Tube", [] { return PoseSample{}; });
-        publications.add(kStation, ObjectKind::Tube, "Other", [] { return PoseSample{}; });
+        publications.add(ObjectKind::Tube, "Tube", [] { return PoseSample{}; });
+        publications.add(ObjectKind::Jaw, "Tube", [] { return PoseSample{}; });
+        publications.add(ObjectKind::Tube, "Other", [] { return PoseSample{}; });
         const SessionState state = stateWith({kTube});
         QVERIFY(publications.sample(state, ParticipantId{2}, LocalTime{1s}).empty());
         QCOMPARE(publications.sample(state, kAnna, LocalTime{2s}).size(), std::size_t{1});

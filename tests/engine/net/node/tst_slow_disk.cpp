@@ -88,7 +88,7 @@ private Q_SLOTS:
         DriverWorld world{disk};
         auto& anna = world.add("Anna");
         auto& ben = world.add("Ben");
-        anna.driver->publish(kStation, ObjectKind::Tube, "Tube", tubeOf(world, anna.board));
+        anna.driver->publish(ObjectKind::Tube, "Tube", tubeOf(world, anna.board));
         world.run(500ms);
         QCOMPARE(world.board.state()->objects().size(), std::size_t{1});
         const ObjectId tube = world.board.state()->objects().begin()->first;

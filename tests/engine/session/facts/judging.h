@@ -31,7 +31,10 @@ inline QByteArray verdict(const Result<Fact>& fact)
                                                    {Errc::SessionFull, "session full"},
                                                    {Errc::Muted, "muted"},
                                                    {Errc::Banned, "banned"},
-                                                   {Errc::SessionLocked, "session locked"}};
+                                                   {Errc::SessionLocked, "session locked"},
+                                                   {Errc::StationUnknown, "station unknown"},
+                                                   {Errc::StationOccupied, "station occupied"},
+                                                   {Errc::StationCount, "station count"}};
     return fact ? QByteArray{"fine"} : kWords.at(fact.error().code);
 }
 

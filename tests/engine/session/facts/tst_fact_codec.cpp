@@ -84,6 +84,9 @@ std::vector<Golden> goldenFacts()
         {"registration stated",
          fact::RegistrationStated{{RegistrationState::Stale, StaleReason::Drift, metres(0.5)}},
          "1b 04 0a 000000000000e03f"},
+        {"station renamed", fact::StationRenamed{"S"}, "1c 0153"},
+        {"station closed", fact::StationClosed{}, "1d"},
+        {"participant moved", fact::ParticipantMoved{ParticipantId{0x0102}}, "1e 0201"},
     };
 }
 
@@ -134,7 +137,7 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 28", "1c", "kind of fact 28");
+    row("kind 31", "1f", "kind of fact 31");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");

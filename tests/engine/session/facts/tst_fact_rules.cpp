@@ -172,6 +172,8 @@ void TestFactRules::boundsTexts_data()
              return fact::SessionCreated{{}, t};
          }},
         {"station", [](const std::string& t) -> FactBody { return fact::StationAdded{t}; }},
+        {"station's new name",
+         [](const std::string& t) -> FactBody { return fact::StationRenamed{t}; }},
         {"participant",
          [](const std::string& t) -> FactBody {
              return fact::ParticipantJoined{{}, Role::Trainee, t};

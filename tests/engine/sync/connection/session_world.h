@@ -46,6 +46,7 @@ struct TestSession {
     bool areProven = true;             ///< whether each proves by a secret who it is
     PeerLimits limits{1e4, 1e7, 1e4, 1e4, 1e4, 1e4};
     Ownership ownership{kNobody, 1}; ///< of the one object
+    StationId station;               ///< where everybody is
 
     [[nodiscard]] static std::vector<std::byte> body(const std::string& text)
     {
@@ -100,17 +101,18 @@ struct TestSession {
     }
     [[nodiscard]] HostRules rules()
     {
-        return {[this](const ProposalRecord& join, LocalTime) {
-                    return identify(join).map([this](ParticipantId id) {
+        return {[this](const Hello& hello, LocalTime) {
+                    return identify(hello.join).map([this](ParticipantId id) {
                         return Identity{id, areProven};
                     });
                 },
-                [this](const ProposalRecord& join, LocalTime) { return admit(join); },
+                [this](const Hello& hello, LocalTime) { return admit(hello.join); },
                 [this](ProposalId id) { return isSettled(id); },
                 [this](const ProposalRecord& proposal, LocalTime) { return decide(proposal); },
                 [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },
                 [this](ParticipantId who) { return !observers.contains(who); },
-                [this](ParticipantId) { return limits; }};
+                [this](ParticipantId) { return limits; },
+                [this](ParticipantId) { return station; }};
     }
 };
 

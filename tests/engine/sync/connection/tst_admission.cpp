@@ -320,9 +320,7 @@ private Q_SLOTS:
     {
         HostAlone alone;
         HostRules rules = alone.session.rules();
-        rules.identify = [](const ProposalRecord&, LocalTime) {
-            return Identity{ParticipantId{0}};
-        };
+        rules.identify = [](const Hello&, LocalTime) { return Identity{ParticipantId{0}}; };
         alone.host = SyncHost{SessionKey{}, {}, 1000h, rules};
         const auto refused = alone.greet(1, 10, 77, kNow);
         QCOMPARE(std::get<HelloRefused>(refused.at(0)).reason, Errc::NameTaken);

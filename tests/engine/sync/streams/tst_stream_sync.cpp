@@ -90,6 +90,7 @@ private Q_SLOTS:
     void newestSampleOfATickTravels()
     {
         TubeWorld world;
+        world.session.station = StationId{4};
         for (std::uint16_t sequence = 1; sequence <= 3; ++sequence)
             world.site(0).client->publish(StationId{4}, world.sample(sequence));
         world.run(100ms);
@@ -98,6 +99,16 @@ private Q_SLOTS:
         QCOMPARE(got.cpo.sequence, std::uint16_t{3});
         QCOMPARE(got.station, StationId{4});
         QCOMPARE(got.owner, world.site(0).client->self());
+    }
+
+    void samplesOfAStationWhereTheirOwnerIsNotAreDropped()
+    {
+        TubeWorld world;
+        world.session.station = StationId{4};
+        world.run(100ms, StreamTick::kPeriod,
+                  [&] { world.site(0).client->publish(StationId{3}, world.sample(1)); });
+        QVERIFY(world.site(1).streams.empty());
+        QCOMPARE(world.host().take().streams.size(), std::size_t{0});
     }
 
     void sequencesOnlyRiseInAStorm()

@@ -26,11 +26,11 @@ inline BundleHeader goldenHeader()
 }
 
 inline constexpr const char* kGoldenHeaderHex =
-    "43 41 09 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
+    "43 41 0a 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
     "fe ff ff ff ff ff ff ff  ff ff ff ff";
 
 inline constexpr const char* kPlainHeaderHex =
-    "43 41 09 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
+    "43 41 0a 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
     "00 00 00 00 00 00 00 00  00 00 00 00";
 
 /// A quarter turn about z at (0.1, -0.2, 0.3) m, 2^32 + 5 us after the epoch.
@@ -125,7 +125,7 @@ inline std::vector<GoldenRecord> goldenRecords()
          "06  03 00 00 00 00 00 00 00  01"},
         {"hello", Hello{goldenKey(), FactNumber{9}, goldenProposal()},
          "07  a0 a1 a2 a3 a4 a5 a6 a7 a8 a9 aa ab ac ad ae af  09 00 00 00 00 00 00 00"
-         "18 17 16 15 14 13 12 11  04 03  02 00 aa bb"},
+         "18 17 16 15 14 13 12 11  04 03  02 00 aa bb  00"},
         {"welcome", Welcome{goldenKey(), ParticipantId{5}, 0x0203, FactNumber{10}},
          "08  a0 a1 a2 a3 a4 a5 a6 a7 a8 a9 aa ab ac ad ae af  05 00  03 02"
          "0a 00 00 00 00 00 00 00"},
@@ -149,6 +149,9 @@ inline std::vector<GoldenRecord> goldenRecords()
          "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 40  00 00 00 00 00 00 e0 bf"},
         {"external time", ExternalTimeRecord{{Duration{0x0102030405060708}, Duration{0x01020304}}},
          "11  08 07 06 05 04 03 02 01  04 03 02 01 00 00 00 00"},
+        {"hello to a station", Hello{goldenKey(), FactNumber{9}, goldenProposal(), "R5"},
+         "07  a0 a1 a2 a3 a4 a5 a6 a7 a8 a9 aa ab ac ad ae af  09 00 00 00 00 00 00 00"
+         "18 17 16 15 14 13 12 11  04 03  02 00 aa bb  02 52 35"},
     };
 }
 

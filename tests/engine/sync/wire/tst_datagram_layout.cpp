@@ -241,11 +241,13 @@ private Q_SLOTS:
     void everyReasonThatTravelsArrives()
     {
         std::uint8_t number = 1;
-        for (const Errc reason :
-             {Errc::NotPermitted, Errc::SessionEnded, Errc::NameTaken, Errc::OutOfRange,
-              Errc::StoreFailed, Errc::PacketMalformed, Errc::VersionMismatch, Errc::NotFinite,
-              Errc::OwnerChanged, Errc::NameUnclear, Errc::SessionFull, Errc::TooMuchSent,
-              Errc::Muted, Errc::Removed, Errc::Banned, Errc::SessionLocked, Errc::UsedElsewhere}) {
+        for (const Errc reason : {Errc::NotPermitted,    Errc::SessionEnded,  Errc::NameTaken,
+                                  Errc::OutOfRange,      Errc::StoreFailed,   Errc::PacketMalformed,
+                                  Errc::VersionMismatch, Errc::NotFinite,     Errc::OwnerChanged,
+                                  Errc::NameUnclear,     Errc::SessionFull,   Errc::TooMuchSent,
+                                  Errc::Muted,           Errc::Removed,       Errc::Banned,
+                                  Errc::SessionLocked,   Errc::UsedElsewhere, Errc::StationUnknown,
+                                  Errc::StationOccupied, Errc::StationCount}) {
             auto bytes = encodeHeader({});
             std::ranges::copy(encoded(HelloRefused{reason, {}}), std::back_inserter(bytes));
             QCOMPARE(bytes[bytes.size() - 2], std::byte{number++});

@@ -186,8 +186,9 @@ private Q_SLOTS:
         row("proposal without a body", 3, 11, "00 00", "body length");
         row("proposal with the longest length", 3, 11, "ff ff", "body length");
         row("hello without a proposal", 6, 35, "00 00", "body length");
+        row("hello with too long a station", 6, 39, "41", "length of a station's name");
         row("reason zero", 5, 9, "00", "reason");
-        row("reason above the last", 5, 9, "12", "reason");
+        row("reason above the last", 5, 9, "15", "reason");
         row("reason above all", 8, 1, "ff", "reason");
         row("too many words", 8, 2, "c9", "length of a detail");
         row("more words than bytes", 8, 2, "01", "length");

@@ -1,0 +1,245 @@
+#include "engine/anatomy/patient/patient_name.h"
+#include "engine/session/participant_limits.h"
+#include "models/patient/shared_patient.h"
+#include "models/station/own_station.h"
+#include "models/station/stations_model.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+
+namespace carina::stations_model_test
+{
+
+using test::FakeSessionNode;
+
+constexpr StationId kFirst = FakeSessionNode::kStation;
+constexpr StationId kRoom{1};
+
+class TestStationsModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void listsWhatIsOpenAndHowManyAreThere();
+    void opensAStationWithItsPatient();
+    void staysWhereItIsIfAskedTo();
+    void saysWhatIsWrongWithAName_data();
+    void saysWhatIsWrongWithAName();
+    void saysWhatIsWrongWithAPatient();
+    void saysWhyNoStationIsAdded();
+    void saysWhyAStationIsNotClosed();
+    void leavesAStationBeforeItIsClosed();
+    void showsAnotherStationWhenTheShownOneIsClosed();
+    void changesAllOnlyWhereThereAreSeveral();
+    void movesParticipants();
+    void followsItsOwnParticipant();
+};
+
+namespace
+{
+
+struct Console {
+    FakeSessionNode node;
+    SessionModel session{node};
+    StationsModel stations{session};
+
+    static void deliver() { QCoreApplication::sendPostedEvents(); }
+    void addRoom()
+    {
+        node.addStation("Room 5");
+        deliver();
+    }
+};
+
+} // namespace
+
+void TestStationsModel::listsWhatIsOpenAndHowManyAreThere()
+{
+    Console console;
+    QSignalSpy changed{&console.stations, &StationsModel::changed};
+    using Rows = std::vector<StationsModel::Row>;
+    QVERIFY((console.stations.open() == Rows{{kFirst, QStringLiteral("Station 1"), 3}}));
+    console.addRoom();
+    QCOMPARE(changed.count(), 1);
+    console.node.decide(fact::ParticipantLeft{FakeSessionNode::kObserver});
+    console.node.decideAt(kRoom, fact::ParticipantMoved{FakeSessionNode::kTrainee});
+    console.node.decideAt(kRoom, fact::StationRenamed{"Hall"});
+    Console::deliver();
+    QVERIFY(
+        (console.stations.open()
+         == Rows{{kFirst, QStringLiteral("Station 1"), 1}, {kRoom, QStringLiteral("Hall"), 1}}));
+    QCOMPARE(console.stations.shown(), kFirst);
+    QCOMPARE(changed.count(), 2); // what came at once is told once
+}
+
+void TestStationsModel::opensAStationWithItsPatient()
+{
+    Console console;
+    QSignalSpy shown{&console.stations, &StationsModel::shownChanged};
+    console.stations.add(QStringLiteral(" Room 5 "), QStringLiteral("45 years, 182 cm, man"));
+    Console::deliver();
+    Console::deliver(); // what it proposed then
+    const auto state = console.node.state();
+    const Station& room = state->stations().at(kRoom);
+    QCOMPARE(room.name, std::string{"Room 5"});
+    const PatientParameters patient = patientFromWords("45 years, 182 cm, man").value();
+    QCOMPARE(room.anatomyHash, madeHash(patient));
+    QCOMPARE(room.respiration.settingsAt(SessionTime::max()).build.ageInYears, 45.0);
+    QVERIFY(sharedPatient(*state, kRoom));
+    QCOMPARE(sharedPatient(*state, kRoom)->owner, console.node.self());
+    QVERIFY(state->stations().at(kFirst).anatomyHash.empty());
+    QCOMPARE(console.stations.shown(), kRoom);
+    QCOMPARE(shown.count(), 1);
+}
+
+void TestStationsModel::staysWhereItIsIfAskedTo()
+{
+    Console console;
+    console.stations.add(QStringLiteral("Room 5"), QStringLiteral("adult"),
+                         StationsModel::After::StayHere);
+    Console::deliver();
+    QCOMPARE(console.stations.open().size(), std::size_t{2});
+    QCOMPARE(console.stations.shown(), kFirst);
+}
+
+void TestStationsModel::saysWhatIsWrongWithAName_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<bool>("isNewFine");
+    QTest::addColumn<bool>("isRenamingFine"); // of the second station
+    QTest::newRow("another") << QStringLiteral("Hall") << true << true;
+    QTest::newRow("none") << QStringLiteral("  ") << false << false;
+    QTest::newRow("that of the first") << QStringLiteral("STATION 1") << false << false;
+    QTest::newRow("its own") << QStringLiteral("room 5") << false << true;
+    QTest::newRow("too long") << QString{65, QLatin1Char('x')} << false << false;
+    QTest::newRow("not seen") << QStringLiteral("Ha\u200bll") << false << false;
+}
+
+void TestStationsModel::saysWhatIsWrongWithAName()
+{
+    QFETCH(const QString, name);
+    QFETCH(const bool, isNewFine);
+    QFETCH(const bool, isRenamingFine);
+    Console console;
+    console.addRoom();
+    QCOMPARE(console.stations.faultOfName(name, kNoStation).isEmpty(), isNewFine);
+    QCOMPARE(console.stations.faultOfName(name, kRoom).isEmpty(), isRenamingFine);
+    // The host is of the same opinion.
+    console.stations.rename(kRoom, name);
+    QCOMPARE(!console.node.refusal(), isRenamingFine);
+}
+
+void TestStationsModel::saysWhatIsWrongWithAPatient()
+{
+    for (const char* fine : {"adult", "Child, girl", "8y, 128cm, boy, slim"})
+        QVERIFY(StationsModel::faultOfPatient(QLatin1String{fine}).isEmpty());
+    for (const char* wrong : {"", "somebody", "8 years", "300 years, 180 cm, man"})
+        QVERIFY(!StationsModel::faultOfPatient(QLatin1String{wrong}).isEmpty());
+}
+
+void TestStationsModel::saysWhyNoStationIsAdded()
+{
+    Console console;
+    for (std::size_t i = 1; i < kMostStations; ++i) {
+        QVERIFY(console.stations.obstacleToAdding().isEmpty());
+        console.node.addStation(("Room " + std::to_string(i)).c_str());
+        Console::deliver();
+    }
+    QVERIFY(!console.stations.obstacleToAdding().isEmpty());
+    console.node.decideAt(kRoom, fact::StationClosed{});
+    Console::deliver();
+    QVERIFY(console.stations.obstacleToAdding().isEmpty());
+}
+
+void TestStationsModel::saysWhyAStationIsNotClosed()
+{
+    Console console;
+    QVERIFY(!console.stations.obstacleToClosing(kFirst).isEmpty()); // the only one
+    console.addRoom();
+    QVERIFY(console.stations.obstacleToClosing(kRoom).isEmpty());
+    const QString occupied = console.stations.obstacleToClosing(kFirst);
+    QVERIFY2(occupied.contains(QStringLiteral("Tom, Olga")), qPrintable(occupied));
+    QVERIFY(!occupied.contains(QStringLiteral("Ina"))); // who closes it
+    console.stations.move(FakeSessionNode::kTrainee, kRoom);
+    console.stations.move(FakeSessionNode::kObserver, kRoom);
+    QVERIFY(console.stations.obstacleToClosing(kFirst).isEmpty());
+    QVERIFY(!console.stations.obstacleToClosing(kRoom).isEmpty());
+}
+
+void TestStationsModel::leavesAStationBeforeItIsClosed()
+{
+    Console console;
+    console.addRoom();
+    console.stations.move(FakeSessionNode::kTrainee, kRoom);
+    console.stations.move(FakeSessionNode::kObserver, kRoom);
+    console.stations.close(kFirst);
+    QVERIFY(!console.node.refusal());
+    QVERIFY(!console.node.state()->isOpen(kFirst));
+    QCOMPARE(console.stations.stationOf(FakeSessionNode::kInstructor), kRoom);
+}
+
+void TestStationsModel::showsAnotherStationWhenTheShownOneIsClosed()
+{
+    Console console;
+    console.addRoom();
+    console.stations.show(kRoom);
+    QCOMPARE(console.stations.shown(), kRoom);
+    console.stations.show(StationId{9}); // none
+    QCOMPARE(console.stations.shown(), kRoom);
+    console.stations.close(kRoom);
+    Console::deliver();
+    QCOMPARE(console.stations.shown(), kFirst);
+}
+
+void TestStationsModel::changesAllOnlyWhereThereAreSeveral()
+{
+    Console console;
+    QSignalSpy forAll{&console.stations, &StationsModel::forAllChanged};
+    console.stations.setForAll(true);
+    QVERIFY(!console.stations.isForAll());
+    QCOMPARE(forAll.count(), 0);
+    console.addRoom();
+    QVERIFY(console.stations.isForAll());
+    QCOMPARE(forAll.count(), 1);
+    console.stations.close(kRoom);
+    Console::deliver();
+    QVERIFY(!console.stations.isForAll());
+    QCOMPARE(forAll.count(), 2);
+}
+
+void TestStationsModel::movesParticipants()
+{
+    Console console;
+    console.addRoom();
+    console.stations.move(FakeSessionNode::kTrainee, kRoom);
+    QCOMPARE(console.stations.stationOf(FakeSessionNode::kTrainee), kRoom);
+    QCOMPARE(console.node.state()->objects().at(FakeSessionNode::kTube).station, kRoom);
+}
+
+void TestStationsModel::followsItsOwnParticipant()
+{
+    Console console;
+    const OwnStation own{console.session};
+    QSignalSpy changed{&own, &OwnStation::changed};
+    QCOMPARE(own.id(), kFirst);
+    QCOMPARE(stationText(console.node), QString{}); // there is but one
+    console.addRoom();
+    QCOMPARE(changed.count(), 0);
+    QCOMPARE(stationText(console.node), QStringLiteral("Station: Station 1"));
+    console.stations.move(FakeSessionNode::kInstructor, kRoom);
+    Console::deliver();
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(own.id(), kRoom);
+    QCOMPARE(stationText(console.node), QStringLiteral("Station: Room 5"));
+    console.node.becomes(kNobody);
+    console.node.announce();
+    Console::deliver();
+    QCOMPARE(own.id(), kNoStation);
+}
+
+CARINA_TEST(TestStationsModel)
+
+} // namespace carina::stations_model_test
+
+#include "tst_stations_model.moc"

@@ -1,0 +1,176 @@
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+#include "ui/panels/station_bar.h"
+#include "ui/panels/station_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTabBar>
+#include <QToolButton>
+
+namespace carina::station_bar_test
+{
+
+using test::FakeSessionNode;
+
+constexpr StationId kRoom{1};
+
+class TestStationBar : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasATabForEachStation();
+    void choosesTheStationByKeyboard();
+    void addsAStationByKeyboard();
+    void takesNoNameThatIsThereAndNoUnknownPatient();
+    void namesAStationAnew();
+    void closesOnTheSecondPressOnly();
+    void offersAllStationsWhereThereAreSeveral();
+};
+
+namespace
+{
+
+struct Bar {
+    FakeSessionNode node;
+    SessionModel session{node};
+    StationsModel stations{session};
+    StationBar bar;
+    QTabBar& tabs = *bar.findChild<QTabBar*>();
+    QCheckBox& forAll = *bar.findChild<QCheckBox*>();
+
+    Bar() { bar.setModel(stations); }
+    [[nodiscard]] QToolButton& button(const char* name) const
+    {
+        return *bar.findChild<QToolButton*>(QLatin1String{name});
+    }
+    static void press(QWidget& widget)
+    {
+        QTest::keyClick(&widget, Qt::Key_Space);
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::sendPostedEvents(); // what the models proposed then
+    }
+    void addRoom()
+    {
+        node.addStation("Room & hall");
+        QCoreApplication::sendPostedEvents();
+    }
+    [[nodiscard]] StationDialog& asked() const { return *bar.findChild<StationDialog*>(); }
+    template <class Widget> [[nodiscard]] Widget& field(const char* name) const
+    {
+        return *asked().findChild<Widget*>(QLatin1String{name});
+    }
+};
+
+} // namespace
+
+void TestStationBar::hasATabForEachStation()
+{
+    Bar bar;
+    QCOMPARE(bar.tabs.count(), 1);
+    QCOMPARE(bar.tabs.tabText(0), QStringLiteral("Station 1 (3)"));
+    bar.addRoom();
+    QCOMPARE(bar.tabs.count(), 2);
+    QCOMPARE(bar.tabs.tabText(1), QStringLiteral("Room && hall (0)")); // no mnemonic
+    QCOMPARE(bar.tabs.currentIndex(), 0);
+    QCOMPARE(bar.stations.shown(), FakeSessionNode::kStation); // nothing was chosen
+    bar.stations.show(kRoom);
+    QCOMPARE(bar.tabs.currentIndex(), 1);
+}
+
+void TestStationBar::choosesTheStationByKeyboard()
+{
+    Bar bar;
+    bar.addRoom();
+    QTest::keyClick(&bar.tabs, Qt::Key_Right);
+    QCOMPARE(bar.stations.shown(), kRoom);
+    QTest::keyClick(&bar.tabs, Qt::Key_Left);
+    QCOMPARE(bar.stations.shown(), FakeSessionNode::kStation);
+}
+
+void TestStationBar::addsAStationByKeyboard()
+{
+    Bar bar;
+    Bar::press(bar.button("add"));
+    QTest::keyClicks(&bar.field<QLineEdit>("name"), QStringLiteral("Room 5"));
+    auto& patient = bar.field<QComboBox>("patient");
+    patient.setEditText(QStringLiteral("8 years, 128 cm, girl"));
+    Bar::press(bar.field<QPushButton>("accept"));
+    const auto state = bar.node.state();
+    QCOMPARE(state->stations().at(kRoom).name, std::string{"Room 5"});
+    QCOMPARE(state->stations().at(kRoom).anatomyName, std::string{"8 years, 128 cm, girl"});
+    QCOMPARE(bar.tabs.currentIndex(), 1);
+}
+
+void TestStationBar::takesNoNameThatIsThereAndNoUnknownPatient()
+{
+    Bar bar;
+    Bar::press(bar.button("add"));
+    auto& name = bar.field<QLineEdit>("name");
+    auto& accept = bar.field<QPushButton>("accept");
+    QVERIFY(!accept.isEnabled()); // no name yet
+    name.setText(QStringLiteral("station 1"));
+    QVERIFY(!accept.isEnabled());
+    QVERIFY(bar.field<QLabel>("fault").text().contains(QStringLiteral("Station 1")));
+    name.setText(QStringLiteral("Room 5"));
+    QVERIFY(accept.isEnabled());
+    QVERIFY(bar.field<QLabel>("fault").text().isEmpty());
+    bar.field<QComboBox>("patient").setEditText(QStringLiteral("somebody"));
+    QVERIFY(!accept.isEnabled());
+    QVERIFY(!bar.field<QLabel>("fault").text().isEmpty());
+}
+
+void TestStationBar::namesAStationAnew()
+{
+    Bar bar;
+    bar.addRoom();
+    bar.stations.show(kRoom);
+    Bar::press(bar.button("rename"));
+    auto& name = bar.field<QLineEdit>("name");
+    QCOMPARE(name.text(), QStringLiteral("Room & hall"));
+    QVERIFY(bar.field<QComboBox>("patient").isHidden());
+    name.setText(QStringLiteral("Hall"));
+    Bar::press(bar.field<QPushButton>("accept"));
+    QCOMPARE(bar.tabs.tabText(1), QStringLiteral("Hall (0)"));
+}
+
+void TestStationBar::closesOnTheSecondPressOnly()
+{
+    Bar bar;
+    auto& close = bar.button("close");
+    QVERIFY(!close.isEnabled()); // the only station
+    bar.addRoom();
+    QVERIFY(!close.isEnabled()); // participants are there
+    QVERIFY(close.toolTip().contains(QStringLiteral("Tom")));
+    bar.stations.show(kRoom);
+    QVERIFY(close.isEnabled());
+    Bar::press(close);
+    QCOMPARE(close.text(), QStringLiteral("Really close?"));
+    QVERIFY(bar.node.state()->isOpen(kRoom));
+    Bar::press(close);
+    QVERIFY(!bar.node.state()->isOpen(kRoom));
+    QCOMPARE(bar.tabs.count(), 1);
+    QCOMPARE(close.text(), QStringLiteral("Close"));
+}
+
+void TestStationBar::offersAllStationsWhereThereAreSeveral()
+{
+    Bar bar;
+    QVERIFY(!bar.forAll.isEnabled());
+    bar.addRoom();
+    QVERIFY(bar.forAll.isEnabled());
+    Bar::press(bar.forAll);
+    QVERIFY(bar.stations.isForAll());
+    Bar::press(bar.forAll);
+    QVERIFY(!bar.stations.isForAll());
+}
+
+CARINA_TEST(TestStationBar)
+
+} // namespace carina::station_bar_test
+
+#include "tst_station_bar.moc"

@@ -1,5 +1,6 @@
 #include "apps/program/program.h"
 
+#include "apps/program/heap_pages.h"
 #include "engine/io/files/whole_file.h"
 #include "models/errors/error_text.h"
 #include "widgets/scene/view/graphics.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <malloc.h>
 #include <string_view>
 #include <unistd.h>
 
@@ -32,15 +32,6 @@ bool asksForHelp(int argc, char** argv)
     return std::any_of(argv + 1, argv + argc, [](std::string_view word) {
         return word == "-h" || word == "--help" || word == "--help-all";
     });
-}
-
-/// Gives blocks from 1 MiB on, such as the surfaces of a patient, pages of their own, which go back
-/// to the system when they are freed. By default glibc stops doing so with the first that is freed,
-/// and what is left between them in the heap stays with the program.
-void returnLargeBlocks()
-{
-    constexpr int kLarge = 1 << 20;
-    mallopt(M_MMAP_THRESHOLD, kLarge);
 }
 
 /// What Qt warns of while it looks for a platform, such as one that it cannot use, is kept back:
@@ -112,6 +103,7 @@ Result<int> checkedRun(const Program& program, QCommandLineParser& parser)
 int runProgram(const Program& program, int argc, char** argv)
 {
     returnLargeBlocks();
+    const HeapPages pages;
     QCoreApplication::setApplicationName(program.name);
     QCoreApplication::setOrganizationName(QStringLiteral("carina"));
     QCommandLineParser parser;

@@ -74,7 +74,9 @@ void StoreWriter::run(const std::stop_token& stopping)
 StoreReport StoreWriter::done(const StoreJob& job)
 {
     StoreReport report;
-    if (!job.facts.empty())
+    if (const auto beside = job.beside ? job.beside() : Result<void>{}; !beside)
+        report.facts = fail(Errc::StoreFailed, beside.error().detail);
+    else if (!job.facts.empty())
         report.facts = m_store->append(job.facts);
     if (!job.actions.empty())
         report.actions = m_store->keepActions(job.actions);

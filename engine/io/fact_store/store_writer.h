@@ -16,11 +16,13 @@ namespace carina
 struct StoreJob {
     std::vector<FactRecord> facts; ///< one transaction
     std::vector<EventCpo> actions; ///< another
+    /// Writes what lies beside the store; before the facts, which may depend on it.
+    std::function<Result<void>()> beside{};
 };
 
 /// What became of a job.
 struct StoreReport {
-    Result<void> facts;
+    Result<void> facts; ///< StoreFailed, too, where what lies beside the store was not written
     Result<void> actions;
     Result<std::optional<std::filesystem::path>> moved; ///< the answer of FactStore::keepWhole
 };

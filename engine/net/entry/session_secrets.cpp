@@ -5,8 +5,6 @@
 
 #include <QJsonDocument>
 
-#include <tuple>
-
 namespace carina
 {
 namespace
@@ -56,21 +54,10 @@ std::optional<AccessKey> SessionSecrets::codeKey(Role role) const
     return known == m_codeKeys.end() ? std::nullopt : std::optional{known->second};
 }
 
-Result<void> SessionSecrets::setCodeKey(Role role, const AccessKey& key)
+void SessionSecrets::changeCode(Role role)
 {
-    m_codeKeys.insert_or_assign(role, key);
-    return write();
-}
-
-Result<void> SessionSecrets::changeCode(Role role)
-{
-    const auto before = std::pair{m_codes, m_codeKeys};
     m_codes.insert_or_assign(role, JoinCode::random());
     m_codeKeys.erase(role);
-    auto kept = write();
-    if (!kept)
-        std::tie(m_codes, m_codeKeys) = before;
-    return kept;
 }
 
 std::optional<AccessKey> SessionSecrets::token(Role role, ParticipantId participant) const
@@ -79,41 +66,30 @@ std::optional<AccessKey> SessionSecrets::token(Role role, ParticipantId particip
     return known == m_tokens.end() ? std::nullopt : std::optional{known->second};
 }
 
-Result<AccessKey> SessionSecrets::issueToken(Role role, ParticipantId participant)
+AccessKey SessionSecrets::newToken(Role role, ParticipantId participant)
 {
-    if (const auto known = token(role, participant))
-        return *known;
-    const auto issued = m_tokens.emplace(std::pair{role, participant}, randomKey()).first;
-    if (const auto kept = write(); !kept) {
-        m_tokens.erase(issued);
-        return tl::unexpected(kept.error());
-    }
-    return issued->second;
-}
-
-Result<AccessKey> SessionSecrets::replaceToken(Role role, ParticipantId participant)
-{
-    const auto before = m_tokens;
     const AccessKey token = randomKey();
     m_tokens.insert_or_assign(std::pair{role, participant}, token);
-    if (const auto kept = write(); !kept) {
-        m_tokens = before;
-        return tl::unexpected(kept.error());
-    }
     return token;
 }
 
-Result<void> SessionSecrets::revokeToken(Role role, ParticipantId participant)
+void SessionSecrets::moveBeside(std::filesystem::path file)
 {
-    return m_tokens.erase({role, participant}) == 0 ? Result<void>{} : write();
+    if (!m_file.empty())
+        m_file = file.replace_extension(m_file.extension());
 }
 
-Result<void> SessionSecrets::moveBeside(std::filesystem::path file)
+void SessionSecrets::revertTo(const SessionSecrets& others)
 {
-    if (m_file.empty())
-        return {};
-    m_file = file.replace_extension(m_file.extension());
-    return write();
+    for (const auto& [role, code] : others.m_codes) {
+        if (m_codes.at(role) == code)
+            continue;
+        m_codes.insert_or_assign(role, code);
+        m_codeKeys.erase(role);
+        if (const auto key = others.codeKey(role))
+            m_codeKeys.emplace(role, *key);
+    }
+    m_tokens = others.m_tokens;
 }
 
 Result<void> SessionSecrets::read()

@@ -17,8 +17,37 @@ Result<std::unique_ptr<HostAccess>> HostAccess::open(const std::filesystem::path
 }
 
 HostAccess::HostAccess(SessionSecrets secrets, DeriveKey derive)
-    : m_secrets{std::move(secrets)}, m_deriver{std::move(derive)}
+    : m_secrets{std::move(secrets)},
+      m_handedOver{m_secrets},
+      m_stored{m_secrets},
+      m_deriver{std::move(derive)}
 {
+}
+
+std::function<Result<void>()> HostAccess::handOver()
+{
+    m_isUnwritten = false;
+    m_handedOver = m_secrets;
+    return [secrets = m_secrets] { return secrets.write(); };
+}
+
+void HostAccess::giveUp()
+{
+    const JoinCodes given = m_secrets.codes();
+    {
+        const std::scoped_lock lock{m_mutex};
+        m_secrets.revertTo(m_stored);
+    }
+    m_handedOver = m_stored;
+    m_isUnwritten = true;
+    for (const auto& [role, code] : given)
+        if (m_secrets.codes().at(role) != code && !m_secrets.codeKey(role))
+            derive(role);
+}
+
+Result<void> HostAccess::write()
+{
+    return handOver()().map([this] { stored(); });
 }
 
 void HostAccess::deriveMissing()
@@ -37,9 +66,11 @@ void HostAccess::derive(Role role)
         const std::scoped_lock lock{m_mutex};
         if (m_secrets.codes().at(role) != code)
             return; // it was changed meanwhile
-        const auto kept = key ? m_secrets.setCodeKey(role, *key) : key.map([](auto&) {});
-        if (!kept)
-            m_fault = kept.error();
+        if (key)
+            m_secrets.setCodeKey(role, *key);
+        else
+            m_fault = key.error();
+        m_isUnwritten = true;
     });
 }
 
@@ -57,24 +88,24 @@ HostTransport::KeyAnswer HostAccess::keyOf(const PskIdentity& identity) const
     return {who.participant ? State::Unknown : State::NotYet, {}};
 }
 
-Result<void> HostAccess::moveBeside(const std::filesystem::path& store)
+void HostAccess::moveBeside(const std::filesystem::path& store)
 {
     const std::scoped_lock lock{m_mutex};
-    return m_secrets.moveBeside(store);
+    m_secrets.moveBeside(store);
+    m_isUnwritten = true;
 }
 
-Result<void> HostAccess::changeCode(Role role)
+void HostAccess::changeCode(Role role)
 {
     {
         const std::scoped_lock lock{m_mutex};
-        if (auto changed = m_secrets.changeCode(role); !changed)
-            return changed;
+        m_secrets.changeCode(role);
+        m_isUnwritten = true;
     }
     std::erase_if(m_peers, [role](const auto& peer) {
         return peer.second.role == role && !peer.second.participant;
     });
     derive(role);
-    return {};
 }
 
 bool HostAccess::isDeriving(Role role) const
@@ -127,16 +158,20 @@ void HostAccess::displace(PeerAddress peer)
         m_displaced.insert(peer);
 }
 
-Result<AccessKey> HostAccess::replaceToken(Role role, ParticipantId participant)
+AccessKey HostAccess::replaceToken(Role role, ParticipantId participant)
 {
     const std::scoped_lock lock{m_mutex};
-    return m_secrets.replaceToken(role, participant);
+    m_isUnwritten = true;
+    return m_secrets.newToken(role, participant);
 }
 
-Result<void> HostAccess::revokeToken(Role role, ParticipantId participant)
+void HostAccess::revokeToken(Role role, ParticipantId participant)
 {
     const std::scoped_lock lock{m_mutex};
-    return m_secrets.revokeToken(role, participant);
+    if (!m_secrets.token(role, participant))
+        return;
+    m_secrets.revokeToken(role, participant);
+    m_isUnwritten = true;
 }
 
 Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId participant)
@@ -144,8 +179,10 @@ Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId partici
     const auto known = m_peers.find(peer);
     if (known == m_peers.end())
         return fail(Errc::NotPermitted, "its code was changed before it came in");
-    const std::scoped_lock lock{m_mutex};
-    return m_secrets.issueToken(known->second.role, participant);
+    const Role role = known->second.role;
+    if (const auto issued = m_secrets.token(role, participant))
+        return *issued;
+    return replaceToken(role, participant);
 }
 
 } // namespace carina

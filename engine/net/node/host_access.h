@@ -4,6 +4,7 @@
 #include "engine/net/entry/session_secrets.h"
 #include "engine/net/secure/host_transport.h"
 
+#include <functional>
 #include <mutex>
 #include <set>
 
@@ -12,6 +13,9 @@ namespace carina
 
 /// Access control of a session: checks what peers prove against the session's secrets. Used on the
 /// node's thread, except keyOf. The keys of the codes are derived once each, on another thread.
+///
+/// A change holds at once. It is to be written by handOver(), before anybody hears of it, and then
+/// to be confirmed by stored() or undone by giveUp().
 class HostAccess
 {
 public:
@@ -20,18 +24,30 @@ public:
     open(const std::filesystem::path& secrets, const std::string& sessionId, DeriveKey derive);
 
     [[nodiscard]] const std::string& sessionId() const { return m_secrets.sessionId(); }
-    [[nodiscard]] const JoinCodes& codes() const { return m_secrets.codes(); }
+    /// The codes that are stored.
+    [[nodiscard]] const JoinCodes& codes() const { return m_stored.codes(); }
     /// Why a code cannot be used.
     [[nodiscard]] const std::optional<Error>& fault() const { return m_fault; }
     /// The key that a peer with this identity must have. May be called from any thread.
     [[nodiscard]] HostTransport::KeyAnswer keyOf(const PskIdentity& identity) const;
 
-    /// Keeps the secrets beside the new file of the store from now on. @returns FileUnwritable.
-    [[nodiscard]] Result<void> moveBeside(const std::filesystem::path& store);
+    /// Whether there are changes that were not handed over.
+    [[nodiscard]] bool isUnwritten() const { return m_isUnwritten; }
+    /// Hands over all changes so far. @returns what writes them, on any thread
+    [[nodiscard]] std::function<Result<void>()> handOver();
+    /// What was handed over last is stored.
+    void stored() { m_stored = m_handedOver; }
+    /// Undoes all changes since the last that were stored, except where the secrets are kept. They
+    /// are to be written again.
+    void giveUp();
+    /// Writes all changes so far, at once. @returns FileUnwritable.
+    [[nodiscard]] Result<void> write();
 
-    /// Gives a role another code; who has not come in with the old one is out. @returns
-    /// FileUnwritable; then nothing has changed.
-    [[nodiscard]] Result<void> changeCode(Role role);
+    /// Keeps the secrets beside the new file of the store from now on.
+    void moveBeside(const std::filesystem::path& store);
+
+    /// Gives a role another code; who has not come in with the old one is out.
+    void changeCode(Role role);
 
     /// Whether the key of this role's code is still being derived.
     [[nodiscard]] bool isDeriving(Role role) const;
@@ -51,12 +67,13 @@ public:
 
     /// Another program proved the participant of this peer, too: this one proves nothing any more.
     void displace(PeerAddress peer);
-    /// Replaces the token of a participant. @returns FileUnwritable; then it is unchanged.
-    [[nodiscard]] Result<AccessKey> replaceToken(Role role, ParticipantId participant);
-    /// A participant has no token any more. @returns FileUnwritable.
-    [[nodiscard]] Result<void> revokeToken(Role role, ParticipantId participant);
+    /// Replaces the token of a participant.
+    [[nodiscard]] AccessKey replaceToken(Role role, ParticipantId participant);
+    /// A participant has no token any more.
+    void revokeToken(Role role, ParticipantId participant);
 
-    /// The token with which an admitted participant can join again. @returns FileUnwritable.
+    /// The token with which an admitted participant can join again.
+    /// @returns NotPermitted for a peer whose code was changed before it came in.
     [[nodiscard]] Result<AccessKey> issueToken(PeerAddress peer, ParticipantId participant);
 
 private:
@@ -66,6 +83,9 @@ private:
 
     mutable std::mutex m_mutex; // over m_secrets: it changes on the node's thread
     SessionSecrets m_secrets;
+    SessionSecrets m_handedOver;
+    SessionSecrets m_stored;
+    bool m_isUnwritten = false;
     std::map<PeerAddress, Credential> m_peers;
     std::set<PeerAddress> m_displaced;
     std::optional<Error> m_fault;

@@ -257,6 +257,8 @@ void HostDriver::giveUp(const Error& why, LocalTime now)
     m_publications.forget();           // what was to be shared is not
     m_returnsEnd = now + kPeerTimeout; // who left meanwhile is found absent
     m_refusal = Error{Errc::StoreFailed, why.detail};
+    m_access->giveUp();
+    m_nextSecrets = now + kWatchInterval;
 }
 
 void HostDriver::share(const SharedObject& object)
@@ -325,9 +327,13 @@ void HostDriver::handOver(LocalTime now)
             job.actions.push_back(event);
         m_nextKeep = now + kKeepInterval;
     }
-    if (job.facts.empty() && job.actions.empty() && now < m_nextWatch)
+    const bool isAwaited = !job.facts.empty() || !m_tokens.empty();
+    if (m_access->isUnwritten() && (isAwaited || now >= m_nextSecrets))
+        job.beside = m_access->handOver();
+    if (!isAwaited && job.actions.empty() && !job.beside && now < m_nextWatch)
         return;
     m_nextWatch = now + kWatchInterval;
+    m_tokensHandedOver = std::exchange(m_tokens, {});
     m_handedOver = m_unstored.size();
     m_handedOverAt = now;
     m_writer->write(std::move(job));
@@ -338,6 +344,7 @@ void HostDriver::waitForDisk(LocalTime now)
     if (m_writer->isBusy())
         take(m_writer->wait(), now); // what is under way
     m_nextKeep = std::min(m_nextKeep, now);
+    m_nextSecrets = std::min(m_nextSecrets, now);
     handOver(now);
     if (m_writer->isBusy())
         take(m_writer->wait(), now); // what was left
@@ -354,10 +361,15 @@ void HostDriver::take(const StoreReport& report, LocalTime now)
     const std::size_t facts = std::exchange(m_handedOver, 0);
     if (facts > 0)
         m_storing = std::min(now - m_handedOverAt, kLongestStoring);
-    if (report.facts)
+    Datagrams tokens = std::exchange(m_tokensHandedOver, {}); // lost ones are asked for again
+    if (report.facts) {
+        m_access->stored();
+        m_board.setJoinCodes(m_access->codes());
         stored(facts, now);
-    else
+        std::ranges::move(tokens, std::back_inserter(m_tokensStored));
+    } else {
         giveUp(report.facts.error(), now);
+    }
     if (!report.actions)
         m_refusal = report.actions.error();
     takeMoved(report.moved);
@@ -371,8 +383,8 @@ void HostDriver::takeMoved(const Result<std::optional<std::filesystem::path>>& m
         return;
     }
     m_storeFault = moved ? Error{Errc::StoreReplaced, (*moved)->string()} : moved.error();
-    if (const auto kept = moved ? m_access->moveBeside(**moved) : Result<void>{}; !kept)
-        m_storeFault = kept.error();
+    if (moved)
+        m_access->moveBeside(**moved);
     m_refusal = m_storeFault; // in front of what was told before
 }
 
@@ -398,21 +410,22 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
         m_views.compare(shown);
     show(now);
     std::ranges::move(output.ended, std::back_inserter(m_ended));
-    std::ranges::move(std::exchange(m_tokens, {}), std::back_inserter(output.datagrams));
+    std::ranges::move(std::exchange(m_tokensStored, {}), std::back_inserter(output.datagrams));
     return std::move(output.datagrams);
 }
 
 LocalTime HostDriver::nextWake() const
 {
-    if (!m_tokens.empty())
+    if (!m_tokensStored.empty())
         return LocalTime::min();
     const LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
                                      m_nextViews, m_paths.nextWake()});
     if (m_writer->isBusy())
         return wake; // it wakes by its report
-    if (!m_unstored.empty())
+    if (!m_unstored.empty() || !m_tokens.empty())
         return LocalTime::min();
-    return std::min({wake, m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep});
+    return std::min({wake, m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep,
+                     m_access->isUnwritten() ? m_nextSecrets : LocalTime::max()});
 }
 
 std::vector<PeerAddress> HostDriver::takeEnded()
@@ -594,25 +607,18 @@ bool HostDriver::isJoinOf(ProposalId proposal, ParticipantId participant) const
 
 Result<void> HostDriver::prepare(const Fact& fact)
 {
-    // Neither an old code nor the token of one who is banned must outlive the fact that it is void.
-    if (const auto* changed = std::get_if<fact::RoleCodeChanged>(&fact.body))
-        return changeCode(changed->role);
+    // Neither an old code nor the token of one who is banned must outlive the fact that it is void:
+    // the secrets are written before the fact.
+    if (const auto* changed = std::get_if<fact::RoleCodeChanged>(&fact.body)) {
+        // Each code costs a second of processor time for its key.
+        if (m_access->isDeriving(changed->role))
+            return fail(Errc::TooMuchSent);
+        m_access->changeCode(changed->role);
+    }
     const auto* removed = std::get_if<fact::ParticipantRemoved>(&fact.body);
-    if (!removed || !removed->banned)
-        return {};
-    const Role role = m_decided.state().participants().at(removed->participant).role;
-    const auto kept = m_access->revokeToken(role, removed->participant);
-    return kept ? Result<void>{} : fail(Errc::StoreFailed, kept.error().detail);
-}
-
-Result<void> HostDriver::changeCode(Role role)
-{
-    // Each code costs a second of processor time for its key.
-    if (m_access->isDeriving(role))
-        return fail(Errc::TooMuchSent);
-    if (const auto kept = m_access->changeCode(role); !kept)
-        return fail(Errc::StoreFailed, kept.error().detail);
-    m_board.setJoinCodes(m_access->codes());
+    if (removed && removed->banned)
+        m_access->revokeToken(m_decided.state().participants().at(removed->participant).role,
+                              removed->participant);
     return {};
 }
 
@@ -622,13 +628,12 @@ void HostDriver::carryOut(const FactBody& body)
         m_removed.push_back(removed->participant);
 }
 
-Result<void> HostDriver::revokeBanned()
+Result<void> HostDriver::revokeBanned() const
 {
     for (const auto& [id, participant] : m_stored.state().participants())
         if (participant.removal && participant.removal->banned)
-            if (auto revoked = m_access->revokeToken(participant.role, id); !revoked)
-                return revoked;
-    return {};
+            m_access->revokeToken(participant.role, id);
+    return m_access->isUnwritten() ? m_access->write() : Result<void>{};
 }
 
 void HostDriver::dismissRemoved(LocalTime now)
@@ -647,15 +652,11 @@ void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& d
     for (const auto& [old, participant] : displaced) {
         m_access->displace(old);
         const Role role = m_stored.state().participants().at(participant).role;
-        const auto token = m_access->replaceToken(role, participant);
-        if (!token) {
-            m_refusal = token.error();
-            continue;
-        }
+        const AccessKey token = m_access->replaceToken(role, participant);
         static_cast<void>(decideByHost(kNoStation, fact::TokenReplaced{participant}, now));
         for (const auto& [address, peer] : m_core->peers())
             if (peer.participant == participant)
-                m_tokens.push_back({address, encodeToken({participant, *token})});
+                m_tokens.push_back({address, encodeToken({participant, token})});
     }
 }
 

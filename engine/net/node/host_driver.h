@@ -83,14 +83,14 @@ private:
     /// Whether the proposal became the fact that this participant joined.
     [[nodiscard]] bool isJoinOf(ProposalId proposal, ParticipantId participant) const;
     void left(ParticipantId participant, LocalTime now);
-    /// What has to be done before a fact is entered. @returns StoreFailed; then it must not be.
+    /// What has to be done before a fact is entered.
+    /// @returns TooMuchSent while the key of a role's last code is being derived; then it must not
+    ///          be.
     [[nodiscard]] Result<void> prepare(const Fact& fact);
-    /// @returns TooMuchSent while the key of the last code is being derived; StoreFailed.
-    [[nodiscard]] Result<void> changeCode(Role role);
     /// What a fact about who takes part makes the host do.
     void carryOut(const FactBody& body);
     /// For the case that the host was ended between a ban and its revocation.
-    [[nodiscard]] Result<void> revokeBanned();
+    [[nodiscard]] Result<void> revokeBanned() const;
     /// Tells those who were removed, and ends their connections.
     void dismissRemoved(LocalTime now);
     /// Replaces the tokens of those whose programs were displaced.
@@ -134,9 +134,12 @@ private:
     PeerAddress m_speaker = 0; // sender of the datagram being handled
     HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};
     TokenBucket m_newcomers;
-    std::vector<PeerAddress> m_ended;     // paths of those who exceeded their budget
-    Datagrams m_tokens;                   // to be sent
-    std::vector<ParticipantId> m_removed; // to be told
+    std::vector<PeerAddress> m_ended; // paths of those who exceeded their budget
+    Datagrams m_tokens;               // to be sent once they are on disk
+    Datagrams m_tokensHandedOver;     // these are with the writer
+    Datagrams m_tokensStored;
+    LocalTime m_nextSecrets = LocalTime::min(); // when they may be written unless awaited
+    std::vector<ParticipantId> m_removed;       // to be told
     Publications m_publications;
     ShownViews m_views{[this](ObjectId id, SessionTime t) { return shownPose(id, t); },
                        [this](ObjectId id, SessionTime t) {

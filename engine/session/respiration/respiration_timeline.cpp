@@ -83,8 +83,11 @@ void RespirationTimeline::addBreath(const HeardBreath& breath)
 
 void RespirationTimeline::addCheckpoint(const RespirationState& checkpoint)
 {
-    if (m_checkpoints.empty() || m_checkpoints.back().at < checkpoint.at)
-        m_checkpoints.push_back(checkpoint);
+    if (!m_checkpoints.empty() && m_checkpoints.back().at >= checkpoint.at)
+        return;
+    if (m_checkpoints.size() == kMostCheckpoints)
+        m_checkpoints.erase(m_checkpoints.begin());
+    m_checkpoints.push_back(checkpoint);
 }
 
 RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const

@@ -31,6 +31,8 @@ struct RespirationState {
 class RespirationTimeline
 {
 public:
+    static constexpr std::size_t kMostCheckpoints = 8;
+
     /// @pre rate is finite and not negative.
     void setRate(SessionTime from, Frequency rate);
     void setTidalVolume(SessionTime from, Volume tidalVolume);
@@ -45,7 +47,8 @@ public:
     /// Ignored where it began after `heard`, or more than kLongestNews before.
     void addBreath(const HeardBreath& breath);
     /// Ignored where it is not later than the last. A change with an earlier effect time that is
-    /// added afterwards invalidates it.
+    /// added afterwards invalidates it. Only the last kMostCheckpoints are kept: the state of a
+    /// session is copied with each fact, and who draws looks back for seconds.
     void addCheckpoint(const RespirationState& checkpoint);
 
     /// The settings in force at t (what a console shows).
@@ -55,7 +58,7 @@ public:
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
     /// In ascending order of `heard`.
     [[nodiscard]] std::span<const HeardBreath> breaths() const { return m_breaths; }
-    /// The last valid checkpoint at or before t; nullptr where there is none.
+    /// The last valid checkpoint at or before t; nullptr where none is kept.
     [[nodiscard]] const RespirationState* checkpointBefore(SessionTime t) const;
     /// The effect time of each change and each breath, in the order in which they were added: a
     /// reader that stores how many there were finds out from when on new ones have an effect.

@@ -73,7 +73,7 @@ private Q_SLOTS:
         std::binary_semaphore reported{0};
         writer.onReport([&reported] { reported.release(); });
         QVERIFY(!writer.isBusy() && !writer.take());
-        writer.write({{numbered(1), numbered(2)}, {}});
+        writer.write({.facts = {numbered(1), numbered(2)}});
         QVERIFY(writer.isBusy() && !writer.take()); // the disk is at work
         disk.work.release();
         reported.acquire();
@@ -91,12 +91,37 @@ private Q_SLOTS:
         disk.isFull = true;
         StoreWriter writer{std::make_unique<HeldStore>(disk)};
         disk.work.release();
-        writer.write({{numbered(1)}, {EventCpo{}}});
+        writer.write({.facts = {numbered(1)}, .actions = {EventCpo{}}});
         const StoreReport report = writer.wait();
         QCOMPARE(report.facts.error(), (Error{Errc::StoreFailed, "disk full"}));
         QCOMPARE(report.actions.error(), (Error{Errc::StoreFailed, "not two"}));
         QVERIFY(**report.moved == "elsewhere");
         QVERIFY(!writer.isBusy());
+    }
+
+    void whatLiesBesideTheStoreIsWrittenBeforeTheFacts()
+    {
+        Disk disk;
+        StoreWriter writer{std::make_unique<HeldStore>(disk)};
+        std::thread::id thread;
+        std::size_t before = 1;
+        StoreJob job{.facts = {numbered(1)}};
+        job.beside = [&]() -> Result<void> {
+            thread = std::this_thread::get_id();
+            before = disk.transactions.size();
+            return {};
+        };
+        disk.work.release();
+        writer.write(job);
+        QVERIFY(writer.wait().facts);
+        QCOMPARE(before, std::size_t{0});
+        QCOMPARE(disk.transactions, (std::vector<std::size_t>{1}));
+        QVERIFY(thread == disk.thread);
+
+        job.beside = [] { return Result<void>{fail(Errc::FileUnwritable, "folder")}; };
+        writer.write(job);
+        QCOMPARE(writer.wait().facts.error(), (Error{Errc::StoreFailed, "folder"}));
+        QCOMPARE(disk.transactions.size(), std::size_t{1}); // nothing depends on what is not there
     }
 
     void emptyJobLooksAfterTheFileAlone()
@@ -115,7 +140,7 @@ private Q_SLOTS:
         disk.work.release();
         {
             StoreWriter writer{std::make_unique<HeldStore>(disk)};
-            writer.write({{numbered(1)}, {}});
+            writer.write({.facts = {numbered(1)}});
         }
         QCOMPARE(disk.transactions, (std::vector<std::size_t>{1}));
         QVERIFY(!disk.isOpen);

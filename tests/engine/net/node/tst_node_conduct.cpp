@@ -251,7 +251,7 @@ private Q_SLOTS:
             return ++derived <= 3 ? cheapKey(code, key) : Result<AccessKey>{fail(Errc::Cancelled)};
         };
         const auto access = HostAccess::open({}, session, onlyThree);
-        QVERIFY((*access)->changeCode(Role::Trainee));
+        (*access)->changeCode(Role::Trainee);
         const auto stateOf = [&](Role role) {
             return (*access)->keyOf({{role, {}}, session}).state;
         };
@@ -259,7 +259,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT((*access)->fault().has_value(), kSoonMs); // the new code's
         QVERIFY(stateOf(Role::Observer) == State::Known);
         QVERIFY(stateOf(Role::Trainee) == State::NotYet);
-        QVERIFY((*access)->changeCode(Role::Observer));
+        (*access)->changeCode(Role::Observer);
         QVERIFY(stateOf(Role::Observer) == State::NotYet); // at once
     }
 
@@ -270,10 +270,43 @@ private Q_SLOTS:
         for (const PeerAddress peer : {7, 8, 9})
             (*access)->connected(peer, {peer == 9 ? Role::Observer : Role::Trainee, {}});
         (*access)->admitted(7, kAnna);
-        QVERIFY((*access)->changeCode(Role::Trainee));
+        (*access)->changeCode(Role::Trainee);
         QVERIFY((*access)->check(7, Role::Trainee, kAnna));
         QVERIFY(!(*access)->check(8, Role::Trainee, ParticipantId{4}));
         QVERIFY((*access)->check(9, Role::Observer, ParticipantId{5}));
+    }
+
+    /// Whatever was decided on their ground is undone, too.
+    void secretsThatAreNotStoredAreUndone()
+    {
+        const std::string session(32, '0');
+        const auto access = HostAccess::open({}, session, cheapKey);
+        const PskIdentity trainee{{Role::Trainee, {}}, session};
+        const auto keyNow = [&] { return (*access)->keyOf(trainee).key; };
+        QTRY_VERIFY_WITH_TIMEOUT(!(*access)->isDeriving(Role::Trainee), kSoonMs);
+        QVERIFY((*access)->write() && !(*access)->isUnwritten());
+        const JoinCodes before = (*access)->codes();
+        const AccessKey key = keyNow();
+        constexpr ParticipantId kAnna{3};
+        const PskIdentity annas{{Role::Trainee, kAnna}, session};
+        (*access)->connected(7, {Role::Trainee, kAnna});
+        QVERIFY((*access)->issueToken(7, kAnna));
+        (*access)->changeCode(Role::Trainee);
+        QVERIFY((*access)->isDeriving(Role::Trainee)); // the old key is void at once
+        QVERIFY((*access)->isUnwritten());
+        QVERIFY((*access)->codes() == before); // nobody reads a code that is not stored
+        static_cast<void>((*access)->handOver());
+        QVERIFY(!(*access)->isUnwritten());
+        (*access)->giveUp();
+        QVERIFY((*access)->isUnwritten());
+        QVERIFY(keyNow() == key);
+        QVERIFY((*access)->keyOf(annas).state == HostTransport::KeyAnswer::State::Unknown);
+        static_cast<void>((*access)->handOver());
+        (*access)->stored();
+        QVERIFY((*access)->codes() == before);
+        (*access)->changeCode(Role::Trainee);
+        QVERIFY((*access)->write());
+        QVERIFY((*access)->codes() != before);
     }
 
     void tokenThatTwoHaveIsReplacedAndBothAreTold()

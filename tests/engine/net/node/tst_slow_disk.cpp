@@ -166,9 +166,11 @@ private Q_SLOTS:
         const auto& anna = world.add("Anna");
         world.run(100ms);
         world.host->propose(kStation, fact::RoleCodeChanged{Role::Trainee}, world.now);
-        QVERIFY(world.host->access().codes().at(Role::Trainee) != before);
+        QVERIFY(world.host->access().codes().at(Role::Trainee) == before); // not on disk
+        QVERIFY(world.host->access().isDeriving(Role::Trainee));
         disk.letGo();
         world.run(1s); // she asks for a token, too
+        QVERIFY(world.host->access().codes().at(Role::Trainee) != before);
         QCOMPARE(anna.board.view().self, ParticipantId{1});
         QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
     }

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void goesOnFromACheckpoint();
     void doesNotBelieveOldOrFutureBreaths();
     void keepsCheckpointsInOrder();
+    void keepsTheLatestCheckpoints();
     void namesTheNextChange();
 };
 
@@ -189,6 +190,18 @@ void TestRespirationRun::keepsCheckpointsInOrder()
     QCOMPARE(timeline.checkpointBefore(atSeconds(10.0))->state.steps, std::int64_t{1});
     QCOMPARE(timeline.checkpointBefore(atSeconds(19.9))->state.steps, std::int64_t{1});
     QCOMPARE(timeline.checkpointBefore(atSeconds(99.0))->state.steps, std::int64_t{2});
+}
+
+void TestRespirationRun::keepsTheLatestCheckpoints()
+{
+    RespirationTimeline timeline;
+    constexpr int kCheckpoints = 1000;
+    for (int i = 1; i <= kCheckpoints; ++i)
+        timeline.addCheckpoint({atSeconds(10.0 * i), RespiratoryState{.steps = i}});
+    constexpr int kOldest = kCheckpoints - int(RespirationTimeline::kMostCheckpoints) + 1;
+    QVERIFY(timeline.checkpointBefore(atSeconds(10.0 * kOldest - 0.1)) == nullptr);
+    for (int i = kOldest; i <= kCheckpoints; ++i)
+        QCOMPARE(timeline.checkpointBefore(atSeconds(10.0 * i))->state.steps, std::int64_t{i});
 }
 
 void TestRespirationRun::namesTheNextChange()

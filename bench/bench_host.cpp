@@ -1,7 +1,11 @@
-// What a session host costs while an instructor's ten objects go to five participants, 60 times a
-// second over encrypted sockets on this machine, participants being processes of their own. Beside
-// it, in turn, the least that any host can cost: as many packets of that size sent as they are.
-// Prints one JSON object.
+// What a session host costs, over encrypted sockets on this machine, participants being processes
+// of their own. Prints one JSON object:
+//
+// - while an instructor's ten objects go to five participants, 60 times a second. Beside it, in
+//   turn, the least that any host can cost: as many packets of that size sent as they are;
+// - "course": five stations, at each of which a participant sends six tracked objects, which go to
+//   all others;
+// - "growth": the same with fewer participants, objects or both.
 
 #include "engine/net/node/session_node.h"
 #include "tests/engine/net/node/memory_store.h"
@@ -16,7 +20,8 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <numbers>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <arpa/inet.h>
@@ -32,10 +37,25 @@ constexpr std::size_t kReceivers = 5;
 constexpr int kStreams = 10;
 constexpr int kRounds = 5;
 constexpr auto kRound = 4s;
-constexpr auto kPatience = 20s;
+constexpr auto kPatience = 60s;
 constexpr int kPacketsPerSecond = 60 * static_cast<int>(kReceivers);
 constexpr std::size_t kPacketBytes = 445; ///< a datagram of ten poses, encrypted
-const QString kReceive = QStringLiteral("receive");
+/// Of a participant who sends: head and hands, a tube, a stylus, the manikin's head and jaw.
+constexpr int kOwnObjects = 6;
+/// A trainee may have two of a kind.
+constexpr std::array kKinds{carina::ObjectKind::Head, carina::ObjectKind::Jaw,
+                            carina::ObjectKind::Tube, carina::ObjectKind::Stylus};
+const QString kTakePart = QStringLiteral("take-part");
+
+/// Who takes part beside the host, and how many of them send kOwnObjects each.
+struct Course {
+    int participants = 0;
+    int senders = 0;
+};
+constexpr int kStations = 5;
+constexpr Course kCourse{16, kStations};
+constexpr std::array kGrowth{Course{4, 1},  Course{16, 1}, Course{4, 2},
+                             Course{16, 2}, Course{8, 5},  Course{16, 10}};
 
 /// How keys are derived from codes is not what is measured.
 carina::Result<carina::AccessKey> keyAtOnce(const carina::JoinCode& /*code*/,
@@ -66,8 +86,15 @@ carina::PoseSource poseSource(const carina::SessionNode& node, int index)
     };
 }
 
-/// A program that takes part until it is ended.
-int receive(const QStringList& words)
+void publishObjects(carina::SessionNode& node, int count)
+{
+    for (int i = 0; i < count; ++i)
+        node.publish(kKinds[std::size_t(i) % kKinds.size()], "object " + std::to_string(i),
+                     poseSource(node, i));
+}
+
+/// A program that takes part until it is ended: take-part PORT CODE NAME STATION OBJECTS
+int takePart(const QStringList& words)
 {
     const auto code = carina::JoinCode::parse(words.at(3).toStdString());
     if (!code)
@@ -75,42 +102,90 @@ int receive(const QStringList& words)
     const auto node = carina::SessionNode::join({.port = words.at(2).toUShort(),
                                                  .participantName = words.at(4).toStdString(),
                                                  .role = carina::Role::Trainee,
-                                                 .station = {},
+                                                 .station = words.at(5).toStdString(),
                                                  .code = *code,
                                                  .derive = keyAtOnce});
-    return node ? QCoreApplication::exec() : EXIT_FAILURE;
+    if (!node)
+        return EXIT_FAILURE;
+    for (const QDeadlineTimer patience{kPatience}; !(*node)->now();) {
+        if (patience.hasExpired())
+            return EXIT_FAILURE;
+        QThread::msleep(10);
+    }
+    publishObjects(**node, words.at(6).toInt());
+    return QCoreApplication::exec();
 }
 
+/// The first station of a session has the first of these names.
+QString stationName(int index) { return QStringLiteral("Station %1").arg(index + 1); }
+
 /// Programs that end with this object.
-class Receivers
+class Participants
 {
 public:
-    Receivers(std::uint16_t port, const carina::JoinCode& code)
+    Participants(const carina::SessionNode& host, const Course& course)
     {
-        for (std::size_t i = 0; i < kReceivers; ++i)
-            m_programs[i].start(QCoreApplication::applicationFilePath(),
-                                {kReceive, QString::number(port),
-                                 QString::fromStdString(code.text()),
-                                 QStringLiteral("receiver %1").arg(i)});
-    }
-    ~Receivers()
-    {
-        for (QProcess& program : m_programs) {
-            program.kill();
-            program.waitForFinished();
+        const auto code = host.joinCodes().at(carina::Role::Trainee);
+        for (int i = 0; i < course.participants; ++i) {
+            m_programs.push_back(std::make_unique<QProcess>());
+            m_programs.back()->start(
+                QCoreApplication::applicationFilePath(),
+                {kTakePart, QString::number(host.port()), QString::fromStdString(code.text()),
+                 QStringLiteral("participant %1").arg(i), stationName(i % kStations),
+                 QString::number(i < course.senders ? kOwnObjects : 0)});
         }
     }
-    Receivers(const Receivers&) = delete;
-    Receivers& operator=(const Receivers&) = delete;
+    ~Participants()
+    {
+        for (const auto& program : m_programs)
+            program->kill();
+        for (const auto& program : m_programs)
+            program->waitForFinished();
+    }
+    Participants(const Participants&) = delete;
+    Participants& operator=(const Participants&) = delete;
 
 private:
-    std::array<QProcess, kReceivers> m_programs;
+    std::vector<std::unique_ptr<QProcess>> m_programs;
 };
 
-bool areAllIn(const carina::SessionNode& host)
+std::unique_ptr<carina::SessionNode> hostedOn(carina::MemoryDisk& disk)
 {
-    return host.links().size() == kReceivers
-           && host.state()->objects().size() == static_cast<std::size_t>(kStreams);
+    auto host = carina::SessionNode::host(
+        {.sessionName = "Course", .participantName = "Dr Hall", .derive = keyAtOnce},
+        std::make_unique<carina::MemoryStore>(disk));
+    return host ? *std::move(host) : nullptr;
+}
+
+/// Opens the other stations.
+bool openStations(carina::SessionNode& host)
+{
+    for (int i = 1; i < kStations; ++i)
+        host.propose(carina::kNoStation, carina::fact::StationAdded{stationName(i).toStdString()});
+    for (const QDeadlineTimer patience{kPatience}; host.state()->stations().size() < kStations;) {
+        if (patience.hasExpired())
+            return false;
+        QThread::msleep(10);
+    }
+    return true;
+}
+
+bool areAllIn(const carina::SessionNode& host, std::size_t participants, int objects)
+{
+    return host.links().size() == participants
+           && host.state()->objects().size() == static_cast<std::size_t>(objects);
+}
+
+bool waitForAll(const carina::SessionNode& host, std::size_t participants, int objects)
+{
+    for (const QDeadlineTimer patience{kPatience}; !areAllIn(host, participants, objects);) {
+        if (patience.hasExpired()) {
+            std::fputs("Not all participants came.\n", stderr);
+            return false;
+        }
+        QThread::msleep(50);
+    }
+    return true;
 }
 
 /// Percent of one core that the whole process uses.
@@ -149,25 +224,43 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-int measure()
+/// The host alone, in percent of one core; nothing where not all came, or stayed.
+std::optional<double> courseCost(const Course& course, int rounds)
 {
     carina::MemoryDisk disk;
-    const auto host = carina::SessionNode::host(
-        {.sessionName = "Course", .participantName = "Dr Hall", .derive = keyAtOnce},
-        std::make_unique<carina::MemoryStore>(disk));
+    const auto host = hostedOn(disk);
+    const int objects = course.senders * kOwnObjects;
+    if (!host || !openStations(*host))
+        return std::nullopt;
+    const Participants participants{*host, course};
+    if (!waitForAll(*host, std::size_t(course.participants), objects))
+        return std::nullopt;
+    std::vector<double> hosting;
+    for (int i = 0; i < rounds; ++i)
+        hosting.push_back(hostRound());
+    const bool isWhole = areAllIn(*host, std::size_t(course.participants), objects);
+    return isWhole ? std::optional{median(hosting)} : std::nullopt;
+}
+
+bool printCourse(const Course& course, int rounds)
+{
+    const auto cost = courseCost(course, rounds);
+    if (cost)
+        std::printf("{\"participants\": %d, \"objects\": %d, \"host_median_percent\": %.2f}",
+                    course.participants, course.senders * kOwnObjects, *cost);
+    return cost.has_value();
+}
+
+bool printInstructor()
+{
+    carina::MemoryDisk disk;
+    const auto host = hostedOn(disk);
     if (!host)
-        return EXIT_FAILURE;
-    for (int i = 0; i < kStreams; ++i)
-        (*host)->publish(carina::ObjectKind::Tube, "object " + std::to_string(i),
-                         poseSource(**host, i));
-    const Receivers receivers{(*host)->port(), (*host)->joinCodes().at(carina::Role::Trainee)};
-    for (const QDeadlineTimer patience{kPatience}; !areAllIn(**host);) {
-        if (patience.hasExpired()) {
-            std::fputs("Not all participants came.\n", stderr);
-            return EXIT_FAILURE;
-        }
-        QThread::msleep(50);
-    }
+        return false;
+    publishObjects(*host, kStreams);
+    const Participants receivers{*host, {kReceivers, 0}};
+    if (!waitForAll(*host, kReceivers, kStreams))
+        return false;
     std::vector<double> hosting;
     std::vector<double> sending;
     for (int i = 0; i < kRounds; ++i) {
@@ -176,11 +269,29 @@ int measure()
     }
     const double ours = median(hosting);
     const double peer = median(sending);
-    std::printf("{\n  \"schema\": \"carina.bench.host/1\",\n  \"participants\": %zu,\n"
-                "  \"streams\": %d,\n  \"rounds\": %d,\n  \"host_median_percent\": %.2f,\n"
-                "  \"bare_sending_median_percent\": %.2f,\n  \"ratio_to_bare_sending\": %.1f\n}\n",
+    std::printf("  \"participants\": %zu,\n  \"streams\": %d,\n  \"rounds\": %d,\n"
+                "  \"host_median_percent\": %.2f,\n  \"bare_sending_median_percent\": %.2f,\n"
+                "  \"ratio_to_bare_sending\": %.1f,\n",
                 kReceivers, kStreams, kRounds, ours, peer, ours / peer);
-    return areAllIn(**host) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return areAllIn(*host, kReceivers, kStreams);
+}
+
+int measure()
+{
+    std::printf("{\n  \"schema\": \"carina.bench.host/1\",\n");
+    if (!printInstructor())
+        return EXIT_FAILURE;
+    std::printf("  \"course\": ");
+    if (!printCourse(kCourse, kRounds))
+        return EXIT_FAILURE;
+    std::printf(",\n  \"growth\": [");
+    for (const Course& course : kGrowth) {
+        std::printf("%s\n    ", &course == kGrowth.data() ? "" : ",");
+        if (!printCourse(course, 1))
+            return EXIT_FAILURE;
+    }
+    std::printf("\n  ]\n}\n");
+    return EXIT_SUCCESS;
 }
 
 } // namespace
@@ -189,5 +300,5 @@ int main(int argc, char** argv)
 {
     const QCoreApplication application{argc, argv};
     const QStringList words = QCoreApplication::arguments();
-    return words.size() == 5 && words.at(1) == kReceive ? receive(words) : measure();
+    return words.size() == 7 && words.at(1) == kTakePart ? takePart(words) : measure();
 }

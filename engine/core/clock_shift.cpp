@@ -39,13 +39,20 @@ LocalTime ClockShift::machine(LocalTime process) const
     return withoutOffset - times(skew / (1.0 + skew), withoutOffset);
 }
 
+Result<Duration> millisecondsFrom(const char* text)
+{
+    return numberIn(text, 1e3 * toSeconds(ClockShift::kLargestOffset)).map([](double ms) {
+        return fromSeconds(1e-3 * ms);
+    });
+}
+
 Result<ClockShift> clockShiftFrom(const char* offsetMs, const char* ppm)
 {
-    const auto offset = numberIn(offsetMs, 1e3 * toSeconds(ClockShift::kLargestOffset));
+    const auto offset = millisecondsFrom(offsetMs);
     const auto skew = numberIn(ppm, 1e6 * ClockShift::kLargestSkew);
     if (!offset || !skew)
         return tl::unexpected(offset ? skew.error() : offset.error());
-    return ClockShift{fromSeconds(1e-3 * *offset), 1e-6 * *skew};
+    return ClockShift{*offset, 1e-6 * *skew};
 }
 
 } // namespace carina

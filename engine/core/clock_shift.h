@@ -23,6 +23,10 @@ struct ClockShift {
     [[nodiscard]] LocalTime machine(LocalTime process) const;
 };
 
+/// Parses a decimal number of milliseconds; nullptr means 0.
+/// @returns OutOfRange for a text that is not a number, or one beyond +-kLargestOffset.
+[[nodiscard]] Result<Duration> millisecondsFrom(const char* text);
+
 /// Parses an offset in milliseconds and a skew in ppm, both decimal numbers; nullptr means 0.
 /// @returns OutOfRange for a text that is not a number, or a number beyond the limits above.
 [[nodiscard]] Result<ClockShift> clockShiftFrom(const char* offsetMs, const char* ppm);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/external_time.h"
+#include "engine/core/result.h"
 
 #include <optional>
 
@@ -18,8 +19,28 @@ struct ClockDiscipline {
 /// says how well, or whose error may be 16 s, which the kernel takes for lost.
 [[nodiscard]] std::optional<Duration> statedError(const ClockDiscipline& discipline);
 
+/// A disciplined clock in place of the system's, for tests: programs of one machine, whose system
+/// clock is the same, then have clocks that differ as those of several machines.
+struct InjectedClock {
+    Duration offset{}; ///< from the system's clock, which counts as the truth
+    Duration error{};  ///< standard error that it states; 0: it is not disciplined
+
+    friend bool operator==(const InjectedClock&, const InjectedClock&) = default;
+};
+
+/// Parses both in milliseconds; nothing where the error is nullptr: the system's clock.
+/// @returns OutOfRange as millisecondsFrom does, and for an error below 0.
+[[nodiscard]] Result<std::optional<InjectedClock>> injectedClockFrom(const char* offsetMs,
+                                                                     const char* errorMs);
+
+/// The injected clock less monotonicNow(); nothing where it is not disciplined.
+[[nodiscard]] std::optional<ExternalTime> readInjectedClock(const InjectedClock& clock);
+
 /// The system's clock (CLOCK_REALTIME) less monotonicNow(), with its statedError(); nothing where
-/// there is none.
+/// there is none. With the environment variable CARINA_EXTERNAL_CLOCK_ERROR_MS, and
+/// CARINA_EXTERNAL_CLOCK_OFFSET_MS, which is 0 unless set, the injected clock in its place.
+///
+/// @pre the two variables, where they are set, are valid for injectedClockFrom.
 [[nodiscard]] std::optional<ExternalTime> readDisciplinedClock();
 
 } // namespace carina

@@ -3,7 +3,6 @@
 #include "evaluation/drift/action_script.h"
 
 #include <algorithm>
-#include <random>
 
 namespace carina
 {
@@ -11,14 +10,10 @@ namespace carina
 DrawnViews::DrawnViews(VirtualStar& star, const ViewFrames& frames, std::uint32_t seed)
     : m_star{star}, m_views(star.participants() - 1U)
 {
-    if (frames.rate <= 0.0)
-        return;
-    std::mt19937 random{seed};
-    const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
-    for (View& view : m_views) {
-        const double rate = frames.rate * (1.0 + frames.rateError * (2.0 * share() - 1.0));
-        view.frame = fromSeconds(1.0 / rate);
-        view.next = fromSeconds(-share() / rate);
+    const std::vector<DisplayFrames> displays = displaysOf(frames, m_views.size(), seed);
+    for (std::size_t view = 0; view < m_views.size(); ++view) {
+        m_views[view].frame = displays[view].interval;
+        m_views[view].next = displays[view].first;
     }
 }
 

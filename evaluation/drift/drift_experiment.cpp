@@ -3,6 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
 #include "evaluation/drift/drawn_views.h"
+#include "evaluation/drift/shown_actions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,7 @@ namespace carina
 namespace
 {
 
-/// Long enough for a history of 100 delays at one a second.
-constexpr Duration kWarmUp = std::chrono::seconds{130};
-/// Both objects are at rest and known to all from about here on.
+/// Both objects are at rest and known to all from about here on, or from the start.
 constexpr Duration kRestFrom = std::chrono::seconds{-5};
 /// No simple fraction of an action or of a tick, so that samples meet all phases of both.
 constexpr Duration kSampleInterval = std::chrono::nanoseconds{1'000'703};
@@ -27,9 +26,10 @@ public:
     explicit DriftRun(const DriftSettings& settings)
         : m_settings{settings},
           m_script{settings.script, settings.seed},
-          m_star{*settings.strategy, settings.participants, settings.scenario,
-                 settings.legs,      settings.seed,         -kWarmUp},
-          m_views{m_star, settings.scenario.frames, settings.seed}
+          m_star{*settings.strategy, settings.participants, settings.scenario, settings.legs,
+                 settings.seed,      -settings.warmUp,      choiceOf(settings)},
+          m_views{m_star, settings.scenario.frames, settings.seed},
+          m_shown(settings.participants - 1U)
     {
     }
 
@@ -37,7 +37,8 @@ public:
     {
         // At another phase of everybody's ticks in each run.
         std::mt19937 random{m_settings.seed};
-        act(-1, kRestFrom - Duration{static_cast<Duration::rep>(random() % 1'000'000'000U)});
+        const Duration phase{static_cast<Duration::rep>(random() % 1'000'000'000U)};
+        act(-1, std::max(kRestFrom - phase, -m_settings.warmUp));
         m_star.runTo(Duration{-1});
         const VirtualStar::Traffic before = m_star.traffic();
         Duration sample{};
@@ -46,14 +47,23 @@ public:
             addResponse(action);
             addLimit(action);
             const Duration end = ActionScript::startOf(action + 1);
+            for (; sample < end - ShownActions::kLook; sample += kSampleInterval)
+                addSample(sample);
+            for (std::size_t i = 0; i < m_shown.size(); ++i)
+                m_shown[i].look(m_views.turned(static_cast<std::uint16_t>(i + 2)).rotation());
             for (; sample < end; sample += kSampleInterval)
                 addSample(sample);
-            addEndOfAction(end - Duration{1});
+            addEndOfAction(action, end - Duration{1});
         }
         return figures(before);
     }
 
 private:
+    static StrategyChoice choiceOf(const DriftSettings& settings)
+    {
+        return {.kind = settings.strategy->kind, .longestLag = settings.longestLag};
+    }
+
     void act(int action, Duration t)
     {
         m_star.act(m_script.rotation(action), t);
@@ -90,11 +100,12 @@ private:
         const Vec3 p = actors(ActionScript::kMoved, t).translation();
         for (std::uint16_t viewer = 2; viewer <= m_star.participants(); ++viewer) {
             m_angles.push_back(angleOf(viewer, q));
+            m_shown[viewer - 2U].addSample(m_angles.back());
             m_position += distanceOf(viewer, p);
         }
     }
 
-    void addEndOfAction(Duration t)
+    void addEndOfAction(int action, Duration t)
     {
         m_views.runTo(t);
         const Quat q = actors(ActionScript::kTurned, t).rotation();
@@ -105,6 +116,8 @@ private:
             mean.angle += angleOf(viewer, q) / viewers;
             mean.rawAngle += rawAngleOf(viewer, m_script.q_AO(t)) / viewers;
             mean.distance += distanceOf(viewer, p) / viewers;
+            m_shown[viewer - 2U].endAction(m_views.turned(viewer).rotation(),
+                                           m_script.rotation(action).axis_A.cast<double>());
         }
         m_actions.push_back(mean);
         for (std::uint16_t id = 1; id <= m_star.participants(); ++id) {
@@ -164,6 +177,9 @@ private:
         figures.limit = m_limit / events;
         figures.positionLimit = m_positionLimit / events;
         figures.actions = std::move(m_actions);
+        figures.timeAverageShown = meanShown(m_shown);
+        for (const ShownActions& shown : m_shown)
+            figures.lost += shown.lost();
         figures.response = m_responses > 0 ? m_response / m_responses : 0.0;
         if (m_clockReadings > 0)
             figures.clockError = m_clockError / m_clockReadings;
@@ -181,6 +197,7 @@ private:
     std::vector<double> m_angles;
     double m_position = 0.0;
     std::vector<ActionDrift> m_actions;
+    std::vector<ShownActions> m_shown; // of participant 2 and on
     double m_limit = 0.0;
     double m_positionLimit = 0.0;
     double m_response = 0.0;
@@ -209,6 +226,8 @@ DriftFigures runDrift(DriftSettings settings, int seeds)
     CARINA_EXPECTS(seeds >= 1);
     DriftFigures mean;
     mean.actions.resize(static_cast<std::size_t>(settings.script.actions));
+    double shown = 0.0;
+    int runsShown = 0;
     for (int i = 0; i < seeds; ++i, ++settings.seed) {
         const DriftFigures one = runDrift(settings);
         mean.atEvent += one.atEvent / seeds;
@@ -218,6 +237,9 @@ DriftFigures runDrift(DriftSettings settings, int seeds)
         mean.limit += one.limit / seeds;
         mean.positionLimit += one.positionLimit / seeds;
         mean.response += one.response / seeds;
+        mean.lost += one.lost / seeds;
+        if (one.timeAverageShown)
+            shown += *one.timeAverageShown, ++runsShown;
         if (one.clockError)
             mean.clockError = mean.clockError.value_or(0.0) + *one.clockError / seeds;
         mean.bytesPerSecond += one.bytesPerSecond / seeds;
@@ -225,6 +247,8 @@ DriftFigures runDrift(DriftSettings settings, int seeds)
         for (std::size_t action = 0; action < one.actions.size(); ++action)
             addShare(mean.actions[action], one.actions[action], 1.0 / seeds);
     }
+    if (runsShown > 0)
+        mean.timeAverageShown = shown / runsShown;
     return mean;
 }
 

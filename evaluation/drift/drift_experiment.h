@@ -19,6 +19,9 @@ struct DriftSettings {
     DriftScenario scenario;
     VirtualStar::Legs legs = VirtualStar::Legs::HalfPath;
     std::uint32_t seed = 1;
+    /// Before the first action. Unless set long enough for a history of 100 delays at one a second.
+    Duration warmUp = std::chrono::seconds{130};
+    Duration longestLag = StrategyChoice{}.longestLag; ///< with local lag
 };
 
 /// The drift just before the next action, mean over the viewers.
@@ -45,6 +48,10 @@ struct DriftFigures {
     double bytesPerSecond = 0.0;      ///< payload sent and received by a participant
     double probesPerSecond = 0.0;     ///< of all nodes together
     std::vector<ActionDrift> actions; ///< in their order
+    /// Mean over time without the actions that a viewer did not show, and those after them, whose
+    /// news found it far off (ShownActions); nothing where none is left.
+    std::optional<double> timeAverageShown;
+    double lost = 0.0; ///< how many were not shown, all viewers together
 };
 
 /// Runs the experiment in virtual time, which is that of the virtual network. The drift is the

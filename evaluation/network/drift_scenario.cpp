@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 namespace carina
@@ -155,6 +156,21 @@ Result<DriftScenario> readTrace(const std::string& file)
 }
 
 } // namespace
+
+std::vector<DisplayFrames> displaysOf(const ViewFrames& frames, std::size_t displays,
+                                      std::uint32_t seed)
+{
+    std::vector<DisplayFrames> all(displays);
+    if (frames.rate <= 0.0)
+        return all;
+    std::mt19937 random{seed};
+    const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    for (DisplayFrames& display : all) {
+        const double rate = frames.rate * (1.0 + frames.rateError * (2.0 * share() - 1.0));
+        display = {fromSeconds(1.0 / rate), fromSeconds(-share() / rate)};
+    }
+    return all;
+}
 
 std::vector<std::string_view> scenarioNames()
 {

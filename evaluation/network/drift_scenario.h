@@ -21,6 +21,16 @@ struct ViewFrames {
     double rateError = 0.0;
 };
 
+/// The frames of one display.
+struct DisplayFrames {
+    Duration interval{}; ///< 0 for a view that is drawn at any time it is looked at
+    Duration first{};    ///< when one begins, at or before time 0
+};
+
+/// Those of some displays, drawn by the seed.
+[[nodiscard]] std::vector<DisplayFrames> displaysOf(const ViewFrames& frames, std::size_t displays,
+                                                    std::uint32_t seed);
+
 /// A network path, the clock errors of its participants and how their views are drawn.
 struct DriftScenario {
     std::string name;

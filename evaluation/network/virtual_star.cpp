@@ -34,7 +34,7 @@ Duration VirtualStar::Clock::timeOf(LocalTime local) const
 
 VirtualStar::VirtualStar(const SyncStrategy& strategy, std::uint16_t participants,
                          const DriftScenario& scenario, Legs legs, std::uint64_t seed,
-                         Duration start)
+                         Duration start, const StrategyChoice& choice)
     : m_nodes(participants + 1U), m_externalClocks{scenario.externalClocks}, m_nextReading{start}
 {
     std::mt19937_64 random{seed};
@@ -53,7 +53,7 @@ VirtualStar::VirtualStar(const SyncStrategy& strategy, std::uint16_t participant
         const bool isActor = id == 1;
         node.toHost.emplace(legOf(isActor ? scenario.forward : scenario.backward), random());
         node.fromHost.emplace(legOf(isActor ? scenario.backward : scenario.forward), random());
-        node.node = strategy.makeParticipant(starSeat(ParticipantId{id}, participants), {},
+        node.node = strategy.makeParticipant(starSeat(ParticipantId{id}, participants), choice,
                                              node.clock.at(start));
     }
     for (Node& node : m_nodes)

@@ -27,9 +27,10 @@ public:
         std::uint64_t probes = 0;
     };
 
-    /// Starts at virtual time `start`.
+    /// Starts at virtual time `start`. @param choice what the strategy leaves to its user
     VirtualStar(const SyncStrategy& strategy, std::uint16_t participants,
-                const DriftScenario& scenario, Legs legs, std::uint64_t seed, Duration start);
+                const DriftScenario& scenario, Legs legs, std::uint64_t seed, Duration start,
+                const StrategyChoice& choice = {});
 
     /// Processes all events up to and including t. @pre t is not before that of the last call.
     void runTo(Duration t);

@@ -200,9 +200,14 @@ void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row
 {
     rows.push_back(
         {tr("%1: drift (limit)").arg(object.name), driftText(object),
-         tr("Drift: difference between the pose drawn here and that of the newest sample or action "
-            "on its arrival, with the noise of the tracker. In brackets the part that the network "
-            "delay makes unavoidable, speed × delay")});
+         tr("Drift: difference between what this program and its owner's showed at the same "
+            "session "
+            "time, with the noise of the tracker. In brackets the part that the network delay "
+            "makes "
+            "unavoidable, speed × delay, for a viewer that goes on with the old motion until it "
+            "hears of the new one; one that guesses better can be below. Neither has what the two "
+            "clocks cannot see, the asymmetry of the path: speed × the bound of the clock at "
+            "most")});
 }
 
 QString NetworkFiguresModel::spoken(const Row& row)

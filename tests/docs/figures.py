@@ -27,6 +27,8 @@ Real data are below CARINA_TEST_DATA, or ../shared/data beside the project. A ru
 missing is named as skipped.
 """
 
+import concurrent.futures
+import contextlib
 import decimal
 import json
 import os
@@ -251,6 +253,12 @@ def output_of(command, display, build):
         return run_of([str(ROOT / "tests/support/with_display")] * display + words, scratch)
 
 
+def reason_against(run):
+    """Why the command of a run is not run; None where it is."""
+    missing = run.get("data") and not (data_folder() / run["data"]).exists()
+    return run.get("not_run") or (f"CARINA_TEST_DATA has no {run['data']}" if missing else None)
+
+
 def faults_of(table, text, outputs, tell=print, news=None):
     """Compares a page with what the commands give; outputs(command) gives the output of one. What
     should stand in the page instead is put into news, as {(begin, end): figure}."""
@@ -260,9 +268,7 @@ def faults_of(table, text, outputs, tell=print, news=None):
     except Fault as fault:
         return [f"{page}: {fault}"]
     for run, command, words, found, places in checks:
-        reason = run.get("not_run")
-        if not reason and run.get("data") and not (data_folder() / run["data"]).exists():
-            reason = f"CARINA_TEST_DATA has no {run['data']}"
+        reason = reason_against(run)
         if reason:
             line = (f"not re-run: {reason}: {run['command']}" if run.get("not_run")
                     else f"SKIP   : docs::figures({page}) {reason}")
@@ -289,13 +295,18 @@ def check(build, page, write=False, tell=print):
     """Status of one page, as ctest takes it."""
     table, given, news = load(page), {}, {}
     text = (ROOT / table["page"]).read_text(encoding="utf-8")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
 
-    def outputs(command, display):
-        if command not in given:
-            given[command] = output_of(command, display, build)
-        return given[command]
+        def outputs(command, display):
+            if command not in given:
+                given[command] = pool.submit(output_of, command, display, build)
+            return given[command]
 
-    faults = faults_of(table, text, outputs, tell, news)
+        with contextlib.suppress(Fault):  # which faults_of tells of
+            for run, command, *_ in checks_of(table, text):
+                if not reason_against(run):
+                    outputs(command, run.get("display", False))  # all are under way
+        faults = faults_of(table, text, lambda *words: outputs(*words).result(), tell, news)
     for fault in faults:
         tell(fault)
     tell(f"{table['page']}: {len(given)} commands run; faults: {len(faults)}")

@@ -49,6 +49,53 @@ private Q_SLOTS:
         QVERIFY2(response_ms >= leastResponse_ms, qPrintable(QString::number(response_ms)));
     }
 
+    void tableHasARowForEachRun()
+    {
+        QProcess lab;
+        lab.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        lab.start(QStringLiteral(CARINA_LAB),
+                  {QStringLiteral("drift"), QStringLiteral("--live"), QStringLiteral("--table"),
+                   QStringLiteral("--scenario"), QStringLiteral("paper"),
+                   QStringLiteral("--strategy"), QStringLiteral("event"),
+                   QStringLiteral("--actions"), QStringLiteral("3"), QStringLiteral("--warm-up-s"),
+                   QStringLiteral("1.5")});
+        QVERIFY(lab.waitForFinished(60'000));
+        QCOMPARE(lab.exitCode(), 0);
+        const QJsonObject table = QJsonDocument::fromJson(lab.readAllStandardOutput()).object();
+        const QJsonArray rows = table[QLatin1StringView{"rows"}].toArray();
+        QCOMPARE(rows.size(), qsizetype{2});
+        QCOMPARE(table[QLatin1StringView{"met"}].toInt()
+                     + table[QLatin1StringView{"missed"}].toInt(),
+                 2);
+        for (const auto& row : rows) {
+            // 95 ms of delay and half a frame of 1/35 s, at 100 deg/s.
+            const double drift_deg =
+                row.toObject()[QLatin1StringView{"at_event_mean_deg"}].toDouble();
+            QVERIFY2(drift_deg > 9.5, qPrintable(QString::number(drift_deg)));
+            QVERIFY(row.toObject()[QLatin1StringView{"bound_time_average_deg"}].toDouble() > 9.5);
+        }
+        QCOMPARE(rows[1].toObject()[QLatin1StringView{"participants"}].toInt(), 6);
+    }
+
+    /// Over a path that is 7.5 ms longer one way for each of the two, of which a clock can know by
+    /// another one only.
+    void disciplinedClocksSeeAnAsymmetricPath()
+    {
+        constexpr double kUnseen_deg = 0.75;
+        QProcess lab;
+        lab.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        lab.start(QStringLiteral(CARINA_LAB),
+                  {QStringLiteral("drift"), QStringLiteral("--live"), QStringLiteral("--scenario"),
+                   QStringLiteral("cellular"), QStringLiteral("--external-clocks-ms"),
+                   QStringLiteral("0.1"), QStringLiteral("--actions"), QStringLiteral("3"),
+                   QStringLiteral("--warm-up-s"), QStringLiteral("10")});
+        QVERIFY(lab.waitForFinished(60'000));
+        QCOMPARE(lab.exitCode(), 0);
+        const QJsonObject figures = QJsonDocument::fromJson(lab.readAllStandardOutput()).object();
+        const double drift_deg = figures[QLatin1StringView{"at_event_mean_deg"}].toDouble();
+        QVERIFY2(drift_deg < kUnseen_deg / 2.0, qPrintable(QString::number(drift_deg)));
+    }
+
     void endsAlikeEverywhereWithWholeLogs()
     {
         constexpr int kActions = 3;

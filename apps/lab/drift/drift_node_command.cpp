@@ -22,8 +22,7 @@ namespace
 // It ends when its standard input does, so that none outlives the one that started it.
 
 constexpr Duration kPatience = std::chrono::seconds{60};
-/// Before the first action and after the last.
-constexpr Duration kBefore = std::chrono::milliseconds{100};
+/// How long it goes on after the last action.
 constexpr Duration kAfter = std::chrono::milliseconds{1500};
 
 tl::unexpected<Error> leftAlone()
@@ -75,15 +74,13 @@ Result<void> comeIn(LauncherPipe& launcher, LiveParticipant& participant)
 Result<void> takePart(LauncherPipe& launcher, LiveParticipant& participant, LocalTime begin,
                       LocalTime end)
 {
-    LocalTime next = begin - kBefore;
-    while (next < end) {
-        sleepUntil(next);
+    participant.beginAt(begin);
+    while (participant.nextStep() < end) {
+        sleepUntil(participant.nextStep());
         static_cast<void>(launcher.line());
         if (launcher.isClosed())
             return leftAlone();
-        participant.step(begin);
-        while (next <= machineNow())
-            next += LiveParticipant::kSampleInterval;
+        participant.step();
     }
     return {};
 }

@@ -15,9 +15,8 @@ inline constexpr Option kScenario{
     "scenario", "NAME|FILE",
     "the network: lan, wifi, metro, wan, asymmetric, cellular, 5g, starlink, step, partition, "
     "burst, bottleneck, duplication, reordering, clock or paper, which also draws the views at 35 "
-    "Hz "
-    "(docs/synchronisation.md); or a file of "
-    "lines \"t_ms delay_ms\", with x as the delay of what is lost, which is repeated"};
+    "Hz (docs/synchronisation.md); or a file of lines \"t_ms delay_ms\", with x as the delay of "
+    "what is lost, which is repeated"};
 inline constexpr Option kStrategy{
     "strategy", "S",
     "session-clock (unless given), local-lag, asa-adaptive, asa-fixed, dead-reckoning, "
@@ -36,8 +35,9 @@ inline constexpr Option kAxes{
 inline constexpr Option kExternalClocks{
     "external-clocks-ms", "E",
     "every program has a clock beside its own that is disciplined from outside, by NTP or PTP, and "
-    "off by a constant of at most E, above 0, at most 1000; none unless given, and none with "
-    "--live"};
+    "off by a constant of at most E, above 0, at most 1000; none unless given"};
+inline constexpr Option kLocalLag{"local-lag-ms", "L",
+                                  "bound of the lag of local-lag, 0 to 100; 16 unless given"};
 inline constexpr Option kSeed{"seed", "K", "of the run, 0 to 4294967295; 1 unless given"};
 inline constexpr Option kSeeds{
     "seeds", "M", "how many runs, with the seeds K, K+1 and so on, 1 to 1000; 1 unless given"};
@@ -49,11 +49,13 @@ inline constexpr Option kWarmUp{
     "seconds for the clocks to settle before the first action, 0 to 300; 20 unless given"};
 inline constexpr Option kLogs{"logs", "DIR",
                               "folder for the log of each program; it is created if missing"};
+inline constexpr Option kTable{"table", "", "measures one run after the other for a table of them"};
 
 inline constexpr std::array kOfAll{kScenario,    kStrategy, kParticipants, kTurningSpeed,
                                    kMovingSpeed, kActions,  kAxes,         kExternalClocks,
-                                   kSeed,        kSeeds};
+                                   kLocalLag,    kSeed,     kSeeds};
 inline constexpr std::array kOfLive{kLive, kNetlab, kWarmUp, kLogs};
+inline constexpr std::array kOfTable{kTable};
 } // namespace drift_option
 
 namespace drift_key
@@ -68,6 +70,7 @@ inline constexpr Key kActionTime{"action_s", "duration of an action"};
 inline constexpr Key kAxes{"axes", "as given"};
 inline constexpr Key kScenario{"scenario", "its name"};
 inline constexpr Key kExternalClocks{"external_clocks_ms", "as given; null where there are none"};
+inline constexpr Key kLocalLag{"local_lag_ms", "as given: the bound, if it is local-lag"};
 inline constexpr Key kSeed{"seed", "as given"};
 inline constexpr Key kSeeds{"seeds", "as given"};
 inline constexpr Key kAtEvent{"at_event_mean_deg",
@@ -79,12 +82,20 @@ inline constexpr Key kRawAtLast{
 inline constexpr Key kRawGreatest{"raw_greatest_deg", "the greatest of these means of an action"};
 inline constexpr Key kTimeAverage{"time_average_mean_deg", "mean of that angle over time"};
 inline constexpr Key kPercentile{"p95_deg", "95th percentile over time of that angle, of each run"};
+inline constexpr Key kLost{
+    "lost_actions",
+    "actions of the turned object that a viewer did not show by their end, of all viewers; mean "
+    "over the runs"};
+inline constexpr Key kShown{
+    "time_average_shown_deg",
+    "time average without the lost actions and those that follow one; null where none is left"};
 inline constexpr Key kPosition{"position_mean_mm",
                                "mean distance of the moved object from the truth, over time"};
 inline constexpr Key kLimit{
     "limit_time_average_deg",
-    "time average that no strategy can be below with the delays of the run, unless the actor "
-    "waits, as with local-lag"};
+    "time average that no strategy can be below with the delays of the run whose actor does not "
+    "wait, as with local-lag, and whose viewers go on with the old motion until they hear; the "
+    "asymmetry of a path, which no two clocks can see, is not in it"};
 inline constexpr Key kRatio{"ratio_to_limit", "time average to that; null where the limit is 0"};
 inline constexpr Key kResponse{"response_ms",
                                "mean time from an action to its beginning in its actor's own view"};
@@ -102,12 +113,18 @@ inline constexpr Key kAccessLink{"access_link",
 // Of a live run besides, or instead.
 inline constexpr Key kLive{"live", "true"};
 inline constexpr Key kNetwork{"network", "relay or netlab"};
-inline constexpr Key kBound{"bound_time_average_deg",
-                            "with session-clock 1.5 limit + W (0.2 ms + half the asymmetry of the "
-                            "paths), otherwise 1.25 of virtual time + W 0.3 ms"};
-inline constexpr Key kVirtual{"virtual_time_average_deg",
-                              "time average of the same in virtual time, mean of five runs"};
-inline constexpr Key kIsWithinBound{"is_within_bound", "whether the time average is at most that"};
+inline constexpr Key kBound{
+    "bound_time_average_deg",
+    "with session-clock 1.5 limit + W (0.2 ms + half the asymmetry of the paths, or E if that is "
+    "less, + half a frame), otherwise 1.25 of virtual time + W 0.3 ms"};
+inline constexpr Key kVirtual{
+    "virtual_time_average_deg",
+    "time_average_mean_deg of the same in virtual time, mean of twenty runs"};
+inline constexpr Key kVirtualShown{"virtual_time_average_shown_deg",
+                                   "the same of time_average_shown_deg"};
+inline constexpr Key kIsWithinBound{
+    "is_within_bound", "whether the time average, but for session-clock that of the actions that "
+                       "were shown, is at most that"};
 inline constexpr Key kIsEndStateSame{
     "is_end_state_same",
     "whether the final poses of both objects are equal in all programs, bit for bit"};
@@ -122,6 +139,14 @@ inline constexpr Key kLiveBytes{"bytes_per_s",
                                 "the same of the encrypted datagrams; null with --netlab"};
 inline constexpr Key kLiveProbes{"probes_per_s", "null"};
 inline constexpr Key kLiveAccessLink{"access_link", "null"};
+
+// Of a table.
+inline constexpr Key kTableSchema{"schema", "carina.drift-table/1"};
+inline constexpr Key kWarmUpTime{"warm_up_s", "as given"};
+inline constexpr Key kRows{"rows", "one object for each run, with the keys of a run:"};
+inline constexpr Key kRowError{"error", "why there are no figures, where a run has failed"};
+inline constexpr Key kMet{"met", "rows that are within their bound"};
+inline constexpr Key kMissed{"missed", "rows that are not, or have failed"};
 } // namespace drift_key
 
 } // namespace carina::lab

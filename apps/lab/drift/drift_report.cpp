@@ -20,12 +20,31 @@ constexpr double kVirtualsAllowed = 1.25;
 
 double inDegrees(double rad) { return carina::inDegrees(radians(rad)); }
 
+/// How far two clocks may be apart that nothing else than the path and the clocks disciplined from
+/// outside can compare.
+double clockAllowance(const DriftScenario& scenario)
+{
+    const double asymmetry = std::abs(toSeconds(scenario.forward.delay - scenario.backward.delay));
+    const double unseen = scenario.externalClocks
+                              ? std::min(asymmetry / 2.0, toSeconds(*scenario.externalClocks))
+                              : asymmetry / 2.0;
+    return kClockAllowance_s + unseen;
+}
+
+/// How old the newest frame is on average.
+double halfAFrame(const ViewFrames& frames) { return frames.rate > 0.0 ? 0.5 / frames.rate : 0.0; }
+
 double boundByLimit(double limit, const DriftSettings& settings)
 {
-    const Duration asymmetry = settings.scenario.forward.delay - settings.scenario.backward.delay;
     return kLimitsAllowed * limit
            + settings.script.angularSpeed
-                 * (kClockAllowance_s + std::abs(toSeconds(asymmetry)) / 2.0);
+                 * (clockAllowance(settings.scenario) + halfAFrame(settings.scenario.frames));
+}
+
+QJsonValue shownAverage(const DriftFigures& figures)
+{
+    return figures.timeAverageShown ? QJsonValue{inDegrees(*figures.timeAverageShown)}
+                                    : QJsonValue{QJsonValue::Null};
 }
 
 } // namespace
@@ -37,6 +56,8 @@ QJsonObject reportOf(const DriftFigures& figures)
                        {drift_key::kRawGreatest, QJsonValue::Null},
                        {drift_key::kTimeAverage, inDegrees(figures.timeAverage)},
                        {drift_key::kPercentile, inDegrees(figures.p95)},
+                       {drift_key::kLost, figures.lost},
+                       {drift_key::kShown, shownAverage(figures)},
                        {drift_key::kPosition, inMillimetres(metres(figures.position))},
                        {drift_key::kLimit, inDegrees(figures.limit)},
                        {drift_key::kRatio, QJsonValue::Null},
@@ -58,12 +79,17 @@ QJsonObject reportOf(const DriftFigures& figures)
 }
 
 QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
-                     double inVirtualTime)
+                     const DriftFigures& inVirtualTime)
 {
+    const bool isByLimit = settings.strategy->kind == StrategyKind::SessionClock;
+    const double average = isByLimit
+                               ? figures.drift.timeAverage
+                               : figures.drift.timeAverageShown.value_or(figures.drift.timeAverage);
     const double bound =
-        settings.strategy->kind == StrategyKind::SessionClock
+        isByLimit
             ? boundByLimit(figures.drift.limit, settings)
-            : kVirtualsAllowed * inVirtualTime + settings.script.angularSpeed * kMachineAllowance_s;
+            : kVirtualsAllowed * inVirtualTime.timeAverageShown.value_or(inVirtualTime.timeAverage)
+                  + settings.script.angularSpeed * kMachineAllowance_s;
     double load = 0.0;
     ::getloadavg(&load, 1);
     QJsonObject object = reportOf(figures.drift);
@@ -73,8 +99,9 @@ QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
     object[drift_key::kLiveAccessLink] = QJsonValue::Null;
     object[drift_key::kLive] = true;
     object[drift_key::kBound] = inDegrees(bound);
-    object[drift_key::kVirtual] = inDegrees(inVirtualTime);
-    object[drift_key::kIsWithinBound] = figures.drift.timeAverage <= bound;
+    object[drift_key::kVirtual] = inDegrees(inVirtualTime.timeAverage);
+    object[drift_key::kVirtualShown] = shownAverage(inVirtualTime);
+    object[drift_key::kIsWithinBound] = average <= bound;
     object[drift_key::kIsEndStateSame] = figures.isEndStateSame;
     object[drift_key::kHandshakeMean] = 1e3 * toSeconds(figures.handshakeMean);
     object[drift_key::kHandshakeMax] = 1e3 * toSeconds(figures.handshakeMax);

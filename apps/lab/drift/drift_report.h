@@ -12,8 +12,8 @@ namespace carina::lab
 [[nodiscard]] QJsonObject reportOf(const DriftFigures& figures);
 
 /// Those of a live one, beside what its time average must be below, and the machine's load of now.
-/// @param inVirtualTime the time average of the same experiment in virtual time, radians
+/// @param inVirtualTime those of the same experiment in virtual time
 [[nodiscard]] QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
-                                   double inVirtualTime);
+                                   const DriftFigures& inVirtualTime);
 
 } // namespace carina::lab

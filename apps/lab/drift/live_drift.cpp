@@ -8,7 +8,9 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <random>
 
 namespace carina::lab
 {
@@ -29,24 +31,39 @@ void tell(const QString& progress)
 
 LocalTime liveNow() { return machineTime(monotonicNow()); }
 
-/// The words that start a program with its clock off: the host's is not.
-QStringList withClock(std::size_t who, std::size_t participants, const QStringList& program)
+QString variable(const char* name, double value)
+{
+    return QStringLiteral("%1=%2").arg(QLatin1StringView{name}).arg(value, 0, 'g', 12);
+}
+
+/// The session's clock of a program: off, but for the host's.
+QStringList clockOf(std::size_t who, std::size_t participants)
 {
     const double share =
         static_cast<double>(who - 1) / static_cast<double>(participants - 1); // from 0 to 1
     const double offset = who == 0 ? 0.0 : kLiveOffset_ms * (2.0 * share - 1.0);
     const double skew = who == 0 ? 0.0 : kLiveSkew_ppm * (who % 2 == 1 ? 1.0 : -1.0);
-    return QStringList{QStringLiteral("env"),
-                       QStringLiteral("CARINA_CLOCK_OFFSET_MS=%1").arg(offset),
-                       QStringLiteral("CARINA_CLOCK_PPM=%1").arg(skew)}
-           + program;
+    return {variable("CARINA_CLOCK_OFFSET_MS", offset), variable("CARINA_CLOCK_PPM", skew)};
+}
+
+/// The disciplined clock of a program, with its error and the standard deviation of these.
+QStringList externalClockOf(std::size_t who, const std::optional<Duration>& largest,
+                            std::uint32_t seed)
+{
+    const double largest_ms = largest ? 1e3 * toSeconds(*largest) : 0.0;
+    std::mt19937_64 random{(std::uint64_t{seed} << 8U) + who};
+    const double share = static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; // from -1 to 1
+    return {variable("CARINA_EXTERNAL_CLOCK_OFFSET_MS", largest_ms * share),
+            variable("CARINA_EXTERNAL_CLOCK_ERROR_MS", largest_ms / std::sqrt(3.0))};
 }
 
 class LiveExperiment
 {
 public:
     LiveExperiment(const LiveSettings& settings, LiveNetwork& network)
-        : m_settings{settings}, m_network{network}
+        : m_settings{settings},
+          m_network{network},
+          m_displays{displaysOf(settings.frames, settings.participants - 1, settings.seed)}
     {
         m_wake.start(kLook_ms);
     }
@@ -81,11 +98,15 @@ private:
         orders.isOpen = m_network.isHostOpen();
         orders.key = m_key;
         orders.strategy = m_settings.strategy;
+        orders.longestLag = m_settings.longestLag;
+        if (who >= 2)
+            orders.frames = m_displays[who - 2];
         orders.script = m_settings.script;
         orders.seed = m_settings.seed;
-        const QStringList words =
-            m_network.inPlace(who, withClock(who, m_settings.participants,
-                                             {m_settings.program, QStringLiteral("drift-node")}));
+        const QStringList words = m_network.inPlace(
+            who, QStringList{QStringLiteral("env")} + clockOf(who, m_settings.participants)
+                     + externalClockOf(who, m_settings.externalClocks, m_settings.seed)
+                     + QStringList{m_settings.program, QStringLiteral("drift-node")});
         m_programs.push_back(std::make_unique<LiveProgram>(orders.name, words, orders));
     }
 
@@ -174,6 +195,7 @@ private:
 
     const LiveSettings& m_settings;
     LiveNetwork& m_network;
+    std::vector<DisplayFrames> m_displays; // of the viewers
     AccessKey m_key = randomKey();
     std::vector<std::unique_ptr<LiveProgram>> m_programs; // the host first
     bool m_mayEnd = false;
@@ -182,6 +204,19 @@ private:
 };
 
 } // namespace
+
+LiveSettings liveSettingsOf(const DriftSettings& settings, const QString& program)
+{
+    return {.program = program,
+            .participants = settings.participants,
+            .strategy = settings.strategy->kind,
+            .longestLag = settings.longestLag,
+            .script = settings.script,
+            .seed = settings.seed,
+            .warmUp = settings.warmUp,
+            .frames = settings.scenario.frames,
+            .externalClocks = settings.scenario.externalClocks};
+}
 
 Result<LiveFigures> runLiveDrift(const LiveSettings& settings, LiveNetwork& network)
 {

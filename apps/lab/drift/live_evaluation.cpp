@@ -1,6 +1,7 @@
 #include "apps/lab/drift/live_evaluation.h"
 
 #include "engine/geometry/rotation.h"
+#include "evaluation/drift/shown_actions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,10 @@ public:
     [[nodiscard]] LocalTime begin() const { return m_actions.front().turnedSince; }
     /// When the objects were asked to stop.
     [[nodiscard]] LocalTime end() const { return m_actions.back().called; }
+    [[nodiscard]] LocalTime beginOf(int action) const
+    {
+        return m_actions[static_cast<std::size_t>(action)].turnedSince;
+    }
     [[nodiscard]] LocalTime endOf(int action) const
     {
         return std::min(m_actions[static_cast<std::size_t>(action) + 1].turnedSince, end());
@@ -113,6 +118,36 @@ Quat turnedIn(const LiveSample& sample)
 Vec3 movedIn(const LiveSample& sample)
 {
     return sample.X_AO_moved ? sample.X_AO_moved->translation() : Vec3::Zero();
+}
+
+/// What a viewer saw of the actions that it showed.
+ShownActions shownOf(const LiveLog& viewer, const ActionScript& script, const DeclaredMotion& truth)
+{
+    ShownActions shown;
+    for (int action = 0; action < script.actions(); ++action) {
+        const LocalTime end = truth.endOf(action);
+        const auto samples = samplesIn(viewer, truth.beginOf(action), end);
+        if (samples.empty())
+            continue;
+        for (const LiveSample& seen : samples) {
+            shown.addSample(angleBetween(truth.q_AO(seen.machine), turnedIn(seen)).si);
+            if (seen.machine <= end - ShownActions::kLook)
+                shown.look(turnedIn(seen));
+        }
+        shown.endAction(turnedIn(samples.back()), script.rotation(action).axis_A.cast<double>());
+    }
+    return shown;
+}
+
+void addShown(const LiveRun& run, const ActionScript& script, const DeclaredMotion& truth,
+              DriftFigures& figures)
+{
+    std::vector<ShownActions> shown;
+    for (std::size_t viewer = 1; viewer < run.participants.size(); ++viewer) {
+        shown.push_back(shownOf(run.participants[viewer], script, truth));
+        figures.lost += shown.back().lost();
+    }
+    figures.timeAverageShown = meanShown(shown);
 }
 
 void addOverTime(const LiveRun& run, const DeclaredMotion& truth, DriftFigures& figures)
@@ -245,6 +280,7 @@ Result<LiveFigures> evaluateLive(const LiveRun& run)
     const DeclaredMotion truth{script, run.participants.front().actions};
     LiveFigures figures;
     addOverTime(run, truth, figures.drift);
+    addShown(run, script, truth, figures.drift);
     for (int action = 0; action < script.actions(); ++action) {
         figures.drift.actions.push_back(driftAtEndOf(run, truth, action));
         figures.drift.atEvent += figures.drift.actions.back().angle / script.actions();

@@ -10,6 +10,11 @@ namespace
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
+Duration durationIn(const QJsonObject& json, const char* key)
+{
+    return Duration{json[QLatin1StringView{key}].toInteger()};
+}
+
 } // namespace
 
 QByteArray lineOf(const LiveOrders& orders)
@@ -22,6 +27,9 @@ QByteArray lineOf(const LiveOrders& orders)
                            {QStringLiteral("open"), orders.isOpen},
                            {QStringLiteral("key"), textOf(toHex(orders.key))},
                            {QStringLiteral("strategy"), static_cast<int>(orders.strategy)},
+                           {QStringLiteral("lag_ns"), qint64{orders.longestLag.count()}},
+                           {QStringLiteral("frame_ns"), qint64{orders.frames.interval.count()}},
+                           {QStringLiteral("first_frame_ns"), qint64{orders.frames.first.count()}},
                            {QStringLiteral("actions"), orders.script.actions},
                            {QStringLiteral("rad_s"), orders.script.angularSpeed},
                            {QStringLiteral("m_s"), orders.script.speed},
@@ -41,6 +49,8 @@ Result<LiveOrders> ordersIn(const QByteArray& line)
     orders.port = static_cast<std::uint16_t>(json[QStringLiteral("port")].toInt());
     orders.isOpen = json[QStringLiteral("open")].toBool();
     orders.strategy = static_cast<StrategyKind>(json[QStringLiteral("strategy")].toInt());
+    orders.longestLag = durationIn(json, "lag_ns");
+    orders.frames = {durationIn(json, "frame_ns"), durationIn(json, "first_frame_ns")};
     orders.script.actions = json[QStringLiteral("actions")].toInt();
     orders.script.angularSpeed = json[QStringLiteral("rad_s")].toDouble();
     orders.script.speed = json[QStringLiteral("m_s")].toDouble();

@@ -4,6 +4,7 @@
 #include "engine/net/entry/access_key.h"
 #include "engine/sync/strategies/strategy.h"
 #include "evaluation/drift/action_script.h"
+#include "evaluation/network/drift_scenario.h"
 
 #include <QByteArray>
 
@@ -23,6 +24,8 @@ struct LiveOrders {
     bool isOpen = false;               ///< the host's: to other computers
     AccessKey key{};                   ///< in place of one derived from a join code
     StrategyKind strategy = StrategyKind::SessionClock; ///< the host's choice
+    Duration longestLag = StrategyChoice{}.longestLag;  ///< the same, of local lag
+    DisplayFrames frames{}; ///< of this program's view; counted from the first action
     ActionScript::Settings script{};
     std::uint32_t seed = 1; ///< of the script
 };

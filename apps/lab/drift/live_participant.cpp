@@ -29,10 +29,16 @@ Result<std::unique_ptr<SessionNode>> makeNode(const LiveOrders& orders, const QS
                                       .participantName = orders.name,
                                       .port = orders.port,
                                       .open = orders.isOpen,
-                                      .strategy = orders.strategy,
                                       .derive = derive},
                                      std::move(store));
         });
+}
+
+/// The first time of a sequence that is not over yet.
+LocalTime after(LocalTime next, Duration interval)
+{
+    const LocalTime now = machineTime(monotonicNow());
+    return next > now ? next : next + ((now - next) / interval + 1) * interval;
 }
 
 } // namespace
@@ -49,6 +55,9 @@ Result<std::unique_ptr<LiveParticipant>> LiveParticipant::start(const LiveOrders
     if (!node)
         return tl::unexpected(node.error());
     participant->m_node = *std::move(node);
+    const StrategyChoice choice{.kind = orders.strategy, .longestLag = orders.longestLag};
+    if (orders.part == LiveOrders::Part::Host && choice != StrategyChoice{})
+        participant->m_node->propose(kNoStation, fact::StrategyChosen{choice});
     return participant;
 }
 
@@ -102,18 +111,34 @@ void LiveParticipant::act(int action)
         {ActionKind::Translation, translation.axis_A.cast<double>(), double{translation.rate}, {}});
 }
 
-void LiveParticipant::step(LocalTime begin)
+void LiveParticipant::beginAt(LocalTime begin)
+{
+    m_begin = begin;
+    m_nextSample = begin - kBefore;
+    const DisplayFrames& frames = m_orders.frames;
+    if (frames.interval > Duration{})
+        m_nextFrame = begin + frames.first - kBefore / frames.interval * frames.interval;
+}
+
+void LiveParticipant::step()
 {
     const LocalTime now = machineTime(monotonicNow());
     if (m_orders.part == LiveOrders::Part::Actor) {
         noteBeginning();
-        if (m_acted <= m_script.actions() && now >= begin + ActionScript::startOf(m_acted)) {
+        if (m_acted <= m_script.actions() && now >= m_begin + ActionScript::startOf(m_acted)) {
             m_log.actions.push_back({.called = now});
             m_begun = {m_node->action(*find(Turned))->start, m_node->action(*find(Moved))->start};
             act(m_acted++);
         }
     }
-    sample();
+    if (now >= m_nextFrame) {
+        m_frame = draw(monotonicNow());
+        m_nextFrame = after(m_nextFrame, m_orders.frames.interval);
+    }
+    if (now >= m_nextSample) {
+        sample();
+        m_nextSample = after(m_nextSample, kSampleInterval);
+    }
 }
 
 void LiveParticipant::noteBeginning()
@@ -134,19 +159,25 @@ void LiveParticipant::noteBeginning()
     declared.p_AO = moving->p_AO;
 }
 
+LiveParticipant::Picture LiveParticipant::draw(LocalTime now) const
+{
+    const auto session = m_node->sessionTime(now);
+    const auto poseOf = [&](Which which) -> std::optional<RigidTransform> {
+        const auto object = find(which);
+        const auto shown = object && session ? m_node->shown(*object, *session) : std::nullopt;
+        return shown ? std::optional{shown->acted.X_AO} : std::nullopt;
+    };
+    return {poseOf(Turned), poseOf(Moved)};
+}
+
 void LiveParticipant::sample()
 {
     const LocalTime now = monotonicNow();
-    LiveSample sample{.machine = machineTime(now), .session = m_node->sessionTime(now)};
-    const auto poseOf = [&](Which which) -> std::optional<RigidTransform> {
-        const auto object = find(which);
-        const auto shown =
-            object && sample.session ? m_node->shown(*object, *sample.session) : std::nullopt;
-        return shown ? std::optional{shown->acted.X_AO} : std::nullopt;
-    };
-    sample.X_AO_turned = poseOf(Turned);
-    sample.X_AO_moved = poseOf(Moved);
-    m_log.samples.push_back(sample);
+    const Picture seen = m_nextFrame == LocalTime::max() ? draw(now) : m_frame;
+    m_log.samples.push_back({.machine = machineTime(now),
+                             .session = m_node->sessionTime(now),
+                             .X_AO_turned = seen[Turned],
+                             .X_AO_moved = seen[Moved]});
 }
 
 } // namespace carina::lab

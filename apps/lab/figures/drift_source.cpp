@@ -31,14 +31,12 @@ DriftSource liveDrift(Duration warmUp)
             .run = [warmUp](const DriftSettings& settings) -> Result<DriftFigures> {
                 const auto network =
                     relayedNetwork(settings.participants, settings.scenario, settings.seed);
-                return runLiveDrift({.program = QCoreApplication::applicationFilePath(),
-                                     .participants = settings.participants,
-                                     .strategy = settings.strategy->kind,
-                                     .script = settings.script,
-                                     .seed = settings.seed,
-                                     .warmUp = warmUp},
-                                    *network)
-                    .map([](const LiveFigures& figures) { return figures.drift; });
+                LiveSettings live =
+                    liveSettingsOf(settings, QCoreApplication::applicationFilePath());
+                live.warmUp = warmUp;
+                return runLiveDrift(live, *network).map([](const LiveFigures& figures) {
+                    return figures.drift;
+                });
             }};
 }
 

@@ -22,8 +22,7 @@ namespace figures_option
 constexpr Option kFolder{"out", "DIR", "folder to write into; it is created if missing"};
 constexpr Option kScenario{"scenario", "NAME|FILE",
                            "the network, as of drift, for all figures but drift-by-delay; paper "
-                           "unless given, which has the "
-                           "conditions of the 2004 paper, with --live metro"};
+                           "unless given, which has the conditions of the 2004 paper"};
 constexpr Option kActions{"actions", "A", "of a run, 8 to 10000; 50 unless given, with --live 12"};
 constexpr Option kSeed{"seed", "K", "of the first run, 0 to 4294967295; 1 unless given"};
 constexpr Option kSeeds{"seeds", "M",
@@ -52,9 +51,8 @@ constexpr Key kTrends{
     "trends",
     "name of the table of all trends: coefficients from order 0 up, of which that of order 1 is "
     "the slope of a line, and psi_1 to psi_5, what was measured with 2 to 6 participants"};
-constexpr Key kPaper{
-    "paper",
-    "name of the table of the values that the 2004 paper prints, beside ours; missing with --live"};
+constexpr Key kPaper{"paper",
+                     "name of the table of the values that the 2004 paper prints, beside ours"};
 } // namespace figures_key
 
 struct FiguresRequest {
@@ -95,8 +93,7 @@ Result<FiguresRequest> figuresRequest(const Words& words)
     request.settings.isAngleRaw = words.has(figures_option::kRawAngle);
     auto scenario = findScenario(words.has(figures_option::kScenario)
                                      ? words.text(figures_option::kScenario).toStdString()
-                                 : isLive ? "metro"
-                                          : "paper");
+                                     : "paper");
     if (!scenario)
         return tl::unexpected(scenario.error());
     request.settings.scenario = *std::move(scenario);
@@ -225,7 +222,7 @@ Use figuresInRealTime()
             .text = "The same from real programs in real time over relays (see drift --live): the "
                     "figures of event, asa-adaptive and session-clock (by delay without event), at "
                     "100 deg/s and mm/s, of one run of 12 actions for each number. These are 38 "
-                    "runs, which take 20 minutes. Takes the options above and prints the same "
+                    "runs, which take 18 minutes. Takes the options above and prints the same "
                     "keys.",
             .options = {figures_option::kLive, figures_option::kWarmUp},
             .schema = figures_key::kSchema};

@@ -1,5 +1,7 @@
 #include "engine/sync/actions/shared_actions.h"
 
+#include "engine/sync/strategies/strategy_choice.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -46,6 +46,72 @@ private Q_SLOTS:
         const Duration read = monotonicNow().time_since_epoch() + reading->offset;
         QVERIFY(std::chrono::abs(system - read) < 1s);
     }
+
+    void injectedClockIsAsItIsSaidToBe_data()
+    {
+        QTest::addColumn<QByteArray>("offsetMs"); // null for none
+        QTest::addColumn<QByteArray>("errorMs");
+        QTest::addColumn<bool>("isInjected");
+        QTest::addColumn<qint64>("offset_us");
+        QTest::addColumn<qint64>("error_us");
+        const QByteArray none;
+        QTest::newRow("none") << none << none << false << qint64{0} << qint64{0};
+        QTest::newRow("offset alone") << QByteArray{"3"} << none << false << qint64{0} << qint64{0};
+        QTest::newRow("exact") << none << QByteArray{"0.25"} << true << qint64{0} << qint64{250};
+        QTest::newRow("off") << QByteArray{"-1.5"} << QByteArray{"1"} << true << qint64{-1500}
+                             << qint64{1000};
+        QTest::newRow("not disciplined")
+            << QByteArray{"2"} << QByteArray{"0"} << true << qint64{2000} << qint64{0};
+    }
+    void injectedClockIsAsItIsSaidToBe()
+    {
+        QFETCH(QByteArray, offsetMs);
+        QFETCH(QByteArray, errorMs);
+        QFETCH(bool, isInjected);
+        QFETCH(qint64, offset_us);
+        QFETCH(qint64, error_us);
+        const auto clock = injectedClockFrom(offsetMs.isNull() ? nullptr : offsetMs.constData(),
+                                             errorMs.isNull() ? nullptr : errorMs.constData());
+        QVERIFY(clock);
+        QCOMPARE(clock->has_value(), isInjected);
+        if (isInjected)
+            QVERIFY((**clock == InjectedClock{offset_us * 1us, error_us * 1us}));
+    }
+
+    void whatIsNoInjectedClockIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("offsetMs");
+        QTest::addColumn<QByteArray>("errorMs");
+        QTest::newRow("offset of a word") << QByteArray{"late"} << QByteArray{"1"};
+        QTest::newRow("error of a word") << QByteArray{"0"} << QByteArray{"good"};
+        QTest::newRow("error below 0") << QByteArray{"0"} << QByteArray{"-1"};
+        QTest::newRow("more than a day") << QByteArray{"86400000.1"} << QByteArray{"1"};
+    }
+    void whatIsNoInjectedClockIsRefused()
+    {
+        QFETCH(QByteArray, offsetMs);
+        QFETCH(QByteArray, errorMs);
+        const auto clock = injectedClockFrom(offsetMs.constData(), errorMs.constData());
+        QVERIFY(!clock);
+        QCOMPARE(clock.error().code, Errc::OutOfRange);
+    }
+
+    void injectedClockIsReadBesideTheSystems()
+    {
+        constexpr Duration kOffset = -7ms;
+        constexpr Duration kError = 2ms;
+        const auto system = [] { return std::chrono::system_clock::now().time_since_epoch(); };
+        const LocalTime before = monotonicNow();
+        const auto systemBefore = system();
+        const auto reading = readInjectedClock({kOffset, kError});
+        const auto systemAfter = system();
+        const LocalTime after = monotonicNow();
+        QVERIFY(reading);
+        QVERIFY(reading->offset >= systemBefore + kOffset - after.time_since_epoch());
+        QVERIFY(reading->offset <= systemAfter + kOffset - before.time_since_epoch());
+        QVERIFY(reading->error >= kError && reading->error <= kError + (after - before));
+        QVERIFY(!readInjectedClock({kOffset, 0ms}));
+    }
 };
 
 CARINA_TEST(TestDisciplinedClock)

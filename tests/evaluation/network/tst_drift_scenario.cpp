@@ -115,6 +115,25 @@ private Q_SLOTS:
         QCOMPARE(findScenario("metro")->frames.rate, 0.0);
     }
 
+    void displaysRunByThemselves()
+    {
+        constexpr ViewFrames kFrames{.rate = 35.0, .rateError = 0.01};
+        const auto displays = displaysOf(kFrames, 100, 3);
+        QCOMPARE(displays.size(), std::size_t{100});
+        double phases = 0.0;
+        for (const DisplayFrames& display : displays) {
+            const double rate = 1.0 / toSeconds(display.interval);
+            QVERIFY(std::abs(rate - 35.0) <= 0.35 + 1e-6);
+            const double phase = -toSeconds(display.first) * rate;
+            QVERIFY(phase >= 0.0 && phase < 1.0 + 1e-6);
+            phases += phase / 100.0;
+        }
+        QVERIFY(std::abs(phases - 0.5) < 0.1); // even: three of its standard errors
+        QCOMPARE(displaysOf(kFrames, 1, 3)[0].first, displays[0].first);
+        QVERIFY(displaysOf(kFrames, 1, 4)[0].first != displays[0].first);
+        QCOMPARE(displaysOf({}, 2, 3)[1].interval, Duration{});
+    }
+
     void readsATrace()
     {
         const QTemporaryDir folder;

@@ -85,6 +85,29 @@ private Q_SLOTS:
         QVERIFY(object->value(QLatin1StringView{"clock_error_ms"}).isNull());
     }
 
+    void lagIsBounded()
+    {
+        // The path takes 8.5 ms on average; a lag that does not cover it is used up whole.
+        const auto object = drift("--scenario metro --actions 3 --strategy local-lag "
+                                  "--local-lag-ms 5");
+        QCOMPARE(object->value(QLatin1StringView{"local_lag_ms"}).toDouble(), 5.0);
+        const double response_ms = object->value(QLatin1StringView{"response_ms"}).toDouble();
+        QVERIFY2(std::abs(response_ms - 5.0) < 0.1, qPrintable(QString::number(response_ms)));
+    }
+
+    void lostActionsAreCounted()
+    {
+        const auto of = [](const char* words, const char* key) {
+            return drift(words)->value(QLatin1StringView{key}).toDouble();
+        };
+        constexpr const char* kEvent = "--strategy event --actions 20 --scenario burst";
+        QVERIFY(of(kEvent, "lost_actions") > 0.0);
+        QVERIFY(of(kEvent, "time_average_shown_deg") < of(kEvent, "time_average_mean_deg"));
+        constexpr const char* kRepeated = "--actions 20 --scenario burst";
+        QCOMPARE(of(kRepeated, "lost_actions"), 0.0);
+        QCOMPARE(of(kRepeated, "time_average_shown_deg"), of(kRepeated, "time_average_mean_deg"));
+    }
+
     void takesRandomAxes()
     {
         const auto random = drift("--scenario wan --actions 2 --axes random");
@@ -117,6 +140,16 @@ private Q_SLOTS:
         QTest::newRow("logs where no folder can be")
             << QByteArray{"--scenario lan --live --logs /dev/null/x"}
             << QByteArray{"--logs /dev/null/x"};
+        QTest::newRow("a table in virtual time")
+            << QByteArray{"--table"} << QByteArray{"--table goes with --live"};
+        QTest::newRow("logs of a table")
+            << QByteArray{"--live --table --logs x"} << QByteArray{"without --logs"};
+        QTest::newRow("a table of 17 participants")
+            << QByteArray{"--live --table --participants 17"} << QByteArray{"2 to 16"};
+        QTest::newRow("a table of an unknown scenario")
+            << QByteArray{"--live --table --scenario moon"} << QByteArray{"moon is neither"};
+        QTest::newRow("lag of more than 100 ms")
+            << QByteArray{"--scenario lan --local-lag-ms 100.1"} << QByteArray{"--local-lag-ms"};
         QTest::newRow("no value") << QByteArray{"--scenario"} << QByteArray{"--scenario"};
         QTest::newRow("unknown strategy")
             << QByteArray{"--scenario lan --strategy best"} << QByteArray{"--strategy"};

@@ -62,6 +62,30 @@ LiveSample lateAt(Duration t)
     return sample;
 }
 
+/// The first action that is not about the axis of the one before.
+int otherAxis()
+{
+    int action = 1;
+    while (script().changeOfAngularVelocity(action) < 1.0)
+        ++action;
+    return action;
+}
+
+/// What somebody shows to whom that action does not come.
+LiveSample withoutOneAt(Duration t)
+{
+    const int lost = otherAxis();
+    LiveSample sample = truthAt(t);
+    if (t < ActionScript::startOf(lost) || t >= ActionScript::startOf(lost + 1))
+        return sample;
+    const EventCpo before = script().rotation(lost - 1);
+    const double seconds = toSeconds(t - ActionScript::startOf(lost - 1));
+    sample.X_AO_turned = RigidTransform{
+        rotationFromVector(seconds * kSpeed * before.axis_A.cast<double>()) * before.q_AO,
+        Vec3::Zero()};
+    return sample;
+}
+
 template <class Shown> LiveLog logOf(Shown shown)
 {
     LiveLog log;
@@ -151,6 +175,19 @@ private Q_SLOTS:
         }
         // The actor's has no error.
         QVERIFY(std::abs(*figures->drift.clockError - toSeconds(kOff) / 2.0) < kTolerance);
+    }
+
+    void lostActionIsCountedAndDoesNotHideTheRest()
+    {
+        const auto figures = evaluateLive(runWith(logOf(withoutOneAt)));
+        QVERIFY(figures);
+        QCOMPARE(figures->drift.lost, 1.0);
+        QVERIFY(figures->drift.timeAverage > degrees(10.0).si);
+        QVERIFY(*figures->drift.timeAverageShown < kOfFloats);
+
+        const auto late = evaluateLive(runWith(logOf(lateAt)));
+        QCOMPARE(late->drift.lost, 0.0);
+        QVERIFY(std::abs(*late->drift.timeAverageShown / late->drift.timeAverage - 1.0) < 1e-3);
     }
 
     void truthIsWhatTheActorDeclared()

@@ -1,3 +1,4 @@
+#include "engine/net/entry/token_message.h"
 #include "engine/net/node/client_driver.h"
 #include "engine/session/facts/fact_codec.h"
 #include "engine/session/participant_limits.h"
@@ -121,6 +122,22 @@ private Q_SLOTS:
         pair.client.propose(StationId{}, rate, pair.now);
         static_cast<void>(pair.client.advance(pair.now));
         QVERIFY(!pair.board.view().refusal);
+    }
+
+    void asksForATokenUntilItHasOne()
+    {
+        Pair pair{logOf({fact::SessionCreated{"Course", "00ff"}})};
+        pair.run(500ms);
+        std::vector<LocalTime> requests;
+        // Only when it asks for a turn: its host is silent.
+        for (const LocalTime end = pair.now + 2s; pair.now < end; pair.now += 1ms)
+            if (pair.client.nextWake() <= pair.now)
+                for (const auto& [to, bytes] : pair.client.advance(pair.now))
+                    if (isTokenRequest(bytes))
+                        requests.push_back(pair.now);
+        QCOMPARE(requests.size(), std::size_t{8});
+        for (std::size_t i = 1; i < requests.size(); ++i)
+            QVERIFY(requests[i] - requests[i - 1] == 250ms);
     }
 
     void wakesForTheNextTickWhenItPublishes()

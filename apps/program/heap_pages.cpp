@@ -9,7 +9,7 @@ namespace carina::program
 
 void returnLargeBlocks()
 {
-    constexpr int kLarge = 1 << 20;
+    constexpr int kLarge = 128 << 10;
     mallopt(M_MMAP_THRESHOLD, kLarge);
 }
 

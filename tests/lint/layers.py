@@ -25,7 +25,7 @@ variant vector version cassert cctype cerrno cfenv cfloat csetjmp csignal cstdar
 LIBRARY_OF_PREFIX = [
     ("Eigen/", "Eigen"), ("unsupported/Eigen/", "Eigen"), ("tl/", "tl::expected"),
     ("openvdb/", "OpenVDB"), ("tbb/", "TBB"), ("oneapi/tbb/", "TBB"), ("assimp/", "assimp"),
-    ("meshoptimizer.h", "meshoptimizer"), ("sodium", "libsodium"), ("unicode/", "ICU"), ("opencv2/", "OpenCV"),
+    ("meshoptimizer.h", "meshoptimizer"), ("argon2.h", "libargon2"), ("sodium", "libsodium"), ("unicode/", "ICU"), ("opencv2/", "OpenCV"),
     ("GL/", "OpenGL"), ("benchmark/", "Google Benchmark"),
     ("qrencode.h", "libqrencode"), ("png.h", "libpng"), ("turbojpeg.h", "libjpeg-turbo"),
     ("arpa/", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),

@@ -38,11 +38,20 @@ constexpr Key kGapBefore{"largest_gap_before_ms",
                          "time before the attack",
                          1};
 constexpr Key kGap{"largest_gap_ms", "the same during the attack; at most 100", 1};
+constexpr Key kLate{"late_look_ms",
+                    "the longest time in it for which the observer's own thread did not run, where "
+                    "the processor was busy: as much of the gap may not be the session's",
+                    1};
 constexpr Key kDriftBefore{"drift_before_mm",
                            "root mean square of how far the tube was shown there from where it "
                            "was, before the attack",
                            1};
 constexpr Key kDrift{"drift_mm", "the same during the attack; at most twice that before", 1};
+constexpr Key kJumps{"jumps",
+                     "how often the tube was elsewhere from one sample to the next during the "
+                     "attack, because the trainee laid another patient; the drift until the view "
+                     "has followed is left out",
+                     1};
 constexpr Key kJoin{"join_s",
                     "how long a newcomer took to come in meanwhile, without the derivation of its "
                     "key; at most 2; null: not within 10",
@@ -69,9 +78,9 @@ double mostFactsOf(const AttackFigures& figures, Duration length)
 bool holds(const AttackFigures& figures, Duration length)
 {
     return !figures.isTakenForAnother && inMilliseconds(figures.during.largestGap) <= kMostGap_ms
-           && figures.during.places > 0
-           && figures.during.drift_mm <= kMostDriftRatio * figures.before.drift_mm && figures.joined
-           && toSeconds(*figures.joined) <= kMostJoin_s
+           && figures.during.places.places() > 0
+           && figures.during.places.drift_mm() <= kMostDriftRatio * figures.before.places.drift_mm()
+           && figures.joined && toSeconds(*figures.joined) <= kMostJoin_s
            && double(figures.facts) <= mostFactsOf(figures, length)
            && std::ranges::max(figures.memory_kb) <= kMostMemory_kb;
 }
@@ -86,8 +95,10 @@ QJsonObject objectOf(const AttackFigures& figures, Duration length)
             {attack_key::kTaken, figures.isTakenForAnother},
             {attack_key::kGapBefore, inMilliseconds(figures.before.largestGap)},
             {attack_key::kGap, inMilliseconds(figures.during.largestGap)},
-            {attack_key::kDriftBefore, figures.before.drift_mm},
-            {attack_key::kDrift, figures.during.drift_mm},
+            {attack_key::kLate, inMilliseconds(figures.during.latest)},
+            {attack_key::kDriftBefore, figures.before.places.drift_mm()},
+            {attack_key::kDrift, figures.during.places.drift_mm()},
+            {attack_key::kJumps, figures.during.places.jumps()},
             {attack_key::kJoin,
              figures.joined ? QJsonValue{toSeconds(*figures.joined)} : QJsonValue::Null},
             {attack_key::kFacts, qint64{figures.facts}},
@@ -166,10 +177,10 @@ Command attackCommand()
                   .schema = attack_key::kSchema,
                   .keys = {attack_key::kSeconds, attack_key::kGuests, attack_key::kAttacks,
                            attack_key::kName, attack_key::kSent, attack_key::kTaken,
-                           attack_key::kGapBefore, attack_key::kGap, attack_key::kDriftBefore,
-                           attack_key::kDrift, attack_key::kJoin, attack_key::kFacts,
-                           attack_key::kMostFacts, attack_key::kMemory, attack_key::kHolds,
-                           kAcceptable}}},
+                           attack_key::kGapBefore, attack_key::kGap, attack_key::kLate,
+                           attack_key::kDriftBefore, attack_key::kDrift, attack_key::kJumps,
+                           attack_key::kJoin, attack_key::kFacts, attack_key::kMostFacts,
+                           attack_key::kMemory, attack_key::kHolds, kAcceptable}}},
         .experiment = runAttacks};
 }
 

@@ -1,6 +1,7 @@
 #include "apps/lab/programs/started_session.h"
 
 #include "engine/core/monotonic_clock.h"
+#include "engine/io/fact_store/sql_fact_store.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/net/entry/psk_identity.h"
 
@@ -74,6 +75,18 @@ std::optional<Error> StartedSession::fault() const
         if (program->hasEnded())
             return Error{Errc::HostSilent, "the " + program->name() + " ended before the time"};
     return std::nullopt;
+}
+
+Result<std::vector<FactRecord>> StartedSession::end()
+{
+    m_programs.clear();
+    const QDir folder{m_folder.path()};
+    const QStringList stores = folder.entryList({QStringLiteral("session-*.sqlite")}, QDir::Files);
+    if (stores.isEmpty())
+        return fail(Errc::FileNotFound,
+                    folder.filePath(QStringLiteral("session-*.sqlite")).toStdString());
+    auto store = openFactStore(folder.filePath(stores.first()).toStdString());
+    return store ? (*store)->load() : tl::unexpected(store.error());
 }
 
 void StartedSession::run(const char* name, const QString& program, const QStringList& more)

@@ -2,6 +2,7 @@
 
 #include "apps/lab/programs/watched_program.h"
 #include "engine/net/entry/join_code.h"
+#include "engine/sync/facts/fact_record.h"
 
 #include <QTemporaryDir>
 
@@ -45,6 +46,8 @@ public:
     }
     /// HostSilent for a program that has ended.
     [[nodiscard]] std::optional<Error> fault() const;
+    /// Ends both programs. @returns the log that the console stored; the errors of reading it
+    [[nodiscard]] Result<std::vector<FactRecord>> end();
 
 private:
     StartedSession();

@@ -1,10 +1,13 @@
 #include "apps/lab/soak/soak_experiment.h"
 
+#include "apps/lab/soak/log_memory.h"
 #include "apps/lab/soak/soak_script.h"
 #include "engine/core/monotonic_clock.h"
 
 #include <QCoreApplication>
 #include <QThread>
+
+#include <algorithm>
 
 namespace carina::lab
 {
@@ -26,7 +29,7 @@ public:
         if (const auto in = comeIn(); !in)
             return tl::unexpected(in.error());
         for (const auto& program : m_session->programs())
-            m_figures.programs.push_back({program->name(), {}, {}, {}});
+            m_figures.programs.push_back({.name = program->name()});
         const LocalTime begin = monotonicNow();
         LocalTime nextSample = begin + scaled(kSettling);
         while (monotonicNow() < begin + m_settings.length) {
@@ -41,7 +44,7 @@ public:
             QThread::msleep(kTurn_ms);
         }
         m_script->report(m_figures);
-        return m_figures;
+        return measureLog().map([this] { return m_figures; });
     }
 
 private:
@@ -69,6 +72,20 @@ private:
         return waitFor([&] { return m_script->isReady(); })
                    ? Result<void>{}
                    : fail(Errc::HostSilent, "console and trainee did not come in");
+    }
+
+    /// Ends the session, and measures what its log took in each of the programs.
+    Result<void> measureLog()
+    {
+        m_script.reset();
+        const auto log = m_session->end();
+        if (!log)
+            return tl::unexpected(log.error());
+        const LogMemory memory = memoryOf(*log);
+        const auto facts = static_cast<double>(std::max<std::size_t>(1, log->size()));
+        m_figures.programs[0].bytesPerFact = memory.host_bytes / facts;
+        m_figures.programs[1].bytesPerFact = memory.participant_bytes / facts;
+        return {};
     }
 
     void sample(Duration since)

@@ -22,9 +22,10 @@ struct SoakSettings {
 /// What a program held in the course of the soak; times in minutes.
 struct SoakedProgram {
     std::string name;
-    std::vector<TimedFigure> memory_kb; ///< see Footprint
-    std::vector<TimedFigure> descriptors;
-    std::vector<TimedFigure> threads;
+    std::vector<TimedFigure> memory_kb{}; ///< see Footprint
+    std::vector<TimedFigure> descriptors{};
+    std::vector<TimedFigure> threads{};
+    double bytesPerFact = 0.0; ///< of the log, in the memory of such a program (LogMemory)
 };
 
 struct SoakFigures {
@@ -40,7 +41,7 @@ struct SoakFigures {
 /// takes part in their session, and measures both. Begins to measure when all have come in and a
 /// tenth of the time has passed.
 /// @returns FileNotFound for a program that there is not; HostSilent if not all come in, or if one
-///          ends before the time; the refusal of a proposal.
+///          ends before the time; the refusal of a proposal; the errors of reading the log.
 [[nodiscard]] Result<SoakFigures> soak(const SoakSettings& settings);
 
 } // namespace carina::lab

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace carina::lab
@@ -41,6 +42,23 @@ double correlationOf(const std::vector<double>& deviations)
 }
 
 } // namespace
+
+std::vector<TimedFigure> leastOfEach(std::span<const TimedFigure> figures, int parts)
+{
+    CARINA_EXPECTS(parts > 0);
+    std::vector<TimedFigure> least;
+    int part = -1;
+    for (const TimedFigure& each : figures) {
+        const double share =
+            (each.time - figures.front().time) / (figures.back().time - figures.front().time);
+        const int itsPart = std::min(static_cast<int>(share * parts), parts - 1);
+        if (std::exchange(part, itsPart) != itsPart)
+            least.push_back(each);
+        else if (each.figure < least.back().figure)
+            least.back() = each;
+    }
+    return least;
+}
 
 Trend trendOf(std::span<const TimedFigure> figures)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace carina::lab
 {
@@ -18,6 +19,10 @@ struct Trend {
     /// with r the correlation of one deviation from the line with the next (Santer et al. 2000).
     double standardError = 0.0;
 };
+
+/// The least figure of each of so many equal parts of the time, from the first to the last.
+/// @pre parts > 0; the times rise.
+[[nodiscard]] std::vector<TimedFigure> leastOfEach(std::span<const TimedFigure> figures, int parts);
 
 /// @pre at least three figures, whose times rise.
 [[nodiscard]] Trend trendOf(std::span<const TimedFigure> figures);

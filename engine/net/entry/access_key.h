@@ -27,7 +27,8 @@ using AccessKey = std::array<std::byte, 32>;
 using DeriveKey = std::function<Result<AccessKey>(const JoinCode&, const SessionKey&)>;
 
 /// Argon2id (RFC 9106) of the code's ten characters with the session's 128 bits as salt and the
-/// "moderate" limits of libsodium: 256 MiB and 3 passes, about a second.
+/// "moderate" limits of libsodium: 256 MiB and 3 passes, about a second. Other threads of the
+/// program never wait for the memory.
 /// @returns NotEnoughMemory
 [[nodiscard]] Result<AccessKey> deriveByArgon2id(const JoinCode& code, const SessionKey& session);
 

@@ -8,6 +8,7 @@
 namespace carina::trend_test
 {
 
+using carina::lab::leastOfEach;
 using carina::lab::TimedFigure;
 using carina::lab::Trend;
 using carina::lab::trendOf;
@@ -46,6 +47,22 @@ private Q_SLOTS:
         const Trend trend = trendOf(line);
         QVERIFY(std::abs(trend.slope - 2.0) < 1e-12);
         QVERIFY(trend.standardError < 1e-12);
+    }
+
+    void leastOfEachPartIsWithoutThePeaks()
+    {
+        std::vector<TimedFigure> figures;
+        for (int i = 0; i <= 100;
+             ++i) // a level of 5, of which every seventh second something rises
+            figures.push_back({double(i), 5.0 + kSlope * i + 40.0 * (i % 7)});
+        const std::vector<TimedFigure> least = leastOfEach(figures, 10);
+        QCOMPARE(least.size(), std::size_t{10});
+        for (std::size_t part = 0; part < least.size(); ++part) {
+            QVERIFY(least[part].time >= 10.0 * double(part));
+            QVERIFY(least[part].time < 10.0 * double(part + 1) || part == 9);
+        }
+        const Trend trend = trendOf(least);
+        QVERIFY(std::abs(trend.slope - kSlope) < 1e-12 && trend.standardError < 1e-12);
     }
 
     void isOneOverTheSpreadOfTheTimesForIndependentFigures()

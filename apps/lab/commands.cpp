@@ -12,7 +12,7 @@ std::span<const Command> commands()
                                 deformCommand(),                      //
                                 fitCommand(),     icpCommand(),       pivotCommand(),
                                 treCommand(),                                           //
-                                predictCommand(), trackCommand(),                       //
+                                ndiCommand(),     predictCommand(),   trackCommand(),
                                 driftCommand(),   driftNodeCommand(), figuresCommand(), //
                                 attackCommand(),  carryCommand(),     handshakeCommand(),
                                 soakCommand(), //

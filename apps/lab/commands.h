@@ -35,6 +35,7 @@ namespace carina::lab
 
 [[nodiscard]] Command summaryCommand();
 
+[[nodiscard]] Command ndiCommand();
 [[nodiscard]] Command predictCommand();
 [[nodiscard]] Command trackCommand();
 

@@ -11,9 +11,10 @@ std::span<const Command> commands()
                                 breatheCommand(), mechanicsCommand(), //
                                 deformCommand(),                      //
                                 fitCommand(),     icpCommand(),       pivotCommand(),
-                                treCommand(),                                           //
-                                ndiCommand(),     predictCommand(),   trackCommand(),
-                                driftCommand(),   driftNodeCommand(), figuresCommand(), //
+                                treCommand(), //
+                                ndiCommand(),     predictCommand(),   romCommand(),
+                                trackCommand(),   driftCommand(),     driftNodeCommand(),
+                                figuresCommand(), //
                                 attackCommand(),  carryCommand(),     handshakeCommand(),
                                 soakCommand(), //
                                 renderCommand(),  summaryCommand()};

@@ -37,6 +37,7 @@ namespace carina::lab
 
 [[nodiscard]] Command ndiCommand();
 [[nodiscard]] Command predictCommand();
+[[nodiscard]] Command romCommand();
 [[nodiscard]] Command trackCommand();
 
 /// All of them, in the order in which `carina-lab help` lists them.

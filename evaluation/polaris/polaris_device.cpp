@@ -144,9 +144,13 @@ std::vector<PolarisDevice::Reply> PolarisDevice::take(std::span<const std::byte>
             continue;
         }
         const std::string command = std::exchange(m_received, {});
-        const std::string answered = answer(command, now);
         if (m_faults.isSilent)
             continue;
+        if (command.starts_with("RESET:")) {
+            replies.push_back(reset(now));
+            continue;
+        }
+        const std::string answered = answer(command, now);
         replies.push_back(sent(answered, now));
         m_rate = std::exchange(m_nextRate, std::nullopt).value_or(m_rate);
     }

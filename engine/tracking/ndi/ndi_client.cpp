@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <utility>
 
 namespace carina
@@ -15,7 +16,8 @@ namespace
 using namespace std::chrono_literals;
 
 constexpr int kRateAfterReset = 9600;
-constexpr Duration kResetPatience = 3s;
+constexpr Duration kResetPatience = 1500ms;
+constexpr Duration kResetCommandPatience = 600ms;
 constexpr Duration kPatience = 2s;     // for a command of the set-up
 constexpr Duration kInitPatience = 5s; // INIT tests the hardware
 constexpr Duration kPosePatience = 250ms;
@@ -115,14 +117,42 @@ void NdiClient::begin()
         queueSetUp();
         return;
     }
-    m_steps.push_back({.patience = kResetPatience,
-                       .then =
-                           [this](const NdiReply&) {
-                               queueSetUp();
-                               queueFirst(rateSteps());
-                           },
-                       .isReset = true,
-                       .rate = kRateAfterReset});
+    queueFirst(resetSteps());
+}
+
+std::vector<NdiClient::Step> NdiClient::resetSteps()
+{
+    const auto onReset = [this](const NdiReply&) { takeReset(); };
+    const auto goOn = [] {};
+    std::vector<Step> steps;
+    steps.push_back({.patience = kResetPatience,
+                     .then = onReset,
+                     .inVain = goOn,
+                     .isReset = true,
+                     .sendsBreak = true,
+                     .rate = kRateAfterReset});
+    std::vector<int> rates{kRateAfterReset};
+    std::ranges::copy_if(m_settings.rates, std::back_inserter(rates),
+                         [](int rate) { return rate != kRateAfterReset; });
+    for (const int rate : rates)
+        steps.push_back({.command = {"RESET"},
+                         .patience = kResetCommandPatience,
+                         .then = onReset,
+                         .inVain = goOn,
+                         .isReset = true,
+                         .rate = rate});
+    steps.back().inVain = {};
+    return steps;
+}
+
+/// The device is at the rate after a reset now, whichever it was at.
+void NdiClient::takeReset()
+{
+    m_steps.clear();
+    m_steps.push_back({.patience = Duration{0}, .rate = kRateAfterReset});
+    for (Step& step : rateSteps())
+        m_steps.push_back(std::move(step));
+    queueSetUp();
 }
 
 /// None where the rate that is tried is the one after a reset.
@@ -409,8 +439,7 @@ NdiPortAction NdiClient::advance(LocalTime now)
             action.rate = step.rate;
             m_bitsPerSecond = *step.rate;
         }
-        if (step.isReset)
-            action.sendBreak = true;
+        action.sendBreak = action.sendBreak || step.sendsBreak;
         if (!step.command.name.empty())
             action.bytes += encoded(step.command);
     }

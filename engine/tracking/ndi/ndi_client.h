@@ -56,8 +56,9 @@ struct NdiMeasurement {
 /// poses, and begins anew when it is reset, unplugged or silent. Without port, clock and thread:
 /// the caller tells the time, does what advance() says, and passes on what arrives.
 ///
-/// A device at a serial port is reset by a break, set to the best rate that it accepts and at which
-/// it then answers, and initialised; ports that others left are freed; each wireless tool is
+/// A device at a serial port is reset by a break, or where that does not pass, as at many adapters,
+/// by a command at each rate; then it is set to the best rate that it accepts and at which it then
+/// answers, and initialised; ports that others left are freed; each wireless tool is
 /// defined and enabled, wired tools are initialised and enabled; then it tracks. A tool that the
 /// device refuses is left out and named (trouble()); the others are tracked.
 ///
@@ -105,11 +106,14 @@ private:
         Duration patience{};
         std::function<void(const NdiReply&)> then{};
         std::function<void()> inVain{}; ///< without it the client begins anew
-        bool isReset = false;
+        bool isReset = false;           ///< answered by RESET
+        bool sendsBreak = false;
         std::optional<int> rate{};
     };
 
     void begin();
+    [[nodiscard]] std::vector<Step> resetSteps();
+    void takeReset();
     [[nodiscard]] std::vector<Step> rateSteps();
     void queueSetUp();
     void queueDefinition(std::size_t tool);

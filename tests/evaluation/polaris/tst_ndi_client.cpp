@@ -51,6 +51,14 @@ public:
     [[nodiscard]] LocalTime now() const { return m_now; }
     void hide(const std::string& tool) { m_hidden = tool; }
     void plug(bool isPlugged) { m_isPlugged = isPlugged; }
+    void passBreaks(bool passes) { m_passesBreaks = passes; }
+
+    /// The device was set to this rate by somebody before.
+    void leaveAt(int rate)
+    {
+        const std::string command = rate == 115200 ? "COMM:500000048\r" : "COMM:000000084\r";
+        static_cast<void>(m_device.take(std::as_bytes(std::span{command}), m_device.rate(), m_now));
+    }
 
     void start()
     {
@@ -97,7 +105,7 @@ private:
         m_hostRate = action.rate.value_or(m_hostRate);
         if (!m_isPlugged)
             return;
-        if (action.sendBreak)
+        if (action.sendBreak && m_passesBreaks)
             m_underWay = {m_device.takeBreak(m_now)};
         for (PolarisDevice::Reply& reply :
              m_device.take(std::as_bytes(std::span{action.bytes}), m_hostRate, m_now))
@@ -111,6 +119,7 @@ private:
     std::string m_hidden;
     int m_hostRate = 9600;
     bool m_isPlugged = true;
+    bool m_passesBreaks = true;
 };
 
 NdiClientSettings threeTools(NdiPoseReply poses, int rate)
@@ -264,9 +273,28 @@ private Q_SLOTS:
         Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
         line.plug(false);
         line.start();
-        static_cast<void>(line.run(3100ms));
+        static_cast<void>(line.run(3s));
         QCOMPARE(line.client().phase(), NdiClient::Phase::Silent);
         QCOMPARE(line.client().trouble(), std::string{"it does not answer"});
+    }
+
+    void resetsByCommandWhereABreakDoesNotPass_data()
+    {
+        QTest::addColumn<int>("rate");
+        for (const int rate : {9600, 115200})
+            QTest::addRow("left at %d", rate) << rate;
+    }
+
+    void resetsByCommandWhereABreakDoesNotPass()
+    {
+        QFETCH(int, rate);
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.passBreaks(false);
+        line.leaveAt(rate);
+        line.start();
+        static_cast<void>(line.run(8s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
     }
 
     void damagedRepliesCostOneExposureEach()

@@ -36,6 +36,7 @@ namespace carina::lab
 [[nodiscard]] Command summaryCommand();
 
 [[nodiscard]] Command ndiCommand();
+[[nodiscard]] Command polarisCommand();
 [[nodiscard]] Command predictCommand();
 [[nodiscard]] Command romCommand();
 [[nodiscard]] Command trackCommand();

@@ -35,7 +35,10 @@ namespace carina::lab
 
 [[nodiscard]] Command summaryCommand();
 
+[[nodiscard]] Command ndiCommand();
+[[nodiscard]] Command polarisCommand();
 [[nodiscard]] Command predictCommand();
+[[nodiscard]] Command romCommand();
 [[nodiscard]] Command trackCommand();
 
 /// All of them, in the order in which `carina-lab help` lists them.

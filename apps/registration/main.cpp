@@ -1,12 +1,15 @@
 #include "apps/program/program.h"
 #include "apps/program/site_option.h"
+#include "apps/program/tracker_option.h"
 #include "apps/registration/patient_landmarks.h"
 #include "apps/registration/registration_journal.h"
 #include "apps/registration/registration_report.h"
 #include "apps/registration/scripted_hand.h"
 #include "apps/registration/scripted_technician.h"
+#include "engine/core/monotonic_clock.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/io/site/site_file.h"
+#include "engine/net/devices/ndi_tracker.h"
 #include "ui/registration/registration_window.h"
 
 #include <QApplication>
@@ -57,6 +60,7 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR")});
     parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
                       QStringLiteral("FILE")});
+    program::addTrackerOption(parser);
     program::addSizeOption(parser);
     program::addPatientOptions(parser);
 }
@@ -112,6 +116,39 @@ Result<std::unique_ptr<RegistrationJournal>> journalOf(const RegistrationModel& 
     return RegistrationJournal::open(parser.value(kJournal), registration);
 }
 
+/// The tracker that the stylus is touched under, and with it, where it is simulated, the manikin.
+struct Workplace {
+    QString name; ///< of the tracker, as shown
+    ReadSessionClock clock;
+    std::optional<SimulatedWorkplace> simulated{};
+    std::unique_ptr<Tracker> device{};
+
+    [[nodiscard]] Tracker& tracker() const { return device ? *device : *simulated->tracker; }
+};
+
+Result<Workplace> workplaceOf(const QCommandLineParser& parser,
+                              const program::ChosenPatient& patient)
+{
+    const auto described = program::trackerOption(parser);
+    if (!described)
+        return tl::unexpected(described.error());
+    if (described->has_value() == parser.isSet(kSimulatedTracker))
+        return fail(Errc::WrongOption, "name one tracker: --tracker FILE or --simulated-tracker");
+    if (*described) {
+        const auto clock = [] {
+            return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
+        };
+        return NdiTracker::make(**described, clock).map([&](std::unique_ptr<NdiTracker> device) {
+            return Workplace{program::trackerName(**described), clock, {}, std::move(device)};
+        });
+    }
+    return simulatedWorkplace(patient.model->landmarks(), patient.model->tube())
+        .map([](SimulatedWorkplace simulated) {
+            const ReadSessionClock clock = simulated.clock;
+            return Workplace{program::simulatedTrackerName(), clock, std::move(simulated), {}};
+        });
+}
+
 Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient& patient,
                  const QSize& size, bool scripted)
 {
@@ -129,15 +166,15 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
         return tl::unexpected(site.error());
     if (auto writable = writeSiteFile(siteFile, *site); !writable)
         return tl::unexpected(writable.error());
-    const auto workplace = simulatedWorkplace(patient.model->landmarks(), patient.model->tube());
+    const auto workplace = workplaceOf(parser, patient);
     if (!workplace)
         return tl::unexpected(workplace.error());
-    if (auto started = workplace->tracker->start(); !started)
+    if (auto started = workplace->tracker().start(); !started)
         return tl::unexpected(started.error());
 
     RegistrationModel registration{{.file = siteFile,
-                                    .tracker = workplace->tracker.get(),
-                                    .trackerName = program::simulatedTrackerName(),
+                                    .tracker = &workplace->tracker(),
+                                    .trackerName = workplace->name,
                                     .clock = workplace->clock,
                                     .landmarks = landmarkSetsOf(patient),
                                     .checks = checkPlacesOf(patient)},
@@ -147,12 +184,12 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
     if (!journal)
         return tl::unexpected(journal.error());
     std::optional<ScriptedHand> hand;
-    if (scripted)
-        hand.emplace(registration, *workplace);
+    if (scripted && workplace->simulated)
+        hand.emplace(registration, *workplace->simulated);
     RegistrationWindow window{registration};
     window.resize(size);
     window.show();
-    return parser.isSet(kMeasure) ? measure(window, registration, *workplace, parser)
+    return parser.isSet(kMeasure) ? measure(window, registration, *workplace->simulated, parser)
                                   : QApplication::exec();
 }
 
@@ -167,9 +204,8 @@ Result<int> run(const QCommandLineParser& parser)
     if (parser.isSet(kMeasure))
         if (const auto opened = openFolder(parser.value(kMeasure).toStdString()); !opened)
             return tl::unexpected(opened.error());
-    if (!parser.isSet(kSimulatedTracker))
-        return fail(Errc::WrongOption, "this version supports the simulated tracker only, and "
-                                       "needs --simulated-tracker");
+    if (parser.isSet(kMeasure) && !parser.isSet(kSimulatedTracker))
+        return fail(Errc::WrongOption, "--measure needs --simulated-tracker");
     if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
     const auto patient = program::choosePatient(parser);

@@ -5,6 +5,7 @@
 #include "apps/program/patient_option.h"
 #include "apps/program/program.h"
 #include "apps/program/site_option.h"
+#include "apps/program/tracker_option.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "engine/io/files/file_limit.h"
@@ -72,6 +73,7 @@ void addOptions(QCommandLineParser& parser)
         {QStringLiteral("full-screen"), QApplication::translate("Trainee", "Fill the screen.")});
     program::addPatientOptions(parser);
     program::addSiteOption(parser);
+    program::addTrackerOption(parser);
     program::addMeasureOptions(parser);
     program::addJournalOption(parser);
 }
@@ -169,16 +171,31 @@ Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions
     return program::Entered{*std::move(node), entry.settings.role};
 }
 
+/// At most one tracker, and for one that is not simulated a site.
+Result<void> checkTrackers(const QCommandLineParser& parser, bool hasSite)
+{
+    const QStringList real{kRecordedTracker, QStringLiteral("tracker")};
+    QStringList asked;
+    for (const QString& option : real + QStringList{kSimulatedTracker})
+        if (parser.isSet(option))
+            asked += QStringLiteral("--") + option;
+    if (asked.size() > 1)
+        return fail(Errc::WrongOption,
+                    (asked[0] + QStringLiteral(": not with ") + asked[1]).toStdString());
+    if (asked.size() == 1 && !parser.isSet(kSimulatedTracker) && !hasSite)
+        return fail(Errc::WrongOption,
+                    (asked[0]
+                     + QStringLiteral(": it needs --site, which says where the patient "
+                                      "lies"))
+                        .toStdString());
+    return {};
+}
+
 /// The recording of --recorded-tracker, if it is given.
-Result<std::optional<TrackerSequence>> recording(const QCommandLineParser& parser, bool hasSite)
+Result<std::optional<TrackerSequence>> recording(const QCommandLineParser& parser)
 {
     if (!parser.isSet(kRecordedTracker))
         return std::nullopt;
-    if (parser.isSet(kSimulatedTracker))
-        return fail(Errc::WrongOption, "--recorded-tracker: not with --simulated-tracker");
-    if (!hasSite)
-        return fail(Errc::WrongOption, "--recorded-tracker: it needs --site, which says where the "
-                                       "patient lies");
     const std::filesystem::path file{parser.value(kRecordedTracker).toStdString()};
     auto sequence = readableSize(file, kMeasurementLimit).and_then([&](std::uint64_t) {
         return readSequenceFile(file);
@@ -192,12 +209,18 @@ Result<std::optional<TrackerSequence>> recording(const QCommandLineParser& parse
 Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role role, bool hasSite)
 {
     TraineeStation::Hardware hardware;
-    auto recorded = recording(parser, hasSite);
+    if (const auto checked = checkTrackers(parser, hasSite); !checked)
+        return tl::unexpected(checked.error());
+    auto recorded = recording(parser);
     if (!recorded)
         return tl::unexpected(recorded.error());
+    auto device = program::trackerOption(parser);
+    if (!device)
+        return tl::unexpected(device.error());
     if (role == Role::Trainee) {
         hardware.simulated = parser.isSet(kSimulatedTracker);
         hardware.recording = *std::move(recorded);
+        hardware.device = *std::move(device);
     }
     if (!parser.isSet(kManikinBreathes))
         return hardware;

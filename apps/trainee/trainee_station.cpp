@@ -1,6 +1,7 @@
 #include "apps/trainee/trainee_station.h"
 
 #include "engine/core/expects.h"
+#include "engine/net/devices/ndi_tracker.h"
 #include "engine/session/simulated_station.h"
 #include "engine/tracking/recorded_tracker.h"
 
@@ -115,10 +116,13 @@ Result<void> TraineeStation::track(Laid& laid)
     laid.place = *place;
     if (laid.place && !laid.place->setup)
         return {}; // nothing tells where the tools are in the patient
+    Result<void> made;
     if (m_hardware.recording)
         replay(laid);
-    else if (const auto simulated = simulate(laid); !simulated)
-        return simulated;
+    else
+        made = m_hardware.device ? connect(laid) : simulate(laid);
+    if (!made)
+        return made;
     laid.guard = guardOf(*laid.tracking, laid.place);
     return laid.tracking->start();
 }
@@ -130,6 +134,18 @@ void TraineeStation::replay(Laid& laid) const
                                                      [node = m_node.get()] { return node->now(); });
     laid.tracking =
         std::make_shared<StationTracking>(std::move(tracker), laid.place->setup->registration);
+}
+
+Result<void> TraineeStation::connect(Laid& laid) const
+{
+    CARINA_EXPECTS(laid.place.has_value());
+    auto tracker =
+        NdiTracker::make(*m_hardware.device, [node = m_node.get()] { return node->now(); });
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    laid.tracking =
+        std::make_shared<StationTracking>(*std::move(tracker), laid.place->setup->registration);
+    return {};
 }
 
 Result<void> TraineeStation::simulate(Laid& laid) const

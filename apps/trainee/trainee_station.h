@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/program/seen_overlay.h"
+#include "engine/io/site/tracker_file.h"
 #include "engine/net/node/session_node.h"
 #include "engine/session/station_tracking.h"
 #include "engine/tracking/sequence_file.h"
@@ -33,8 +34,9 @@ public:
         bool simulated = false;                     ///< a simulated tracker and hands
         Frequency manikinBreathes;                  ///< the simulated manikin; 0: it lies still
         std::optional<TrackerSequence> recording{}; ///< played once for each patient; needs a Place
+        std::optional<TrackerDescription> device{}; ///< needs a Place
 
-        [[nodiscard]] bool hasTracker() const { return simulated || recording; }
+        [[nodiscard]] bool hasTracker() const { return simulated || recording || device; }
     };
 
     TraineeStation(std::unique_ptr<SessionNode> node, Hardware hardware, PlaceOf placeOf);
@@ -85,6 +87,7 @@ private:
     [[nodiscard]] Result<void> track(Laid& laid);
     [[nodiscard]] Result<void> simulate(Laid& laid) const;
     void replay(Laid& laid) const;
+    [[nodiscard]] Result<void> connect(Laid& laid) const;
     void publish();
 
     std::unique_ptr<SessionNode> m_node;

@@ -85,7 +85,8 @@ enum class Errc : std::uint8_t {
     KeyDoesNotFit,        ///< a private key that does not belong to the certificate
 
     // Devices and graphics
-    TrackerFailed, ///< the tracker could not be started
+    TrackerFailed,      ///< the tracker could not be started
+    DeviceReplyDamaged, ///< bytes of a device that are none of its replies
     NoGraphics,    ///< no OpenGL to draw a picture with
 };
 

@@ -79,6 +79,8 @@ public:
     [[nodiscard]] bool hasChinProbe() const;
     [[nodiscard]] bool hasBodyProbe() const;
     [[nodiscard]] MotionAssumption motionAssumption() const;
+    /// What keeps the tracker from tracking (Tracker::trouble()).
+    [[nodiscard]] std::string trouble() const { return m_tracker->trouble(); }
     /// The tracker's name of the tool; empty where it has no such tool.
     [[nodiscard]] std::string toolName(ToolRole role) const;
 

@@ -42,6 +42,10 @@ public:
 
     /// The tools; they do not change after construction.
     [[nodiscard]] virtual std::vector<TrackedTool> tools() const = 0;
+
+    /// What keeps the device, or one of its tools, from tracking, for the person who can mend it;
+    /// empty where nothing does. May be called from any thread.
+    [[nodiscard]] virtual std::string trouble() const { return {}; }
 };
 
 } // namespace carina

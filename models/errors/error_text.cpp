@@ -197,7 +197,11 @@ public:
             return tr("The private key does not match the certificate%1: choose two files that "
                       "belong together.");
         case Errc::TrackerFailed:
-            return tr("The tracker does not start%1: check its cable and power, then try again.");
+            return tr("The tracker does not track%1: check its cable and power; it is tried again "
+                      "by itself.");
+        case Errc::DeviceReplyDamaged:
+            return tr("What the device sent is damaged%1: check its cable and its rate of "
+                      "transmission.");
         case Errc::NoGraphics:
             return tr("The picture cannot be drawn%1: start the program on a computer with a "
                       "display and the driver of its graphics card.");

@@ -1,6 +1,7 @@
 #include "models/registration/registration_model.h"
 
 #include "engine/io/site/site_file.h"
+#include "models/errors/error_text.h"
 #include "models/registration/registration_words.h"
 #include "models/site/site_changes.h"
 #include "models/site/site_setup.h"
@@ -111,6 +112,12 @@ QStringList RegistrationModel::health() const
 }
 
 QString RegistrationModel::instruction() const { return registrationInstruction(*this); }
+
+QString RegistrationModel::trackerTrouble() const
+{
+    const std::string trouble = m_workplace.tracker->trouble();
+    return trouble.empty() ? QString{} : errorText({Errc::TrackerFailed, trouble});
+}
 
 std::vector<ToolStatus> RegistrationModel::tools() const
 {

@@ -108,6 +108,8 @@ public:
     [[nodiscard]] ManikinTask& manikin() { return m_manikinTask; }
     [[nodiscard]] const ManikinTask& manikin() const { return m_manikinTask; }
 
+    /// What keeps the tracker from tracking, as a translated sentence; empty where nothing does.
+    [[nodiscard]] QString trackerTrouble() const;
     /// The tools that the tracker reports, and how it sees them now.
     [[nodiscard]] std::vector<ToolStatus> tools() const;
 

@@ -1,5 +1,7 @@
 #include "models/station/chin_probe_model.h"
 
+#include "models/errors/error_text.h"
+
 #include <QCoreApplication>
 
 namespace carina
@@ -10,6 +12,12 @@ namespace
 QString probeWords(const char* text) { return QCoreApplication::translate("ChinProbeModel", text); }
 
 } // namespace
+
+QString ChinProbeModel::trackerTrouble() const
+{
+    const std::string trouble = m_tracking ? m_tracking->trouble() : std::string{};
+    return trouble.empty() ? QString{} : errorText({Errc::TrackerFailed, trouble});
+}
 
 QString ChinProbeModel::assumption() const
 {

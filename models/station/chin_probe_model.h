@@ -35,6 +35,9 @@ public:
     /// The assumption in force, as a translated sentence; empty for a program without a tracker.
     [[nodiscard]] QString assumption() const;
 
+    /// What keeps the tracker from tracking, as a translated sentence; empty where nothing does.
+    [[nodiscard]] QString trackerTrouble() const;
+
     /// A permanent notice: which probe the patient follows; empty where it follows none.
     [[nodiscard]] QString notice() const;
 

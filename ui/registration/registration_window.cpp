@@ -295,6 +295,8 @@ void RegistrationWindow::hear(const QString& words)
 void RegistrationWindow::refreshTools()
 {
     QStringList texts;
+    if (const QString trouble = m_registration.trackerTrouble(); !trouble.isEmpty())
+        texts << QStringLiteral("▲ ") + trouble;
     for (const ToolStatus& tool : m_registration.tools())
         if (isOfUse(tool))
             texts << toolText(tool);

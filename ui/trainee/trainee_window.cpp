@@ -260,6 +260,8 @@ QString TraineeWindow::notice() const
 {
     QString notice = stationNotice(m_node, m_stationScene.moment(), m_stationScene.output(),
                                    m_standing ? m_standing() : std::nullopt);
+    if (const QString trouble = m_chinProbe.trackerTrouble(); !trouble.isEmpty())
+        notice.prepend(notice.isEmpty() ? trouble : trouble + QLatin1Char('\n'));
     if (notice.isEmpty())
         notice = m_chinProbe.notice();
     const QString patient = m_patient.notice();

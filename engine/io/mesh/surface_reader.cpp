@@ -5,7 +5,7 @@
 #include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/mesh/reader_memory.h"
 #include "engine/io/mesh/surface_reader_exit.h"
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>

@@ -3,7 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/io/anatomy_set/carried_sets.h"
 #include "engine/io/anatomy_set/set_hash.h"
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 
 namespace carina::transfer
 {

@@ -3,7 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/utf8.h"
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "engine/session/facts/fact_fields.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/utf8.h"
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 #include "engine/sync/wire/wire_quantities.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 #include "engine/sync/wire/event_cpo.h"
 #include "engine/sync/wire/stream_cpo.h"
 

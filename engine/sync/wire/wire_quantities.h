@@ -3,7 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/core/session_time.h"
 #include "engine/geometry/vec.h"
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 
 #include <algorithm>
 #include <array>

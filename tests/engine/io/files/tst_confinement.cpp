@@ -2,7 +2,7 @@
 
 #include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/mesh/surface_reader_exit.h"
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 #include "tests/engine/io/mesh/texture_files.h"
 #include "tests/support/test_class.h"
 

@@ -1,4 +1,4 @@
-#include "engine/sync/wire/byte_buffer.h"
+#include "engine/core/byte_buffer.h"
 
 namespace carina
 {

@@ -1,0 +1,254 @@
+#include "apps/lab/command/patient_options.h"
+#include "apps/lab/commands.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/core/monotonic_clock.h"
+#include "engine/io/files/json_fields.h"
+#include "engine/io/files/whole_file.h"
+#include "engine/session/simulated_station.h"
+#include "engine/tracking/ndi/tool_definition.h"
+#include "evaluation/polaris/polaris_line.h"
+
+#include <QJsonArray>
+
+#include <array>
+#include <filesystem>
+#include <random>
+
+namespace carina::lab
+{
+namespace
+{
+
+enum class Fault : std::uint8_t { None, Corrupt, Cut, Silence, Reset };
+
+struct NamedFault {
+    std::string_view name;
+    Fault fault;
+};
+constexpr std::array kFaults{NamedFault{"none", Fault::None}, NamedFault{"corrupt", Fault::Corrupt},
+                             NamedFault{"cut", Fault::Cut}, NamedFault{"silence", Fault::Silence},
+                             NamedFault{"reset", Fault::Reset}};
+constexpr Duration kFaultEvery = std::chrono::seconds{5};
+constexpr Duration kSilentFor = std::chrono::seconds{1};
+
+struct SimulatedTool {
+    const char* name;
+    ToolRole role;
+};
+constexpr std::array kTools{
+    SimulatedTool{"head", ToolRole::Head}, SimulatedTool{"jaw", ToolRole::Jaw},
+    SimulatedTool{"tube", ToolRole::Tube}, SimulatedTool{"stylus", ToolRole::Stylus}};
+
+namespace polaris_option
+{
+constexpr Option kTcp{"tcp", "PORT", "at this port of the loopback address instead of a terminal"};
+constexpr Option kSeconds{"seconds", "N", "how long it serves, 1 to 86400 (60)"};
+constexpr Option kNoise{"noise-mm", "MM",
+                        "standard deviation of a position along each axis, 0 to "
+                        "10 (0)"};
+constexpr Option kHide{"hide", "TOOL", "head, jaw, tube or stylus: is not seen"};
+constexpr Option kFault{"fault", "KIND",
+                        "every 5 s: corrupt a bit of a reply, cut a reply, silence for 1 s, or "
+                        "reset as after the power was cycled; none unless given"};
+} // namespace polaris_option
+
+namespace polaris_key
+{
+constexpr Key kFolder{"folder", "DIR as given"};
+constexpr Key kServed{"served_s", "how long it served"};
+constexpr Key kReceived{"bytes_received", "of commands"};
+constexpr Key kReplies{"replies", "that were sent"};
+constexpr Key kSent{"bytes_sent", "of them"};
+constexpr Key kFaultsMade{"faults", "that were made"};
+constexpr Key kSchema{"schema", "carina.polaris/1"};
+} // namespace polaris_key
+
+/// Four markers, another arrangement for each tool: no two can be taken for one another.
+std::vector<ToolMarker> markersOf(std::size_t tool)
+{
+    const double more = 0.008 * double(tool);
+    return {{{0.0, 0.0, 0.0}},
+            {{0.050 + more, 0.0, 0.0}},
+            {{0.0, 0.070 + 2.0 * more, 0.0}},
+            {{-0.040, -0.045 - more, 0.015}}};
+}
+
+/// The description of the tracker and the definitions of its tools, as a technician would write
+/// them.
+Result<void> writeDescription(const std::filesystem::path& folder, const std::string& address)
+{
+    QJsonArray tools;
+    for (std::size_t i = 0; i < kTools.size(); ++i) {
+        const std::string name = kTools[i].name;
+        const auto definition =
+            NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markersOf(i), "Carina", name);
+        if (!definition)
+            return tl::unexpected(definition.error());
+        const auto& bytes = definition->bytes();
+        const auto wrote = writeWholeFile(
+            folder / (name + ".rom"),
+            std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        if (!wrote)
+            return wrote;
+        const QString word = QString::fromStdString(name);
+        tools.append(QJsonObject{{QStringLiteral("name"), word},
+                                 {QStringLiteral("role"), word},
+                                 {QStringLiteral("definition"), word + QStringLiteral(".rom")}});
+    }
+    return writeJsonFile(folder / "tracker.json",
+                         {{QStringLiteral("schema"), QStringLiteral("carina.tracker/1")},
+                          {QStringLiteral("kind"), QStringLiteral("ndi")},
+                          {QStringLiteral("address"), QString::fromStdString(address)},
+                          {QStringLiteral("fastest_rate"), 115200},
+                          {QStringLiteral("tools"), tools}});
+}
+
+/// What the device states of the scripted hands.
+PolarisDevice::PoseOf statedPoses(TrueToolPose truth, double noise_mm, const std::string& hidden)
+{
+    return [truth = std::move(truth), noise_mm, hidden, random = std::mt19937{7}](
+               const std::string& name, LocalTime t) mutable -> std::optional<PolarisPose> {
+        const auto* tool = std::ranges::find(kTools, name, &SimulatedTool::name);
+        if (tool == kTools.end() || name == hidden)
+            return std::nullopt;
+        const auto X_TO = truth(tool->role, SessionTime{t.time_since_epoch()});
+        if (!X_TO)
+            return std::nullopt;
+        PolarisPose pose{X_TO->rotation(), 1e3 * X_TO->translation(), noise_mm};
+        std::normal_distribution<double> noise;
+        for (double& coordinate : pose.p_mm)
+            coordinate += noise_mm * noise(random);
+        return pose;
+    };
+}
+
+/// Makes a fault every kFaultEvery.
+class FaultMaker
+{
+public:
+    FaultMaker(PolarisDevice& device, Fault fault, LocalTime now)
+        : m_device{device}, m_fault{fault}, m_next{now + kFaultEvery}
+    {
+    }
+
+    void look(LocalTime now)
+    {
+        if (m_silentUntil && now >= *m_silentUntil) {
+            m_device.faults().isSilent = false;
+            m_silentUntil.reset();
+        }
+        if (m_fault == Fault::None || now < m_next)
+            return;
+        m_next += kFaultEvery;
+        ++m_made;
+        m_device.faults().corruptsNext = m_fault == Fault::Corrupt;
+        m_device.faults().cutsNext = m_fault == Fault::Cut;
+        if (m_fault == Fault::Silence) {
+            m_device.faults().isSilent = true;
+            m_silentUntil = now + kSilentFor;
+        }
+        if (m_fault == Fault::Reset)
+            static_cast<void>(m_device.reset(now)); // its word is lost: nobody listened
+    }
+
+    [[nodiscard]] int made() const { return m_made; }
+
+private:
+    PolarisDevice& m_device;
+    Fault m_fault;
+    LocalTime m_next;
+    std::optional<LocalTime> m_silentUntil;
+    int m_made = 0;
+};
+
+Result<QJsonObject> serve(const Words& words, const std::filesystem::path& folder,
+                          PolarisDevice::PoseOf poses)
+{
+    const auto seconds = words.whole(polaris_option::kSeconds, 1, 86400, 60);
+    const auto fault = words.word(polaris_option::kFault, kFaults, &NamedFault::fault);
+    const auto port = words.whole(polaris_option::kTcp, 1, 65535, 0);
+    if (!seconds || !fault || !port)
+        return tl::unexpected(!seconds ? seconds.error() : !fault ? fault.error() : port.error());
+    const bool isTcp = words.has(polaris_option::kTcp);
+    const std::filesystem::path link = std::filesystem::absolute(folder) / "port";
+    auto line = isTcp ? PolarisLine::tcp(std::uint16_t(*port)) : PolarisLine::terminal(link);
+    if (!line)
+        return tl::unexpected(line.error());
+    const std::string address = isTcp ? "127.0.0.1:" + std::to_string(*port) : link.string();
+    if (const auto wrote = writeDescription(folder, address); !wrote)
+        return tl::unexpected(wrote.error());
+    PolarisDevice device{{.hasRate = !isTcp}, std::move(poses)};
+    const LocalTime begin = monotonicNow();
+    FaultMaker faults{device, *fault, begin};
+    const PolarisTraffic traffic = line->serve(device, begin + std::chrono::seconds{*seconds},
+                                               [&](LocalTime now) { faults.look(now); });
+    return QJsonObject{{polaris_key::kSchema, QLatin1StringView{polaris_key::kSchema.help}},
+                       {polaris_key::kFolder, QString::fromStdString(folder.string())},
+                       {polaris_key::kServed, toSeconds(monotonicNow() - begin)},
+                       {polaris_key::kReceived, qint64(traffic.bytesReceived)},
+                       {polaris_key::kReplies, qint64(traffic.replies)},
+                       {polaris_key::kSent, qint64(traffic.bytesSent)},
+                       {polaris_key::kFaultsMade, faults.made()}};
+}
+
+Result<QJsonObject> simulate(const Words& words)
+{
+    if (words.files().size() != 1)
+        return words.refuse(QStringLiteral("needs DIR."));
+    const std::filesystem::path folder{words.files()[0].toStdString()};
+    const auto noise = words.number(polaris_option::kNoise, 0.0, 10.0, 0.0);
+    if (!noise)
+        return tl::unexpected(noise.error());
+    const std::string hidden = words.text(polaris_option::kHide).toStdString();
+    if (!hidden.empty() && std::ranges::count(kTools, hidden, &SimulatedTool::name) == 0)
+        return words.unknownWord(polaris_option::kHide,
+                                 {QStringLiteral("head"), QStringLiteral("jaw"),
+                                  QStringLiteral("tube"), QStringLiteral("stylus")});
+    if (const auto opened = openFolder(folder); !opened)
+        return tl::unexpected(opened.error());
+    const auto parameters = patientOption(words, BuiltinPatient::TwelveYears);
+    if (!parameters)
+        return tl::unexpected(parameters.error());
+    const auto dimensions = dimensionsFor(*parameters);
+    if (!dimensions)
+        return tl::unexpected(dimensions.error());
+    const auto patient = patientFor(*parameters);
+    if (!patient)
+        return tl::unexpected(patient.error());
+    const AirwayLandmarks& airway = patient->landmarks;
+    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
+    if (!tube)
+        return tl::unexpected(tube.error());
+    auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
+    if (!station)
+        return tl::unexpected(station.error());
+    return serve(words, folder, statedPoses(std::move(station->truth), *noise, hidden));
+}
+
+} // namespace
+
+Command polarisCommand()
+{
+    return {
+        .name = "polaris-sim",
+        .theme = "tracking",
+        .summary = "serves a Polaris without hardware",
+        .uses = {{.lines = {"DIR [--patient WHO] [--tcp PORT] [--seconds N] [--noise-mm MM] "
+                            "[--hide TOOL] [--fault KIND]"},
+                  .text = "Serves a simulated Polaris that sees scripted hands at the "
+                          "patient's manikin, at a pseudo-terminal whose rate paces its "
+                          "replies, or at a TCP port. DIR/tracker.json, which is written with "
+                          "the definitions of its tools, is for --tracker of carina-trainee "
+                          "and carina-registration.",
+                  .options = {kPatient, polaris_option::kTcp, polaris_option::kSeconds,
+                              polaris_option::kNoise, polaris_option::kHide,
+                              polaris_option::kFault},
+                  .schema = polaris_key::kSchema,
+                  .keys = {polaris_key::kFolder, polaris_key::kServed, polaris_key::kReceived,
+                           polaris_key::kReplies, polaris_key::kSent, polaris_key::kFaultsMade}}},
+        .mostFiles = 1,
+        .reminder = "polaris-sim needs DIR.",
+        .experiment = simulate};
+}
+
+} // namespace carina::lab

@@ -1,0 +1,95 @@
+#include "engine/io/site/tracker_file.h"
+
+#include "engine/io/files/json_fields.h"
+#include "engine/io/files/whole_file.h"
+
+#include <algorithm>
+#include <array>
+
+namespace carina
+{
+namespace
+{
+
+const QString kTrackerSchema = QStringLiteral("carina.tracker/1");
+constexpr FileLimit kDefinitionLimit{"a tool definition", 64 * 1024};
+constexpr int kSlowestRate = 9600;
+constexpr std::array kKindWords{"ndi"};
+constexpr std::array kPoseWords{"TX", "BX", "BX2"};
+constexpr std::array kRoleWords{"head", "jaw", "tube", "stylus", "manikin", "chest", "other"};
+constexpr std::array kRoles{ToolRole::Head,    ToolRole::Jaw,   ToolRole::Tube, ToolRole::Stylus,
+                            ToolRole::Manikin, ToolRole::Chest, ToolRole::Other};
+
+Result<NdiToolDefinition> readDefinition(const std::filesystem::path& file)
+{
+    return readWholeFile(file, kDefinitionLimit).and_then([&](const std::string& bytes) {
+        return NdiToolDefinition::read(std::as_bytes(std::span{bytes}))
+            .map_error([&](const Error& error) {
+                return Error{error.code, file.string() + ": " + error.detail};
+            });
+    });
+}
+
+/// Tools with the files of their definitions, which are read when all fields are right.
+struct NamedTool {
+    DescribedTool tool;
+    std::string definition;
+};
+
+std::vector<NamedTool> readTools(JsonFields& fields)
+{
+    std::vector<NamedTool> tools;
+    for (JsonFields& entry : fields.objects("tools")) {
+        entry.allowOnly({"name", "role", "definition"});
+        NamedTool named{{entry.text("name"), kRoles[entry.oneOf("role", kRoleWords)], {}}, {}};
+        if (entry.has("definition"))
+            named.definition = entry.text("definition");
+        for (const NamedTool& other : tools) {
+            if (other.tool.name == named.tool.name)
+                entry.refuse("name", "\"" + named.tool.name + "\" is there twice");
+            if (other.tool.role == named.tool.role && named.tool.role != ToolRole::Other)
+                entry.refuse("role", "it is there twice");
+        }
+        tools.push_back(std::move(named));
+    }
+    if (tools.empty())
+        fields.refuse("tools", "at least one tool is due");
+    return tools;
+}
+
+} // namespace
+
+Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file)
+{
+    const auto object = readJsonFile(file, kTrackerSchema);
+    if (!object)
+        return tl::unexpected(object.error());
+    std::optional<Error> fault;
+    JsonFields fields{*object, fault};
+    fields.allowOnly({"schema", "kind", "address", "poses", "fastest_rate", "tools"});
+    static_cast<void>(fields.oneOf("kind", kKindWords));
+    TrackerDescription described;
+    described.address = fields.text("address");
+    if (fields.has("poses"))
+        described.poses = static_cast<NdiPoseReply>(fields.oneOf("poses", kPoseWords));
+    if (fields.has("fastest_rate")) {
+        described.fastestRate = fields.count("fastest_rate");
+        if (described.fastestRate < kSlowestRate)
+            fields.refuse("fastest_rate", "it is at least 9600");
+    }
+    const std::vector<NamedTool> tools = readTools(fields);
+    if (fault)
+        return fail(fault->code, file.string() + ": " + fault->detail);
+    for (const NamedTool& named : tools) {
+        described.tools.push_back(named.tool);
+        if (named.definition.empty())
+            continue;
+        auto definition = readDefinition(file.parent_path() / named.definition);
+        if (!definition)
+            return tl::unexpected(definition.error());
+        described.tools.back().definition = *std::move(definition);
+    }
+    return described;
+}
+
+} // namespace carina

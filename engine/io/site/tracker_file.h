@@ -1,0 +1,45 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/tracking/ndi/ndi_client.h"
+#include "engine/tracking/tracker.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// A tool of a tracker, and what it is for.
+struct DescribedTool {
+    std::string name;
+    ToolRole role = ToolRole::Other;
+    std::optional<NdiToolDefinition> definition{}; ///< nothing for one that is plugged in
+};
+
+/// A tracker of a site, as its technician describes it.
+struct TrackerDescription {
+    std::string address; ///< "/dev/ttyUSB0", or host and port: "192.0.2.7:8765"
+    NdiPoseReply poses = NdiPoseReply::Bx;
+    int fastestRate = 921600; ///< that the serial port holds, bits a second
+    std::vector<DescribedTool> tools;
+};
+
+/// Reads the description of a tracker, a JSON object with
+///
+///     schema        "carina.tracker/1"
+///     kind          "ndi": a Polaris of any generation
+///     address       a serial port, or host:port
+///     poses         "TX", "BX" or "BX2"; BX without it
+///     fastest_rate  of the serial port, bits a second; 921600 without it
+///     tools         a list of name; role ("head", "jaw", "tube", "stylus", "manikin", "chest" or
+///                   "other"), none but "other" twice; and of a wireless tool definition, its .rom
+///                   file, beside this one unless it is absolute. Wired tools are those of the
+///                   ports in ascending order
+///
+/// @returns the errors of readJsonFile; FileMalformed for a fault; those of reading a definition.
+///          The detail names file and field.
+[[nodiscard]] Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file);
+
+} // namespace carina

@@ -1,0 +1,93 @@
+#include "engine/tracking/ndi/ndi_frame.h"
+
+#include "engine/core/units.h"
+#include "engine/tracking/ndi/ndi_fields.h"
+
+#include <array>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kUnitLength = 0.01; // four digits of a quaternion leave 2e-4
+constexpr double kFarthest_mm = 1e5; // no volume of theirs reaches 10 m
+constexpr std::uint32_t kOutOfVolume = 0x40;
+constexpr std::uint32_t kPartlyOut = 0x80;
+
+} // namespace
+
+Validity validityOf(const NdiTool& tool)
+{
+    if (!tool.X_TO)
+        return Validity::Lost;
+    switch (tool.sight) {
+    case NdiSight::Tracked:
+        return Validity::Tracked;
+    case NdiSight::PartlyOutOfVolume:
+    case NdiSight::PartlyAveraged:
+    case NdiSight::OutOfVolume:
+        return Validity::PartlyOccluded;
+    case NdiSight::TooFewMarkers:
+    case NdiSight::Interference:
+    case NdiSight::BadFit:
+    case NdiSight::Missing:
+    case NdiSight::Disabled:
+    case NdiSight::Unoccupied:
+    case NdiSight::Failed:
+        break;
+    }
+    return Validity::Lost;
+}
+
+namespace ndi
+{
+
+StatedPose poseFrom(ByteReader& bytes)
+{
+    StatedPose pose;
+    for (double* each : {&pose.q0, &pose.qx, &pose.qy, &pose.qz, &pose.x_mm, &pose.y_mm, &pose.z_mm,
+                         &pose.error_mm})
+        *each = bytes.realFloat();
+    return pose;
+}
+
+Vec3 positionFrom(ByteReader& bytes)
+{
+    Vec3 p_TQ;
+    for (double& each : p_TQ)
+        each = millimetres(bytes.realFloat()).si;
+    return p_TQ;
+}
+
+Result<void> placeTool(NdiTool& tool, const StatedPose& pose)
+{
+    const std::array numbers{pose.q0,   pose.qx,   pose.qy,   pose.qz,
+                             pose.x_mm, pose.y_mm, pose.z_mm, pose.error_mm};
+    for (const double number : numbers)
+        if (!std::isfinite(number))
+            return fail(Errc::NotFinite, "a number of a pose");
+    const Quat q_TO{pose.q0, pose.qx, pose.qy, pose.qz};
+    if (std::abs(q_TO.norm() - 1.0) > kUnitLength)
+        return fail(Errc::NotARotation, "the quaternion of a pose");
+    const Vec3 p_mm{pose.x_mm, pose.y_mm, pose.z_mm};
+    if (p_mm.cwiseAbs().maxCoeff() > kFarthest_mm)
+        return fail(Errc::OutOfRange, "the position of a pose");
+    const auto inMetres = [](double mm) { return millimetres(mm).si; };
+    tool.X_TO = RigidTransform{q_TO, p_mm.unaryExpr(inMetres)};
+    tool.error = inMetres(pose.error_mm);
+    return {};
+}
+
+NdiSight sightOfPort(std::uint32_t status, bool hasPose)
+{
+    if ((status & kOutOfVolume) != 0)
+        return NdiSight::OutOfVolume;
+    if (!hasPose)
+        return NdiSight::Missing;
+    return (status & kPartlyOut) != 0 ? NdiSight::PartlyOutOfVolume : NdiSight::Tracked;
+}
+
+} // namespace ndi
+} // namespace carina

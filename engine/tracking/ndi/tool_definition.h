@@ -1,0 +1,89 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/core/units.h"
+#include "engine/geometry/vec.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// A marker Q of a tool O.
+struct ToolMarker {
+    Vec3 p_OQ = Vec3::Zero();     ///< metres
+    Vec3 normal_O = Vec3::Zero(); ///< where it faces; zero where it is seen from everywhere
+};
+
+/// What a tracker of NDI has to know of a tool: the content of a .rom file, of 752 bytes.
+///
+/// Bytes whose meaning is not known are kept as they were read.
+class NdiToolDefinition
+{
+public:
+    static constexpr std::size_t kBytes = 752;
+    static constexpr std::size_t kMostMarkers = 20;
+
+    /// What a tool is for, as NDI numbers it.
+    enum class Kind : std::uint8_t {
+        Reference = 1,
+        Pointer = 2,
+        ButtonBox = 3,
+        Software = 4,
+        Microscope = 5,
+        CalibrationDock = 8,
+        CArm = 0xA,
+        Catheter = 0xB,
+    };
+
+    /// Reads the bytes of a .rom file.
+    /// @returns FileMalformed for another length, beginning, checksum, or number of markers;
+    ///          NotFinite and OutOfRange for a marker that is not within 2 m.
+    [[nodiscard]] static Result<NdiToolDefinition> read(std::span<const std::byte> bytes);
+
+    /// A tool of one face: at least three markers are needed for a pose, which have to fit to 2 mm,
+    /// and are seen up to 90 degrees from their normals.
+    /// @returns TooFewLandmarks below three markers; OutOfRange for more than kMostMarkers and for
+    ///          a marker that is not within 2 m; DegenerateLandmarks where they are on one line.
+    [[nodiscard]] static Result<NdiToolDefinition> make(Kind kind,
+                                                        std::span<const ToolMarker> markers,
+                                                        const std::string& maker,
+                                                        const std::string& partNumber);
+
+    [[nodiscard]] std::uint8_t kind() const { return byteAt(15); }
+    [[nodiscard]] std::vector<ToolMarker> markers() const;
+    [[nodiscard]] std::uint32_t fewestMarkers() const; ///< that a pose needs
+    [[nodiscard]] Length largestMarkerError() const;   ///< of a marker that is used
+    [[nodiscard]] Length smallestSpread() const;
+    [[nodiscard]] Angle largestMarkerAngle() const; ///< between its normal and the camera
+    [[nodiscard]] std::string maker() const;
+    [[nodiscard]] std::string partNumber() const;
+
+    /// As they are written to a file, with their checksum.
+    [[nodiscard]] const std::array<std::byte, kBytes>& bytes() const { return m_bytes; }
+
+private:
+    NdiToolDefinition() = default;
+
+    [[nodiscard]] std::uint8_t byteAt(std::size_t at) const;
+    [[nodiscard]] std::uint32_t wholeAt(std::size_t at) const;
+    [[nodiscard]] Vec3 vectorAt(std::size_t at) const;
+    [[nodiscard]] std::string textAt(std::size_t at, std::size_t most) const;
+    [[nodiscard]] std::uint16_t checksum() const;
+    void putByte(std::size_t at, std::uint8_t value) { m_bytes[at] = std::byte{value}; }
+    void putWhole(std::size_t at, std::uint32_t value);
+    void putReal(std::size_t at, double value);
+    void putText(std::size_t at, std::size_t most, const std::string& text);
+
+    std::array<std::byte, kBytes> m_bytes{};
+};
+
+/// The name of a kind: "pointer"; "kind 7" for one that has none here.
+[[nodiscard]] std::string kindName(std::uint8_t kind);
+
+} // namespace carina

@@ -1,0 +1,142 @@
+#include "engine/io/site/tracker_file.h"
+
+#include "tests/support/test_class.h"
+
+#include <QTemporaryDir>
+
+#include <fstream>
+
+namespace carina::tracker_file_test
+{
+namespace
+{
+
+const std::string kTools = R"([{"name": "Tube", "role": "tube", "definition": "tube.rom"},
+                               {"name": "Chin", "role": "jaw"}])";
+
+/// A folder with a definition, and a description that was written into it.
+class Folder
+{
+public:
+    Folder()
+    {
+        const std::vector<ToolMarker> markers{{{0, 0, 0}}, {{0.05, 0, 0}}, {{0, 0.08, 0}}};
+        const auto tube =
+            NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markers, "Carina", "tube");
+        const auto& bytes = tube.value().bytes();
+        write("tube.rom", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        write("empty.rom", "NDI");
+    }
+
+    [[nodiscard]] Result<TrackerDescription> read(const std::string& text) const
+    {
+        write("tracker.json", text);
+        return readTrackerFile(pathOf("tracker.json"));
+    }
+
+    [[nodiscard]] Result<TrackerDescription> readWith(const std::string& more,
+                                                      const std::string& tools = kTools) const
+    {
+        return read(R"({"schema": "carina.tracker/1", "kind": "ndi", "address": "/dev/ttyUSB0", )"
+                    + more + R"("tools": )" + tools + "}");
+    }
+
+private:
+    [[nodiscard]] std::string pathOf(const char* name) const
+    {
+        return m_folder.filePath(QString::fromLatin1(name)).toStdString();
+    }
+    void write(const char* name, const std::string& bytes) const
+    {
+        std::ofstream{pathOf(name), std::ios::binary} << bytes;
+    }
+
+    QTemporaryDir m_folder;
+};
+
+} // namespace
+
+class TrackerFileTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void readsADescription()
+    {
+        const Folder folder;
+        const auto tracker = folder.readWith(R"("poses": "BX2", "fastest_rate": 115200, )");
+        QVERIFY2(tracker, tracker ? "" : tracker.error().detail.c_str());
+        QCOMPARE(tracker->address, std::string{"/dev/ttyUSB0"});
+        QCOMPARE(tracker->poses, NdiPoseReply::Bx2);
+        QCOMPARE(tracker->fastestRate, 115200);
+        QCOMPARE(tracker->tools.size(), std::size_t{2});
+        QCOMPARE(tracker->tools[0].role, ToolRole::Tube);
+        QCOMPARE(tracker->tools[0].definition->partNumber(), std::string{"tube"});
+        QCOMPARE(tracker->tools[1].name, std::string{"Chin"});
+        QCOMPARE(tracker->tools[1].role, ToolRole::Jaw);
+        QVERIFY(!tracker->tools[1].definition);
+    }
+
+    void asksForBxAtTheBestRateUnlessToldOtherwise()
+    {
+        const auto tracker = Folder{}.readWith("");
+        QVERIFY(tracker);
+        QCOMPARE(tracker->poses, NdiPoseReply::Bx);
+        QCOMPARE(tracker->fastestRate, 921600);
+    }
+
+    void namesWhatIsWrong_data()
+    {
+        QTest::addColumn<QByteArray>("more");
+        QTest::addColumn<QByteArray>("tools");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QByteArray>("named");
+        const auto row = [](const char* name, const char* more, const char* tools, Errc code,
+                            const char* named) {
+            QTest::newRow(name) << QByteArray{more} << QByteArray{tools} << int(code)
+                                << QByteArray{named};
+        };
+        const char* tube = R"([{"name": "Tube", "role": "tube"}])";
+        row("an unknown field", R"("port": 3, )", tube, Errc::FileMalformed, "port");
+        row("unknown poses", R"("poses": "GX", )", tube, Errc::FileMalformed, "poses");
+        row("a slow rate", R"("fastest_rate": 300, )", tube, Errc::FileMalformed, "fastest_rate");
+        row("no tools", "", "[]", Errc::FileMalformed, "tools");
+        row("an unknown role", "", R"([{"name": "a", "role": "nose"}])", Errc::FileMalformed,
+            "role");
+        row("a name twice", "", R"([{"name": "a", "role": "tube"}, {"name": "a", "role": "head"}])",
+            Errc::FileMalformed, "tools[1].name");
+        row("a role twice", "", R"([{"name": "a", "role": "tube"}, {"name": "b", "role": "tube"}])",
+            Errc::FileMalformed, "tools[1].role");
+        row("no definition", "", R"([{"name": "a", "role": "tube", "definition": "no.rom"}])",
+            Errc::FileNotFound, "no.rom");
+        row("a damaged definition", "",
+            R"([{"name": "a", "role": "tube", "definition": "empty.rom"}])", Errc::FileMalformed,
+            "empty.rom");
+    }
+
+    void namesWhatIsWrong()
+    {
+        QFETCH(QByteArray, more);
+        QFETCH(QByteArray, tools);
+        QFETCH(int, code);
+        QFETCH(QByteArray, named);
+        const auto tracker = Folder{}.readWith(more.toStdString(), tools.toStdString());
+        QVERIFY(!tracker);
+        QCOMPARE(int(tracker.error().code), code);
+        QVERIFY2(QByteArray::fromStdString(tracker.error().detail).contains(named),
+                 tracker.error().detail.c_str());
+    }
+
+    void refusesAnotherKindOfFile()
+    {
+        const auto tracker = Folder{}.read(R"({"schema": "carina.site/1"})");
+        QVERIFY(!tracker);
+        QCOMPARE(tracker.error().code, Errc::UnknownFormat);
+    }
+};
+
+CARINA_TEST(TrackerFileTest)
+
+} // namespace carina::tracker_file_test
+
+#include "tst_tracker_file.moc"

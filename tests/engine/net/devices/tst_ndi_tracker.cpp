@@ -1,0 +1,141 @@
+#include "engine/net/devices/ndi_tracker.h"
+
+#include "engine/core/monotonic_clock.h"
+#include "evaluation/polaris/polaris_line.h"
+#include "tests/support/test_class.h"
+
+#include <QTemporaryDir>
+
+#include <atomic>
+#include <thread>
+
+namespace carina::ndi_tracker_test
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+constexpr double kSpeed = 0.1;     // m/s
+constexpr double kLateness = 0.04; // s: an exposure and a loaded computer
+
+std::optional<SessionTime> sessionNow() { return SessionTime{monotonicNow().time_since_epoch()}; }
+
+double xAt(SessionTime t) { return kSpeed * toSeconds(t.time_since_epoch()); }
+
+/// A device at a pseudo-terminal, served on a thread until it is destroyed.
+class ServedDevice
+{
+public:
+    explicit ServedDevice(const std::string& link)
+        : m_device{{}, [](const std::string&, LocalTime t) {
+                       return std::optional{
+                           PolarisPose{Quat::Identity(),
+                                       {1e3 * xAt(SessionTime{t.time_since_epoch()}), 0.0, -1500.0},
+                                       0.1}};
+                   }}
+    {
+        auto line = PolarisLine::terminal(link);
+        m_thread = std::thread{[this, line = std::move(line).value()]() mutable {
+            while (!m_ends)
+                static_cast<void>(line.serve(m_device, monotonicNow() + 50ms, [](LocalTime) {}));
+        }};
+    }
+    ~ServedDevice()
+    {
+        m_ends = true;
+        m_thread.join();
+    }
+    ServedDevice(const ServedDevice&) = delete;
+    ServedDevice& operator=(const ServedDevice&) = delete;
+
+private:
+    PolarisDevice m_device;
+    std::atomic<bool> m_ends = false;
+    std::thread m_thread;
+};
+
+TrackerDescription describedAt(const std::string& address)
+{
+    const std::vector<ToolMarker> markers{{{0, 0, 0}}, {{0.05, 0, 0}}, {{0, 0.08, 0}}};
+    const auto definition =
+        NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markers, "Carina", "tube");
+    TrackerDescription described;
+    described.address = address;
+    described.fastestRate = 115200;
+    described.tools.push_back({"Tube", ToolRole::Tube, definition.value()});
+    return described;
+}
+
+std::size_t samplesOf(const Tracker& tracker)
+{
+    return tracker.tools()[0].history->samples().size();
+}
+
+} // namespace
+
+class NdiTrackerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tracksADeviceAtATerminal()
+    {
+        const QTemporaryDir folder;
+        const std::string link = folder.filePath(QStringLiteral("port")).toStdString();
+        const ServedDevice device{link};
+        const auto tracker = NdiTracker::make(describedAt(link), sessionNow);
+        QVERIFY(tracker);
+        QVERIFY((*tracker)->start());
+        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 60, 20000);
+        (*tracker)->stop();
+        const TrackedTool tool = (*tracker)->tools()[0];
+        QCOMPARE(tool.role, ToolRole::Tube);
+        for (const PoseSample& sample : tool.history->samples()) {
+            QCOMPARE(sample.validity, Validity::Tracked);
+            // The stated x tells when it was exposed.
+            const double late = (xAt(sample.time) - sample.X_FO.translation().x()) / kSpeed;
+            QVERIFY2(late > -0.002 && late < kLateness, qPrintable(QString::number(late)));
+        }
+        QCOMPARE((*tracker)->trouble(), std::string{});
+    }
+
+    void comesBackWhenTheDeviceDoes()
+    {
+        const QTemporaryDir folder;
+        const std::string link = folder.filePath(QStringLiteral("port")).toStdString();
+        const auto tracker = NdiTracker::make(describedAt(link), sessionNow);
+        QVERIFY(tracker);
+        QVERIFY((*tracker)->start());
+        QTRY_VERIFY((*tracker)->trouble().find(link) != std::string::npos);
+        {
+            const ServedDevice device{link};
+            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, 20000);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!(*tracker)->trouble().empty(), 10000);
+        const std::size_t before = samplesOf(**tracker);
+        const ServedDevice device{link};
+        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, 20000);
+    }
+
+    void refusesAnAddressThatIsNone_data()
+    {
+        QTest::addColumn<QByteArray>("address");
+        for (const char* address : {"", "ttyUSB0", "host:", "host:0", "host:65536", ":8765"})
+            QTest::newRow(address) << QByteArray{address};
+    }
+
+    void refusesAnAddressThatIsNone()
+    {
+        QFETCH(QByteArray, address);
+        const auto tracker = NdiTracker::make(describedAt(address.toStdString()), sessionNow);
+        QVERIFY(!tracker);
+        QCOMPARE(tracker.error().code, Errc::WrongAddress);
+    }
+};
+
+CARINA_TEST(NdiTrackerTest)
+
+} // namespace carina::ndi_tracker_test
+
+#include "tst_ndi_tracker.moc"

@@ -1,0 +1,202 @@
+#include "engine/tracking/ndi/ndi_command.h"
+#include "engine/tracking/ndi/ndi_reply.h"
+#include "tests/engine/tracking/ndi/wire_bytes.h"
+#include "tests/support/test_class.h"
+
+namespace carina::ndi_reply_test
+{
+namespace
+{
+
+// Recorded from a Polaris: a reply to BX with two tools, both missing.
+const std::string kHeader{"\xC4\xA5\x17\x00\"\xE3", 6};
+const std::string kBody{"\x02\x01\x02\x31\x00\x00\x00\x00\x00\x00\x00\x02\x02\x31\x00\x00\x00\x00"
+                        "\x00\x00\x00\x00\x00",
+                        23};
+const std::string kBinary = kHeader + kBody + "\xB1\x37";
+
+std::string detailOf(const std::optional<Result<NdiReply>>& reply)
+{
+    return !reply ? "nothing" : *reply ? "a reply" : (*reply).error().detail;
+}
+
+} // namespace
+
+class NdiReplyTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    // From recorded conversations.
+    void computesRecordedChecksums_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("checksum");
+        const auto row = [](const char* text, const char* checksum) {
+            QTest::newRow(text) << QByteArray{text} << QByteArray{checksum};
+        };
+        row("RESET", "BE6F");
+        row("INIT:", "E3A5");
+        row("OKAY", "A896");
+        row("COMM:00000", "0084");
+        row("COMM:50000", "0048");
+        row("PHSR:00", "20FF");
+        row("PHSR:02", "E17E");
+        row("TX:0001", "031A");
+        row("BX:0001", "C26D");
+        row("TSTART:", "5423");
+        row("TSTOP:", "2C14");
+    }
+
+    void computesRecordedChecksums()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, checksum);
+        QCOMPARE(QByteArray::fromStdString(ndiChecksumText(text.toStdString())), checksum);
+    }
+
+    void writesAndReadsCommands()
+    {
+        QCOMPARE(encoded({"TX", "0001"}), std::string{"TX:0001031A\r"});
+        QCOMPARE(readNdiCommand("TX:0001031A\r").value(), (NdiCommand{"TX", "0001"}));
+        QCOMPARE(readNdiCommand("INIT:E3A5").value(), (NdiCommand{"INIT", ""}));
+        QCOMPARE(readNdiCommand("PINIT 1\r").value(), (NdiCommand{"PINIT", "1"}));
+    }
+
+    void refusesDamagedCommands_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("nothing") << QByteArray{};
+        QTest::newRow("no name") << QByteArray{":0001031A"};
+        QTest::newRow("no end of the name") << QByteArray{"TX"};
+        QTest::newRow("small letters") << QByteArray{"tx:0001031A"};
+        QTest::newRow("one bit off") << QByteArray{"TX:0003031A"};
+        QTest::newRow("a small digit") << QByteArray{"TX:0001031a"};
+        QTest::newRow("no checksum") << QByteArray{"TX:"};
+    }
+
+    void refusesDamagedCommands()
+    {
+        QFETCH(QByteArray, bytes);
+        const auto command = readNdiCommand(bytes.toStdString());
+        QVERIFY(!command);
+        QCOMPARE(command.error().code, Errc::DeviceReplyDamaged);
+    }
+
+    void findsRepliesInPiecesOfAnySize_data()
+    {
+        QTest::addColumn<int>("piece");
+        for (const int piece : {1, 2, 3, 5, 7, 64})
+            QTest::addRow("%d bytes", piece) << piece;
+    }
+
+    void findsRepliesInPiecesOfAnySize()
+    {
+        QFETCH(int, piece);
+        const std::string stream = "RESETBE6F\r" + kBinary + "OKAYA896\r" + kBinary;
+        NdiReplyReader reader;
+        std::vector<NdiReply> replies;
+        for (std::size_t at = 0; at < stream.size(); at += std::size_t(piece)) {
+            reader.take(std::string_view{stream}.substr(at, std::size_t(piece)));
+            while (const auto reply = reader.next()) {
+                QVERIFY(*reply);
+                replies.push_back(**reply);
+            }
+        }
+        const NdiReply binary{NdiReply::Form::Binary, kBody};
+        QCOMPARE(
+            replies,
+            (std::vector<NdiReply>{
+                {NdiReply::Form::Text, "RESET"}, binary, {NdiReply::Form::Text, "OKAY"}, binary}));
+        QVERIFY(reader.isEmpty());
+    }
+
+    void readsTheLongHeader()
+    {
+        const test::WireBytes header =
+            test::WireBytes{}.u16(0xA5C8).u32(std::uint32_t(kBody.size()));
+        NdiReplyReader reader;
+        reader.take(header.text());
+        reader.take(test::WireBytes{}.u16(ndiChecksum(header.text())).text());
+        reader.take(kBody + "\xB1\x37");
+        const auto reply = reader.next();
+        QVERIFY(reply && *reply);
+        QCOMPARE((*reply)->bytes, kBody);
+    }
+
+    void refusesWhatIsDamagedAndGoesOn_data()
+    {
+        QTest::addColumn<QByteArray>("damaged");
+        QTest::addColumn<QByteArray>("detail");
+        const auto row = [](const char* name, const std::string& bytes, const char* detail) {
+            QTest::newRow(name) << QByteArray::fromStdString(bytes) << QByteArray{detail};
+        };
+        row("a text", "OKAZA896\r", "wrong checksum");
+        row("a short text", "OK\r", "shorter than a checksum");
+        std::string body = kBinary;
+        body[10] ^= 1;
+        row("a body", body, "wrong checksum");
+        std::string tail = kBinary;
+        tail.back() ^= 1;
+        row("the checksum of a body", tail, "wrong checksum");
+        const test::WireBytes longer = test::WireBytes{}.u16(0xA5C8).u32(0x7FFFFFFF);
+        row("a length beyond any reply",
+            longer.text() + test::WireBytes{}.u16(ndiChecksum(longer.text())).text(),
+            "longer than any reply");
+    }
+
+    void refusesWhatIsDamagedAndGoesOn()
+    {
+        QFETCH(QByteArray, damaged);
+        QFETCH(QByteArray, detail);
+        NdiReplyReader reader;
+        reader.take("OKAYA896\r" + damaged.toStdString() + "RESETBE6F\r");
+        QCOMPARE((*reader.next())->bytes, std::string{"OKAY"});
+        QCOMPARE(QByteArray::fromStdString(detailOf(reader.next())), detail);
+        QCOMPARE((*reader.next())->bytes, std::string{"RESET"});
+        QVERIFY(!reader.next());
+    }
+
+    void aDamagedHeaderIsNotTrustedWithItsLength()
+    {
+        std::string header = kHeader;
+        header[2] = '\x7F';
+        NdiReplyReader reader;
+        reader.take(header);
+        QCOMPARE(detailOf(reader.next()), std::string{"wrong checksum of a header"});
+        reader.clear(); // as after waiting in vain
+        reader.take("OKAYA896\r");
+        QCOMPARE((*reader.next())->bytes, std::string{"OKAY"});
+    }
+
+    void keepsNoMoreThanTheLongestReply()
+    {
+        NdiReplyReader reader;
+        const std::string silence(kLongestNdiReply, 'X');
+        reader.take(silence);
+        QVERIFY(!reader.next());
+        reader.take("YYY");
+        QCOMPARE(detailOf(reader.next()), std::string{"longer than any reply"});
+        QVERIFY(reader.isEmpty());
+        reader.take("OKAYA896\r");
+        QCOMPARE((*reader.next())->bytes, std::string{"OKAY"});
+    }
+
+    void readsErrorCodes()
+    {
+        const auto text = [](const char* bytes) { return NdiReply{NdiReply::Form::Text, bytes}; };
+        QCOMPARE(errorCode(text("ERROR2B")), std::optional<std::uint8_t>{0x2B});
+        QVERIFY(!errorCode(text("ERROR2")));
+        QVERIFY(!errorCode(text("ERROR2G")));
+        QVERIFY(!errorCode(text("OKAY")));
+        QVERIFY(!errorCode(NdiReply{NdiReply::Form::Binary, "ERROR2B"}));
+        QCOMPARE(errorMeaning(0x2B), std::string{"a port handle that is not allocated"});
+        QCOMPARE(errorMeaning(0xF4), std::string{"error F4"});
+    }
+};
+
+CARINA_TEST(NdiReplyTest)
+
+} // namespace carina::ndi_reply_test
+
+#include "tst_ndi_reply.moc"

@@ -1,0 +1,179 @@
+#include "engine/tracking/ndi/tool_definition.h"
+
+#include "tests/support/test_class.h"
+#include "tests/support/test_data.h"
+
+#include <QDir>
+#include <QFile>
+
+#include <algorithm>
+
+namespace carina::tool_definition_test
+{
+namespace
+{
+
+std::vector<std::byte> bytesOf(const QString& path)
+{
+    QFile file{path};
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QByteArray read = file.readAll();
+    const auto bytes = std::as_bytes(std::span{read.constData(), std::size_t(read.size())});
+    return {bytes.begin(), bytes.end()};
+}
+
+const std::vector<ToolMarker> kMarkers{{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}},
+                                       {{0.05, 0.0, 0.0}, {0.0, 0.0, 1.0}},
+                                       {{0.0, 0.08, 0.001}, {0.0, 0.0, 1.0}}};
+
+std::vector<std::byte> made()
+{
+    const auto tool =
+        NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, kMarkers, "Carina", "stylus-1");
+    return tool ? std::vector<std::byte>{tool->bytes().begin(), tool->bytes().end()}
+                : std::vector<std::byte>{};
+}
+
+/// With another byte, and the checksum that fits.
+std::vector<std::byte> changed(std::size_t at, std::uint8_t value)
+{
+    std::vector<std::byte> bytes = made();
+    bytes[at] = std::byte{value};
+    std::uint32_t sum = 0;
+    for (std::size_t i = 6; i < bytes.size(); ++i)
+        sum += std::to_integer<std::uint32_t>(bytes[i]);
+    bytes[4] = std::byte(sum & 0xFFU);
+    bytes[5] = std::byte((sum >> 8U) & 0xFFU);
+    return bytes;
+}
+
+Errc errorOf(const Result<NdiToolDefinition>& tool)
+{
+    return tool ? Errc::Cancelled : tool.error().code;
+}
+
+} // namespace
+
+class ToolDefinitionTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void readsWhatItMakes()
+    {
+        const auto tool = NdiToolDefinition::read(made());
+        QVERIFY(tool);
+        QCOMPARE(tool->kind(), std::uint8_t{2});
+        QCOMPARE(kindName(tool->kind()), std::string{"pointer"});
+        QCOMPARE(tool->maker(), std::string{"Carina"});
+        QCOMPARE(tool->partNumber(), std::string{"stylus-1"});
+        QCOMPARE(tool->fewestMarkers(), 3U);
+        QCOMPARE(inMillimetres(tool->largestMarkerError()), 2.0);
+        QCOMPARE(inDegrees(tool->largestMarkerAngle()), 90.0);
+        const auto markers = tool->markers();
+        QCOMPARE(markers.size(), kMarkers.size());
+        for (std::size_t i = 0; i < markers.size(); ++i) {
+            QVERIFY((markers[i].p_OQ - kMarkers[i].p_OQ).norm() < 1e-8);
+            QCOMPARE(markers[i].normal_O, kMarkers[i].normal_O);
+        }
+    }
+
+    void cutsNamesThatAreTooLong()
+    {
+        const auto tool =
+            NdiToolDefinition::make(NdiToolDefinition::Kind::Reference, kMarkers,
+                                    "a maker with a long name", "a part number that is too long");
+        QVERIFY(tool);
+        QCOMPARE(tool->maker(), std::string{"a maker with"});
+        QCOMPARE(tool->partNumber(), std::string{"a part number that i"});
+    }
+
+    void refusesWhatIsNoTool()
+    {
+        using Kind = NdiToolDefinition::Kind;
+        const std::span all{kMarkers};
+        const auto makeOf = [](std::span<const ToolMarker> markers) {
+            return errorOf(NdiToolDefinition::make(Kind::Pointer, markers, "", ""));
+        };
+        QCOMPARE(makeOf(all.first(2)), Errc::TooFewLandmarks);
+        QCOMPARE(makeOf(std::vector<ToolMarker>(21)), Errc::OutOfRange);
+        QCOMPARE(makeOf(std::vector<ToolMarker>(3)), Errc::DegenerateLandmarks);
+        const std::vector<ToolMarker> line{{{0, 0, 0}}, {{0.1, 0, 0}}, {{0.05, 0.0005, 0}}};
+        QCOMPARE(makeOf(line), Errc::DegenerateLandmarks);
+        const std::vector<ToolMarker> far{{{0, 0, 0}}, {{0.1, 0, 0}}, {{0, 2.1, 0}}};
+        QCOMPARE(makeOf(far), Errc::OutOfRange);
+    }
+
+    void refusesDamagedFiles_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<int>("code");
+        const auto row = [](const char* name, const std::vector<std::byte>& bytes, Errc code) {
+            QTest::newRow(name) << QByteArray{reinterpret_cast<const char*>(bytes.data()),
+                                              qsizetype(bytes.size())}
+                                << int(code);
+        };
+        row("nothing", {}, Errc::FileMalformed);
+        std::vector<std::byte> cut = made();
+        cut.pop_back();
+        row("a byte too few", cut, Errc::FileMalformed);
+        std::vector<std::byte> bit = made();
+        bit[100] ^= std::byte{1};
+        row("a bit", bit, Errc::FileMalformed);
+        row("another beginning", changed(0, 'M'), Errc::FileMalformed);
+        row("no markers", changed(28, 0), Errc::FileMalformed);
+        row("21 markers", changed(28, 21), Errc::FileMalformed);
+        row("a marker at a huge number", changed(72 + 3, 0x7F), Errc::OutOfRange);
+        row("a marker far away", changed(84 + 3, 0x47), Errc::OutOfRange);
+    }
+
+    void refusesDamagedFiles()
+    {
+        QFETCH(QByteArray, bytes);
+        QFETCH(int, code);
+        QCOMPARE(int(errorOf(NdiToolDefinition::read(
+                     std::as_bytes(std::span{bytes.constData(), std::size_t(bytes.size())})))),
+                 code);
+    }
+
+    void readsTheFilesOfOthers()
+    {
+        const auto folder = test::testData("tracker/rom");
+        if (!folder)
+            QSKIP("no tool definitions");
+        const QDir files{QString::fromStdString(*folder)};
+        const QStringList names = files.entryList({QStringLiteral("*.rom")});
+        QVERIFY(!names.empty());
+        for (const QString& name : names) {
+            const auto bytes = bytesOf(files.filePath(name));
+            const auto tool = NdiToolDefinition::read(bytes);
+            QVERIFY2(tool, qPrintable(name));
+            QVERIFY(std::ranges::equal(tool->bytes(), bytes));
+            QVERIFY(tool->markers().size() >= 3);
+        }
+    }
+
+    // The pointer of NDI has four markers in a row along z.
+    void readsThePointerOfNdi()
+    {
+        const auto file = test::testData("tracker/rom/8700340.rom");
+        if (!file)
+            QSKIP("no tool definitions");
+        const auto tool = NdiToolDefinition::read(bytesOf(QString::fromStdString(*file)));
+        QVERIFY(tool);
+        QCOMPARE(kindName(tool->kind()), std::string{"pointer"});
+        QCOMPARE(tool->partNumber(), std::string{"8700340"});
+        QCOMPARE(inMillimetres(tool->largestMarkerError()), 0.75);
+        std::vector<double> z_mm;
+        for (const ToolMarker& marker : tool->markers())
+            z_mm.push_back(std::round(1e3 * marker.p_OQ.z()));
+        QCOMPARE(z_mm, (std::vector{0.0, 50.0, 100.0, 135.0}));
+    }
+};
+
+CARINA_TEST(ToolDefinitionTest)
+
+} // namespace carina::tool_definition_test
+
+#include "tst_tool_definition.moc"

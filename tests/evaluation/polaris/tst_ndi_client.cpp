@@ -1,0 +1,342 @@
+#include "engine/tracking/ndi/ndi_client.h"
+
+#include "evaluation/polaris/polaris_device.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina::ndi_client_test
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+constexpr double kTextPosition = 6e-6; // m: half of the last digit of TX, and what follows from it
+constexpr double kBinaryPosition = 1e-7;
+
+NdiWantedTool wireless(const std::string& name)
+{
+    const std::vector<ToolMarker> markers{{{0, 0, 0}}, {{0.05, 0, 0}}, {{0, 0.08, 0}}};
+    return {
+        name,
+        NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markers, "Carina", name).value()};
+}
+
+/// Moves along x at 100 mm/s, half a metre before the origin of T, and turns about z.
+PolarisPose truth(LocalTime t)
+{
+    const double s = toSeconds(t.time_since_epoch());
+    return {Quat{Eigen::AngleAxisd{0.5 * s, Vec3::UnitZ()}}, Vec3{100.0 * s, -50.0, -1500.0}, 0.2};
+}
+
+/// A client and a device at the two ends of a line, in virtual time.
+class Line
+{
+public:
+    Line(NdiClientSettings client, PolarisDevice::Settings device)
+        : m_client{std::move(client)},
+          m_device{std::move(device),
+                   [this](const std::string& tool, LocalTime t) -> std::optional<PolarisPose> {
+                       if (tool == m_hidden)
+                           return std::nullopt;
+                       return truth(t);
+                   }}
+    {
+    }
+
+    [[nodiscard]] NdiClient& client() { return m_client; }
+    [[nodiscard]] PolarisDevice& device() { return m_device; }
+    [[nodiscard]] LocalTime now() const { return m_now; }
+    void hide(const std::string& tool) { m_hidden = tool; }
+    void plug(bool isPlugged) { m_isPlugged = isPlugged; }
+    void passBreaks(bool passes) { m_passesBreaks = passes; }
+
+    /// The device was set to this rate by somebody before.
+    void leaveAt(int rate)
+    {
+        const std::string command = rate == 115200 ? "COMM:500000048\r" : "COMM:000000084\r";
+        static_cast<void>(m_device.take(std::as_bytes(std::span{command}), m_device.rate(), m_now));
+    }
+
+    void start()
+    {
+        m_client.start(m_now);
+        act();
+    }
+
+    /// As after it was switched off and on: all that was under way is lost.
+    void powerCycle() { m_underWay = {m_device.reset(m_now)}; }
+
+    /// @returns the measurements in this time.
+    std::vector<NdiMeasurement> run(Duration time)
+    {
+        const LocalTime end = m_now + time;
+        std::vector<NdiMeasurement> measured;
+        while (m_now < end) {
+            LocalTime next = std::min(end, m_client.nextWake());
+            for (const PolarisDevice::Reply& reply : m_underWay)
+                next = std::min(next, reply.at);
+            m_now = std::max(next, m_now + 1us);
+            deliver();
+            act();
+            for (NdiMeasurement& each : m_client.takeMeasurements())
+                measured.push_back(std::move(each));
+        }
+        return measured;
+    }
+
+private:
+    void deliver()
+    {
+        std::string arrived;
+        for (const PolarisDevice::Reply& reply : m_underWay)
+            if (reply.at <= m_now)
+                arrived += reply.bytes;
+        std::erase_if(m_underWay, [this](const auto& reply) { return reply.at <= m_now; });
+        if (m_isPlugged && !arrived.empty())
+            m_client.take(std::as_bytes(std::span{arrived}), m_now);
+    }
+
+    void act()
+    {
+        const NdiPortAction action = m_client.advance(m_now);
+        m_hostRate = action.rate.value_or(m_hostRate);
+        if (!m_isPlugged)
+            return;
+        if (action.sendBreak && m_passesBreaks)
+            m_underWay = {m_device.takeBreak(m_now)};
+        for (PolarisDevice::Reply& reply :
+             m_device.take(std::as_bytes(std::span{action.bytes}), m_hostRate, m_now))
+            m_underWay.push_back(std::move(reply));
+    }
+
+    LocalTime m_now{10s};
+    NdiClient m_client;
+    PolarisDevice m_device;
+    std::vector<PolarisDevice::Reply> m_underWay;
+    std::string m_hidden;
+    int m_hostRate = 9600;
+    bool m_isPlugged = true;
+    bool m_passesBreaks = true;
+};
+
+NdiClientSettings threeTools(NdiPoseReply poses, int rate)
+{
+    return {.tools = {wireless("head"), wireless("tube"), wireless("stylus")},
+            .poses = poses,
+            .rates = {rate}};
+}
+
+} // namespace
+
+/// The client against a device that shares no code with it.
+class NdiClientTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tracksWhatTheDeviceSees_data()
+    {
+        QTest::addColumn<int>("poses");
+        QTest::addColumn<double>("tolerance");
+        QTest::newRow("TX") << int(NdiPoseReply::Tx) << kTextPosition;
+        QTest::newRow("BX") << int(NdiPoseReply::Bx) << kBinaryPosition;
+        QTest::newRow("BX2") << int(NdiPoseReply::Bx2) << kBinaryPosition;
+    }
+
+    void tracksWhatTheDeviceSees()
+    {
+        QFETCH(int, poses);
+        QFETCH(double, tolerance);
+        Line line{threeTools(NdiPoseReply(poses), 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.client().trouble(), std::string{});
+        QCOMPARE(line.device().rate(), 115200);
+        const auto measured = line.run(2s);
+        QVERIFY(measured.size() > 100);
+        for (const NdiMeasurement& each : measured) {
+            QCOMPARE(each.tools.size(), std::size_t{3});
+            for (const auto& tool : each.tools) {
+                QVERIFY(tool && tool->X_TO);
+                // The device states the pose of the exposure, whose time the client estimates: x
+                // tells the true one.
+                const double exposed = tool->X_TO->translation().x() / 0.1;
+                const Vec3 p_T = 1e-3 * truth(LocalTime{fromSeconds(exposed)}).p_mm;
+                QVERIFY((tool->X_TO->translation() - p_T).norm() < tolerance);
+                QVERIFY(std::abs(tool->error - 0.2e-3) < 1e-7);
+                QCOMPARE(tool->sight, NdiSight::Tracked);
+            }
+        }
+    }
+
+    // 16.7 ms between exposures: a reply is asked for at some time within.
+    void stampsTheExposureLessTheTransfer_data() { tracksWhatTheDeviceSees_data(); }
+
+    void stampsTheExposureLessTheTransfer()
+    {
+        QFETCH(int, poses);
+        Line line{threeTools(NdiPoseReply(poses), 57600), {}};
+        line.start();
+        static_cast<void>(line.run(8s));
+        const auto measured = line.run(5s);
+        QVERIFY(measured.size() > 100);
+        for (const NdiMeasurement& each : measured) {
+            const double exposed = each.tools[0]->X_TO->translation().x() / 0.1;
+            const double late = toSeconds(each.exposed.time_since_epoch()) - exposed;
+            // TX at 57600 takes 40 ms on the wire, which must not be in the stamp.
+            QVERIFY2(late >= -1e-4 && late <= 1.0 / 60.0 + 0.001,
+                     qPrintable(QString::number(late)));
+        }
+    }
+
+    void threeToolsComeAtSixtyHertzAlsoWhileOneIsHidden()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QVERIFY(line.run(10s).size() >= 590);
+        line.hide("tube");
+        const auto measured = line.run(10s);
+        QVERIFY(measured.size() >= 590);
+        QCOMPARE(measured.back().tools[1]->sight, NdiSight::Missing);
+        QVERIFY(!measured.back().tools[1]->X_TO);
+        QVERIFY(measured.back().tools[0]->X_TO);
+    }
+
+    void noExposureIsPassedOnTwice()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 921600), {.exposuresPerSecond = 20.0}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        const auto measured = line.run(5s);
+        QVERIFY(std::abs(double(measured.size()) - 100.0) <= 1.0);
+    }
+
+    void wiredToolsAreTakenInTheOrderOfTheirPorts()
+    {
+        Line line{{.tools = {{"probe"}, wireless("tube"), {"second probe"}, {"third"}},
+                   .rates = {115200}},
+                  {.wiredTools = 2}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.client().trouble(), std::string{"third: nothing is plugged in for it"});
+        line.hide("wired 2");
+        const auto measured = line.run(1s);
+        const auto& tools = measured.back().tools;
+        QVERIFY(tools[0]->X_TO && tools[1]->X_TO);
+        QVERIFY(tools[2] && !tools[2]->X_TO);
+        QVERIFY(!tools[3]);
+    }
+
+    void takesTheBestRateThatBothSidesHold()
+    {
+        Line line{{.tools = {wireless("tube")}, .rates = {921600, 230400, 38400, 9600}},
+                  {.rates = {9600, 19200, 38400}}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 38400);
+    }
+
+    void comesBackAfterThePowerWasCycled()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.powerCycle();
+        static_cast<void>(line.run(2s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QVERIFY(line.run(1s).size() >= 58);
+    }
+
+    void comesBackAfterTheCableWasPulled()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.plug(false);
+        QVERIFY(line.run(4s).empty());
+        QCOMPARE(line.client().phase() == NdiClient::Phase::Tracking, false);
+        line.plug(true);
+        static_cast<void>(line.run(6s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QVERIFY(line.run(1s).size() >= 58);
+    }
+
+    void saysThatADeviceDoesNotAnswer()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.plug(false);
+        line.start();
+        static_cast<void>(line.run(3s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Silent);
+        QCOMPARE(line.client().trouble(), std::string{"it does not answer"});
+    }
+
+    void resetsByCommandWhereABreakDoesNotPass_data()
+    {
+        QTest::addColumn<int>("rate");
+        for (const int rate : {9600, 115200})
+            QTest::addRow("left at %d", rate) << rate;
+    }
+
+    void resetsByCommandWhereABreakDoesNotPass()
+    {
+        QFETCH(int, rate);
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.passBreaks(false);
+        line.leaveAt(rate);
+        line.start();
+        static_cast<void>(line.run(8s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
+    }
+
+    void damagedRepliesCostOneExposureEach()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        const std::size_t before = line.client().damagedReplies();
+        line.device().faults().corruptsNext = true;
+        QVERIFY(line.run(1s).size() >= 40); // of 60, less a quarter of a second of waiting
+        QVERIFY(line.client().damagedReplies() > before);
+        line.device().faults().cutsNext = true;
+        QVERIFY(line.run(1s).size() >= 40);
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+    }
+
+    void worksWithoutARateOverANetwork()
+    {
+        NdiClientSettings settings = threeTools(NdiPoseReply::Bx2, 9600);
+        settings.isSerial = false;
+        Line line{settings, {.hasRate = false}};
+        line.start();
+        static_cast<void>(line.run(1s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QVERIFY(line.run(1s).size() >= 59);
+    }
+
+    void leavesTheDeviceIdle()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QVERIFY(line.device().isTracking());
+        const std::string farewell = NdiClient::farewell();
+        static_cast<void>(
+            line.device().take(std::as_bytes(std::span{farewell}), 115200, line.now()));
+        QVERIFY(!line.device().isTracking());
+    }
+};
+
+CARINA_TEST(NdiClientTest)
+
+} // namespace carina::ndi_client_test
+
+#include "tst_ndi_client.moc"

@@ -4,6 +4,7 @@
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/plain_name.h"
 #include "engine/session/participant_limits.h"
+#include "engine/session/people_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
 
 #include <algorithm>
@@ -120,28 +121,33 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
         body);
 }
 
-/// What a trainee may do: share what is their own, ask for what is not, and say when the manikin of
-/// their station breathes and how their own registration stands. An observer may do nothing.
+/// What a trainee may do: share what is their own, ask for what is not, say when the manikin of
+/// their station breathes and how their own registration stands, pass on the work that they do, and
+/// choose where others see them. An observer may do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
     return std::visit(
-        Overloaded{[&](const fact::ObjectShared& f) {
-                       const auto known = state.objects().find(f.object);
-                       return author.role == Role::Trainee && f.owner == author.id
-                              && (known == state.objects().end()
-                                  || known->second.owner == author.id);
-                   },
-                   [&](const fact::ObjectHandedOver& f) {
-                       return author.role == Role::Trainee
-                              && state.objects().at(f.object).owner == author.id;
-                   },
-                   [&](const fact::ObjectWanted&) { return author.role == Role::Trainee; },
-                   [&](const fact::ManikinBreathed&) {
-                       return author.role == Role::Trainee && author.station == station;
-                   },
-                   [&](const fact::RegistrationStated&) { return author.role == Role::Trainee; },
-                   [](const auto&) { return false; }},
+        Overloaded{
+            [&](const fact::ObjectShared& f) {
+                const auto known = state.objects().find(f.object);
+                return author.role == Role::Trainee && f.owner == author.id
+                       && (known == state.objects().end() || known->second.owner == author.id);
+            },
+            [&](const fact::ObjectHandedOver& f) {
+                return author.role == Role::Trainee
+                       && state.objects().at(f.object).owner == author.id;
+            },
+            [&](const fact::ObjectWanted&) { return author.role == Role::Trainee; },
+            [&](const fact::ManikinBreathed&) {
+                return author.role == Role::Trainee && author.station == station;
+            },
+            [&](const fact::RegistrationStated&) { return author.role == Role::Trainee; },
+            [&](const fact::WorkTaken& f) { return mayPassOnWork(state, author, station, f); },
+            [&](const fact::PlaceChosen& f) {
+                return author.role == Role::Trainee && f.participant == author.id;
+            },
+            [](const auto&) { return false; }},
         body);
 }
 
@@ -320,6 +326,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
     const Result<void> verdict =
         settleIds(m_state, fact.body)
             .and_then([&] { return checkNamed(m_state, fact.body); })
+            .and_then([&] { return checkPeople(m_state, fact.station, fact.body); })
             .and_then(
                 [&] { return checkPermission(m_state, fact.author, fact.station, fact.body); })
             .and_then([&] { return checkMoment(m_state, fact.body); })

@@ -40,16 +40,18 @@ public:
     ///        everything, a participant not yet admitted (kNobody) may join, instructors may
     ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined,
     ///        ParticipantLeft and TokenReplaced, trainees may share objects as themselves, hand
-    ///        these over, ask for ownership, report breaths of the manikin at their station and
-    ///        state how their registration stands, observers may propose nothing and own nothing,
-    ///        and who is muted nothing either.
+    ///        these over, ask for ownership, report breaths of the manikin at their station, state
+    ///        how their registration stands, take up work that nobody does there, pass on their own
+    ///        and choose where others see them, observers may propose nothing and own nothing, and
+    ///        who is muted nothing either.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
     ///          participant may share, and where the host or the last instructor is to be muted or
     ///          removed; Muted; SessionFull, NameUnclear, SessionLocked and Banned for a join;
     ///          SessionEnded after the end, except for facts about participants, entry and shared
     ///          objects; OutOfRange for a parameter outside the range of a patient, an unknown
     ///          station, participant or object, and a phase that cannot follow the present one;
-    ///          OwnerChanged for an object that has changed its owner meanwhile.
+    ///          OwnerChanged for an object that has changed its owner meanwhile, and for work that
+    ///          another has taken meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,
                                      Duration slowestPath) const;
 

@@ -42,7 +42,9 @@ struct SessionState::Applier {
         const Participant* before = known(body.participant);
         Participant joined{body.participant, body.role, body.name, around.station, true};
         joined.muted = before && before->muted;
+        joined.turn = before ? before->turn : Angle{};
         state.m_participants.insert_or_assign(body.participant, std::move(joined));
+        takeUpWork(body.participant);
     }
     void operator()(const fact::ParticipantLeft& body) const { leave(body.participant); }
     void operator()(const fact::ParticipantMuted& body) const
@@ -74,7 +76,22 @@ struct SessionState::Applier {
         if (Participant* participant = known(around.author))
             participant->registration = body.standing;
     }
+    void operator()(const fact::WorkTaken& body) const
+    {
+        if (Station* station = ofFact())
+            station->worker = body.participant;
+    }
+    void operator()(const fact::PlaceChosen& body) const
+    {
+        if (Participant* participant = known(body.participant))
+            participant->turn = body.turn;
+    }
     void operator()(const fact::ObjectShared& body) const
+    {
+        share(body);
+        takeUpWork(body.owner);
+    }
+    void share(const fact::ObjectShared& body) const
     {
         const auto [place, added] = state.m_objects.try_emplace(
             body.object,
@@ -161,6 +178,21 @@ struct SessionState::Applier {
             station->respiration.addCheckpoint({body.at, body.state});
     }
 
+    /// A trainee who has a tube at a station where nobody is at work is at work there.
+    void takeUpWork(ParticipantId id) const
+    {
+        const Participant* participant = known(id);
+        if (participant == nullptr || participant->role != Role::Trainee)
+            return;
+        const StationId where = participant->station;
+        const auto station = state.m_stations.find(where);
+        const bool hasTube = std::ranges::any_of(state.m_objects, [&](const auto& entry) {
+            const SharedObject& object = entry.second;
+            return object.owner == id && object.station == where && object.kind == ObjectKind::Tube;
+        });
+        if (station != state.m_stations.end() && hasTube && state.atWork(where) == kNobody)
+            station->second.worker = id;
+    }
     void leave(ParticipantId id) const
     {
         if (Participant* participant = known(id))
@@ -186,6 +218,17 @@ struct SessionState::Applier {
         return station == state.m_stations.end() ? nullptr : &station->second;
     }
 };
+
+ParticipantId SessionState::atWork(StationId station) const
+{
+    const auto place = m_stations.find(station);
+    if (place == m_stations.end())
+        return kNobody;
+    const auto worker = m_participants.find(place->second.worker);
+    const bool isThere = worker != m_participants.end() && worker->second.present
+                         && worker->second.station == station;
+    return isThere ? worker->first : kNobody;
+}
 
 std::string removalText(const SessionState& state, const Removal& removal)
 {

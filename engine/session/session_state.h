@@ -33,6 +33,7 @@ struct Participant {
     std::optional<SessionTime> tokenReplaced{};
     /// As its program states it; of this stay. Nothing for a program without a tracker.
     std::optional<RegistrationStanding> registration{};
+    Angle turn{}; ///< of the place where others see them (fact::PlaceChosen)
 };
 
 struct SharedObject {
@@ -52,6 +53,7 @@ struct Station {
     std::string anatomyHash;
     std::string anatomyName;
     RespirationTimeline respiration;
+    ParticipantId worker = kNobody; ///< who took up the work last, and may have gone
 };
 
 /// Everything that follows from the facts so far, the same at every node. A value: it is copied to
@@ -83,6 +85,11 @@ public:
     }
     [[nodiscard]] const std::map<ObjectId, SharedObject>& objects() const { return m_objects; }
     [[nodiscard]] const std::map<StationId, Station>& stations() const { return m_stations; }
+
+    /// Who is at work at a station: whoever took up the work last, while they are there; else
+    /// kNobody. A trainee who has a tube there takes up the work that nobody does, by sharing the
+    /// tube and by coming in again; otherwise fact::WorkTaken decides.
+    [[nodiscard]] ParticipantId atWork(StationId station) const;
 
 private:
     struct Applier;

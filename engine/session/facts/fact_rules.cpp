@@ -114,6 +114,11 @@ struct BodyCheck {
     {
         return checkStanding(f.standing);
     }
+    Result<void> operator()(const fact::WorkTaken&) const { return {}; }
+    Result<void> operator()(const fact::PlaceChosen& f) const
+    {
+        return checkNumber("turn", inDegrees(f.turn), -180.0, 180.0, " deg");
+    }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

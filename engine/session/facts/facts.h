@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
 #include "engine/session/facts/conduct_facts.h"
+#include "engine/session/facts/people_facts.h"
 #include "engine/session/facts/registration_facts.h"
 #include "engine/session/respiration/respiration_facts.h"
 #include "engine/sync/strategies/strategy_choice.h"
@@ -23,6 +24,7 @@ enum class ObjectKind : std::uint8_t {
     Tube,
     Stylus,
     Patient, ///< the virtual patient as drawn; not tracked, moved by actions
+    Hand,
 };
 
 /// The kinds of facts: what may be decided or happen in a session. Station, author and effect time
@@ -127,7 +129,8 @@ using FactBody = std::variant<
     fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
     fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet,
     fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
-    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated>;
+    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
+    fact::WorkTaken, fact::PlaceChosen>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

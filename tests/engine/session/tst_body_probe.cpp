@@ -42,7 +42,8 @@ struct Scene {
         case ToolRole::Head:
         case ToolRole::Stylus:
         case ToolRole::Chest:
-        case ToolRole::Other:
+        case ToolRole::Hand:
+    case ToolRole::Other:
             break;
         }
         return std::nullopt;

@@ -131,6 +131,28 @@ void TestSessionPermissions::permitsByRole_data()
     row("asks for it no more", "yyynnn", [](auto) {
         return fact::ObjectWanted{kSampleTube, false};
     });
+    // The one at work in this session is the trainee, who has its tube.
+    row("takes the work, or keeps its own", "nyynnn", [](auto id) {
+        return fact::WorkTaken{id, kSampleTrainee};
+    });
+    row("gives the work to the other trainee", "yyynnn", [](auto) {
+        return fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee};
+    });
+    row("gives the work to an observer", "nnnnnn", [](auto) {
+        return fact::WorkTaken{kSampleObserver, kSampleTrainee};
+    });
+    row("gives the work to nobody", "nnnnnn", [](auto) {
+        return fact::WorkTaken{kNobody, kSampleTrainee};
+    });
+    row("chooses its own place", "nyynnn", [](auto id) {
+        return fact::PlaceChosen{id, degrees(90.0)};
+    });
+    row("chooses the place of the other trainee", "yynnnn", [](auto) {
+        return fact::PlaceChosen{kSampleOtherTrainee, degrees(90.0)};
+    });
+    QTest::newRow("other trainee takes the work from who is at work")
+        << FactBody{fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}}
+        << int(kSampleOtherTrainee.value) << false;
     QTest::newRow("other trainee takes the tube")
         << FactBody{fact::ObjectHandedOver{kSampleTube, kSampleOtherTrainee, 1}}
         << int(kSampleOtherTrainee.value) << false;
@@ -190,6 +212,8 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("state a registration", fact::RegistrationStated{}, "fine");
     row("station", fact::StationAdded{"S"}, "session ended");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "session ended");
+    row("work", fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}, "session ended");
+    row("place", fact::PlaceChosen{kSampleTrainee, {}}, "session ended");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "session ended");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "session ended");
@@ -315,6 +339,8 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine",
         "out of range");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "out of range");
+    row("work", fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}, "fine", "out of range");
+    row("place", fact::PlaceChosen{kSampleTrainee, {}}, "fine", "out of range");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "out of range");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "out of range");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "out of range");

@@ -84,6 +84,13 @@ std::vector<Golden> goldenFacts()
         {"registration stated",
          fact::RegistrationStated{{RegistrationState::Stale, StaleReason::Drift, metres(0.5)}},
          "1b 04 0a 000000000000e03f"},
+        {"work taken", fact::WorkTaken{ParticipantId{0x0102}, ParticipantId{0x0304}},
+         "1c 0201 0403"},
+        {"work that nobody did", fact::WorkTaken{ParticipantId{2}, kNobody}, "1c 0200 ffff"},
+        {"place chosen", fact::PlaceChosen{ParticipantId{0x0102}, radians(0.25)},
+         "1d 0201 000000000000d03f"},
+        {"hand shared", fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Hand, ""},
+         "06 0100 0200 05 00"},
     };
 }
 
@@ -134,11 +141,11 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 28", "1c", "kind of fact 28");
+    row("kind 30", "1e", "kind of fact 30");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
-    row("object kind 5", "06 0100 0100 05 00", "fact of kind 6: enumerator");
+    row("object kind 6", "06 0100 0100 06 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");

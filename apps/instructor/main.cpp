@@ -247,15 +247,16 @@ Result<int> run(const QCommandLineParser& parser)
     BreathingModel breathing{session, kStation};
     ParticipantsModel participants{session};
     ConductModel conduct{session};
+    PeopleModel people{session, kStation};
     NetworkModel network{session};
     SharedObjectModel object{session, kStation};
     ObjectActionModel actions{object};
     RespirationModel respiration{session, kStation};
     BreathTrace trace{session, kStation};
     const CheckpointKeeper checkpoints{**node};
-    StationView view{**node, kStation, patient->model->lungs(), posesOf(**node, kStation)};
-    InstructorWindow window{session, breathing, respiration, trace,           participants,
-                            conduct, network,   actions,     *patient->model, view};
+    StationView view{**node, kStation, patient->model->lungs()};
+    InstructorWindow window{session, breathing, respiration, trace,           participants, conduct,
+                            people,  network,   actions,     *patient->model, view};
     window.resize(options->size);
     window.show();
     const auto journal =

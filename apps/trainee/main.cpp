@@ -248,12 +248,12 @@ Result<int> run(const QCommandLineParser& parser)
     SessionModel session{station.node()};
     SharedObjectModel object{session, kStation};
     ObjectActionModel actions{object};
+    PeopleModel people{session, kStation};
     SessionPatient sessionPatient{station.node(), kStation, patient->model,
                                   AnatomyCache::defaultFolder()};
-    TraineeWindow window{station.node(), sessionPatient,
-                         station.view(), *headset,
-                         *output,        station.chinProbe(),
-                         actions,        [&station] { return station.standing(); }};
+    TraineeWindow window{station.node(), sessionPatient, station.view(),
+                         *headset,       *output,        station.chinProbe(),
+                         actions,        people,         [&station] { return station.standing(); }};
     sessionPatient.follow([&](const SharedPatientModel& another) {
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });

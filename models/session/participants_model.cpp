@@ -242,6 +242,8 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
                 .name = QString::fromStdString(participant.name),
                 .role = roleText(participant.role),
                 .state = stateText(participant, links)};
+        if (participant.present && state->atWork(participant.station) == id)
+            row.role = tr("%1, at work").arg(row.role);
         if (participant.removal && !participant.present)
             row.reason =
                 tr("Removed by %1")

@@ -1,6 +1,8 @@
 #include "ui/instructor/instructor_window.h"
 
 #include "models/errors/error_text.h"
+#include "models/station/people_words.h"
+#include "ui/panels/people_menus.h"
 #include "ui_instructor_window.h"
 
 #include <QShowEvent>
@@ -52,12 +54,14 @@ void reserve(const QToolBar& bar, QAction& action, const QString& longest)
 InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
                                    RespirationModel& respiration, BreathTrace& trace,
                                    ParticipantsModel& participants, ConductModel& conduct,
-                                   NetworkModel& network, ObjectActionModel& actions,
-                                   const PatientModel& patient, StationView& view)
+                                   PeopleModel& people, NetworkModel& network,
+                                   ObjectActionModel& actions, const PatientModel& patient,
+                                   StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_respiration{respiration},
       m_participants{participants},
+      m_people{people},
       m_phase{new QLabel{this}},
       m_status{new QLabel{this}}
 {
@@ -66,7 +70,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);
     m_ui->waveforms->setTrace(trace);
-    m_ui->participants->setModel(participants, conduct);
+    m_ui->participants->setModel(participants, conduct, people);
     m_ui->network->setModel(network);
     refreshInvitation();
     connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &conduct, &ConductModel::changeCode);
@@ -88,6 +92,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
         tr("Oldest sample: time since the oldest pose now drawn was measured (latency)"));
     fillSessionBar();
     connectViews(view);
+    addEyes();
 
     connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};
@@ -166,6 +171,31 @@ void InstructorWindow::connectViews(StationView& view)
             [&view](double factor) { view.exaggerate(factor); });
 }
 
+void InstructorWindow::addEyes()
+{
+    auto* menu = new EyesMenu{m_people, tr("Through the eyes of"), this};
+    m_ui->eyes->setMenu(menu);
+    connect(menu, &EyesMenu::chosen, this, [this](std::optional<ParticipantId> participant) {
+        m_stationScene->seeThrough(participant);
+        refreshPeople();
+    });
+    // A view of the own camera is also chosen by where it stands.
+    for (QToolButton* preset : {m_ui->front, m_ui->side, m_ui->head})
+        connect(preset, &QToolButton::clicked, menu, [this, menu] {
+            menu->setChosen(std::nullopt);
+            m_stationScene->seeThrough(std::nullopt);
+            refreshPeople();
+        });
+}
+
+void InstructorWindow::refreshPeople()
+{
+    QStringList told{m_people.workText()};
+    if (const auto& eyes = m_stationScene->throughEyesOf())
+        told += throughEyesText(*m_session.node().state(), m_stationScene->moment(), *eyes);
+    m_ui->peopleState->setText(told.join(QStringLiteral("      ")));
+}
+
 void InstructorWindow::endOnSecondPress()
 {
     if (m_endAsked) {
@@ -195,6 +225,7 @@ void InstructorWindow::refresh()
     m_ui->end->setEnabled(m_session.canEnd());
     m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
     refreshInvitation();
+    refreshPeople();
     refreshStatus();
 }
 

@@ -7,6 +7,7 @@
 #include "models/respiration/respiration_model.h"
 #include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
+#include "models/session/people_model.h"
 #include "models/session/session_model.h"
 #include "ui/scene/station_scene.h"
 
@@ -33,8 +34,9 @@ public:
     /// @pre all outlive the window.
     InstructorWindow(SessionModel& session, BreathingModel& breathing,
                      RespirationModel& respiration, BreathTrace& trace,
-                     ParticipantsModel& participants, ConductModel& conduct, NetworkModel& network,
-                     ObjectActionModel& actions, const PatientModel& patient, StationView& view);
+                     ParticipantsModel& participants, ConductModel& conduct, PeopleModel& people,
+                     NetworkModel& network, ObjectActionModel& actions, const PatientModel& patient,
+                     StationView& view);
     ~InstructorWindow() override;
 
     [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
@@ -46,6 +48,8 @@ private:
     void fillSessionBar();
     void layDocks();
     void connectViews(StationView& view);
+    void addEyes();
+    void refreshPeople();
     void refreshInvitation();
     void endOnSecondPress();
     void refresh();
@@ -55,6 +59,7 @@ private:
     SessionModel& m_session;
     const RespirationModel& m_respiration;
     ParticipantsModel& m_participants;
+    PeopleModel& m_people;
     std::unique_ptr<StationScene> m_stationScene;
     QLabel* m_phase;
     QLabel* m_status;

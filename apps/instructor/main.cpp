@@ -286,6 +286,7 @@ Result<int> run(const QCommandLineParser& parser)
     BreathingModel breathing{session, first};
     ParticipantsModel participants{session};
     ConductModel conduct{session};
+    PeopleModel people{session, first};
     NetworkModel network{session};
     SharedObjectModel object{session, first};
     ObjectActionModel actions{object};
@@ -293,8 +294,9 @@ Result<int> run(const QCommandLineParser& parser)
     BreathTrace trace{session, first};
     const CheckpointKeeper checkpoints{**node};
     ShownStation shown{**node, first, patient->model};
-    InstructorWindow window{session, breathing, respiration, trace,           participants, conduct,
-                            network, actions,   stations,    shown.patient(), shown.view()};
+    InstructorWindow window{session,      breathing, respiration,     trace,
+                            participants, conduct,   people,          network,
+                            actions,      stations,  shown.patient(), shown.view()};
     shown.onShown(
         [&window](const PatientModel& another, StationView& view) { window.show(another, view); });
     window.resize(options->size);
@@ -305,6 +307,7 @@ Result<int> run(const QCommandLineParser& parser)
     QObject::connect(&stations, &StationsModel::shownChanged, &stations, [&](StationId now) {
         breathing.setStation(now);
         object.setStation(now);
+        people.setStation(now);
         respiration.setStation(now);
         trace.setStation(now);
         shown.setStation(now);

@@ -11,8 +11,7 @@ ShownStation::ShownStation(SessionNode& node, StationId station, SharedPatientMo
     : m_node{node},
       m_station{station},
       m_patient{node, station, std::move(first), AnatomyCache::defaultFolder()},
-      m_view{std::make_unique<StationView>(node, station, m_patient.patient()->lungs(),
-                                           posesOf(node, station))}
+      m_view{std::make_unique<StationView>(node, station, m_patient.patient()->lungs())}
 {
 }
 
@@ -29,15 +28,14 @@ void ShownStation::setStation(StationId station)
 {
     m_station = station;
     if (isDrawn())
-        m_view->setStation(station, posesOf(m_node, station));
+        m_view->setStation(station);
     m_patient.setStation(station);
 }
 
 void ShownStation::onShown(std::function<void(const PatientModel&, StationView&)> callback)
 {
     m_patient.follow([this, callback = std::move(callback)](const SharedPatientModel& another) {
-        auto view = std::make_unique<StationView>(m_node, m_station, another->lungs(),
-                                                  posesOf(m_node, m_station));
+        auto view = std::make_unique<StationView>(m_node, m_station, another->lungs());
         callback(*another, *view);
         m_view = std::move(view);
         return Result<void>{};

@@ -9,6 +9,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <utility>
+
 namespace carina::program
 {
 namespace
@@ -43,6 +45,12 @@ QJsonObject registrations(const SessionState& state)
     return stated;
 }
 
+QJsonArray placeInMillimetres(const Vec3& p)
+{
+    const Vec3 p_mm = 1e3 * p;
+    return {p_mm.x(), p_mm.y(), p_mm.z()};
+}
+
 void addPatient(QJsonObject& line, const StationMoment& moment, const SharedObject* patient)
 {
     if (patient)
@@ -50,24 +58,45 @@ void addPatient(QJsonObject& line, const StationMoment& moment, const SharedObje
     if (!moment.patient)
         return;
     const ActedPose& acted = moment.patient->acted;
-    const Vec3 p_mm = 1e3 * acted.X_AO.translation();
     const Quat& q = acted.X_AO.rotation();
     line[QStringLiteral("patient_rate")] = moment.patient->rate;
-    line[QStringLiteral("patient_xyz_mm")] = QJsonArray{p_mm.x(), p_mm.y(), p_mm.z()};
+    line[QStringLiteral("patient_xyz_mm")] = placeInMillimetres(acted.X_AO.translation());
     line[QStringLiteral("patient_q_xyzw")] = QJsonArray{q.x(), q.y(), q.z(), q.w()};
     line[QStringLiteral("patient_size")] = acted.scale;
 }
 
+QJsonObject frameOf(const DrawnFrame& drawn, const StationMoment& moment)
+{
+    QJsonArray objects;
+    for (const ObjectInFrame& object : objectsIn(drawn.frame, moment)) {
+        const Quat& q = object.X_AO.rotation();
+        objects.append(
+            QJsonObject{{QStringLiteral("object"), object.object.value},
+                        {QStringLiteral("owner"), object.owner.value},
+                        {QStringLiteral("kind"), int(object.kind)},
+                        {QStringLiteral("own"), object.isOwn},
+                        {QStringLiteral("xyz_mm"), placeInMillimetres(object.X_AO.translation())},
+                        {QStringLiteral("q_xyzw"), QJsonArray{q.x(), q.y(), q.z(), q.w()}}});
+    }
+    return {{QStringLiteral("session_ns"), qint64(moment.time.time_since_epoch().count())},
+            {QStringLiteral("objects"), objects}};
+}
+
 } // namespace
 
-Journal::Journal(const SessionNode& node, StationId station, const StationScene& scene)
+Journal::Journal(const SessionNode& node, StationId station, StationScene& scene)
     : m_node{node}, m_station{station}, m_scene{scene}
 {
+    scene.onFrameDrawn(
+        [kept = std::weak_ptr{m_frames}](const DrawnFrame& drawn, const StationMoment& moment) {
+            if (const auto frames = kept.lock(); frames && moment.time != SessionTime{})
+                frames->append(frameOf(drawn, moment));
+        });
     QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { writeLine(); });
 }
 
 Result<std::unique_ptr<Journal>> Journal::open(const QString& path, const SessionNode& node,
-                                               StationId station, const StationScene& scene)
+                                               StationId station, StationScene& scene)
 {
     std::unique_ptr<Journal> journal{new Journal{node, station, scene}};
     journal->m_file.setFileName(path);
@@ -82,8 +111,10 @@ void Journal::writeLine()
     const SessionTime shown = m_scene.moment().time;
     const auto state = m_node.state();
     const auto station = state->stations().find(m_station);
-    if (shown == SessionTime{} || station == state->stations().end())
+    if (shown == SessionTime{} || station == state->stations().end()) {
+        *m_frames = {};
         return; // nothing of a session is on the screen yet
+    }
     const BreathingPattern pattern = station->second.respiration.settingsAt(shown).pattern;
     const auto& lungs = m_scene.moment().breathing.lungs;
     const auto nanoseconds = [](auto time) { return qint64(time.time_since_epoch().count()); };
@@ -100,7 +131,8 @@ void Journal::writeLine()
         {QStringLiteral("breathing_rate_per_min"), inPerMinute(pattern.rate)},
         {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
         {QStringLiteral("right_lung_ml"), inMillilitres(lungs[0].gas)},
-        {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)}};
+        {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)},
+        {QStringLiteral("frames"), std::exchange(*m_frames, QJsonArray{})}};
     line[QStringLiteral("registrations")] = registrations(*state);
     addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
@@ -117,7 +149,7 @@ void addJournalOption(QCommandLineParser& parser)
 
 Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
                                                     const SessionNode& node, StationId station,
-                                                    const StationScene& scene)
+                                                    StationScene& scene)
 {
     if (!parser.isSet(kJournal))
         return nullptr;

@@ -5,7 +5,10 @@
 
 #include <QCommandLineParser>
 #include <QFile>
+#include <QJsonArray>
 #include <QTimer>
+
+#include <memory>
 
 namespace carina::program
 {
@@ -16,27 +19,30 @@ namespace carina::program
 /// phase, breathing_rate_per_min, tidal_volume_ml, right_lung_ml and left_lung_ml (gas in each,
 /// from the mechanics); for the virtual patient patient_owner (a participant's number) and, after
 /// an action on it, patient_rate (rad/s, m/s or 1/s of the present motion), patient_xyz_mm,
-/// patient_q_xyzw and patient_size: its pose and scale in the anatomy frame.
+/// patient_q_xyzw and patient_size: its pose and scale in the anatomy frame. frames has each frame
+/// since the line before: session_ns, and of each object of a person that it drew, and of each
+/// tracked one of this program's participant (own), object and owner (their numbers), kind (of
+/// ObjectKind), xyz_mm and q_xyzw in the anatomy frame (objectsIn).
 class Journal
 {
 public:
     /// Starts to append to the file. @pre all outlive this.
     /// @returns FileUnwritable with the path.
-    [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const QString& path,
-                                                               const SessionNode& node,
-                                                               StationId station,
-                                                               const StationScene& scene);
+    [[nodiscard]] static Result<std::unique_ptr<Journal>>
+    open(const QString& path, const SessionNode& node, StationId station, StationScene& scene);
 
     /// Logs another station from now on.
     void setStation(StationId station) { m_station = station; }
 
 private:
-    Journal(const SessionNode& node, StationId station, const StationScene& scene);
+    Journal(const SessionNode& node, StationId station, StationScene& scene);
     void writeLine();
 
     const SessionNode& m_node;
     StationId m_station;
     const StationScene& m_scene;
+    /// Since the last line; the scene's listener adds to them while the journal is there.
+    std::shared_ptr<QJsonArray> m_frames = std::make_shared<QJsonArray>();
     QFile m_file;
     QTimer m_timer;
 };
@@ -48,6 +54,6 @@ void addJournalOption(QCommandLineParser& parser);
 [[nodiscard]] Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
                                                                   const SessionNode& node,
                                                                   StationId station,
-                                                                  const StationScene& scene);
+                                                                  StationScene& scene);
 
 } // namespace carina::program

@@ -279,12 +279,12 @@ Result<int> run(const QCommandLineParser& parser)
     station.setStation(place.id()); // it may have been let in meanwhile
     SharedObjectModel object{session, place.id()};
     ObjectActionModel actions{object};
+    PeopleModel people{session, place.id()};
     SessionPatient sessionPatient{station.node(), place.id(), patient->model,
                                   AnatomyCache::defaultFolder()};
-    TraineeWindow window{station.node(), sessionPatient,
-                         station.view(), *headset,
-                         *output,        station.chinProbe(),
-                         actions,        [&station] { return station.standing(); }};
+    TraineeWindow window{station.node(), sessionPatient, station.view(),
+                         *headset,       *output,        station.chinProbe(),
+                         actions,        people,         [&station] { return station.standing(); }};
     sessionPatient.follow([&](const SharedPatientModel& another) {
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });
@@ -300,6 +300,7 @@ Result<int> run(const QCommandLineParser& parser)
     QObject::connect(&place, &OwnStation::changed, &place, [&](StationId now) {
         station.setStation(now);
         object.setStation(now);
+        people.setStation(now);
         sessionPatient.setStation(now);
         if (*journal)
             (*journal)->setStation(now);

@@ -1,9 +1,11 @@
 #include "apps/trainee/trainee_station.h"
 
 #include "engine/core/expects.h"
+#include "engine/io/site/site.h"
 #include "engine/net/devices/ndi_tracker.h"
 #include "engine/session/simulated_station.h"
 #include "engine/tracking/recorded_tracker.h"
+#include "engine/tracking/reframed.h"
 
 namespace carina
 {
@@ -11,6 +13,26 @@ namespace
 {
 
 constexpr int kLookInterval_ms = 50; ///< at the stylus
+
+/// X_SP of the tracked stylus, with -z of P along the shaft.
+std::optional<RigidTransform> tipOf(const StationTracking& tracking,
+                                    const TraineeStation::Place& place)
+{
+    if (!place || !place->setup || !place->setup->guard)
+        return std::nullopt;
+    const StylusTip* tip =
+        tipOfTool(place->setup->guard->styluses, tracking.toolName(ToolRole::Stylus));
+    if (tip == nullptr)
+        return std::nullopt;
+    return RigidTransform{Quat::FromTwoVectors(-Vec3::UnitZ(), tip->p_SQ), tip->p_SQ};
+}
+
+/// The first trainee of a session is the first to work; each other one has another number.
+unsigned simulatedPerson(const SessionNode& node)
+{
+    const ParticipantId self = node.self();
+    return self == kNobody || self.value == 0 ? 0U : self.value - 1U;
+}
 
 /// @pre the place, if there is one, can be used.
 std::optional<StationRegistration> registrationIn(const TraineeStation::Place& place)
@@ -63,16 +85,18 @@ void TraineeStation::publish()
 {
     const auto share = [this](ObjectKind kind, ToolRole tool, std::string name) {
         m_node->publish(kind, std::move(name), [this, tool]() -> std::optional<PoseSample> {
-            const auto tracking = m_published.load();
-            return tracking ? tracking->newest(tool) : std::nullopt;
+            const auto published = m_published.load();
+            return published ? published->newest(tool) : std::nullopt;
         });
     };
     share(ObjectKind::Tube, ToolRole::Tube, "Tube");
     share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
     share(ObjectKind::Head, ToolRole::Head, "Head");
+    share(ObjectKind::Hand, ToolRole::Hand, "Hand");
+    share(ObjectKind::Stylus, ToolRole::Stylus, "Stylus");
     m_manikin = std::make_unique<ManikinBreaths>(*m_node, [this]() -> std::optional<PoseSample> {
-        const auto tracking = m_published.load();
-        return tracking ? tracking->newest(ToolRole::Chest) : std::nullopt;
+        const auto published = m_published.load();
+        return published ? published->newest(ToolRole::Chest) : std::nullopt;
     });
 }
 
@@ -80,12 +104,7 @@ void TraineeStation::setStation(StationId station)
 {
     m_station = station;
     if (m_laid)
-        m_laid->view->setStation(station, posesFor(*m_laid));
-}
-
-ObjectPoses TraineeStation::posesFor(const Laid& laid) const
-{
-    return laid.tracking ? posesOf(*laid.tracking) : posesOf(*m_node, m_station);
+        m_laid->view->setStation(station);
 }
 
 Result<void> TraineeStation::lay(const SharedPatientModel& patient,
@@ -96,9 +115,10 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
         if (const auto tracked = track(*next); !tracked)
             return tracked;
     next->view =
-        std::make_unique<StationView>(*m_node, m_station, patient->lungs(), posesFor(*next));
+        std::make_unique<StationView>(*m_node, m_station, patient->lungs(),
+                                      next->tracking ? posesOf(*next->tracking) : ObjectPoses{});
     const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
-    m_published.store(m_laid->tracking);
+    publishPoses();
     if (show)
         show();
     if (before && before->tracking)
@@ -106,6 +126,21 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
     if (m_onLaid)
         m_onLaid();
     return {};
+}
+
+std::optional<PoseSample> TraineeStation::Published::newest(ToolRole tool) const
+{
+    const auto sample = tracking ? tracking->newest(tool) : std::nullopt;
+    if (!sample || tool != ToolRole::Stylus)
+        return sample;
+    return X_SP ? std::optional{attached(*sample, *X_SP)} : std::nullopt;
+}
+
+void TraineeStation::publishPoses()
+{
+    m_published.store(std::make_shared<const Published>(
+        Published{m_laid->tracking,
+                  m_laid->tracking ? tipOf(*m_laid->tracking, m_laid->place) : std::nullopt}));
 }
 
 Result<void> TraineeStation::track(Laid& laid)
@@ -153,7 +188,7 @@ Result<void> TraineeStation::simulate(Laid& laid) const
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(),
         [node = m_node.get()] { return node->now(); }, registrationIn(laid.place),
-        m_hardware.manikinBreathes);
+        m_hardware.manikinBreathes, [node = m_node.get()] { return simulatedPerson(*node); });
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,
@@ -185,8 +220,10 @@ void TraineeStation::takePlace(const std::function<void()>& show)
     const bool isLaidAlike = isSamePlace(*place.setup, before);
     if (!isLaidAlike)
         m_laid->tracking->takeRegistration(place.setup->registration);
-    if (!isLaidAlike || !isSameGuard(*place.setup, before))
+    if (!isLaidAlike || !isSameGuard(*place.setup, before)) {
         m_laid->guard = guardOf(*m_laid->tracking, m_laid->place);
+        publishPoses();
+    }
 }
 
 std::optional<RegistrationStanding> TraineeStation::standing() const

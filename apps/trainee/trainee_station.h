@@ -83,7 +83,17 @@ private:
         Place place;                              ///< as read from the site last
     };
 
-    [[nodiscard]] ObjectPoses posesFor(const Laid& laid) const;
+    /// What the node's thread reads poses from.
+    struct Published {
+        std::shared_ptr<StationTracking> tracking;
+        /// The stylus's tip P, with -z ahead along the shaft, in the frame of its markers; nothing
+        /// where it is not calibrated.
+        std::optional<RigidTransform> X_SP;
+
+        [[nodiscard]] std::optional<PoseSample> newest(ToolRole tool) const;
+    };
+    void publishPoses();
+
     [[nodiscard]] Result<void> track(Laid& laid);
     [[nodiscard]] Result<void> simulate(Laid& laid) const;
     void replay(Laid& laid) const;
@@ -96,7 +106,7 @@ private:
     PlaceOf m_placeOf;
     std::function<void()> m_onLaid;
     std::unique_ptr<Laid> m_laid;
-    std::atomic<std::shared_ptr<StationTracking>> m_published;
+    std::atomic<std::shared_ptr<const Published>> m_published;
     QTimer m_looking; ///< polls the guard, and reports the standing
     StandingReport m_report;
     std::unique_ptr<ManikinBreaths> m_manikin; ///< last, because it uses the members above

@@ -4,6 +4,7 @@
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/plain_name.h"
 #include "engine/session/participant_limits.h"
+#include "engine/session/people_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
 #include "engine/session/station_rules.h"
 
@@ -127,9 +128,9 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
         body);
 }
 
-/// What a trainee may do: state how their registration stands, and for the station they are at
-/// share what is their own, ask for what is not, and say when the manikin breathes. An observer may
-/// do nothing.
+/// What a trainee may do: state how their registration stands, choose where others see them, and
+/// for the station they are at share what is their own, ask for what is not, say when the manikin
+/// breathes, and pass on the work that they do. An observer may do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
@@ -137,6 +138,8 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         return false;
     if (std::holds_alternative<fact::RegistrationStated>(body))
         return true;
+    if (const auto* chosen = std::get_if<fact::PlaceChosen>(&body))
+        return chosen->participant == author.id;
     if (author.station != station)
         return false;
     return std::visit(Overloaded{[&](const fact::ObjectShared& f) {
@@ -152,6 +155,9 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
                                      return state.objects().at(f.object).station == station;
                                  },
                                  [](const fact::ManikinBreathed&) { return true; },
+                                 [&](const fact::WorkTaken& f) {
+                                     return mayPassOnWork(state, author, station, f);
+                                 },
                                  [](const auto&) { return false; }},
                       body);
 }
@@ -321,6 +327,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             .and_then([&] { return settledStation(m_state, fact.station, fact.body); })
             .map([&](StationId station) { fact.station = station; })
             .and_then([&] { return checkNamed(m_state, fact.body); })
+            .and_then([&] { return checkPeople(m_state, fact.station, fact.body); })
             .and_then(
                 [&] { return checkPermission(m_state, fact.author, fact.station, fact.body); })
             .and_then([&] { return checkMoment(m_state, fact.body); })

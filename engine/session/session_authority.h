@@ -43,9 +43,10 @@ public:
     /// @param proposal its author decides what is permitted. The host itself (0) may propose
     ///        everything, a participant not yet admitted (kNobody) may join, instructors may
     ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined,
-    ///        ParticipantLeft and TokenReplaced, trainees may state how their registration stands,
-    ///        and for the station they are at share objects as themselves, hand these over, ask for
-    ///        ownership and report breaths of the manikin, observers may propose nothing and own
+    ///        ParticipantLeft and TokenReplaced, trainees may state how their registration stands
+    ///        and choose where others see them, and for the station they are at share objects as
+    ///        themselves, hand these over, ask for ownership, report breaths of the manikin, take
+    ///        up work that nobody does and pass on their own, observers may propose nothing and own
     ///        nothing, and who is muted nothing either.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
     ///          participant may share, for an object that passes to a trainee of another station,
@@ -55,7 +56,8 @@ public:
     ///          for facts about participants, entry and shared objects; OutOfRange for a parameter
     ///          outside the range of a patient, an unknown participant or object, and a phase that
     ///          cannot follow the present one; StationUnknown for a station that is not open;
-    ///          OwnerChanged for an object that has changed its owner meanwhile.
+    ///          OwnerChanged for an object that has changed its owner meanwhile, and for work that
+    ///          another has taken meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,
                                      Duration slowestPath) const;
 

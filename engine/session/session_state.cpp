@@ -48,8 +48,10 @@ struct SessionState::Applier {
         const Participant* before = known(body.participant);
         Participant joined{body.participant, body.role, body.name, around.station, true};
         joined.muted = before && before->muted;
+        joined.turn = before ? before->turn : Angle{};
         state.m_participants.insert_or_assign(body.participant, std::move(joined));
         bringAlong(body.participant);
+        takeUpWork(body.participant);
     }
     void operator()(const fact::ParticipantLeft& body) const { leave(body.participant); }
     void operator()(const fact::ParticipantMuted& body) const
@@ -86,6 +88,7 @@ struct SessionState::Applier {
         participant->station = around.station;
         participant->moved = around.committed;
         bringAlong(body.participant);
+        takeUpWork(body.participant);
     }
     void operator()(const fact::RoleCodeChanged&) const {} // of the host's secrets
     void operator()(const fact::TokenReplaced& body) const
@@ -98,7 +101,21 @@ struct SessionState::Applier {
         if (Participant* participant = known(around.author))
             participant->registration = body.standing;
     }
+    void operator()(const fact::WorkTaken& body) const
+    {
+        forStations([&body](Station& station) { station.worker = body.participant; });
+    }
+    void operator()(const fact::PlaceChosen& body) const
+    {
+        if (Participant* participant = known(body.participant))
+            participant->turn = body.turn;
+    }
     void operator()(const fact::ObjectShared& body) const
+    {
+        share(body);
+        takeUpWork(body.owner);
+    }
+    void share(const fact::ObjectShared& body) const
     {
         const auto [place, added] = state.m_objects.try_emplace(
             body.object,
@@ -193,6 +210,21 @@ struct SessionState::Applier {
         });
     }
 
+    /// A trainee who has a tube at a station where nobody is at work is at work there.
+    void takeUpWork(ParticipantId id) const
+    {
+        const Participant* participant = known(id);
+        if (participant == nullptr || participant->role != Role::Trainee)
+            return;
+        const StationId where = participant->station;
+        const auto station = state.m_stations.find(where);
+        const bool hasTube = std::ranges::any_of(state.m_objects, [&](const auto& entry) {
+            const SharedObject& object = entry.second;
+            return object.owner == id && object.station == where && object.kind == ObjectKind::Tube;
+        });
+        if (station != state.m_stations.end() && hasTube && state.atWork(where) == kNobody)
+            station->second.worker = id;
+    }
     void leave(ParticipantId id) const
     {
         if (Participant* participant = known(id))
@@ -247,6 +279,17 @@ StationId SessionState::stationOf(ParticipantId participant) const
 {
     const auto found = m_participants.find(participant);
     return found == m_participants.end() ? kNoStation : found->second.station;
+}
+
+ParticipantId SessionState::atWork(StationId station) const
+{
+    const auto place = m_stations.find(station);
+    if (place == m_stations.end())
+        return kNobody;
+    const auto worker = m_participants.find(place->second.worker);
+    const bool isThere = worker != m_participants.end() && worker->second.present
+                         && worker->second.station == station;
+    return isThere ? worker->first : kNobody;
 }
 
 std::string removalText(const SessionState& state, const Removal& removal)

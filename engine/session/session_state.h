@@ -35,6 +35,7 @@ struct Participant {
     std::optional<RegistrationStanding> registration{};
     /// When an instructor moved them to their station; of this stay.
     std::optional<SessionTime> moved{};
+    Angle turn{}; ///< of the place where others see them (fact::PlaceChosen)
 };
 
 struct SharedObject {
@@ -55,6 +56,7 @@ struct Station {
     std::string anatomyHash;
     std::string anatomyName;
     RespirationTimeline respiration;
+    ParticipantId worker = kNobody; ///< who took up the work last, and may have gone
 };
 
 /// Everything that follows from the facts so far, the same at every node. A value: it is copied to
@@ -91,6 +93,11 @@ public:
     [[nodiscard]] bool isOpen(StationId station) const;
     /// Where the participant is, or was last; kNoStation for one who is not known.
     [[nodiscard]] StationId stationOf(ParticipantId participant) const;
+
+    /// Who is at work at a station: whoever took up the work last, while they are there; else
+    /// kNobody. A trainee who has a tube there takes up the work that nobody does, by sharing the
+    /// tube and by coming in again; otherwise fact::WorkTaken decides.
+    [[nodiscard]] ParticipantId atWork(StationId station) const;
 
 private:
     struct Applier;

@@ -1,5 +1,6 @@
 #include "engine/session/simulated_station.h"
 
+#include "engine/geometry/rotation.h"
 #include "engine/tracking/scripted_hands.h"
 
 #include <cmath>
@@ -22,6 +23,41 @@ double chestRise(Frequency rate, SessionTime t)
     return third < 2.0 ? 0.5 * kManikinRise.si * (1.0 - std::cos(std::numbers::pi * third)) : 0.0;
 }
 
+/// How much of a period a person is ahead of the one before: the golden ratio keeps any number of
+/// them apart.
+constexpr double kAhead = 0.618033988749895;
+constexpr int kPlaces = 5; ///< around the patient's head
+constexpr Angle kBetweenPlaces = degrees(45.0);
+
+/// X_AA' from where person 0 stands: 0, then to the left and to the right by turns, about the
+/// vertical axis of a lying patient through the incisors.
+RigidTransform standing(unsigned person, const Vec3& p_A_incisors)
+{
+    const auto place = static_cast<int>(person % kPlaces);
+    const double steps = (place % 2 == 0 ? -1.0 : 1.0) * ((place + 1) / 2);
+    return RigidTransform::translation(p_A_incisors)
+           * RigidTransform{rotationFromVector(steps * kBetweenPlaces.si * Vec3::UnitY()),
+                            Vec3::Zero()}
+           * RigidTransform::translation(-p_A_incisors);
+}
+
+/// The hands and the head of one of several people.
+TrueToolPose of(SimulatedPerson person, TrueToolPose hands, const HandScript& script)
+{
+    if (!person)
+        return hands;
+    return [person = std::move(person), hands = std::move(hands), X_TA = script.X_TA,
+            X_AT = script.X_TA.inverse(), p_A_incisors = script.p_A_incisors,
+            period = script.period](ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
+        const unsigned number = person();
+        const double ahead = kAhead * number - std::floor(kAhead * number);
+        auto X_TO = hands(tool, t + fromSeconds(ahead * toSeconds(period)));
+        if (X_TO && tool == ToolRole::Head && number % kPlaces != 0)
+            X_TO = X_TA * standing(number, p_A_incisors) * X_AT * *X_TO;
+        return X_TO;
+    };
+}
+
 /// The hands, and what the manikin wears: a marker on its chest and a probe on its torso.
 TrueToolPose withManikin(TrueToolPose hands, const RigidTransform& X_TA, Frequency rate)
 {
@@ -41,19 +77,21 @@ RigidTransform simulatedBodyProbe() { return RigidTransform::translation({-0.12,
 Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube,
                                           ReadSessionClock clock,
                                           const std::optional<StationRegistration>& registration,
-                                          Frequency manikinBreathes)
+                                          Frequency manikinBreathes, SimulatedPerson person)
 {
     const RigidTransform X_TA = patientBeforeTracker(airway.p_A_incisors);
-    auto hands = ScriptedHands::make({.X_TA = X_TA,
-                                      .path_A = airway.path_A,
-                                      .p_A_incisors = airway.p_A_incisors,
-                                      .p_E_centre = tube.p_E_centre,
-                                      .restAboveCarina = tube.tipAboveCarina});
+    const HandScript script{.X_TA = X_TA,
+                            .path_A = airway.path_A,
+                            .p_A_incisors = airway.p_A_incisors,
+                            .p_E_centre = tube.p_E_centre,
+                            .restAboveCarina = tube.tipAboveCarina};
+    auto hands = ScriptedHands::make(script);
     if (!hands)
         return tl::unexpected(hands.error());
     const StationRegistration exactly{.X_AT = X_TA.inverse(), .X_JA = hands->closedJaw().inverse()};
-    TrueToolPose truth = withManikin(*hands, X_TA, manikinBreathes);
     SimulatedTrackerSettings device;
+    device.handProbe = static_cast<bool>(person);
+    TrueToolPose truth = withManikin(of(std::move(person), *hands, script), X_TA, manikinBreathes);
     device.chestMarker = manikinBreathes.si > 0.0;
     device.bodyProbe = registration && registration->X_BA;
     auto tracker = std::make_unique<SimulatedTracker>(device, truth, std::move(clock));

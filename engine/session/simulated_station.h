@@ -5,6 +5,8 @@
 #include "engine/session/station_tracking.h"
 #include "engine/tracking/simulated_tracker.h"
 
+#include <functional>
+
 namespace carina
 {
 
@@ -18,6 +20,11 @@ struct SimulatedStation {
     TrueToolPose truth;          ///< the true X_T<tool>, without the tracker's errors
 };
 
+/// The number of the person whose hands and head are simulated, 0 by default. Each works at another
+/// time of the period and stands at another place around the patient's head, so that several do not
+/// coincide. Called on the tracker's thread.
+using SimulatedPerson = std::function<unsigned()>;
+
 /// @param registration of the manikin; without one the error-free registration is used. If it has
 ///        X_BA, the manikin wears a body probe, whose true pose is simulatedBodyProbe()
 /// @param manikinBreathes breathing rate at which the chest rises by kManikinRise; 0: no breathing
@@ -26,7 +33,7 @@ struct SimulatedStation {
 [[nodiscard]] Result<SimulatedStation>
 simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
                  const std::optional<StationRegistration>& registration = {},
-                 Frequency manikinBreathes = {});
+                 Frequency manikinBreathes = {}, SimulatedPerson person = {});
 
 inline constexpr Length kManikinRise = millimetres(12.0);
 

@@ -18,7 +18,7 @@ struct HandScript {
     Duration period = std::chrono::seconds{20}; ///< common period of all tools
 };
 
-/// A scripted intubation that repeats, for a station without a person: the true poses of the four
+/// A scripted intubation that repeats, for a station without a person: the true poses of the five
 /// tools, each a pure function of time with one common period.
 ///
 /// E, the tube, is rigid: its tip lies on the path, and its centreline passes through a second
@@ -37,6 +37,9 @@ struct HandScript {
 /// of H points at the incisors, +x to the right, +y up (anterior); it sways by 2 cm.
 ///
 /// S, the stylus: parked beside the patient's left cheek, axes parallel to A.
+///
+/// G, the hand: it holds the tube 3 cm outside its connector and points along it into the patient,
+/// with the axes of E.
 class ScriptedHands
 {
 public:
@@ -47,7 +50,7 @@ public:
     ///          of E, or where the period is not above zero.
     [[nodiscard]] static Result<ScriptedHands> make(HandScript script);
 
-    /// X_T<tool> at time t; nothing for other tools than these four. Usable as a TrueToolPose.
+    /// X_T<tool> at time t; nothing for other tools than these five. Usable as a TrueToolPose.
     [[nodiscard]] std::optional<RigidTransform> operator()(ToolRole tool, SessionTime t) const;
 
     /// X_AJ with the mouth closed.

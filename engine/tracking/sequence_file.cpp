@@ -22,7 +22,7 @@ constexpr double kOrthonormal = 5e-3;
 
 ToolRole roleOf(std::string_view name)
 {
-    constexpr std::array<std::pair<std::string_view, ToolRole>, 9> kRoles{
+    constexpr std::array<std::pair<std::string_view, ToolRole>, 10> kRoles{
         {{"Head", ToolRole::Head},
          {"Hmd", ToolRole::Head},
          {"Jaw", ToolRole::Jaw},
@@ -31,7 +31,8 @@ ToolRole roleOf(std::string_view name)
          {"Ett", ToolRole::Tube},
          {"Stylus", ToolRole::Stylus},
          {"Manikin", ToolRole::Manikin},
-         {"Chest", ToolRole::Chest}}};
+         {"Chest", ToolRole::Chest},
+         {"Hand", ToolRole::Hand}}};
     for (const auto& [known, role] : kRoles) {
         if (name == known)
             return role;

@@ -38,6 +38,8 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
         add("chest", ToolRole::Chest);
     if (m_settings.bodyProbe)
         add("body", ToolRole::Manikin);
+    if (m_settings.handProbe)
+        add("hand", ToolRole::Hand);
 }
 
 SessionTime SimulatedTracker::advance(SessionTime now)

@@ -37,11 +37,12 @@ struct SimulatedTrackerSettings {
     std::vector<Occlusion> occlusions;
     bool chestMarker = false; ///< also simulate a marker on the manikin's chest
     bool bodyProbe = false;   ///< also simulate a probe on its torso
+    bool handProbe = false;   ///< also simulate a probe on the hand that holds the tube
     std::uint32_t seed = 1;
 };
 
 /// A tracker for a station without hardware. On its own thread it measures given true poses of
-/// head, jaw, tube and stylus, and of a chest marker and a body probe if there are, with noise,
+/// head, jaw, tube and stylus, and of chest marker, body and hand probe if there are, with noise,
 /// occlusion and loss.
 ///
 /// Every sample has the time of its exposure and is delivered `latency` later, with the velocity

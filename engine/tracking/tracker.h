@@ -17,6 +17,7 @@ enum class ToolRole : std::uint8_t {
     Stylus,
     Manikin,
     Chest, ///< a marker on the manikin's chest, which rises as it breathes
+    Hand,  ///< a probe on the back of a hand
     Other,
 };
 

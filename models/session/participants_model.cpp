@@ -253,6 +253,8 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
                 .role = roleText(participant.role),
                 .station = stationName(*state, participant.station),
                 .state = stateText(participant, links)};
+        if (participant.present && state->atWork(participant.station) == id)
+            row.role = tr("%1, at work").arg(row.role);
         if (participant.removal && !participant.present)
             row.reason =
                 tr("Removed by %1")

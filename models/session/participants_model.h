@@ -11,10 +11,10 @@
 namespace carina
 {
 
-/// The participants of the session as a table: name, role, station, connection state, how far the
-/// registration of their manikin can be relied on, how much they send to the host, age of the
-/// newest pose sample, and drift: how far this program's view of their objects was from theirs at
-/// the same session time.
+/// The participants of the session as a table: name, role and who is at work, station, connection
+/// state, how far the registration of their manikin can be relied on, how much they send to the
+/// host, age of the newest pose sample, and drift: how far this program's view of their objects was
+/// from theirs at the same session time.
 class ParticipantsModel : public QAbstractTableModel
 {
     Q_OBJECT

@@ -1,5 +1,7 @@
 #include "models/station/headset_view.h"
 
+#include "engine/core/expects.h"
+
 namespace carina
 {
 namespace
@@ -40,6 +42,13 @@ Result<HeadsetView> HeadsetView::of(const DisplayGeometry& display)
         *view = *seen;
     }
     return headset;
+}
+
+HeadsetView HeadsetView::standard()
+{
+    const Result<HeadsetView> headset = of(defaultDisplay());
+    CARINA_EXPECTS(headset.has_value());
+    return *headset;
 }
 
 std::optional<std::vector<EyePicture>>

@@ -30,6 +30,9 @@ public:
     /// @returns the error of eyeView for either eye or for the point midway between them.
     [[nodiscard]] static Result<HeadsetView> of(const DisplayGeometry& display);
 
+    /// That of defaultDisplay().
+    [[nodiscard]] static HeadsetView standard();
+
     /// The eyes' pictures with the head H at X_AH: one or two; std::nullopt for a screen. An empty
     /// list while the head is lost or was never seen, because its view is then unknown.
     [[nodiscard]] std::optional<std::vector<EyePicture>>

@@ -79,6 +79,16 @@ QString standing(const SessionNode& node, SessionTime now)
     return lines.join(QLatin1Char{'\n'});
 }
 
+/// That the tube of another, who is at work, is not seen; empty while it is.
+QString notHere(const SessionState& state, const StationMoment& moment)
+{
+    const auto worker = state.participants().find(moment.worker);
+    if (!isLost(moment.tube) || worker == state.participants().end())
+        return {};
+    return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "The tube of %1 is out of view"))
+        .arg(QString::fromStdString(worker->second.name));
+}
+
 /// Of what goes on, the weightiest; empty when all is well.
 QString situation(const SessionNode& node, const StationMoment& moment, ViewOutput output)
 {
@@ -92,6 +102,8 @@ QString situation(const SessionNode& node, const StationMoment& moment, ViewOutp
         return phase;
     if (output != ViewOutput::Screen && isLost(moment.head))
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
+    if (moment.worker != kNobody && moment.worker != node.self())
+        return notHere(*state, moment);
     if (isLost(moment.tube))
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
     return {};

@@ -8,7 +8,9 @@ namespace carina
 namespace
 {
 
-ToolRole toolOf(ObjectKind kind)
+/// The tracker's tool; nothing for what is not tracked, and for the stylus, whose tip is what is
+/// shared of it: no program draws its own.
+std::optional<ToolRole> toolOf(ObjectKind kind)
 {
     switch (kind) {
     case ObjectKind::Head:
@@ -17,56 +19,26 @@ ToolRole toolOf(ObjectKind kind)
         return ToolRole::Jaw;
     case ObjectKind::Tube:
         return ToolRole::Tube;
+    case ObjectKind::Hand:
+        return ToolRole::Hand;
     case ObjectKind::Stylus:
-        return ToolRole::Stylus;
     case ObjectKind::Patient:
         break;
     }
-    return ToolRole::Other;
-}
-
-/// The object of this kind at the station that was seen last, or null: of several
-/// trainees who came and went, the one who is at work.
-std::shared_ptr<const RemoteObject> sharedPoses(const SessionNode& node, StationId station,
-                                                ObjectKind kind)
-{
-    std::shared_ptr<const RemoteObject> latest;
-    SessionTime seen = SessionTime::min();
-    const auto state = node.state();
-    for (const auto& [id, object] : state->objects()) {
-        if (object.station != station || object.kind != kind)
-            continue;
-        const auto poses = node.object(id);
-        const auto newest = poses ? poses->newest() : std::nullopt;
-        if (newest && newest->time > seen) {
-            seen = newest->time;
-            latest = poses;
-        }
-    }
-    return latest;
+    return std::nullopt;
 }
 
 } // namespace
 
 ObjectPoses posesOf(const StationTracking& tracking)
 {
-    return {
-        .at = [&tracking](ObjectKind kind, SessionTime t) { return tracking.at(toolOf(kind), t); },
-        .newest = [&tracking](ObjectKind kind) -> std::optional<SessionTime> {
-            const auto sample = tracking.newest(toolOf(kind));
-            return sample ? std::optional{sample->time} : std::nullopt;
-        }};
-}
-
-ObjectPoses posesOf(const SessionNode& node, StationId station)
-{
-    return {.at = [&node, station](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {
-                const auto poses = sharedPoses(node, station, kind);
-                return poses ? poses->at(t) : std::nullopt;
+    return {.at = [&tracking](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {
+                const auto tool = toolOf(kind);
+                return tool ? tracking.at(*tool, t) : std::nullopt;
             },
-            .newest = [&node, station](ObjectKind kind) -> std::optional<SessionTime> {
-                const auto poses = sharedPoses(node, station, kind);
-                const auto sample = poses ? poses->newest() : std::nullopt;
+            .newest = [&tracking](ObjectKind kind) -> std::optional<SessionTime> {
+                const auto tool = toolOf(kind);
+                const auto sample = tool ? tracking.newest(*tool) : std::nullopt;
                 return sample ? std::optional{sample->time} : std::nullopt;
             }};
 }
@@ -77,15 +49,14 @@ bool isAway(const StationMoment& moment)
 }
 
 StationView::StationView(const SessionNode& node, StationId station, const LungPair& lungs,
-                         ObjectPoses poses)
-    : m_node{node}, m_station{station}, m_lungs{lungs}, m_poses{std::move(poses)}
+                         ObjectPoses own)
+    : m_node{node}, m_station{station}, m_lungs{lungs}, m_own{std::move(own)}
 {
 }
 
-void StationView::setStation(StationId station, ObjectPoses poses)
+void StationView::setStation(StationId station)
 {
     m_station = station;
-    m_poses = std::move(poses);
     m_breathing = {};
 }
 
@@ -102,14 +73,33 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
         moment.notDrawn = notDrawn(m_lungs, moment.breathing, drawn, level);
         moment.pose = exaggerated(drawn, m_exaggeration);
     }
-    moment.tube = m_poses.at(ObjectKind::Tube, t);
-    moment.jaw = m_poses.at(ObjectKind::Jaw, t);
-    moment.head = m_poses.at(ObjectKind::Head, t);
+    addPeople(moment, *state);
     if (const SharedObject* patient = sharedPatient(*state, m_station))
         moment.patient = m_node.shown(patient->id, t);
-    if (const auto newest = m_poses.newest(ObjectKind::Tube))
-        moment.sampleAge = t - *newest;
     return moment;
+}
+
+void StationView::addPeople(StationMoment& moment, const SessionState& state) const
+{
+    const SessionTime t = moment.time;
+    moment.worker = state.atWork(m_station);
+    moment.people = peoplePoses(m_node, m_station, m_own, t);
+    moment.head = m_own.at(ObjectKind::Head, t);
+    if (moment.worker == kNobody || moment.worker == m_node.self()) {
+        moment.tube = m_own.at(ObjectKind::Tube, t);
+        moment.jaw = m_own.at(ObjectKind::Jaw, t);
+        if (const auto newest = m_own.newest(ObjectKind::Tube))
+            moment.sampleAge = t - *newest;
+        return;
+    }
+    if (const PersonPose* tube = atWork(moment.people, ObjectKind::Tube)) {
+        moment.tube = tube->pose;
+        const auto poses = m_node.object(tube->object);
+        if (const auto newest = poses ? poses->newest() : std::nullopt)
+            moment.sampleAge = t - newest->time;
+    }
+    if (const PersonPose* jaw = atWork(moment.people, ObjectKind::Jaw))
+        moment.jaw = jaw->pose;
 }
 
 StationMoment StationView::litAt(LocalTime lit, std::size_t level) const

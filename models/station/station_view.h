@@ -4,26 +4,15 @@
 #include "engine/net/node/session_node.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "engine/session/station_tracking.h"
+#include "models/station/people_poses.h"
 
-#include <functional>
 #include <optional>
 
 namespace carina
 {
 
-/// The source of the poses of a station's objects, in A.
-struct ObjectPoses {
-    /// The pose at a time; std::nullopt for an object never seen.
-    std::function<std::optional<PoseSample>(ObjectKind, SessionTime)> at;
-    /// The time of the newest sample.
-    std::function<std::optional<SessionTime>(ObjectKind)> newest;
-};
-
 /// The objects of the local tracker. @pre `tracking` outlives what is returned.
 [[nodiscard]] ObjectPoses posesOf(const StationTracking& tracking);
-
-/// The objects shared by others at a station. @pre `node` outlives what is returned.
-[[nodiscard]] ObjectPoses posesOf(const SessionNode& node, StationId station);
 
 /// The state of everything that moves at a station, at one session time.
 struct StationMoment {
@@ -32,9 +21,11 @@ struct StationMoment {
     ChestPose pose;                     ///< the pose of the chest that shows `breathing`
     Volume notDrawn{};                  ///< volume of the lungs that the pose cannot show
     double exaggeration = 1.0;          ///< of the pose; unless 1, the drawn volumes are not true
-    std::optional<PoseSample> tube;     ///< X_AE; empty if never seen
-    std::optional<PoseSample> jaw;      ///< X_AJ
-    std::optional<PoseSample> head;     ///< X_AH
+    std::optional<PoseSample> tube;     ///< X_AE of who is at work; empty if never seen
+    std::optional<PoseSample> jaw;      ///< X_AJ of who is at work
+    std::optional<PoseSample> head;     ///< X_AH of this program's participant
+    ParticipantId worker = kNobody;     ///< who is at work
+    std::vector<PersonPose> people;     ///< what all who are there share, this program's included
     std::optional<ShownObject> patient; ///< X_AV; empty before any action on the patient
     std::optional<Duration> sampleAge;  ///< of the tube's newest sample at `time`
 };
@@ -47,12 +38,14 @@ struct StationMoment {
 class StationView
 {
 public:
+    /// @param own poses of this program's objects. They are the ones at work also while nobody is,
+    ///            as before the host has admitted it.
     /// @pre all three outlive the view.
     StationView(const SessionNode& node, StationId station, const LungPair& lungs,
-                ObjectPoses poses);
+                ObjectPoses own = {});
 
     /// Shows another station from now on, with the same patient.
-    void setStation(StationId station, ObjectPoses poses);
+    void setStation(StationId station);
 
     /// Multiplies the motion of the chest from rest, within its range; 1 by default. The drawn
     /// volumes are then not the patient's, and the view must say so.
@@ -66,10 +59,12 @@ public:
     [[nodiscard]] StationMoment litAt(LocalTime lit, std::size_t level) const;
 
 private:
+    void addPeople(StationMoment& moment, const SessionState& state) const;
+
     const SessionNode& m_node;
     StationId m_station;
     const LungPair& m_lungs;
-    ObjectPoses m_poses;
+    ObjectPoses m_own;
     double m_exaggeration = 1.0;
     mutable RespirationFollower m_breathing; ///< a cache
 };

@@ -29,6 +29,8 @@ QString toolName(const TrackedTool& tool)
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Manikin"));
     case ToolRole::Chest:
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Chest marker"));
+    case ToolRole::Hand:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Hand probe"));
     case ToolRole::Other:
         break;
     }

@@ -63,6 +63,19 @@ public:
         if (const auto event = theirs.begun(object, action, m_now, local()))
             m_actions.take(*event, m_now, local());
     }
+    /// An object of another is seen at rest at a time.
+    void sees(ObjectId object, const RigidTransform& X_AO, SessionTime t)
+    {
+        StreamCpo cpo;
+        cpo.object = object;
+        cpo.time = t;
+        cpo.X_AO = X_AO;
+        cpo.motion = StreamMotion{};
+        auto& poses = m_poses[object];
+        if (!poses)
+            poses = std::make_shared<RemoteObject>();
+        poses->take(cpo, t);
+    }
     /// Nothing is heard of anybody's objects for so long.
     void silence(Duration time) { m_silence += time; }
     /// From now on proposals wait.
@@ -131,9 +144,10 @@ public:
         return bodies;
     }
     void publish(ObjectKind, std::string, PoseSource) override {}
-    [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId) const override
+    [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId id) const override
     {
-        return nullptr;
+        const auto poses = m_poses.find(id);
+        return poses == m_poses.end() ? nullptr : poses->second;
     }
     [[nodiscard]] std::optional<EventCpo> action(ObjectId object) const override
     {
@@ -198,6 +212,7 @@ private:
     std::vector<Proposal> m_waiting;
     std::optional<Error> m_refusal;
     std::function<void()> m_callback;
+    std::map<ObjectId, std::shared_ptr<RemoteObject>> m_poses; ///< of others
 };
 
 } // namespace carina::test

@@ -1,6 +1,8 @@
 #include "ui/instructor/instructor_window.h"
 
 #include "models/errors/error_text.h"
+#include "models/station/people_words.h"
+#include "ui/panels/people_menus.h"
 #include "ui_instructor_window.h"
 
 #include <QShowEvent>
@@ -52,9 +54,9 @@ void reserve(const QToolBar& bar, QAction& action, const QString& longest)
 InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
                                    RespirationModel& respiration, BreathTrace& trace,
                                    ParticipantsModel& participants, ConductModel& conduct,
-                                   NetworkModel& network, ObjectActionModel& actions,
-                                   StationsModel& stations, SessionPatient& patient,
-                                   StationView& view)
+                                   PeopleModel& people, NetworkModel& network,
+                                   ObjectActionModel& actions, StationsModel& stations,
+                                   SessionPatient& patient, StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_respiration{respiration},
@@ -62,6 +64,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
       m_stations{stations},
       m_patient{patient},
       m_view{&view},
+      m_people{people},
       m_phase{new QLabel{this}},
       m_status{new QLabel{this}}
 {
@@ -70,7 +73,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);
     m_ui->waveforms->setTrace(trace);
-    m_ui->participants->setModel(participants, conduct, stations);
+    m_ui->participants->setModel(participants, conduct, stations, people);
     m_ui->stations->setModel(stations);
     m_ui->network->setModel(network);
     refreshInvitation();
@@ -93,6 +96,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
         tr("Oldest sample: time since the oldest pose now drawn was measured (latency)"));
     fillSessionBar();
     connectViews();
+    addEyes();
 
     connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};
@@ -180,6 +184,31 @@ void InstructorWindow::connectViews()
             [this](double factor) { m_view->exaggerate(factor); });
 }
 
+void InstructorWindow::addEyes()
+{
+    auto* menu = new EyesMenu{m_people, tr("Through the eyes of"), this};
+    m_ui->eyes->setMenu(menu);
+    connect(menu, &EyesMenu::chosen, this, [this](std::optional<ParticipantId> participant) {
+        m_stationScene->seeThrough(participant);
+        refreshPeople();
+    });
+    // A view of the own camera is also chosen by where it stands.
+    for (QToolButton* preset : {m_ui->front, m_ui->side, m_ui->head})
+        connect(preset, &QToolButton::clicked, menu, [this, menu] {
+            menu->setChosen(std::nullopt);
+            m_stationScene->seeThrough(std::nullopt);
+            refreshPeople();
+        });
+}
+
+void InstructorWindow::refreshPeople()
+{
+    QStringList told{m_people.workText()};
+    if (const auto& eyes = m_stationScene->throughEyesOf())
+        told += throughEyesText(*m_session.node().state(), m_stationScene->moment(), *eyes);
+    m_ui->peopleState->setText(told.join(QStringLiteral("      ")));
+}
+
 void InstructorWindow::endOnSecondPress()
 {
     if (m_endAsked) {
@@ -209,6 +238,7 @@ void InstructorWindow::refresh()
     m_ui->end->setEnabled(m_session.canEnd());
     m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
     refreshInvitation();
+    refreshPeople();
     refreshStatus();
 }
 

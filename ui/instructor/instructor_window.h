@@ -8,6 +8,7 @@
 #include "models/respiration/respiration_model.h"
 #include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
+#include "models/session/people_model.h"
 #include "models/session/session_model.h"
 #include "models/station/stations_model.h"
 #include "ui/scene/station_scene.h"
@@ -36,9 +37,9 @@ public:
     /// @pre all outlive the window.
     InstructorWindow(SessionModel& session, BreathingModel& breathing,
                      RespirationModel& respiration, BreathTrace& trace,
-                     ParticipantsModel& participants, ConductModel& conduct, NetworkModel& network,
-                     ObjectActionModel& actions, StationsModel& stations, SessionPatient& patient,
-                     StationView& view);
+                     ParticipantsModel& participants, ConductModel& conduct, PeopleModel& people,
+                     NetworkModel& network, ObjectActionModel& actions, StationsModel& stations,
+                     SessionPatient& patient, StationView& view);
     ~InstructorWindow() override;
 
     /// Draws another patient from now on. @pre both outlive the window, or live until the next
@@ -55,6 +56,8 @@ private:
     void fillSessionBar();
     void layDocks();
     void connectViews();
+    void addEyes();
+    void refreshPeople();
     [[nodiscard]] QString patientText() const;
     void refreshInvitation();
     void endOnSecondPress();
@@ -68,6 +71,7 @@ private:
     const StationsModel& m_stations;
     const SessionPatient& m_patient;
     StationView* m_view;
+    PeopleModel& m_people;
     std::unique_ptr<StationScene> m_stationScene;
     QLabel* m_phase;
     QLabel* m_status;

@@ -1,5 +1,6 @@
 #include "ui/panels/participants_panel.h"
 
+#include "ui/panels/people_menus.h"
 #include "ui/panels/remove_dialog.h"
 #include "ui_participants_panel.h"
 
@@ -24,11 +25,12 @@ ParticipantsPanel::ParticipantsPanel(QWidget* parent)
 ParticipantsPanel::~ParticipantsPanel() = default;
 
 void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& conduct,
-                                 StationsModel& stations)
+                                 StationsModel& stations, PeopleModel& people)
 {
     m_conduct = &conduct;
     m_participants = &participants;
     m_stations = &stations;
+    m_people = &people;
     m_ui->table->setModel(&participants);
     // A long name gives way, and no number.
     QHeaderView* header = m_ui->table->horizontalHeader();
@@ -51,6 +53,13 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
     connect(m_ui->mute, &QPushButton::clicked, this, &ParticipantsPanel::muteOrNot);
     connect(m_ui->remove, &QPushButton::clicked, this, &ParticipantsPanel::removeOrLetBack);
     connect(m_ui->lock, &QCheckBox::clicked, &conduct, &ConductModel::setLocked);
+    connect(m_ui->work, &QPushButton::clicked, this, [this] {
+        if (const auto id = chosen())
+            m_people->giveWork(*id);
+    });
+    m_ui->place->setMenu(
+        new PlaceMenu{people, [this] { return chosen(); }, [] { return std::nullopt; }, {}, this});
+    connect(&people, &PeopleModel::changed, this, &ParticipantsPanel::refreshPerson);
     refresh();
     refreshDoubts();
 }
@@ -96,6 +105,9 @@ void ParticipantsPanel::refresh()
     m_ui->mute->setAccessibleDescription(whom);
     m_ui->remove->setAccessibleDescription(whom);
     m_ui->move->setAccessibleDescription(whom);
+    m_ui->work->setAccessibleDescription(whom);
+    m_ui->place->setAccessibleDescription(whom);
+    refreshPerson();
 }
 
 void ParticipantsPanel::offerStations()
@@ -114,6 +126,14 @@ void ParticipantsPanel::offerStations()
         move->setChecked(isThere);
         move->setEnabled(!isThere);
     }
+}
+
+void ParticipantsPanel::refreshPerson()
+{
+    const auto id = chosen();
+    const auto person = id ? m_people->person(*id) : std::nullopt;
+    m_ui->work->setEnabled(person && person->canBeGiven);
+    m_ui->place->setEnabled(person && person->canBePlaced);
 }
 
 void ParticipantsPanel::muteOrNot()

@@ -2,6 +2,7 @@
 
 #include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
+#include "models/session/people_model.h"
 #include "models/station/stations_model.h"
 
 #include <QMenu>
@@ -18,8 +19,8 @@ namespace carina
 {
 
 /// The participants of the session as a table, and what an instructor may decide about the chosen
-/// one: mute, remove, let back in, and, where several stations are open, move to another one.
-/// Besides, the session can be locked.
+/// one: mute, remove, let back in, give the work, where others see them, and, where several
+/// stations are open, move to another one. Besides, the session can be locked.
 class ParticipantsPanel : public QWidget
 {
     Q_OBJECT
@@ -29,7 +30,8 @@ public:
     ~ParticipantsPanel() override;
 
     /// @pre the models outlive the panel.
-    void setModel(ParticipantsModel& participants, ConductModel& conduct, StationsModel& stations);
+    void setModel(ParticipantsModel& participants, ConductModel& conduct, StationsModel& stations,
+                  PeopleModel& people);
 
 Q_SIGNALS:
     /// Somebody was removed for good, who still knows the code of the role.
@@ -43,6 +45,7 @@ private:
     void muteOrNot();
     /// Asks why, and removes; lets a banned participant back in at once.
     void removeOrLetBack();
+    void refreshPerson();
     [[nodiscard]] std::optional<ParticipantId> chosen() const;
 
     std::unique_ptr<Ui::ParticipantsPanel> m_ui;
@@ -50,6 +53,7 @@ private:
     ConductModel* m_conduct = nullptr;
     StationsModel* m_stations = nullptr;
     QMenu m_moves; ///< a station each
+    PeopleModel* m_people = nullptr;
 };
 
 } // namespace carina

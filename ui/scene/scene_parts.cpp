@@ -8,7 +8,6 @@ namespace
 {
 
 constexpr const char* kMandible = "mandible";
-constexpr const char* kTube = "tube";
 
 std::string bodyName(SurfaceBody body)
 {
@@ -18,7 +17,7 @@ std::string bodyName(SurfaceBody body)
     case SurfaceBody::Mandible:
         return kMandible;
     case SurfaceBody::Tube:
-        return kTube;
+        return kTubeBody;
     }
     return {};
 }
@@ -109,7 +108,7 @@ SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
     frame.throat = throat;
     frame.bodies[kMandible] = inPatient(patient, throat.X_AJ);
     if (moment.tube && moment.tube->validity != Validity::Lost)
-        frame.bodies[kTube] = moment.tube->X_FO;
+        frame.bodies[kTubeBody] = moment.tube->X_FO;
     return frame;
 }
 

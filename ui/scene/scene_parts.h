@@ -12,6 +12,8 @@ namespace carina
 
 /// The body of all surfaces of a patient but the mandible's.
 inline constexpr const char* kPatientBody = "patient";
+/// The body of the tube that is drawn with the patient.
+inline constexpr const char* kTubeBody = "tube";
 
 /// The surfaces of a patient as parts of a scene, in their order; a part's id is its index + 1.
 [[nodiscard]] std::vector<ScenePart> sceneParts(const PatientModel& patient);

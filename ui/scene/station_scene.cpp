@@ -7,18 +7,42 @@ namespace carina
 {
 
 StationScene::StationScene(SceneView& scene, const PatientModel& patient, const StationView& view)
-    : m_scene{scene}, m_patient{&patient}, m_view{&view}
+    : m_scene{scene}, m_patient{&patient}, m_view{&view}, m_standardHeadset{HeadsetView::standard()}
 {
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_scene.nameSides(kPatientBody);
-    m_scene.setFrameSource([this](int level, LocalTime lit) {
-        m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
-        SceneFrame frame =
-            sceneFrame(m_moment, m_patient->lungs().field(), throatAt(m_moment, *m_patient));
-        if (m_headset)
-            frame.eyes = m_headset->eyes(m_output, m_moment.head);
-        return frame;
+    m_scene.setFrameSource([this](int level, LocalTime lit) { return frameOf(level, lit); });
+    m_scene.onFrameDrawn([this](const DrawnFrame& frame) {
+        for (const Listener& told : m_listeners)
+            told(frame, m_moment);
     });
+}
+
+SceneFrame StationScene::frameOf(int level, LocalTime lit)
+{
+    m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
+    showPeople();
+    SceneFrame frame =
+        sceneFrame(m_moment, m_patient->lungs().field(), throatAt(m_moment, *m_patient));
+    const auto eyesOf = m_output == ViewOutput::Screen ? m_throughEyesOf : std::nullopt;
+    addPeople(frame, m_moment, eyesOf);
+    if (eyesOf) {
+        const PersonPose* head = headOf(m_moment.people, *eyesOf);
+        frame.eyes = m_standardHeadset.eyes(ViewOutput::Mono,
+                                            head ? std::optional{head->pose} : std::nullopt);
+    } else if (m_headset) {
+        frame.eyes = m_headset->eyes(m_output, m_moment.head);
+    }
+    return frame;
+}
+
+void StationScene::showPeople()
+{
+    std::vector<DrawnPerson> people = drawnPeople(m_moment);
+    if (people == m_people)
+        return;
+    m_people = std::move(people);
+    m_scene.setFigures(peopleFigures(m_people, *m_patient));
 }
 
 void StationScene::show(const PatientModel& patient, const StationView& view)
@@ -26,6 +50,8 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
     m_patient = &patient;
     m_view = &view;
     m_scene.setParts(sceneParts(patient), patient.reach());
+    m_people.clear(); // whose tubes are those of the patient before
+    m_scene.setFigures({});
 }
 
 void StationScene::showTo(const HeadsetView& headset, ViewOutput output)
@@ -34,10 +60,6 @@ void StationScene::showTo(const HeadsetView& headset, ViewOutput output)
     m_output = output;
 }
 
-void StationScene::onFrameDrawn(Listener listener)
-{
-    m_scene.onFrameDrawn(
-        [this, told = std::move(listener)](const DrawnFrame& frame) { told(frame, m_moment); });
-}
+void StationScene::onFrameDrawn(Listener listener) { m_listeners.push_back(std::move(listener)); }
 
 } // namespace carina

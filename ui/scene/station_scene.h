@@ -3,6 +3,7 @@
 #include "models/patient/patient_model.h"
 #include "models/station/headset_view.h"
 #include "models/station/station_view.h"
+#include "ui/scene/people_figures.h"
 #include "widgets/scene/view/scene_frame.h"
 
 #include <functional>
@@ -30,18 +31,34 @@ public:
     /// Selects the output: the eyes of a headset, or a screen.
     void showTo(const HeadsetView& headset, ViewOutput output);
     [[nodiscard]] ViewOutput output() const { return m_output; }
+    /// Draws on a screen what a participant sees, whose head is then not drawn; the background only
+    /// while it is not tracked. std::nullopt: as the view's own camera sees it.
+    void seeThrough(std::optional<ParticipantId> participant) { m_throughEyesOf = participant; }
+    [[nodiscard]] const std::optional<ParticipantId>& throughEyesOf() const
+    {
+        return m_throughEyesOf;
+    }
 
     [[nodiscard]] SceneView& scene() const { return m_scene; }
     [[nodiscard]] const PatientModel& patient() const { return *m_patient; }
     /// The moment of the latest frame.
     [[nodiscard]] const StationMoment& moment() const { return m_moment; }
 
+    /// Adds a listener.
     void onFrameDrawn(Listener listener);
 
 private:
+    [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
+    /// Has the scene make figures of the people of the moment, if others are there than before.
+    void showPeople();
+
     SceneView& m_scene;
     const PatientModel* m_patient;
     const StationView* m_view;
+    std::vector<DrawnPerson> m_people; ///< whose figures the scene has
+    std::vector<Listener> m_listeners;
+    HeadsetView m_standardHeadset; ///< for views through the eyes of others
+    std::optional<ParticipantId> m_throughEyesOf;
     std::optional<HeadsetView> m_headset;
     ViewOutput m_output = ViewOutput::Screen;
     StationMoment m_moment;

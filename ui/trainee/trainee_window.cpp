@@ -1,9 +1,11 @@
 #include "ui/trainee/trainee_window.h"
 
 #include "models/station/own_station.h"
+#include "models/station/people_words.h"
 #include "models/station/station_notice.h"
 #include "ui/panels/actions_panel.h"
 #include "ui/panels/parts_panel.h"
+#include "ui/panels/people_menus.h"
 #include "ui/panels/section_panel.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -26,7 +28,7 @@ constexpr int kNoticeMargin = 4; // pixels
 TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
                              const StationView& view, const HeadsetView& headset, ViewOutput output,
                              ChinProbeModel chinProbe, ObjectActionModel& actions,
-                             Standing standing)
+                             PeopleModel& people, Standing standing)
     : m_node{node},
       m_patient{patient},
       m_scene{new SceneView{this}},
@@ -36,6 +38,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_section{new SectionPanel},
       m_notices{new QLabel{this}, new QLabel{this}},
       m_headset{headset},
+      m_people{people},
       m_chinProbe{chinProbe},
       m_standing{std::move(standing)},
       m_stationScene{*m_scene, *patient.patient(), view}
@@ -121,6 +124,8 @@ void TraineeWindow::makeMenu()
     m_menu.addSeparator();
     addPresets();
     m_menu.addSeparator();
+    addPeople();
+    m_menu.addSeparator();
     m_menu.addAction(m_actions->toggleViewAction());
     m_menu.addAction(m_parts->toggleViewAction());
     m_menu.addSeparator();
@@ -167,14 +172,40 @@ void TraineeWindow::addOutputs()
 
 void TraineeWindow::addPresets()
 {
-    const auto add = [this](ViewPreset preset, const QString& text) {
-        m_presets.push_back(
-            m_menu.addAction(text, this, [this, preset] { m_scene->showFrom(preset); }));
+    auto* eyes = new EyesMenu{m_people, tr("Through the &eyes of"), this};
+    connect(eyes, &EyesMenu::chosen, this, [this](std::optional<ParticipantId> participant) {
+        m_stationScene.seeThrough(participant);
+        refreshNotice();
+    });
+    const auto add = [this, eyes](ViewPreset preset, const QString& text) {
+        m_presets.push_back(m_menu.addAction(text, this, [this, eyes, preset] {
+            eyes->setChosen(std::nullopt);
+            m_stationScene.seeThrough(std::nullopt);
+            m_scene->showFrom(preset);
+        }));
         m_presets.back()->setEnabled(m_stationScene.output() == ViewOutput::Screen);
     };
     add(ViewPreset::Front, tr("From the &front"));
     add(ViewPreset::Right, tr("From the &right side"));
     add(ViewPreset::Trainee, tr("From the &head end"));
+    m_presets.push_back(m_menu.addMenu(eyes));
+    m_presets.back()->setEnabled(m_stationScene.output() == ViewOutput::Screen);
+}
+
+void TraineeWindow::addPeople()
+{
+    const auto self = [this]() -> std::optional<ParticipantId> { return m_node.self(); };
+    const auto head = [this] { return m_stationScene.moment().head; };
+    QAction* work = m_menu.addMenu(new WorkMenu{m_people, tr("&Work at the patient"), this});
+    QAction* place =
+        m_menu.addMenu(new PlaceMenu{m_people, self, head, tr("Where others see &you"), this});
+    const auto offer = [=, this] {
+        const auto own = m_people.person(m_node.self());
+        work->setVisible(!isRemoved(m_node));
+        place->setVisible(!isRemoved(m_node) && own && own->canBePlaced);
+    };
+    connect(&m_menu, &QMenu::aboutToShow, this, offer);
+    offer();
 }
 
 void TraineeWindow::addMotion()
@@ -264,6 +295,11 @@ QString TraineeWindow::notice() const
         notice.prepend(notice.isEmpty() ? trouble : trouble + QLatin1Char('\n'));
     if (notice.isEmpty())
         notice = m_chinProbe.notice();
+    if (const auto& eyes = m_stationScene.throughEyesOf();
+        eyes && m_stationScene.output() == ViewOutput::Screen) {
+        const QString told = throughEyesText(*m_node.state(), m_stationScene.moment(), *eyes);
+        notice = notice.isEmpty() ? told : told + QLatin1Char('\n') + notice;
+    }
     const QString patient = m_patient.notice();
     return notice.isEmpty() || patient.isEmpty() ? notice + patient
                                                  : notice + QLatin1Char('\n') + patient;

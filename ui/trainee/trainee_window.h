@@ -2,6 +2,7 @@
 
 #include "models/objects/object_action_model.h"
 #include "models/patient/session_patient.h"
+#include "models/session/people_model.h"
 #include "models/station/chin_probe_model.h"
 #include "ui/scene/station_scene.h"
 
@@ -36,7 +37,7 @@ public:
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
-                  ObjectActionModel& actions, Standing standing = {});
+                  ObjectActionModel& actions, PeopleModel& people, Standing standing = {});
 
     /// Draws another patient from now on.
     /// @param chinProbe of the patient's tracking
@@ -58,6 +59,7 @@ private:
     void addStation();
     void addOutputs();
     void addPresets();
+    void addPeople();
     void addMotion();
     /// The choices of what the chin probe moves; shown while there is a choice.
     [[nodiscard]] std::vector<QAction*> addChinProbe();
@@ -79,11 +81,12 @@ private:
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
     HeadsetView m_headset;
+    PeopleModel& m_people;
     ChinProbeModel m_chinProbe;
     Standing m_standing;
     StationScene m_stationScene;
     QMenu m_menu;
-    std::vector<QAction*> m_presets; ///< of the screen's camera
+    std::vector<QAction*> m_presets; ///< of the screen's camera, and through the eyes of others
 };
 
 } // namespace carina

@@ -100,6 +100,12 @@ inline constexpr std::tuple kFields<fact::RegistrationStated>{&fact::Registratio
 template <>
 inline constexpr std::tuple kFields<RegistrationStanding>{
     &RegistrationStanding::state, &RegistrationStanding::reason, &RegistrationStanding::error};
+template <>
+inline constexpr std::tuple kFields<fact::WorkTaken>{&fact::WorkTaken::participant,
+                                                     &fact::WorkTaken::before};
+template <>
+inline constexpr std::tuple kFields<fact::PlaceChosen>{&fact::PlaceChosen::participant,
+                                                       &fact::PlaceChosen::turn};
 
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>
@@ -179,7 +185,7 @@ template <> inline constexpr StrategyKind kLastEnumerator<StrategyKind> = Strate
 template <>
 inline constexpr RegistrationState kLastEnumerator<RegistrationState> = RegistrationState::Missing;
 template <> inline constexpr StaleReason kLastEnumerator<StaleReason> = StaleReason::Drift;
-template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Patient;
+template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Hand;
 template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
 template <>
 inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;

@@ -117,6 +117,11 @@ struct BodyCheck {
     Result<void> operator()(const fact::StationRenamed& f) const { return checkTexts({&f.name}); }
     Result<void> operator()(const fact::StationClosed&) const { return {}; }
     Result<void> operator()(const fact::ParticipantMoved&) const { return {}; }
+    Result<void> operator()(const fact::WorkTaken&) const { return {}; }
+    Result<void> operator()(const fact::PlaceChosen& f) const
+    {
+        return checkNumber("turn", inDegrees(f.turn), -180.0, 180.0, " deg");
+    }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

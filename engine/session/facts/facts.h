@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
 #include "engine/session/facts/conduct_facts.h"
+#include "engine/session/facts/people_facts.h"
 #include "engine/session/facts/registration_facts.h"
 #include "engine/session/respiration/respiration_facts.h"
 #include "engine/sync/strategies/strategy_choice.h"
@@ -23,6 +24,7 @@ enum class ObjectKind : std::uint8_t {
     Tube,
     Stylus,
     Patient, ///< the virtual patient as drawn; not tracked, moved by actions
+    Hand,
 };
 
 /// The kinds of facts: what may be decided or happen in a session. Station, author and effect time
@@ -138,15 +140,17 @@ struct ParticipantMoved {
 
 /// The index of an alternative defines the kind byte on the wire and on disk: add new ones at the
 /// end.
-using FactBody = std::variant<
-    fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
-    fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
-    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
-    fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
-    fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet,
-    fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
-    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
-    fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved>;
+using FactBody =
+    std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
+                 fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
+                 fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
+                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+                 fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet,
+                 fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint,
+                 fact::BodyPositionSet, fact::ParticipantMuted, fact::ParticipantRemoved,
+                 fact::BanLifted, fact::SessionLocked, fact::RoleCodeChanged, fact::TokenReplaced,
+                 fact::StrategyChosen, fact::RegistrationStated, fact::StationRenamed,
+                 fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken, fact::PlaceChosen>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

@@ -42,6 +42,7 @@ struct Scene {
         case ToolRole::Head:
         case ToolRole::Stylus:
         case ToolRole::Chest:
+        case ToolRole::Hand:
         case ToolRole::Other:
             break;
         }

@@ -131,6 +131,28 @@ void TestSessionPermissions::permitsByRole_data()
     row("asks for it no more", "yyynnn", [](auto) {
         return fact::ObjectWanted{kSampleTube, false};
     });
+    // The one at work in this session is the trainee, who has its tube.
+    row("takes the work, or keeps its own", "nyynnn", [](auto id) {
+        return fact::WorkTaken{id, kSampleTrainee};
+    });
+    row("gives the work to the other trainee", "yyynnn", [](auto) {
+        return fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee};
+    });
+    row("gives the work to an observer", "nnnnnn", [](auto) {
+        return fact::WorkTaken{kSampleObserver, kSampleTrainee};
+    });
+    row("gives the work to nobody", "nnnnnn", [](auto) {
+        return fact::WorkTaken{kNobody, kSampleTrainee};
+    });
+    row("chooses its own place", "nyynnn", [](auto id) {
+        return fact::PlaceChosen{id, degrees(90.0)};
+    });
+    row("chooses the place of the other trainee", "yynnnn", [](auto) {
+        return fact::PlaceChosen{kSampleOtherTrainee, degrees(90.0)};
+    });
+    QTest::newRow("other trainee takes the work from who is at work")
+        << FactBody{fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}}
+        << int(kSampleOtherTrainee.value) << false;
     QTest::newRow("other trainee takes the tube")
         << FactBody{fact::ObjectHandedOver{kSampleTube, kSampleOtherTrainee, 1}}
         << int(kSampleOtherTrainee.value) << false;
@@ -192,6 +214,8 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("closing", fact::StationClosed{}, "session ended");
     row("move", fact::ParticipantMoved{kSampleTrainee}, "session ended");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "session ended");
+    row("work", fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}, "session ended");
+    row("place", fact::PlaceChosen{kSampleTrainee, {}}, "session ended");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "session ended");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "session ended");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "session ended");
@@ -316,6 +340,8 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine",
         "station unknown");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "station unknown");
+    row("work", fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}, "fine", "out of range");
+    row("place", fact::PlaceChosen{kSampleTrainee, {}}, "fine", "fine");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "station unknown");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "station unknown");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "station unknown");

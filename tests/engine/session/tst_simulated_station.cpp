@@ -6,6 +6,7 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace carina::simulated_station_test
@@ -17,6 +18,8 @@ using namespace std::chrono_literals;
 
 constexpr Duration kPeriod = 20s;
 constexpr Duration kStep = 100ms;
+constexpr double kHeadsApart = 0.15;        // m, between their middles
+constexpr double kTubesApart = 0.01;        // m
 constexpr double kIntoFloorOfMouth = 0.012; // m, of a rigid tube into the mandible
 
 /// A surface of the patient, and whether the jaw carries it.
@@ -109,6 +112,42 @@ private Q_SLOTS:
             if (name.find("upper") != std::string::npos)
                 QVERIFY2(depth < radius, name.c_str()); // its centreline stays outside
         QVERIFY(into.at("Mandible") < kIntoFloorOfMouth);
+    }
+
+    /// Their heads are apart at all times, their tubes at most times: two of them are in the
+    /// patient one after the other.
+    void keepsSeveralPeopleApart()
+    {
+        const auto patient = builtinPatient(BuiltinPatient::Adult);
+        const auto tube = makeTube(dimensionsOf(BuiltinPatient::Adult).tubeInnerDiameter,
+                                   patient->landmarks.path_A, patient->landmarks.p_A_incisors);
+        const auto noClock = [] { return std::optional<SessionTime>{}; };
+        const auto truthOf = [&](unsigned number) {
+            return simulatedStation(patient->landmarks, *tube, noClock, {}, {},
+                                    [number] { return number; })
+                ->truth;
+        };
+        const auto alone = simulatedStation(patient->landmarks, *tube, noClock)->truth;
+        const std::array people{truthOf(0), truthOf(1), truthOf(2)};
+        const auto p_T = [](const TrueToolPose& truth, ToolRole tool, Duration t) {
+            return truth(tool, SessionTime{t}).value().translation();
+        };
+        int together = 0;
+        int times = 0;
+        for (Duration t = 0s; t < kPeriod; t += kStep) {
+            QCOMPARE(p_T(people[0], ToolRole::Tube, t), p_T(alone, ToolRole::Tube, t));
+            QCOMPARE(p_T(people[0], ToolRole::Head, t), p_T(alone, ToolRole::Head, t));
+            for (std::size_t i = 0; i < people.size(); ++i) {
+                const std::size_t j = (i + 1) % people.size();
+                const auto apart = [&](ToolRole tool) {
+                    return (p_T(people[i], tool, t) - p_T(people[j], tool, t)).norm();
+                };
+                QVERIFY(apart(ToolRole::Head) > kHeadsApart);
+                together += apart(ToolRole::Tube) < kTubesApart ? 1 : 0;
+                ++times;
+            }
+        }
+        QVERIFY(together < times / 3);
     }
 };
 

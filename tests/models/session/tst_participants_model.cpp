@@ -17,6 +17,7 @@ class TestParticipantsModel : public QObject
 private Q_SLOTS:
     void listsEverybodyWithTheirRole();
     void saysWhoIsWhere();
+    void saysWhoIsAtWork();
     void namesItsColumns();
     void saysWhetherSomebodyIsThere_data();
     void saysWhetherSomebodyIsThere();
@@ -72,7 +73,7 @@ void TestParticipantsModel::listsEverybodyWithTheirRole()
     QCOMPARE(table.model.rowCount(), 3);
     QCOMPARE(table.cell(kInstructorRow, Column::Name), QStringLiteral("Ina"));
     QCOMPARE(table.cell(kInstructorRow, Column::RoleColumn), QStringLiteral("Instructor"));
-    QCOMPARE(table.cell(kTraineeRow, Column::RoleColumn), QStringLiteral("Trainee"));
+    QCOMPARE(table.cell(kTraineeRow, Column::RoleColumn), QStringLiteral("Trainee, at work"));
     QCOMPARE(table.cell(kObserverRow, Column::RoleColumn), QStringLiteral("Observer"));
 }
 
@@ -86,6 +87,15 @@ void TestParticipantsModel::saysWhoIsWhere()
     QCOMPARE(table.cell(kObserverRow, Column::Station), QStringLiteral("Station 1"));
     QCOMPARE(table.cell(kTraineeRow, Column::Station, Qt::AccessibleTextRole),
              QStringLiteral("Station: Room 5"));
+}
+
+void TestParticipantsModel::saysWhoIsAtWork()
+{
+    Table table;
+    table.node.decide(fact::WorkTaken{FakeSessionNode::kInstructor, FakeSessionNode::kTrainee});
+    table.deliver();
+    QCOMPARE(table.cell(kInstructorRow, Column::RoleColumn), QStringLiteral("Instructor, at work"));
+    QCOMPARE(table.cell(kTraineeRow, Column::RoleColumn), QStringLiteral("Trainee"));
 }
 
 void TestParticipantsModel::namesItsColumns()

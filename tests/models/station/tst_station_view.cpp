@@ -75,7 +75,7 @@ private Q_SLOTS:
 
 void TestStationView::asksEverythingForTheTimeOfLight()
 {
-    const FakeSessionNode node;
+    const FakeSessionNode node{FakeSessionNode::kTrainee}; // who is at work
     const LungPair pair = lungs();
     const SessionTime lit{kLit.time_since_epoch()};
     const StationView view{node, FakeSessionNode::kStation, pair,

@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -27,6 +28,8 @@ private Q_SLOTS:
     void removesNobodyWhenCancelled();
     void removesNobodyByEnterAlone();
     void takesNoReasonThatIsTooLong();
+    void givesTheWorkByKeyboard();
+    void choosesAPlaceForSomebodyWhoseHeadIsShared();
     void locksTheSession();
     void saysWhoseRegistrationCannotBeReliedOn();
     void keepsWhoWasChosenWhenSomebodyComesIn();
@@ -44,13 +47,16 @@ struct Panel {
     ParticipantsModel participants{session};
     ConductModel conduct{session};
     StationsModel stations{session};
+    PeopleModel people{session, FakeSessionNode::kStation};
     ParticipantsPanel panel;
     QTableView& table = *panel.findChild<QTableView*>();
     QPushButton& mute = button("mute");
     QPushButton& remove = button("remove");
+    QPushButton& work = button("work");
+    QPushButton& place = button("place");
     QCheckBox& lock = *panel.findChild<QCheckBox*>(QStringLiteral("lock"));
 
-    Panel() { panel.setModel(participants, conduct, stations); }
+    Panel() { panel.setModel(participants, conduct, stations, people); }
     [[nodiscard]] QPushButton& button(const char* name) const
     {
         return *panel.findChild<QPushButton*>(QLatin1String{name});
@@ -170,6 +176,37 @@ void TestParticipantsPanel::takesNoReasonThatIsTooLong()
     reason.setText(QString(65, QLatin1Char('x')));
     QVERIFY(!remove.isEnabled());
     QVERIFY(!reason.accessibleName().isEmpty());
+}
+
+void TestParticipantsPanel::givesTheWorkByKeyboard()
+{
+    Panel panel;
+    QVERIFY(!panel.work.isEnabled());
+    panel.chooseTom(); // who is at work already
+    QVERIFY(!panel.work.isEnabled());
+    panel.table.setCurrentIndex(panel.participants.index(0, 0));
+    QVERIFY(panel.work.isEnabled());
+    QCOMPARE(panel.work.accessibleDescription(), QStringLiteral("Ina"));
+    Panel::press(panel.work);
+    QVERIFY(panel.node.state()->atWork(FakeSessionNode::kStation) == FakeSessionNode::kInstructor);
+    QVERIFY(!panel.work.isEnabled());
+}
+
+void TestParticipantsPanel::choosesAPlaceForSomebodyWhoseHeadIsShared()
+{
+    Panel panel;
+    panel.chooseTom();
+    QVERIFY(!panel.place.isEnabled());
+    panel.node.decide(fact::ObjectShared{{}, FakeSessionNode::kTrainee, ObjectKind::Head, "Head"});
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(panel.place.isEnabled());
+    const auto turn = [&] { return qRound(inDegrees(panel.tom().turn)); };
+    const QList<QAction*> places = panel.place.menu()->actions();
+    QCOMPARE(places.size(), 5);
+    places[2]->trigger(); // at the patient's right
+    QCOMPARE(turn(), -90);
+    places[0]->trigger(); // as tracked
+    QCOMPARE(turn(), 0);
 }
 
 void TestParticipantsPanel::locksTheSession()

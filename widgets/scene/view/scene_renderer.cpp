@@ -84,6 +84,7 @@ SceneRenderer::SceneRenderer(QWindow* window)
 
 SceneRenderer::~SceneRenderer()
 {
+    m_figures.clear();
     m_surfaces.clear();
     m_engine->setRootEntity({});
 }
@@ -91,11 +92,25 @@ SceneRenderer::~SceneRenderer()
 void SceneRenderer::setParts(std::span<const ScenePart> parts)
 {
     m_surfaces.clear();
+    m_surfaces = surfacesOf(parts);
+}
+
+void SceneRenderer::setFigureParts(std::span<const ScenePart> parts)
+{
+    m_figures.clear();
+    m_figures = surfacesOf(parts);
+    m_figureLevels.assign(parts.size(), 0);
+}
+
+SceneRenderer::Surfaces SceneRenderer::surfacesOf(std::span<const ScenePart> parts)
+{
+    Surfaces surfaces;
     for (MergedSurface& surface : mergedSurfaces(parts)) {
         Qt3DRender::QEffect* effect = m_effects.of(surface.key.layer);
-        m_surfaces.push_back(std::make_unique<SurfaceEntity>(std::move(surface), effect, m_root));
-        m_surfaces.back()->setCut(m_isCut);
+        surfaces.push_back(std::make_unique<SurfaceEntity>(std::move(surface), effect, m_root));
+        surfaces.back()->setCut(m_isCut);
     }
+    return surfaces;
 }
 
 void SceneRenderer::setCameras(std::span<const SceneCamera> cameras)
@@ -122,14 +137,19 @@ void SceneRenderer::apply(const SceneFrame& frame, std::span<const int> levels)
         surface->apply(frame);
         surface->show(levels, m_forward_A);
     }
+    for (const std::unique_ptr<SurfaceEntity>& surface : m_figures) {
+        surface->apply(frame);
+        surface->show(m_figureLevels, m_forward_A);
+    }
 }
 
 void SceneRenderer::setSection(const std::optional<Section>& section)
 {
     m_isCut = section.has_value();
     m_frameGraph.setCut(m_isCut);
-    for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces)
-        surface->setCut(m_isCut);
+    for (const Surfaces* surfaces : {&m_surfaces, &m_figures})
+        for (const std::unique_ptr<SurfaceEntity>& surface : *surfaces)
+            surface->setCut(m_isCut);
     const Section cut = section.value_or(Section{Vec3::Zero(), 0.0, Cut::All});
     m_effects.cut().section->setValue(
         QVector4D{toQt(cut.normal_A), static_cast<float>(cut.distance)});

@@ -48,6 +48,8 @@ public:
     SceneRenderer& operator=(const SceneRenderer&) = delete;
 
     void setParts(std::span<const ScenePart> parts);
+    /// Replaces the parts that come and go, each drawn in its finest level; the others are kept.
+    void setFigureParts(std::span<const ScenePart> parts);
     void setBackground(const QColor& color) { m_frameGraph.setBackground(color); }
 
     /// Sets the cameras; without any, only the background is drawn.
@@ -80,7 +82,12 @@ private:
     OrganEffects m_effects;           ///< whose nodes m_root owns
     Vec3 m_forward_A = Vec3::UnitY(); ///< of the cameras
     bool m_isCut = false;
-    std::vector<std::unique_ptr<SurfaceEntity>> m_surfaces;
+    using Surfaces = std::vector<std::unique_ptr<SurfaceEntity>>;
+    [[nodiscard]] Surfaces surfacesOf(std::span<const ScenePart> parts);
+
+    Surfaces m_surfaces;
+    Surfaces m_figures;
+    std::vector<int> m_figureLevels; ///< of each part of the figures: the finest
 };
 
 } // namespace carina

@@ -52,6 +52,7 @@ SceneView::SceneView(QWidget* parent)
       m_window(new SceneWindow),
       m_renderer(std::make_unique<SceneRenderer>(m_window)),
       m_labels(*this),
+      m_figureNames(*this),
       m_detail({}, kDrawingBudget)
 {
     QWidget* container = QWidget::createWindowContainer(m_window, this);
@@ -90,6 +91,21 @@ void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed
     setLooks({});
 }
 
+void SceneView::setFigures(std::span<const SceneFigure> figures)
+{
+    std::set<std::uint16_t> ids;
+    for (const ScenePart& part : m_parts)
+        ids.insert(part.id);
+    m_figureParts.clear();
+    for (const SceneFigure& figure : figures)
+        for (const ScenePart& part : figure.parts) {
+            CARINA_EXPECTS(ids.insert(part.id).second);
+            m_figureParts.push_back(part);
+        }
+    m_renderer->setFigureParts(m_figureParts);
+    m_figureNames.setFigures(figures);
+}
+
 void SceneView::setLooks(const PartLooks& looks)
 {
     m_looks = looks;
@@ -121,6 +137,8 @@ std::map<std::uint16_t, std::size_t> SceneView::visiblePixels()
 {
     std::map<std::uint16_t, std::size_t> pixels;
     for (const ScenePart& part : m_parts)
+        pixels[part.id] = 0;
+    for (const ScenePart& part : m_figureParts)
         pixels[part.id] = 0;
     if (m_window->isExposed())
         m_renderer->countPixels(pixels);
@@ -170,18 +188,36 @@ void SceneView::drawFrame()
     m_tick.start(std::max(left, std::chrono::milliseconds{0}));
 }
 
+/// The eyes, with their pictures in pixels of the widget.
+std::vector<EyeSight> SceneView::sightsOf(const std::vector<SceneCamera>& cameras) const
+{
+    const double ratio = m_window->devicePixelRatio();
+    std::vector<EyeSight> sights;
+    for (const SceneCamera& camera : cameras) {
+        const QRectF pixels(camera.pixels.x, camera.pixels.y, camera.pixels.width,
+                            camera.pixels.height);
+        sights.push_back({{camera.pose, camera.frustum, m_section},
+                          QRectF{pixels.topLeft() / ratio, pixels.size() / ratio}.toAlignedRect()});
+    }
+    return sights;
+}
+
 void SceneView::placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras)
 {
+    const std::vector<EyeSight> sights = sightsOf(cameras);
     if (frame.eyes) {
         m_labels.hide();
         if (m_sides)
             m_sides->hide();
+        m_figureNames.place(frame, sights);
         return;
     }
     if (m_sides)
         m_sides->place(frame, cameras.front().pose);
-    m_labels.place(frame, {cameras.front().pose, cameras.front().frustum, m_section},
-                   m_sides ? m_sides->boxes() : std::vector<QRect>{});
+    std::vector<QRect> taken = m_sides ? m_sides->boxes() : std::vector<QRect>{};
+    m_figureNames.place(frame, sights, taken);
+    std::ranges::move(m_figureNames.boxes(), std::back_inserter(taken));
+    m_labels.place(frame, sights.front().sight, taken);
 }
 
 void SceneView::drawExposed(LocalTime asked)

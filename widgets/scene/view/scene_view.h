@@ -1,6 +1,8 @@
 #pragma once
 
 #include "engine/display/time_of_light.h"
+#include "widgets/scene/figures/figure_names.h"
+#include "widgets/scene/figures/scene_figure.h"
 #include "widgets/scene/labels/part_labels.h"
 #include "widgets/scene/labels/side_labels.h"
 #include "widgets/scene/look/error_map.h"
@@ -53,6 +55,10 @@ public:
     /// @pre ids are unique.
     void setParts(std::span<const ScenePart> parts, const Box& alsoFramed = {});
     [[nodiscard]] const std::vector<ScenePart>& parts() const { return m_parts; }
+    /// Replaces the figures beside the parts, which are kept. Presets do not frame them, sections
+    /// do not cut them, and they have no looks. May be called by the frame source.
+    /// @pre ids are unique among the parts of all figures and those of the scene.
+    void setFigures(std::span<const SceneFigure> figures);
     /// Sets how parts are drawn differently from their material group. The camera does not move.
     void setLooks(const PartLooks& looks);
     [[nodiscard]] const PartLooks& looks() const { return m_looks; }
@@ -69,6 +75,12 @@ public:
     /// The names of parts as they were written last, in pixels of the view; `wish` counts the
     /// labelled parts that are not hidden.
     [[nodiscard]] const std::vector<PlacedName>& placedNames() const { return m_labels.placed(); }
+
+    /// The names of figures, likewise.
+    [[nodiscard]] const std::vector<PlacedName>& placedFigureNames() const
+    {
+        return m_figureNames.placed();
+    }
 
     void showFrom(ViewPreset preset);
     /// The view's own camera, used for frames without a list of eyes.
@@ -109,13 +121,16 @@ private:
     void sendRay(const QPointF& position);
     void chooseDetail();
     [[nodiscard]] std::vector<SceneCamera> camerasOf(const SceneFrame& frame) const;
+    [[nodiscard]] std::vector<EyeSight> sightsOf(const std::vector<SceneCamera>& cameras) const;
 
     SceneWindow* m_window; ///< owned by its container, a child of this
     std::unique_ptr<SceneRenderer> m_renderer;
     std::vector<ScenePart> m_parts;
+    std::vector<ScenePart> m_figureParts;
     PartLooks m_looks;
     std::optional<Section> m_section;
     PartLabels m_labels;
+    FigureNames m_figureNames;
     std::optional<SideLabels> m_sides;
     FrameSource m_source;
     FrameListener m_listener;

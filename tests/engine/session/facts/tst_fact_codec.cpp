@@ -87,6 +87,13 @@ std::vector<Golden> goldenFacts()
         {"station renamed", fact::StationRenamed{"S"}, "1c 0153"},
         {"station closed", fact::StationClosed{}, "1d"},
         {"participant moved", fact::ParticipantMoved{ParticipantId{0x0102}}, "1e 0201"},
+        {"work taken", fact::WorkTaken{ParticipantId{0x0102}, ParticipantId{0x0304}},
+         "1f 0201 0403"},
+        {"work that nobody did", fact::WorkTaken{ParticipantId{2}, kNobody}, "1f 0200 ffff"},
+        {"place chosen", fact::PlaceChosen{ParticipantId{0x0102}, radians(0.25)},
+         "20 0201 000000000000d03f"},
+        {"hand shared", fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Hand, ""},
+         "06 0100 0200 05 00"},
     };
 }
 
@@ -137,11 +144,11 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 31", "1f", "kind of fact 31");
+    row("kind 33", "21", "kind of fact 33");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
-    row("object kind 5", "06 0100 0100 05 00", "fact of kind 6: enumerator");
+    row("object kind 6", "06 0100 0100 06 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");

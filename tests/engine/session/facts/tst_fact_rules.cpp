@@ -17,6 +17,7 @@ private Q_SLOTS:
     void boundsTheStrategy();
     void knowsWhichStandingHasAReason();
     void boundsTheErrorOfARegistration();
+    void boundsTheTurnOfAPlace();
     void boundsTexts_data();
     void boundsTexts();
     void namesTheValueAndItsRange();
@@ -152,6 +153,17 @@ void TestFactRules::boundsTheErrorOfARegistration()
     QCOMPARE(stated(1.001), QByteArray{"out of range"});
     QCOMPARE(stated(-1e-4), QByteArray{"out of range"});
     QCOMPARE(stated(kNaN), QByteArray{"not finite"});
+}
+
+void TestFactRules::boundsTheTurnOfAPlace()
+{
+    const auto turn = [](Angle angle) {
+        return verdictOn(fact::PlaceChosen{ParticipantId{2}, angle});
+    };
+    QCOMPARE(turn(degrees(-180.0)), QByteArray{"fine"});
+    QCOMPARE(turn(degrees(180.0)), QByteArray{"fine"});
+    QCOMPARE(turn(degrees(180.1)), QByteArray{"out of range"});
+    QCOMPARE(turn(degrees(-180.1)), QByteArray{"out of range"});
 }
 
 void TestFactRules::boundsTexts_data()

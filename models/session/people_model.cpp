@@ -1,0 +1,119 @@
+#include "models/session/people_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+constexpr int kQuarters = 4;
+
+const SharedObject* headOwnedBy(const SessionState& state, ParticipantId owner, StationId station)
+{
+    const auto found = std::ranges::find_if(state.objects(), [&](const auto& entry) {
+        const SharedObject& object = entry.second;
+        return object.owner == owner && object.station == station
+               && object.kind == ObjectKind::Head;
+    });
+    return found == state.objects().end() ? nullptr : &found->second;
+}
+
+/// In quarter turns about +y of A from the patient's head.
+int sideOf(const std::optional<RigidTransform>& X_AH)
+{
+    if (!X_AH)
+        return 0;
+    const Vec3& p = X_AH->translation();
+    return static_cast<int>(std::lround(std::atan2(p.x(), p.z()) / kQuarter));
+}
+
+} // namespace
+
+Angle turnTo(PatientSide side, const std::optional<RigidTransform>& X_AH)
+{
+    const int quarters = (static_cast<int>(side) - sideOf(X_AH) + 2 * kQuarters) % kQuarters;
+    return radians(kQuarter * (quarters > 2 ? quarters - kQuarters : quarters));
+}
+
+PeopleModel::PeopleModel(SessionModel& session, StationId station, QObject* parent)
+    : QObject{parent}, m_session{session}, m_station{station}
+{
+    connect(&m_session, &SessionModel::changed, this, &PeopleModel::changed);
+}
+
+void PeopleModel::setStation(StationId station)
+{
+    if (std::exchange(m_station, station) != station)
+        Q_EMIT changed();
+}
+
+PeopleModel::Person PeopleModel::personOf(const SessionState& state, const Participant& who) const
+{
+    const ParticipantId self = m_session.node().self();
+    const auto own = state.participants().find(self);
+    const Role role = own == state.participants().end() ? Role::Observer : own->second.role;
+    const ParticipantId worker = state.atWork(m_station);
+    Person person{.id = who.id, .name = QString::fromStdString(who.name)};
+    person.isSelf = who.id == self;
+    person.isAtWork = who.id == worker;
+    person.hasHead = headOwnedBy(state, who.id, m_station) != nullptr;
+    const bool mayGive =
+        role == Role::Instructor
+        || (role == Role::Trainee && (worker == self || (worker == kNobody && person.isSelf)));
+    person.canBeGiven = mayGive && !person.isAtWork && who.role != Role::Observer;
+    person.canBePlaced =
+        person.hasHead && (role == Role::Instructor || (role == Role::Trainee && person.isSelf));
+    person.isPlaced = who.turn != Angle{};
+    return person;
+}
+
+std::vector<PeopleModel::Person> PeopleModel::people() const
+{
+    const auto state = m_session.node().state();
+    std::vector<Person> people;
+    for (const auto& [id, who] : state->participants())
+        if (who.present && who.station == m_station)
+            people.push_back(personOf(*state, who));
+    return people;
+}
+
+std::optional<PeopleModel::Person> PeopleModel::person(ParticipantId id) const
+{
+    const std::vector<Person> all = people();
+    const auto found = std::ranges::find(all, id, &Person::id);
+    return found == all.end() ? std::nullopt : std::optional{*found};
+}
+
+QString PeopleModel::workText() const
+{
+    for (const Person& person : people())
+        if (person.isAtWork)
+            return person.isSelf ? tr("● You are at work") : tr("● At work: %1").arg(person.name);
+    return tr("○ Nobody is at work");
+}
+
+void PeopleModel::giveWork(ParticipantId to)
+{
+    SessionNode& node = m_session.node();
+    node.propose(m_station, fact::WorkTaken{to, node.state()->atWork(m_station)});
+}
+
+void PeopleModel::place(ParticipantId id, std::optional<PatientSide> side,
+                        const std::optional<PoseSample>& ownHead)
+{
+    SessionNode& node = m_session.node();
+    const auto state = node.state();
+    const SharedObject* head = headOwnedBy(*state, id, m_station);
+    std::optional<PoseSample> seen = id == node.self() ? ownHead : std::nullopt;
+    if (const auto poses = head ? node.object(head->id) : nullptr)
+        seen = poses->newest();
+    const auto X_AH = seen ? std::optional{seen->X_FO} : std::nullopt;
+    node.propose(m_station, fact::PlaceChosen{id, side ? turnTo(*side, X_AH) : Angle{}});
+}
+
+} // namespace carina

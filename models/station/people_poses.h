@@ -1,0 +1,56 @@
+#pragma once
+
+#include "engine/net/node/session_node.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// The source of the poses of a program's own objects, in A; by default it has none.
+struct ObjectPoses {
+    /// The pose at a time; std::nullopt for an object never seen.
+    std::function<std::optional<PoseSample>(ObjectKind, SessionTime)> at =
+        [](ObjectKind, SessionTime) { return std::nullopt; };
+    /// The time of the newest sample.
+    std::function<std::optional<SessionTime>(ObjectKind)> newest = [](ObjectKind) {
+        return std::nullopt;
+    };
+};
+
+/// An object that a person at a station shares: a head, a hand, a stylus, a jaw or a tube.
+struct PersonPose {
+    ObjectId object;
+    ParticipantId owner;
+    std::string ownerName;
+    ObjectKind kind = ObjectKind::Head;
+    bool isOwn = false;    ///< of this program's participant
+    bool isAtWork = false; ///< the tube or the jaw of who is at work
+    PoseSample pose;       ///< X_AO as its owner has it
+    RigidTransform X_AO;   ///< where others draw it: at the place that was chosen for its owner
+};
+
+/// The objects of the people who are present at a station, at a session time, by object; those
+/// never seen are left out. Owner and kind of an object follow from facts alone.
+///
+/// Head and hands are drawn at the place of their owner (PlaceChosen), and so is a tube or stylus
+/// in these hands. The tube of who is at work is where the patient's airway has it, and the hand
+/// that holds it is with it.
+/// @param own poses of this program's objects
+[[nodiscard]] std::vector<PersonPose> peoplePoses(const SessionNode& node, StationId station,
+                                                  const ObjectPoses& own, SessionTime t);
+
+/// The object at work of this kind, a tube or a jaw; nullptr without one.
+[[nodiscard]] const PersonPose* atWork(const std::vector<PersonPose>& people, ObjectKind kind);
+
+/// The head of a participant; nullptr while it was never seen.
+[[nodiscard]] const PersonPose* headOf(const std::vector<PersonPose>& people,
+                                       ParticipantId participant);
+
+/// X_A'A of a place that is turned by an angle: about +y of A, through its origin.
+[[nodiscard]] RigidTransform placedBy(Angle turn);
+
+} // namespace carina

@@ -1,0 +1,114 @@
+#include "tests/support/test_class.h"
+#include "ui/scene/people_figures.h"
+#include "ui/scene/scene_parts.h"
+
+#include <set>
+
+namespace carina::people_figures_test
+{
+namespace
+{
+
+constexpr ParticipantId kSelf{1};
+constexpr ParticipantId kTom{2};
+constexpr ParticipantId kTess{3};
+
+PersonPose seen(std::uint16_t object, ParticipantId owner, ObjectKind kind)
+{
+    PersonPose person{.object = ObjectId{object}, .owner = owner, .ownerName = "Tom", .kind = kind};
+    person.isOwn = owner == kSelf;
+    person.pose.validity = Validity::Tracked;
+    person.X_AO = RigidTransform::translation({double(object), 0.0, 0.0});
+    return person;
+}
+
+/// Everybody with everything, the second at work.
+StationMoment crowd()
+{
+    StationMoment moment;
+    moment.worker = kTom;
+    std::uint16_t object = 0;
+    for (const ParticipantId owner : {kSelf, kTom, kTess})
+        for (const ObjectKind kind : {ObjectKind::Head, ObjectKind::Hand, ObjectKind::Stylus,
+                                      ObjectKind::Jaw, ObjectKind::Tube}) {
+            moment.people.push_back(seen(++object, owner, kind));
+            const bool isOfWork = kind == ObjectKind::Jaw || kind == ObjectKind::Tube;
+            moment.people.back().isAtWork = owner == kTom && isOfWork;
+        }
+    return moment;
+}
+
+std::set<std::uint16_t> bodies(const StationMoment& moment,
+                               const std::optional<ParticipantId>& throughEyesOf = {})
+{
+    SceneFrame frame;
+    addPeople(frame, moment, throughEyesOf);
+    std::set<std::uint16_t> objects;
+    for (const auto& [name, body] : frame.bodies)
+        objects.insert(std::uint16_t(std::lround(body.X_AF.translation().x())));
+    return objects;
+}
+
+} // namespace
+
+class TestPeopleFigures : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Objects 1 to 5 are the own head, hand, stylus, jaw and tube, 6 to 10 Tom's, 11 to 15 Tess's.
+    void drawsOthersAndAllTubesAndNeverTheOwnHead()
+    {
+        QCOMPARE(bodies(crowd()), (std::set<std::uint16_t>{5, 6, 7, 8, 11, 12, 13, 15}));
+    }
+
+    void doesNotDrawWhatIsLost()
+    {
+        StationMoment moment = crowd();
+        moment.people[5].pose.validity = Validity::Lost;
+        QCOMPARE(bodies(moment), (std::set<std::uint16_t>{5, 7, 8, 11, 12, 13, 15}));
+    }
+
+    void doesNotDrawTheHeadThroughWhoseEyesItLooks()
+    {
+        QCOMPARE(bodies(crowd(), kTess), (std::set<std::uint16_t>{5, 6, 7, 8, 12, 13, 15}));
+    }
+
+    /// The one that is then drawn with the patient.
+    void leavesTheOwnTubeToThePatientWhileNobodyIsAtWork()
+    {
+        StationMoment moment = crowd();
+        moment.worker = kNobody;
+        for (PersonPose& person : moment.people)
+            person.isAtWork = false;
+        QCOMPARE(bodies(moment), (std::set<std::uint16_t>{6, 7, 8, 10, 11, 12, 13, 15}));
+    }
+
+    void namesTheTubeAtWorkWithoutDrawingItTwice()
+    {
+        const auto people = drawnPeople(crowd());
+        const auto tube = std::ranges::find(people, ObjectId{10}, &DrawnPerson::object);
+        QVERIFY(tube != people.end() && tube->isAtWork);
+        QCOMPARE(tube->name, QStringLiteral("Tube of Tom"));
+    }
+
+    /// Who moves needs no other figure; who comes, goes or takes the work does.
+    void needsNewFiguresOnlyWhereOthersAreThere()
+    {
+        StationMoment moment = crowd();
+        const auto before = drawnPeople(moment);
+        for (PersonPose& person : moment.people) {
+            person.X_AO = {};
+            person.pose.validity = Validity::Lost;
+        }
+        QCOMPARE(drawnPeople(moment), before);
+        moment.worker = kTess;
+        QVERIFY(drawnPeople(moment) != before);
+    }
+};
+
+CARINA_TEST(TestPeopleFigures)
+
+} // namespace carina::people_figures_test
+
+#include "tst_people_figures.moc"

@@ -1,0 +1,96 @@
+#include "tests/support/test_class.h"
+#include "widgets/scene/figures/figure_shapes.h"
+
+#include <array>
+#include <cmath>
+
+namespace carina::figure_shapes_test
+{
+namespace
+{
+
+constexpr double kSize = 1e-6; ///< metres, of a coordinate
+
+std::array<FigureShapes::Mesh, 6> allShapes()
+{
+    const FigureShapes& shapes = figureShapes();
+    return {shapes.head, shapes.visor, shapes.gaze, shapes.hand, shapes.stylus, shapes.ray};
+}
+
+} // namespace
+
+class TestFigureShapes : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Of |x/a|^n + |y/b|^n + |z/c|^n = 1: 8 abc G(1 + 1/n)^3 / G(1 + 3/n), with Euler's G.
+    void enclosesTheVolumeOfASuperellipsoid_data()
+    {
+        QTest::addColumn<double>("exponent");
+        QTest::addColumn<double>("facets"); // share of the volume that they cut off at most
+        QTest::newRow("ellipsoid") << 2.0 << 0.03;
+        QTest::newRow("rounder box") << 3.0 << 0.03;
+        QTest::newRow("box, whose edges are sharper") << 6.0 << 0.04;
+    }
+    void enclosesTheVolumeOfASuperellipsoid()
+    {
+        QFETCH(double, exponent);
+        QFETCH(double, facets);
+        const Vec3 radii{0.05, 0.12, 0.08};
+        const TriangleMesh mesh = superellipsoid({0.3, -0.2, 0.1}, radii, exponent);
+        const double expected = 8.0 * radii.prod()
+                                * std::pow(std::tgamma(1.0 + 1.0 / exponent), 3.0)
+                                / std::tgamma(1.0 + 3.0 / exponent);
+        const double volume = signedVolume(mesh);
+        QVERIFY(volume < expected);
+        QVERIFY(volume > (1.0 - facets) * expected);
+        const Box box = boundsOf(mesh);
+        QVERIFY((box.centre() - Vec3(0.3, -0.2, 0.1)).norm() < kSize);
+        QVERIFY((box.size().array() < 2.0 * radii.array() + kSize).all());
+    }
+
+    void facesOutwardWithNormals()
+    {
+        for (const FigureShapes::Mesh& mesh : allShapes()) {
+            QVERIFY(signedVolume(*mesh) > 0.0);
+            QCOMPARE(mesh->normals.size(), mesh->positions.size());
+        }
+    }
+
+    /// The eyes are at the origin, the face towards -z, the top of the head towards +y.
+    void wearsTheVisorBeforeTheEyes()
+    {
+        const FigureShapes& shapes = figureShapes();
+        const Box head = boundsOf(*shapes.head);
+        const Box visor = boundsOf(*shapes.visor);
+        QVERIFY(std::abs(head.max.y() - kHeadTop) < kSize);
+        QVERIFY(head.centre().z() > 0.0 && std::abs(head.centre().x()) < kSize);
+        QVERIFY(visor.min.z() < head.min.z());
+        QVERIFY(visor.max.z() < head.centre().z());
+        QVERIFY(visor.size().x() > visor.size().y());
+        QVERIFY(visor.min.y() < 0.0 && visor.max.y() > 0.0);
+    }
+
+    void looksAndPointsAlongMinusZ()
+    {
+        const FigureShapes& shapes = figureShapes();
+        const auto reach = [](const FigureShapes::Mesh& mesh) {
+            const Box box = boundsOf(*mesh);
+            return box.size().head<2>().maxCoeff() < 0.02 ? -box.min.z() : 0.0;
+        };
+        QVERIFY(std::abs(reach(shapes.gaze) - kGazeLength) < kSize);
+        QVERIFY(std::abs(reach(shapes.ray) - kRayLength) < kSize);
+        const Box stylus = boundsOf(*shapes.stylus);
+        QVERIFY(std::abs(stylus.min.z()) < kSize && stylus.max.z() > 0.1);
+        // The index finger is stretched out farther than all else of the hand.
+        const Box hand = boundsOf(*shapes.hand);
+        QVERIFY(hand.min.z() < -0.06 && hand.max.z() > 0.09);
+    }
+};
+
+CARINA_TEST(TestFigureShapes)
+
+} // namespace carina::figure_shapes_test
+
+#include "tst_figure_shapes.moc"

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "models/patient/patient_model.h"
+#include "models/station/station_view.h"
+#include "widgets/scene/figures/scene_figure.h"
+#include "widgets/scene/view/scene_frame.h"
+
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// An object of a person that a scene draws beside the patient, or whose name it writes.
+struct DrawnPerson {
+    ObjectId object;
+    ParticipantId owner;
+    ObjectKind kind = ObjectKind::Head;
+    QString name;          ///< written beside it
+    bool isAtWork = false; ///< the tube that is drawn with the patient: named only
+
+    friend bool operator==(const DrawnPerson&, const DrawnPerson&) = default;
+};
+
+/// What is drawn of the people at a moment: heads, hands and styluses of others, and all tubes. The
+/// own head, and own hands, are never drawn.
+[[nodiscard]] std::vector<DrawnPerson> drawnPeople(const StationMoment& moment);
+
+/// Their figures; tubes are that of the patient.
+[[nodiscard]] std::vector<SceneFigure> peopleFigures(const std::vector<DrawnPerson>& people,
+                                                     const PatientModel& patient);
+
+/// An object of a person in a frame.
+struct ObjectInFrame {
+    ObjectId object;
+    ParticipantId owner;
+    ObjectKind kind = ObjectKind::Head;
+    bool isOwn = false;    ///< of this program's participant
+    RigidTransform X_AO{}; ///< as drawn; of what is own and not drawn, where others draw it
+};
+
+/// The objects that a frame draws, and besides them those of this program's participant that are
+/// tracked, whether they are drawn or not.
+[[nodiscard]] std::vector<ObjectInFrame> objectsIn(const SceneFrame& frame,
+                                                   const StationMoment& moment);
+
+/// Adds the bodies of the people to a frame; what is lost is not drawn.
+/// @param throughEyesOf whose head is the eye of the view and therefore not drawn
+void addPeople(SceneFrame& frame, const StationMoment& moment,
+               const std::optional<ParticipantId>& throughEyesOf = {});
+
+} // namespace carina

@@ -149,14 +149,6 @@ private:
     std::vector<std::unique_ptr<QProcess>> m_programs;
 };
 
-std::unique_ptr<carina::SessionNode> hostedOn(carina::MemoryDisk& disk)
-{
-    auto host = carina::SessionNode::host(
-        {.sessionName = "Course", .participantName = "Dr Hall", .derive = keyAtOnce},
-        std::make_unique<carina::MemoryStore>(disk));
-    return host ? *std::move(host) : nullptr;
-}
-
 /// Opens the other stations.
 bool openStations(carina::SessionNode& host)
 {
@@ -168,6 +160,14 @@ bool openStations(carina::SessionNode& host)
         QThread::msleep(10);
     }
     return true;
+}
+
+std::unique_ptr<carina::SessionNode> hostedOn(carina::MemoryDisk& disk)
+{
+    auto host = carina::SessionNode::host(
+        {.sessionName = "Course", .participantName = "Dr Hall", .derive = keyAtOnce},
+        std::make_unique<carina::MemoryStore>(disk));
+    return host && openStations(**host) ? *std::move(host) : nullptr;
 }
 
 bool areAllIn(const carina::SessionNode& host, std::size_t participants, int objects)
@@ -230,7 +230,7 @@ std::optional<double> courseCost(const Course& course, int rounds)
     carina::MemoryDisk disk;
     const auto host = hostedOn(disk);
     const int objects = course.senders * kOwnObjects;
-    if (!host || !openStations(*host))
+    if (!host)
         return std::nullopt;
     const Participants participants{*host, course};
     if (!waitForAll(*host, std::size_t(course.participants), objects))

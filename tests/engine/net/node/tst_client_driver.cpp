@@ -33,16 +33,17 @@ struct Pair {
         : host{SessionKey{std::byte{1}},
                log,
                1000h,
-               {[](const ProposalRecord&, LocalTime) {
+               {[](const Hello&, LocalTime) {
                     return Identity{ParticipantId{5}, true};
                 },
-                [log](const ProposalRecord&, LocalTime) {
+                [log](const Hello&, LocalTime) {
                     return Admission{ParticipantId{5}, log.back().number};
                 },
                 [](ProposalId) { return false; },
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
                 [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; },
-                [](ParticipantId) { return limitsOf(Role::Instructor); }}},
+                [](ParticipantId) { return limitsOf(Role::Instructor); },
+                [](ParticipantId) { return StationId{}; }}},
           client{{0, "Anna", role}, board, now}
     {
         client.connected(kHost, {}, now);

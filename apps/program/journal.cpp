@@ -48,16 +48,18 @@ void addPatient(QJsonObject& line, const StationMoment& moment, const SharedObje
 
 } // namespace
 
-Journal::Journal(const SessionNode& node, StationId station, const StationScene& scene)
-    : m_node{node}, m_station{station}, m_scene{scene}
+Journal::Journal(const SessionNode& node, StationId station, const StationScene& scene,
+                 Notice notice)
+    : m_node{node}, m_station{station}, m_scene{scene}, m_notice{std::move(notice)}
 {
     QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { writeLine(); });
 }
 
 Result<std::unique_ptr<Journal>> Journal::open(const QString& path, const SessionNode& node,
-                                               StationId station, const StationScene& scene)
+                                               StationId station, const StationScene& scene,
+                                               Notice notice)
 {
-    std::unique_ptr<Journal> journal{new Journal{node, station, scene}};
+    std::unique_ptr<Journal> journal{new Journal{node, station, scene, std::move(notice)}};
     journal->m_file.setFileName(path);
     if (!journal->m_file.open(QIODevice::WriteOnly | QIODevice::Append))
         return fail(Errc::FileUnwritable, path.toStdString());
@@ -88,6 +90,8 @@ void Journal::writeLine()
         {QStringLiteral("tidal_volume_ml"), inMillilitres(pattern.tidalVolume)},
         {QStringLiteral("right_lung_ml"), inMillilitres(lungs[0].gas)},
         {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)}};
+    if (m_notice)
+        line[QStringLiteral("notice")] = m_notice();
     addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
     m_file.flush();
@@ -103,11 +107,12 @@ void addJournalOption(QCommandLineParser& parser)
 
 Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
                                                     const SessionNode& node, StationId station,
-                                                    const StationScene& scene)
+                                                    const StationScene& scene,
+                                                    Journal::Notice notice)
 {
     if (!parser.isSet(kJournal))
         return nullptr;
-    return Journal::open(parser.value(kJournal), node, station, scene);
+    return Journal::open(parser.value(kJournal), node, station, scene, std::move(notice));
 }
 
 } // namespace carina::program

@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QTimer>
 
+#include <functional>
+
 namespace carina::program
 {
 
@@ -16,24 +18,27 @@ namespace carina::program
 /// breathing_rate_per_min, tidal_volume_ml, right_lung_ml and left_lung_ml (gas in each, from the
 /// mechanics); for the virtual patient patient_owner (a participant's number) and, after an action
 /// on it, patient_rate (rad/s, m/s or 1/s of the present motion), patient_xyz_mm, patient_q_xyzw
-/// and patient_size: its pose and scale in the anatomy frame.
+/// and patient_size: its pose and scale in the anatomy frame; notice, where the program shows one.
 class Journal
 {
 public:
+    /// What the program tells the person in front of it.
+    using Notice = std::function<QString()>;
+
     /// Starts to append to the file. @pre all outlive this.
     /// @returns FileUnwritable with the path.
-    [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const QString& path,
-                                                               const SessionNode& node,
-                                                               StationId station,
-                                                               const StationScene& scene);
+    [[nodiscard]] static Result<std::unique_ptr<Journal>>
+    open(const QString& path, const SessionNode& node, StationId station, const StationScene& scene,
+         Notice notice);
 
 private:
-    Journal(const SessionNode& node, StationId station, const StationScene& scene);
+    Journal(const SessionNode& node, StationId station, const StationScene& scene, Notice notice);
     void writeLine();
 
     const SessionNode& m_node;
     StationId m_station;
     const StationScene& m_scene;
+    Notice m_notice; ///< may be empty
     QFile m_file;
     QTimer m_timer;
 };
@@ -42,9 +47,8 @@ private:
 void addJournalOption(QCommandLineParser& parser);
 
 /// The journal for `--journal`; null without it. @returns the errors of Journal::open.
-[[nodiscard]] Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
-                                                                  const SessionNode& node,
-                                                                  StationId station,
-                                                                  const StationScene& scene);
+[[nodiscard]] Result<std::unique_ptr<Journal>>
+journalFromOptions(const QCommandLineParser& parser, const SessionNode& node, StationId station,
+                   const StationScene& scene, Journal::Notice notice = {});
 
 } // namespace carina::program

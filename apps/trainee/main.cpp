@@ -256,7 +256,8 @@ Result<int> run(const QCommandLineParser& parser)
     });
     program::watchSite(parser, window, [&station] { station.takePlace(); });
     const auto journal =
-        program::journalFromOptions(parser, station.node(), kStation, window.stationScene());
+        program::journalFromOptions(parser, station.node(), kStation, window.stationScene(),
+                                    [&window] { return window.notice(); });
     if (!journal)
         return tl::unexpected(journal.error());
     return show(window, parser, *options, station);

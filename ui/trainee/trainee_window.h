@@ -41,6 +41,8 @@ public:
     using QMainWindow::show;
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
+    /// What is written over the lower edge; empty where nothing is.
+    [[nodiscard]] QString notice() const;
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -55,7 +57,6 @@ private:
     void addMotion();
     void addChinProbe();
     void addFetching();
-    [[nodiscard]] QString notice() const;
     [[nodiscard]] QPoint menuPlace() const;
     void showTo(ViewOutput output);
     void refreshNotice();

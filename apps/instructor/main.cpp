@@ -1,3 +1,4 @@
+#include "apps/instructor/control_script.h"
 #include "apps/instructor/scripted_console.h"
 #include "apps/instructor/shown_station.h"
 #include "apps/program/entry_option.h"
@@ -32,6 +33,7 @@ const QString kCertificate = QStringLiteral("certificate");
 const QString kStrategy = QStringLiteral("strategy");
 const QString kAddStation = QStringLiteral("add-station");
 const QString kPrivateKey = QStringLiteral("private-key");
+const QString kScript = QStringLiteral("script");
 
 QString words(const char* text) { return QApplication::translate("Instructor", text); }
 
@@ -68,6 +70,11 @@ void addOptions(QCommandLineParser& parser)
                       words("Write the codes to join with into this file, for scripts."),
                       QStringLiteral("FILE")});
     parser.addOption({QStringLiteral("start"), words("Start a session that is ready to start.")});
+    parser.addOption(
+        {kScript,
+         words("Work the controls as the lines of this file say, which may be appended "
+               "later: press CONTROL, choose TABLE ROW, type FIELD TEXT."),
+         QStringLiteral("FILE")});
     parser.addOption({kStrategy,
                       words("Keep what is acted on alike by this strategy: %1. Without this option "
                             "as before, in a new session by %2.")
@@ -321,6 +328,9 @@ Result<int> run(const QCommandLineParser& parser)
     openStations(**node, stations, *wanted);
     if (parser.isSet(QStringLiteral("start")) && session.canStart())
         session.start();
+    std::optional<ControlScript> script;
+    if (parser.isSet(kScript))
+        script.emplace(window, parser.value(kScript));
     return options->folder.isEmpty() ? QApplication::exec()
                                      : measure(window, **node, breathing, *options);
 }

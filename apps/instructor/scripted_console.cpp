@@ -1,7 +1,8 @@
 #include "apps/instructor/scripted_console.h"
 
+#include "apps/instructor/control_script.h"
+
 #include <QAction>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSpinBox>
@@ -25,15 +26,6 @@ constexpr int kTurn_ms = 3000;
 constexpr int kStill_ms = 1000;
 
 bool isConnected(const LinkReport& link) { return link.state == LinkState::Connected; }
-
-/// Fetches the panel that a control is in from behind others, as a person has to.
-template <class Control> Control* fetched(Control* control)
-{
-    for (QWidget* outer = control; outer; outer = outer->parentWidget())
-        if (auto* dock = qobject_cast<QDockWidget*>(outer))
-            dock->raise();
-    return control;
-}
 
 } // namespace
 

@@ -7,9 +7,9 @@
 namespace carina::program
 {
 
-/// Gives blocks from 128 KiB on, such as the surfaces of a patient, pages of their own, which go back
-/// to the system when they are freed. By default glibc begins so, and stops with the first that is
-/// freed; what is left between them in the heap stays with the program.
+/// Gives blocks from 128 KiB on, such as the surfaces of a patient, pages of their own, which go
+/// back to the system when they are freed. By default glibc begins so, and stops with the first
+/// that is freed; what is left between them in the heap stays with the program.
 void returnLargeBlocks();
 
 /// Gives the pages that hold no block back to the system. glibc by itself gives back only those at

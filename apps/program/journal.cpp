@@ -84,8 +84,8 @@ QJsonObject frameOf(const DrawnFrame& drawn, const StationMoment& moment)
 
 } // namespace
 
-Journal::Journal(const SessionNode& node, StationId station, StationScene& scene)
-    : m_node{node}, m_station{station}, m_scene{scene}
+Journal::Journal(const SessionNode& node, StationId station, StationScene& scene, Notice notice)
+    : m_node{node}, m_station{station}, m_scene{scene}, m_notice{std::move(notice)}
 {
     scene.onFrameDrawn(
         [kept = std::weak_ptr{m_frames}](const DrawnFrame& drawn, const StationMoment& moment) {
@@ -96,9 +96,10 @@ Journal::Journal(const SessionNode& node, StationId station, StationScene& scene
 }
 
 Result<std::unique_ptr<Journal>> Journal::open(const QString& path, const SessionNode& node,
-                                               StationId station, StationScene& scene)
+                                               StationId station, StationScene& scene,
+                                               Notice notice)
 {
-    std::unique_ptr<Journal> journal{new Journal{node, station, scene}};
+    std::unique_ptr<Journal> journal{new Journal{node, station, scene, std::move(notice)}};
     journal->m_file.setFileName(path);
     if (!journal->m_file.open(QIODevice::WriteOnly | QIODevice::Append))
         return fail(Errc::FileUnwritable, path.toStdString());
@@ -134,6 +135,8 @@ void Journal::writeLine()
         {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)},
         {QStringLiteral("frames"), std::exchange(*m_frames, QJsonArray{})}};
     line[QStringLiteral("registrations")] = registrations(*state);
+    if (m_notice)
+        line[QStringLiteral("notice")] = m_notice();
     addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
     m_file.flush();
@@ -149,11 +152,11 @@ void addJournalOption(QCommandLineParser& parser)
 
 Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
                                                     const SessionNode& node, StationId station,
-                                                    StationScene& scene)
+                                                    StationScene& scene, Journal::Notice notice)
 {
     if (!parser.isSet(kJournal))
         return nullptr;
-    return Journal::open(parser.value(kJournal), node, station, scene);
+    return Journal::open(parser.value(kJournal), node, station, scene, std::move(notice));
 }
 
 } // namespace carina::program

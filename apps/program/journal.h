@@ -8,6 +8,7 @@
 #include <QJsonArray>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 
 namespace carina::program
@@ -22,20 +23,26 @@ namespace carina::program
 /// patient_q_xyzw and patient_size: its pose and scale in the anatomy frame. frames has each frame
 /// since the line before: session_ns, and of each object of a person that it drew, and of each
 /// tracked one of this program's participant (own), object and owner (their numbers), kind (of
-/// ObjectKind), xyz_mm and q_xyzw in the anatomy frame (objectsIn).
+/// ObjectKind), xyz_mm and q_xyzw in the anatomy frame (objectsIn); notice, where the
+/// program shows one.
 class Journal
 {
 public:
+    /// What the program tells the person in front of it.
+    using Notice = std::function<QString()>;
+
     /// Starts to append to the file. @pre all outlive this.
     /// @returns FileUnwritable with the path.
-    [[nodiscard]] static Result<std::unique_ptr<Journal>>
-    open(const QString& path, const SessionNode& node, StationId station, StationScene& scene);
+    [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const QString& path,
+                                                               const SessionNode& node,
+                                                               StationId station,
+                                                               StationScene& scene, Notice notice);
 
     /// Logs another station from now on.
     void setStation(StationId station) { m_station = station; }
 
 private:
-    Journal(const SessionNode& node, StationId station, StationScene& scene);
+    Journal(const SessionNode& node, StationId station, StationScene& scene, Notice notice);
     void writeLine();
 
     const SessionNode& m_node;
@@ -43,6 +50,7 @@ private:
     const StationScene& m_scene;
     /// Since the last line; the scene's listener adds to them while the journal is there.
     std::shared_ptr<QJsonArray> m_frames = std::make_shared<QJsonArray>();
+    Notice m_notice; ///< may be empty
     QFile m_file;
     QTimer m_timer;
 };
@@ -51,9 +59,8 @@ private:
 void addJournalOption(QCommandLineParser& parser);
 
 /// The journal for `--journal`; null without it. @returns the errors of Journal::open.
-[[nodiscard]] Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
-                                                                  const SessionNode& node,
-                                                                  StationId station,
-                                                                  StationScene& scene);
+[[nodiscard]] Result<std::unique_ptr<Journal>>
+journalFromOptions(const QCommandLineParser& parser, const SessionNode& node, StationId station,
+                   StationScene& scene, Journal::Notice notice = {});
 
 } // namespace carina::program

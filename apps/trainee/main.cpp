@@ -294,7 +294,8 @@ Result<int> run(const QCommandLineParser& parser)
             [&] { window.show(*sessionPatient.patient(), station.view(), station.chinProbe()); });
     });
     const auto journal =
-        program::journalFromOptions(parser, station.node(), place.id(), window.stationScene());
+        program::journalFromOptions(parser, station.node(), place.id(), window.stationScene(),
+                                    [&window] { return window.notice(); });
     if (!journal)
         return tl::unexpected(journal.error());
     QObject::connect(&place, &OwnStation::changed, &place, [&](StationId now) {

@@ -21,10 +21,10 @@ double sessionLessLocal_ms(const QJsonObject& line)
                     - line[QStringLiteral("local_ns")].toInteger());
 }
 
-/// Everything in a journal's line that both programs must agree on.
+/// Everything in a journal's line that both programs must agree on; a console has no notice.
 QJsonObject stateOf(QJsonObject line)
 {
-    for (const char* moving : {"local_ns", "session_ns", "right_lung_ml", "left_lung_ml"})
+    for (const char* moving : {"local_ns", "session_ns", "right_lung_ml", "left_lung_ml", "notice"})
         line.remove(QLatin1String{moving});
     return line;
 }

@@ -146,7 +146,9 @@ void InvitationPanel::askForNewCode(Role role, const QString& why)
     question->setInformativeText(why.isEmpty() ? effect : why + QLatin1Char(' ') + effect);
     QPushButton* change = question->addButton(tr("&New code"), QMessageBox::AcceptRole);
     change->setObjectName(QStringLiteral("change"));
-    question->setDefaultButton(question->addButton(QMessageBox::Cancel));
+    QPushButton* keep = question->addButton(QMessageBox::Cancel);
+    keep->setObjectName(QStringLiteral("keep"));
+    question->setDefaultButton(keep);
     connect(change, &QPushButton::clicked, this, [this, role] { Q_EMIT newCodeWanted(role); });
     question->open();
 }

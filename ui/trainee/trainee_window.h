@@ -46,6 +46,8 @@ public:
     using QMainWindow::show;
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
+    /// What is written over the lower edge; empty where nothing is.
+    [[nodiscard]] QString notice() const;
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -64,7 +66,6 @@ private:
     /// The choices of what the chin probe moves; shown while there is a choice.
     [[nodiscard]] std::vector<QAction*> addChinProbe();
     void addFetching();
-    [[nodiscard]] QString notice() const;
     [[nodiscard]] QPoint menuPlace() const;
     void showTo(ViewOutput output);
     void refreshNotice();

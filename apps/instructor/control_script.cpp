@@ -1,0 +1,87 @@
+#include "apps/instructor/control_script.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QLineEdit>
+#include <QTableView>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kScriptInterval_ms = 200; ///< of the lines: what one opens is there for the next
+
+template <class Control> Control* usable(const QWidget& in, const QString& name)
+{
+    auto* control = in.findChild<Control*>(name);
+    return control && control->isEnabled() ? control : nullptr;
+}
+
+bool press(const QWidget& in, const QString& name)
+{
+    if (auto* button = usable<QAbstractButton>(in, name)) {
+        fetched(button)->click();
+        return true;
+    }
+    auto* action = usable<QAction>(in, name);
+    if (action)
+        action->trigger();
+    return action != nullptr;
+}
+
+bool choose(const QWidget& in, const QString& name, const QString& text)
+{
+    auto* table = usable<QTableView>(in, name);
+    if (!table || !table->model())
+        return false;
+    const QModelIndexList rows = table->model()->match(table->model()->index(0, 0), Qt::DisplayRole,
+                                                       text, 1, Qt::MatchExactly);
+    if (rows.isEmpty())
+        return false;
+    fetched(table)->setCurrentIndex(rows.first());
+    return true;
+}
+
+bool type(const QWidget& in, const QString& name, const QString& text)
+{
+    auto* field = usable<QLineEdit>(in, name);
+    if (field)
+        fetched(field)->setText(text);
+    return field != nullptr;
+}
+
+} // namespace
+
+ControlScript::ControlScript(QWidget& window, const QString& file) : m_window{window}, m_file{file}
+{
+    m_file.open(QIODevice::ReadWrite); // what cannot be read has no lines
+    m_timer.callOnTimeout([this] { goOn(); });
+    m_timer.start(kScriptInterval_ms);
+}
+
+void ControlScript::goOn()
+{
+    const qint64 begin = m_file.pos();
+    const QByteArray line = m_file.readLine();
+    const bool isWhole = line.endsWith('\n'); // the rest may be being written
+    if (!isWhole || !perform(QString::fromUtf8(line).trimmed()))
+        m_file.seek(begin);
+}
+
+bool ControlScript::perform(const QString& line) const
+{
+    const QWidget* dialog = QApplication::activeModalWidget();
+    const QWidget& in = dialog ? *dialog : m_window;
+    const QString verb = line.section(QLatin1Char(' '), 0, 0);
+    const QString name = line.section(QLatin1Char(' '), 1, 1);
+    const QString text = line.section(QLatin1Char(' '), 2);
+    if (verb == QLatin1String{"press"})
+        return press(in, name);
+    if (verb == QLatin1String{"choose"})
+        return choose(in, name, text);
+    return verb == QLatin1String{"type"} && type(in, name, text);
+}
+
+} // namespace carina

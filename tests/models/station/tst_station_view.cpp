@@ -150,7 +150,7 @@ void TestStationView::showsThePatientAsActionsHaveItAtTheTimeOfLight()
              Vec3(1.0, 0.0, 0.0));
     StationView elsewhere{node, StationId{1}, pair, tellingPoses(kNow)};
     QVERIFY(!elsewhere.at(kNow, 0).patient);
-    elsewhere.setStation(FakeSessionNode::kStation, tellingPoses(kNow));
+    elsewhere.setStation(FakeSessionNode::kStation);
     QVERIFY(elsewhere.at(kNow, 0).patient);
 }
 

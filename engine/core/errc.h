@@ -87,7 +87,7 @@ enum class Errc : std::uint8_t {
     // Devices and graphics
     TrackerFailed,      ///< the tracker could not be started
     DeviceReplyDamaged, ///< bytes of a device that are none of its replies
-    NoGraphics,    ///< no OpenGL to draw a picture with
+    NoGraphics,         ///< no OpenGL to draw a picture with
 };
 
 } // namespace carina

@@ -125,13 +125,12 @@ void PolarisLine::write(const std::string& bytes) const
         static_cast<void>(::write(m_line, bytes.data(), bytes.size()) < 0);
 }
 
-PolarisTraffic PolarisLine::serve(PolarisDevice& device, LocalTime until,
-                                  const std::function<void(LocalTime now)>& everyTurn)
+PolarisTraffic PolarisLine::serve(PolarisDevice& device,
+                                  const std::function<bool(LocalTime now)>& everyTurn)
 {
     PolarisTraffic traffic;
     std::vector<PolarisDevice::Reply> underWay;
-    for (LocalTime now = monotonicNow(); now < until; now = monotonicNow()) {
-        everyTurn(now);
+    for (LocalTime now = monotonicNow(); everyTurn(now); now = monotonicNow()) {
         for (const PolarisDevice::Reply& reply : underWay)
             if (reply.at <= now) {
                 write(reply.bytes);
@@ -139,7 +138,7 @@ PolarisTraffic PolarisLine::serve(PolarisDevice& device, LocalTime until,
                 traffic.bytesSent += reply.bytes.size();
             }
         std::erase_if(underWay, [now](const auto& reply) { return reply.at <= now; });
-        LocalTime wake = std::min(until, now + kTurn);
+        LocalTime wake = now + kTurn;
         for (const PolarisDevice::Reply& reply : underWay)
             wake = std::min(wake, reply.at);
         const auto left = std::max(Duration{0}, wake - now).count();

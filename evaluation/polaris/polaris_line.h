@@ -29,10 +29,10 @@ public:
     PolarisLine(PolarisLine&& other) noexcept;
     PolarisLine& operator=(PolarisLine&&) = delete;
 
-    /// Serves until a time of this process's clock. `everyTurn` is called a hundred times a second
-    /// or oftener.
-    PolarisTraffic serve(PolarisDevice& device, LocalTime until,
-                         const std::function<void(LocalTime now)>& everyTurn);
+    /// Serves as long as `everyTurn`, which is called a hundred times a second or oftener, returns
+    /// true.
+    PolarisTraffic serve(PolarisDevice& device,
+                         const std::function<bool(LocalTime now)>& everyTurn);
 
 private:
     PolarisLine() = default;

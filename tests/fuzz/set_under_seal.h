@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/io/anatomy_set/set_codec.h"
 #include "engine/core/byte_buffer.h"
+#include "engine/io/anatomy_set/set_codec.h"
 
 #include <QCryptographicHash>
 

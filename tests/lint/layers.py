@@ -28,7 +28,7 @@ LIBRARY_OF_PREFIX = [
     ("meshoptimizer.h", "meshoptimizer"), ("argon2.h", "libargon2"), ("sodium", "libsodium"), ("unicode/", "ICU"), ("opencv2/", "OpenCV"),
     ("GL/", "OpenGL"), ("benchmark/", "Google Benchmark"),
     ("qrencode.h", "libqrencode"), ("png.h", "libpng"), ("turbojpeg.h", "libjpeg-turbo"),
-    ("arpa/", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),
+    ("arpa/", "POSIX"), ("netinet/", "POSIX"), ("termios.h", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),
     ("dlfcn.h", "POSIX"), ("signal.h", "POSIX"), ("poll.h", "POSIX"), ("pthread.h", "POSIX"),
     ("malloc.h", "glibc"), ("linux/", "Linux"), ("seccomp.h", "libseccomp"),
 ]

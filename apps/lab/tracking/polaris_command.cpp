@@ -180,8 +180,11 @@ Result<QJsonObject> serve(const Words& words, const std::filesystem::path& folde
     PolarisDevice device{{.hasRate = !isTcp}, std::move(poses)};
     const LocalTime begin = monotonicNow();
     FaultMaker faults{device, *fault, begin};
-    const PolarisTraffic traffic = line->serve(device, begin + std::chrono::seconds{*seconds},
-                                               [&](LocalTime now) { faults.look(now); });
+    const LocalTime end = begin + std::chrono::seconds{*seconds};
+    const PolarisTraffic traffic = line->serve(device, [&](LocalTime now) {
+        faults.look(now);
+        return now < end;
+    });
     return QJsonObject{{polaris_key::kSchema, QLatin1StringView{polaris_key::kSchema.help}},
                        {polaris_key::kFolder, QString::fromStdString(folder.string())},
                        {polaris_key::kServed, toSeconds(monotonicNow() - begin)},
@@ -233,8 +236,8 @@ Command polarisCommand()
         .name = "polaris-sim",
         .theme = "tracking",
         .summary = "serves a Polaris without hardware",
-        .uses = {{.lines = {"DIR [--patient WHO] [--tcp PORT] [--seconds N] [--noise-mm MM] "
-                            "[--hide TOOL] [--fault KIND]"},
+        .uses = {{.lines = {"DIR [--patient WHO] [--tcp PORT] [--seconds N]",
+                            "DIR [--noise-mm MM] [--hide TOOL] [--fault KIND]"},
                   .text = "Serves a simulated Polaris that sees scripted hands at the "
                           "patient's manikin, at a pseudo-terminal whose rate paces its "
                           "replies, or at a TCP port. DIR/tracker.json, which is written with "

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "engine/core/byte_buffer.h"
 #include "engine/core/result.h"
 #include "engine/geometry/mesh/triangle_mesh.h"
 #include "engine/geometry/mesh/vertex_color.h"
-#include "engine/core/byte_buffer.h"
 
 #include <string>
 #include <string_view>

@@ -1,11 +1,11 @@
 #include "engine/io/mesh/surface_reader.h"
 
+#include "engine/core/byte_buffer.h"
 #include "engine/io/files/file_limit.h"
 #include "engine/io/files/folder_path.h"
 #include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/mesh/reader_memory.h"
 #include "engine/io/mesh/surface_reader_exit.h"
-#include "engine/core/byte_buffer.h"
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>

@@ -10,11 +10,11 @@
 // is the path of a file, the message out is what encodeMeshFile makes of it. Ends with its stdin,
 // and with one of the codes in surface_reader_exit.h.
 
+#include "engine/core/byte_buffer.h"
 #include "engine/io/files/confinement.h"
 #include "engine/io/mesh/mesh_file.h"
 #include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/mesh/surface_reader_exit.h"
-#include "engine/core/byte_buffer.h"
 
 #include <array>
 #include <charconv>

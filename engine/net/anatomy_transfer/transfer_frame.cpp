@@ -1,9 +1,9 @@
 #include "engine/net/anatomy_transfer/transfer_frame.h"
 
+#include "engine/core/byte_buffer.h"
 #include "engine/core/expects.h"
 #include "engine/io/anatomy_set/carried_sets.h"
 #include "engine/io/anatomy_set/set_hash.h"
-#include "engine/core/byte_buffer.h"
 
 namespace carina::transfer
 {

@@ -1,9 +1,9 @@
 #include "engine/net/discovery/session_notice.h"
 
+#include "engine/core/byte_buffer.h"
 #include "engine/core/expects.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/utf8.h"
-#include "engine/core/byte_buffer.h"
 
 #include <algorithm>
 

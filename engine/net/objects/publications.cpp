@@ -16,13 +16,15 @@ void Publications::add(ObjectKind kind, std::string name, PoseSource newest)
 std::vector<Publications::Wanted> Publications::takeUnknown(const SessionState& state,
                                                             ParticipantId self)
 {
+    const StationId station = state.stationOf(self);
+    if (station == kNoStation)
+        return {}; // the fact of its own coming is still on its way
     std::vector<Wanted> wanted;
     for (Publication& publication : m_publications) {
         if (publication.toldOf || idOf(publication, state, self))
             continue;
         publication.toldOf = true;
-        wanted.push_back(
-            {state.stationOf(self), {ObjectId{}, self, publication.kind, publication.name}});
+        wanted.push_back({station, {ObjectId{}, self, publication.kind, publication.name}});
     }
     return wanted;
 }

@@ -1,10 +1,10 @@
 #include "engine/session/facts/fact_codec.h"
 
+#include "engine/core/byte_buffer.h"
 #include "engine/core/expects.h"
 #include "engine/session/facts/fact_fields.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/utf8.h"
-#include "engine/core/byte_buffer.h"
 #include "engine/sync/wire/wire_quantities.h"
 
 #include <array>

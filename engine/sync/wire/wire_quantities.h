@@ -1,9 +1,9 @@
 #pragma once
 
+#include "engine/core/byte_buffer.h"
 #include "engine/core/expects.h"
 #include "engine/core/session_time.h"
 #include "engine/geometry/vec.h"
-#include "engine/core/byte_buffer.h"
 
 #include <algorithm>
 #include <array>

@@ -341,7 +341,7 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
         "station unknown");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "station unknown");
     row("work", fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}, "fine", "out of range");
-    row("place", fact::PlaceChosen{kSampleTrainee, {}}, "fine", "fine");
+    row("place", fact::PlaceChosen{kSampleTrainee, {}}, "fine", "station unknown");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "station unknown");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "station unknown");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "station unknown");

@@ -59,7 +59,8 @@ struct Console {
     [[nodiscard]] double rate() const { return breathing.value(Rate); }
     [[nodiscard]] double rateAt(StationId station) const
     {
-        const auto& respiration = node.state()->stations().at(station).respiration;
+        const auto state = node.state();
+        const auto& respiration = state->stations().at(station).respiration;
         return inPerMinute(respiration.settingsAt(SessionTime::max()).pattern.rate);
     }
 };

@@ -89,7 +89,8 @@ void TestRespirationModel::changesAllStationsAndUndoesEach()
     Console console;
     console.node.addStation("Room 5");
     const auto at = [&](StationId station) {
-        const auto& respiration = console.node.state()->stations().at(station).respiration;
+        const auto state = console.node.state();
+        const auto& respiration = state->stations().at(station).respiration;
         return respiration.settingsAt(SessionTime::max()).position;
     };
     console.model.setPosition(BodyPosition::Prone);

@@ -41,12 +41,14 @@ private Q_SLOTS:
     void triesWhatWasTypedWithWhatIsKnown()
     {
         JoinSettings known;
-        known.station = "Room 3";
+        known.station = "Room 9"; // what was typed counts
         known.tokens = "kept";
         Entrance entrance{known, join()};
         QVERIFY(!entrance.isTrying());
         QCOMPARE(entrance.progress(), QString{});
-        entrance.enter(form());
+        JoinForm typed = form();
+        typed.station = QStringLiteral("Room 3");
+        entrance.enter(typed);
         QVERIFY(entrance.isTrying());
         QCOMPARE(m_tried.size(), std::size_t{1});
         QCOMPARE(m_tried[0].address, std::string{"192.0.2.7"});

@@ -169,7 +169,7 @@ void TestStationBar::offersAllStationsWhereThereAreSeveral()
     QVERIFY(!bar.stations.isForAll());
 }
 
-CARINA_TEST(TestStationBar)
+CARINA_SCREEN_TEST(TestStationBar)
 
 } // namespace carina::station_bar_test
 

@@ -1,8 +1,8 @@
 #include "engine/io/files/confinement.h"
 
+#include "engine/core/byte_buffer.h"
 #include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/mesh/surface_reader_exit.h"
-#include "engine/core/byte_buffer.h"
 #include "tests/engine/io/mesh/texture_files.h"
 #include "tests/support/test_class.h"
 

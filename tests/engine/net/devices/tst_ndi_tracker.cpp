@@ -37,8 +37,7 @@ public:
     {
         auto line = PolarisLine::terminal(link);
         m_thread = std::thread{[this, line = std::move(line).value()]() mutable {
-            while (!m_ends)
-                static_cast<void>(line.serve(m_device, monotonicNow() + 50ms, [](LocalTime) {}));
+            static_cast<void>(line.serve(m_device, [this](LocalTime) { return !m_ends; }));
         }};
     }
     ~ServedDevice()

@@ -21,10 +21,12 @@ double sessionLessLocal_ms(const QJsonObject& line)
                     - line[QStringLiteral("local_ns")].toInteger());
 }
 
-/// Everything in a journal's line that both programs must agree on; a console has no notice.
+/// Everything in a journal's line that both programs must agree on: each has frames of its own, and
+/// a console has no notice.
 QJsonObject stateOf(QJsonObject line)
 {
-    for (const char* moving : {"local_ns", "session_ns", "right_lung_ml", "left_lung_ml", "notice"})
+    for (const char* moving :
+         {"local_ns", "session_ns", "right_lung_ml", "left_lung_ml", "notice", "frames"})
         line.remove(QLatin1String{moving});
     return line;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace carina
 {
@@ -78,9 +79,18 @@ private:
 
     void reopenLater(const std::string& why)
     {
-        m_isClosed = true;
+        if (std::exchange(m_isClosed, true))
+            return; // a port that was unplugged says so until it is closed
+        QMetaObject::invokeMethod(
+            this, [this] { closeBroken(); }, Qt::QueuedConnection);
         m_tracker.say(m_tracker.m_address + ": " + why);
         m_timer.start(kBeforeReopening);
+    }
+
+    void closeBroken()
+    {
+        if (m_port && m_isClosed)
+            m_port->close();
     }
 
     void serve()

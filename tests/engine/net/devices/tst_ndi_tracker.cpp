@@ -21,7 +21,12 @@ constexpr double kLateness = 0.04; // s: an exposure and a loaded computer
 
 std::optional<SessionTime> sessionNow() { return SessionTime{monotonicNow().time_since_epoch()}; }
 
-double xAt(SessionTime t) { return kSpeed * toSeconds(t.time_since_epoch()); }
+/// From 0 on: a position beyond 100 m is refused.
+double xAt(SessionTime t)
+{
+    static const SessionTime start{monotonicNow().time_since_epoch()};
+    return kSpeed * toSeconds(t - start);
+}
 
 /// A device at a pseudo-terminal, served on a thread until it is destroyed.
 class ServedDevice

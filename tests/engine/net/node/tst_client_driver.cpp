@@ -141,9 +141,19 @@ private Q_SLOTS:
             QVERIFY(requests[i] - requests[i - 1] == 250ms);
     }
 
-    void wakesForTheNextTickWhenItPublishes()
+    void sharesNothingBeforeItKnowsItsStation()
     {
         Pair pair{logOf({fact::SessionCreated{"Course", "00ff"}})};
+        pair.run(500ms);
+        pair.client.publish(ObjectKind::Tube, "Tube", [] { return std::nullopt; });
+        static_cast<void>(pair.client.advance(pair.now));
+        QVERIFY(pair.board.view().pending.empty());
+    }
+
+    void wakesForTheNextTickWhenItPublishes()
+    {
+        Pair pair{logOf({fact::SessionCreated{"Course", "00ff"}, fact::StationAdded{"One"},
+                         fact::ParticipantJoined{ParticipantId{5}, Role::Trainee, "Anna"}})};
         pair.run(500ms);
         QVERIFY(pair.client.nextWake() > pair.now);
         pair.client.publish(ObjectKind::Tube, "Tube", [] { return std::nullopt; });

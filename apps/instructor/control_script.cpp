@@ -1,6 +1,7 @@
 #include "apps/instructor/control_script.h"
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
 #include <QLineEdit>
@@ -16,13 +17,16 @@ constexpr int kScriptInterval_ms = 200; ///< of the lines: what one opens is the
 template <class Control> Control* usable(const QWidget& in, const QString& name)
 {
     auto* control = in.findChild<Control*>(name);
+    if constexpr (std::is_base_of_v<QWidget, Control>)
+        if (control)
+            fetched(control); // one in a panel behind others is shut until the panel is in front
     return control && control->isEnabled() ? control : nullptr;
 }
 
 bool press(const QWidget& in, const QString& name)
 {
     if (auto* button = usable<QAbstractButton>(in, name)) {
-        fetched(button)->click();
+        button->click();
         return true;
     }
     auto* action = usable<QAction>(in, name);
@@ -40,16 +44,18 @@ bool choose(const QWidget& in, const QString& name, const QString& text)
                                                        text, 1, Qt::MatchExactly);
     if (rows.isEmpty())
         return false;
-    fetched(table)->setCurrentIndex(rows.first());
+    table->setCurrentIndex(rows.first());
     return true;
 }
 
 bool type(const QWidget& in, const QString& name, const QString& text)
 {
-    auto* field = usable<QLineEdit>(in, name);
-    if (field)
-        fetched(field)->setText(text);
-    return field != nullptr;
+    if (auto* field = usable<QLineEdit>(in, name)) {
+        field->setText(text);
+        return true;
+    }
+    auto* box = usable<QAbstractSpinBox>(in, name);
+    return box && box->setProperty("value", text.toDouble());
 }
 
 } // namespace

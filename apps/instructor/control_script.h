@@ -23,7 +23,7 @@ template <class Control> Control* fetched(Control* control)
 ///
 /// - `press CONTROL` presses a button, a check box or a command of the tool bar.
 /// - `choose TABLE TEXT` chooses the row of a table whose first cell has this text.
-/// - `type FIELD TEXT` replaces the text of a field.
+/// - `type FIELD TEXT` replaces the text of a field, or the number of a spin box.
 class ControlScript
 {
 public:

@@ -17,6 +17,8 @@
 #include <QApplication>
 #include <QTimer>
 
+#include <utility>
+
 namespace carina
 {
 namespace
@@ -110,11 +112,16 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
             measurement.compareWith(station.truth());
     };
     compare();
+    QTimer end;
+    end.setSingleShot(true);
+    bool isLaid = false;
     station.onLaid([&] {
         measurement.startAfresh();
         compare();
+        if (!std::exchange(isLaid, true))
+            end.start(); // the time asked for is that of something to see
     });
-    QTimer::singleShot(options.seconds * 1000, [&] {
+    end.callOnTimeout([&] {
         const auto wrote = measurement.write(QDir{options.folder}, QStringLiteral("trainee"),
                                              actionReport(station.node()));
         if (!wrote)
@@ -124,6 +131,7 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
         QApplication::exit(
             isIn ? 0 : program::refuse(node.refusal().value_or(Error{Errc::HostSilent, {}})));
     });
+    end.start(options.seconds * 1000);
     return QApplication::exec();
 }
 

@@ -12,9 +12,8 @@ namespace carina::actions_test
 namespace
 {
 
-constexpr int kPatience_ms = 30'000; ///< for two programs to start on a busy machine
-constexpr int kBackWithin_ms = 2'000;
-constexpr double kSpeed_deg_per_s = 100.0; ///< that the script turns the patient at, about z
+constexpr int kPatience_ms = 60'000;       ///< for two programs to start on a busy machine
+constexpr double kSpeed_deg_per_s = 100.0; ///< that the console turns the patient at, about z
 constexpr double kTolerance_deg = 0.01;    ///< clocks of 0.1 ms
 
 double degreesFrom(double radians) { return radians * 180.0 / std::numbers::pi; }
@@ -51,7 +50,7 @@ bool isInPlace(const QJsonObject& line)
 
 } // namespace
 
-/// The console's script turns the virtual patient by the controls that a person would use.
+/// A script turns the virtual patient by the console's controls that a person would use.
 class TestActions : public QObject
 {
     Q_OBJECT
@@ -76,9 +75,13 @@ private Q_SLOTS:
                 + QStringList{QStringLiteral("--as"), QStringLiteral("Trainee"),
                               QStringLiteral("--code-file"), codes},
             m_folder->filePath(QStringLiteral("trainee.jsonl")));
-        m_instructor->start({QStringLiteral("--measure"), m_folder->path(),
-                             QStringLiteral("--seconds"), QStringLiteral("600")});
+        m_script = std::make_unique<QFile>(m_folder->filePath(QStringLiteral("script")));
+        QVERIFY(m_script->open(QIODevice::WriteOnly));
+        m_instructor->start(
+            {QStringLiteral("--start"), QStringLiteral("--script"), m_script->fileName()});
         m_trainee->start();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_trainee->shown().isEmpty(), kPatience_ms);
+        work({"type speed 100", "press begin"});
         QTRY_VERIFY_WITH_TIMEOUT(turns(m_trainee->shown()) && turns(m_instructor->shown()),
                                  kPatience_ms);
     }
@@ -87,13 +90,15 @@ private Q_SLOTS:
     {
         m_trainee.reset();
         m_instructor.reset();
+        m_script.reset();
     }
 
     void bothShowTheSameTurnAndBothPutItBack()
     {
         QVERIFY(apart_deg(m_instructor->shown(), m_trainee->shown()) < kTolerance_deg);
+        work({"press stop", "press reset"});
         QTRY_VERIFY_WITH_TIMEOUT(isInPlace(m_instructor->shown()), kPatience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(isInPlace(m_trainee->shown()), kBackWithin_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isInPlace(m_trainee->shown()), kPatience_ms);
     }
 
     void turnGoesOnWhenBothWereKilledInIt()
@@ -110,7 +115,16 @@ private Q_SLOTS:
     }
 
 private:
+    /// Appends lines to the console's script.
+    void work(std::initializer_list<const char*> lines)
+    {
+        for (const char* line : lines)
+            m_script->write(QByteArray{line} + '\n');
+        QVERIFY(m_script->flush());
+    }
+
     std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QFile> m_script;
     std::unique_ptr<Program> m_instructor;
     std::unique_ptr<Program> m_trainee;
 };

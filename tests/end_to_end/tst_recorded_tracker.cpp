@@ -70,7 +70,7 @@ private Q_SLOTS:
              folder.filePath(QStringLiteral("trainee")), QStringLiteral("--site"),
              folder.filePath(QStringLiteral("site.json")), QStringLiteral("--recorded-tracker"),
              folder.filePath(QStringLiteral("tube.igs.mha")), QStringLiteral("--measure"),
-             folder.path(), QStringLiteral("--seconds"), QStringLiteral("4")},
+             folder.path(), QStringLiteral("--seconds"), QStringLiteral("8")},
             folder.filePath(QStringLiteral("trainee.jsonl"))};
         trainee.start();
         // The console reads at once that nobody verified this place.

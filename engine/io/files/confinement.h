@@ -28,7 +28,8 @@ struct Confinement {
 /// - It reads files of one folder and of those below it only, where the kernel has Landlock. Where
 ///   it has not, this process must compare paths itself (pathWithin).
 ///
-/// Memory is not limited in a build with the address or thread sanitizer, which reserve terabytes.
+/// Memory, files and system calls are not limited in a build with the address or thread sanitizer,
+/// whose own code needs more than this leaves.
 ///
 /// @returns NotConfined where something of it could not be done, other than Landlock. The process
 ///          must then read nothing.

@@ -80,7 +80,7 @@ class Launcher(unittest.TestCase):
 
     def test_refuses_what_it_does_not_know(self):
         for arguments in (["fly"], ["test", "--some"], ["test", "--mutate"], ["test", "a", "b"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
-                          ["demo", "--seconds", "0"], ["demo", "--patient", "horse"],
+                          ["demo", "--seconds", "0"], ["demo", "--patient", "horse"], ["demo", "--patient", "child,"],
                           ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"],
                           ["demo", "--site", "no/such/file"], ["demo", "--output", "sphere"],
                           ["demo", "--register", "--site", "carina"]):
@@ -173,6 +173,12 @@ class Launcher(unittest.TestCase):
         self.assertEqual(instructor.split()[2], trainee.split()[2])
         for call in (instructor, trainee):
             self.assertTrue(call.endswith("--patient child"), call)
+
+    def test_demo_takes_a_patient_in_words(self):
+        for patient in ("adult, airway 250 mm", "child, girl", "45 years, 182 cm, man, obese"):
+            run = self.carina("demo", "--patient", patient, DISPLAY=":none")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertTrue(self.called("carina-trainee")[-1].endswith(f"--patient {patient}"), patient)
 
     def test_demo_registers_first_and_gives_the_site_to_the_trainee(self):
         run = self.carina("demo", "--register", "--output", "mono", DISPLAY=":none")

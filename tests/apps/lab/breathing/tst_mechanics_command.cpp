@@ -70,7 +70,7 @@ void TestMechanicsCommand::tellsWhatItWasGivenFromWhatFollows()
 {
     QStringList outcomes;
     QStringList targets;
-    for (const char* name : {"normal", "ards", "copd", "asthma"}) {
+    for (const char* name : {"ards", "copd"}) {
         const auto printed = mechanics({QStringLiteral("--condition"), QLatin1StringView{name}});
         QVERIFY(printed.has_value());
         for (const QJsonValue& condition : (*printed)[QStringLiteral("conditions")].toArray()) {
@@ -88,8 +88,8 @@ void TestMechanicsCommand::tellsWhatItWasGivenFromWhatFollows()
             }
         }
     }
-    QCOMPARE(outcomes, QStringList(2, QStringLiteral("ventilated_compliance_ml_per_cmh2o")));
-    QCOMPARE(targets, QStringList(2, QStringLiteral("auto_peep_at_20_per_min_cmh2o")));
+    QCOMPARE(outcomes, QStringList{QStringLiteral("ventilated_compliance_ml_per_cmh2o")});
+    QCOMPARE(targets, QStringList{QStringLiteral("auto_peep_at_20_per_min_cmh2o")});
 }
 
 void TestMechanicsCommand::trapsMoreGasTheFasterItBreathes()

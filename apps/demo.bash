@@ -119,8 +119,9 @@ demo() {
     done
     [[ $seconds =~ ^[1-9][0-9]*$ ]] || refuse "--seconds takes a whole number above 0, not $seconds"
     [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || refuse "--size takes WIDTHxHEIGHT, not $size"
-    [ ${#patient[@]} = 0 ] || [[ ${patient[1],,} =~ ^(adult|child|.+,.+,.+)$ ]] ||
-        refuse "--patient is adult, child or age, height and sex, as in '45 years, 182 cm, man'"
+    [ ${#patient[@]} = 0 ] || [[ ${patient[1],,} =~ ^((adult|child)(,.+)?|.+,.+,.+)$ ]] ||
+        refuse "--patient is adult or child, also as in 'child, girl' and 'adult, airway 250 mm'," \
+            "or age, height and sex, as in '45 years, 182 cm, man'"
     [ $register = no ] || [ -z "$site" ] || refuse "--register makes a site, and --site takes one"
     [ ${#view[@]} = 0 ] || [[ ${view[1]} =~ ^(screen|mono|side-by-side)$ ]] ||
         refuse "--output is screen, mono or side-by-side"

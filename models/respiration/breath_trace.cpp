@@ -63,6 +63,8 @@ void BreathTrace::take(const RespirationRun& run, SessionTime t)
     if (breath.steps < m_traced.breathSteps || m_traced.breathBegan.si == 0.0) {
         m_traced.breathBegan = breath.least[0] + breath.least[1]; // as far as is known
         m_traced.wasVentilated = m_traced.isVentilated;
+        const ChestContent rest = restingContent(fold.system());
+        m_traced.functionalResidual = rest[0].gas + rest[1].gas;
     }
     m_traced.isVentilated = fold.settings().ventilator.mode != VentilationMode::Spontaneous;
     m_traced.breathSteps = breath.steps;
@@ -85,7 +87,8 @@ std::optional<BreathTrace::Figures> BreathTrace::lastBreath() const
                    inPerMinute(m_traced.figures.rate),
                    airway,
                    inCmH2O(m_traced.figures.autoPeep),
-                   60.0 * inLitresPerSecond(m_traced.figures.alveolarVentilation)};
+                   60.0 * inLitresPerSecond(m_traced.figures.alveolarVentilation),
+                   inMillilitres(m_traced.functionalResidual)};
 }
 
 } // namespace carina

@@ -37,6 +37,8 @@ public:
         std::optional<Airway> airway;
         double autoPeep_cmH2O = 0.0;
         double alveolarVentilation_lPerMin = 0.0; ///< to perfused alveoli
+        /// Functional residual capacity: gas in both lungs at rest, at the end of that breath.
+        double functionalResidual_ml = 0.0;
     };
 
     static constexpr Duration kSampleEvery = std::chrono::milliseconds{20};
@@ -72,6 +74,7 @@ private:
         Volume breathBegan{}; ///< gas in both lungs at the start of the breath
         std::int64_t breathSteps = 0;
         BreathFigures figures{};
+        Volume functionalResidual{};
         bool isVentilated = false;  ///< the breath of the latest sample
         bool wasVentilated = false; ///< the last complete breath
     };

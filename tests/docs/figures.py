@@ -3,7 +3,7 @@
 
     tests/docs/figures.py BUILD PAGE...           PAGE as in figures/PAGE.json: patient
     tests/docs/figures.py --write BUILD PAGE...   writes what the commands give now into the page
-    tests/docs/figures.py --uncovered             lists figures in sections without a command
+    tests/docs/figures.py --uncovered             lists figures that no command holds
 
 A table, figures/PAGE.json, has the page's path and a list of runs:
 
@@ -317,19 +317,47 @@ def check(build, page, write=False, tell=print):
     return 1 if faults else 0 if given or not table["runs"] else SKIPPED
 
 
-def uncovered_in(text, covered):
-    """Lines with a figure and a unit in sections without a command: (line number, line)."""
-    lines, found, offset, section = text.split("\n"), [], 0, []
-    has_command = False
-    for number, line in enumerate([*lines, "## "], start=1):
-        if line.startswith("#"):
-            found += [] if has_command else section
-            section, has_command = [], False
-        has_command |= bool(COMMAND.search(line))
-        spans = [(offset + m.start(), offset + m.end()) for m in UNIT.finditer(line)]
-        if any(not any(a < end and start < b for a, b in covered) for start, end in spans):
-            section.append((number, line))
+def blocks_of(text):
+    """Paragraphs, tables, headings and commands: (offset, number of the first line, lines)."""
+    offset, number, begin, lines = 0, 0, None, []
+    for line in [*text.split("\n"), ""]:
+        number += 1
+        if line.strip():
+            begin = begin or (offset, number)
+            lines.append(line)
+        elif lines:
+            yield (*begin, lines)
+            begin, lines = None, []
         offset += len(line) + 1
+
+
+def figures_in(line, at, covered):
+    """Spans of what a line quotes: what has a unit, and in a row of a table every figure behind the
+    first that is compared; those before it are its label."""
+    first = min((a - at for a, _ in covered if at <= a < at + len(line)), default=None)
+    if first is None or not line.startswith("|"):
+        return [(at + m.start(), at + m.end()) for m in UNIT.finditer(line)]
+    return [(at + m.start(), at + m.end()) for m in re.finditer(FIGURE, line) if m.start() > first]
+
+
+def uncovered_in(text, covered):
+    """Lines with a figure that nothing holds: (line number, line). A command holds the figures of
+    its own paragraph, of the next one and of the table that this introduces, unless some of a
+    paragraph or table are in the list of what is compared: then the others there are told."""
+    found, has_command, was_command = [], False, False
+    for offset, first, lines in blocks_of(text):
+        is_table, is_command = lines[0].startswith("|"), lines[0].startswith("    ")
+        own = any(COMMAND.search(line) for line in lines)
+        has_command = not lines[0].startswith("#") and (own or was_command or (is_table and has_command))
+        was_command = is_command and (own or was_command)
+        end = offset + sum(len(line) + 1 for line in lines)
+        is_listed = any(offset <= a < end for a, _ in covered)
+        for number, line in enumerate(lines, start=first):
+            spans = figures_in(line, offset, covered)
+            if not is_command and not (has_command and not is_listed) and any(
+                    not any(a < d and c < b for c, d in covered) for a, b in spans):
+                found.append((number, line))
+            offset += len(line) + 1
     return found
 
 

@@ -122,7 +122,7 @@ void ConditionPanel::layOut()
     m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_travelling->setMinimumHeight(kTravellingLines * m_travelling->fontMetrics().lineSpacing());
     m_undo->setObjectName(QStringLiteral("undoCondition"));
-    m_undo->setToolTip(tr("Sets what was changed last back (Alt+U)"));
+    m_undo->setToolTip(tr("Undoes the last change (Alt+U)"));
     m_obstacle->setObjectName(QStringLiteral("obstacle"));
     m_obstacle->setWordWrap(true);
     auto* column = new QVBoxLayout{this};

@@ -35,11 +35,12 @@ WaveformPanel::WaveformPanel(QWidget* parent)
     m_volume->setAccessibleName(tr("Volume inspired since the breath began, millilitres"));
     m_figures->setObjectName(QStringLiteral("figures"));
     m_figures->setAccessibleName(tr("Figures of the last breath"));
-    m_figures->setToolTip(
-        tr("Of the last breath: tidal volume (gas of one breath), breathing rate, peak pressure "
-           "(highest at the airway opening), plateau pressure (at the end of inspiration without "
-           "flow), auto‑PEEP (pressure of trapped gas at the end of expiration, above PEEP), "
-           "alveolar ventilation (gas that reaches the alveoli in a minute)"));
+    m_figures->setToolTip(tr(
+        "Of the last breath: tidal volume (gas of one breath), breathing rate, peak pressure "
+        "(highest at the airway opening), plateau pressure (at the end of inspiration without "
+        "flow), auto‑PEEP (pressure of trapped gas at the end of expiration, above PEEP), "
+        "alveolar ventilation (gas that reaches the alveoli in a minute), FRC (functional residual "
+        "capacity: gas that stays in both lungs at the end of a quiet expiration)"));
     m_figures->setWordWrap(true);
     m_figures->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_figures->setMinimumHeight(kFigureLines * m_figures->fontMetrics().lineSpacing());
@@ -94,6 +95,7 @@ void WaveformPanel::refreshFigures()
                     .arg(tenths(breath->airway->peak_cmH2O), tenths(breath->airway->plateau_cmH2O));
     told += tr("auto\u2011PEEP\u00a0%1\u00a0cmH2O").arg(tenths(breath->autoPeep_cmH2O));
     told += tr("alveolar\u00a0%1\u00a0L/min").arg(tenths(breath->alveolarVentilation_lPerMin));
+    told += tr("FRC\u00a0%1\u00a0ml").arg(whole(breath->functionalResidual_ml));
     m_figures->setText(told.join(QStringLiteral("   ")));
 }
 

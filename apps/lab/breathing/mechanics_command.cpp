@@ -192,7 +192,9 @@ Use mechanicsOfConditions()
                      mechanics_key::kLeast,
                      mechanics_key::kGreatest,
                      mechanics_key::kSource,
-                     mechanics_key::kIsWithin}};
+                     mechanics_key::kIsByConstruction,
+                     mechanics_key::kIsWithin,
+                     mechanics_key::kTargets}};
 }
 
 Use mechanicsOfWaveform()

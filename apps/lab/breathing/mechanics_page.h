@@ -30,7 +30,8 @@ inline constexpr Key kPatient{"patient", "the patient, supine:"};
 inline constexpr Key kHeight{"height_mm", "body height", 1};
 inline constexpr Key kWeight{"weight_kg", "body weight", 1};
 inline constexpr Key kAge{"age_years", "age", 1};
-inline constexpr Key kResidualVolume{"rv_ml", "residual volume", 1};
+inline constexpr Key kResidualVolume{
+    "rv_ml", "residual volume; lungs empty to the floor of their curve, which is below it", 1};
 inline constexpr Key kFunctionalResidualCapacity{"frc_ml", "functional residual capacity", 1};
 inline constexpr Key kDrawnRest{"frc_drawn_ml",
                                 "what the surfaces of both lungs enclose at rest, finest level", 1};
@@ -90,7 +91,16 @@ inline constexpr Key kValue{"value", "of this patient", 2};
 inline constexpr Key kLeast{"least", "of the range", 2};
 inline constexpr Key kGreatest{"greatest", "of the range; equal for a table that is reproduced", 2};
 inline constexpr Key kSource{"source", "of the range", 2};
+inline constexpr Key kIsByConstruction{
+    "by_construction",
+    "true where the model was given this figure, so that only its code is checked; false where the "
+    "figure follows from the rest of the model",
+    2};
 inline constexpr Key kIsWithin{"within", "whether the value lies in the range, to 0.5 %", 2};
+inline constexpr Key kTargets{"targets",
+                              "the same keys, without source and by_construction, for ranges that "
+                              "we ask of the model of an adult where no publication was found",
+                              1};
 } // namespace mechanics_key
 
 namespace mechanics_waveform_key

@@ -125,6 +125,7 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
         {mechanics_key::kSpontaneous, driven},
         {mechanics_key::kVolumeControl, describeBreaths(byVolume)},
         {mechanics_key::kRanges, publishedRanges(measured)},
+        {mechanics_key::kTargets, ourTargets(measured)},
     };
     if (severity == kTiring)
         described[mechanics_key::kTired] = describeBreaths(own);

@@ -12,16 +12,22 @@ namespace
 constexpr double kAny = -1.0;       // severity
 constexpr double kRounding = 0.005; // of tables that are reproduced
 
-/// One published range of a figure.
-struct PublishedRange {
+/// In which range a figure is expected.
+struct ExpectedRange {
     ConditionKind kind;
     double severity;
     const char* figure;
     double least;
     double greatest;
-    const char* source;
     double (*value)(const MeasuredCondition&);
     bool ofAdults = false; ///< an absolute figure that says nothing of a child
+};
+
+/// A published range, and whether the model was given the figure or follows its own course to it.
+struct PublishedRange {
+    ExpectedRange expected;
+    const char* source;
+    bool isByConstruction = true;
 };
 
 constexpr const char* kPulse = "Pulse RespiratoryMethodology, table of diseases";
@@ -83,12 +89,6 @@ double capacityRatio(const MeasuredCondition& m)
     return capacity_l(m.awake) / capacity_l(m.healthy);
 }
 
-/// Of the floor of both lungs' curves, which stands for it.
-double residualRatio(const MeasuredCondition& m)
-{
-    return m.awake.lungs[0].curve.floor / m.healthy.lungs[0].curve.floor;
-}
-
 double staticCompliance_ml(const MeasuredCondition& m)
 {
     const BreathFigures& breath = m.volumeControl;
@@ -109,64 +109,86 @@ double endOfUptake(const MeasuredCondition& m)
 
 using enum ConditionKind;
 
-constexpr PublishedRange kRanges[] = {
-    {Normal, kAny, "ventilated_compliance_ml_per_cmh2o", 50.0, 80.0,
-     "static compliance of adults under a ventilator (rdrr cliot)", staticCompliance_ml, true},
-    {Ards, 0.3, "lung_compliance_ratio", 0.7, 0.7, kPulse, complianceRatio},
-    {Ards, 0.6, "lung_compliance_ratio", 0.5, 0.5, kPulse, complianceRatio},
-    {Ards, 0.9, "lung_compliance_ratio", 0.4, 0.4, kPulse, complianceRatio},
-    {Ards, 0.3, "inspiration_to_expiration", 0.7, 0.7, kPulse, inspiration},
-    {Ards, 0.6, "inspiration_to_expiration", 1.1, 1.1, kPulse, inspiration},
-    {Ards, 0.9, "inspiration_to_expiration", 1.5, 1.5, kPulse, inspiration},
-    {Ards, 0.6, "alveolar_dead_space_l", 0.03, 0.03, kPulse, deadSpace_l},
-    {Ards, 0.9, "alveolar_dead_space_l", 0.15, 0.15, kPulse, deadSpace_l},
-    {Ards, 0.9, "ventilated_compliance_ml_per_cmh2o", 0.0, 30.0,
-     "static compliance in severe ARDS (rdrr cliot)", staticCompliance_ml, true},
-    {Copd, 0.3, "bronchial_resistance_ratio", 0.85 / 0.45, 0.85 / 0.45, kPulse, bronchiRatio},
-    {Copd, 0.6, "bronchial_resistance_ratio", 1.7 / 0.45, 1.7 / 0.45, kPulse, bronchiRatio},
-    {Copd, 0.9, "bronchial_resistance_ratio", 2.4 / 0.45, 2.4 / 0.45, kPulse, bronchiRatio},
-    {Copd, 0.3, "inspiration_to_expiration", 0.35, 0.35, kPulse, inspiration},
-    {Copd, 0.6, "inspiration_to_expiration", 0.22, 0.22, kPulse, inspiration},
-    {Copd, 0.9, "inspiration_to_expiration", 0.12, 0.12, kPulse, inspiration},
-    {Copd, 0.9, "alveolar_dead_space_l", 0.9, 0.9, kPulse, deadSpace_l},
-    {Copd, 0.9, "rest_volume_ratio", 1.77, 1.77, kEmphysema, restRatio},
-    {Copd, 0.9, "total_capacity_ratio", 1.40, 1.40, kEmphysema, capacityRatio},
-    {Copd, 0.9, "residual_volume_ratio", 2.42, 2.42, kEmphysema, residualRatio},
-    {Copd, 0.9, "auto_peep_at_20_per_min_cmh2o", 5.0, 10.0,
-     "range asked of adults with severe COPD at 20 breaths per minute", autoPeepAt20_cmH2O, true},
-    {Asthma, 0.3, "airway_resistance_ratio", 5.0, 15.0, "acute asthma (Pulse)", airwayRatio},
-    {Asthma, 0.6, "airway_resistance_ratio", 5.0, 15.0, "acute asthma (Pulse)", airwayRatio},
-    {Asthma, 0.9, "airway_resistance_ratio", 5.0, 15.0, "acute asthma (Pulse)", airwayRatio},
-    {Asthma, 0.9, "auto_peep_at_20_per_min_cmh2o", 8.0, 15.0,
-     "range asked of adults with severe asthma at 20 breaths per minute", autoPeepAt20_cmH2O, true},
-    {SimplePneumothorax, kAny, "lung_volume_ratio", 0.25, 1.0,
-     "max(0.25 FRC, FRC - gas in the pleura) (Pulse)", openShareOfRight},
-    {MainstemIntubation, kAny, "final_volume_ratio_of_the_other_lung", 0.40, 0.50,
-     "40 to 50 % of FRC after minutes (textbook)", endOfUptake},
+constexpr PublishedRange kPublished[] = {
+    {{Normal, kAny, "ventilated_compliance_ml_per_cmh2o", 50.0, 80.0, staticCompliance_ml, true},
+     "static compliance of adults under a ventilator (rdrr cliot)",
+     false},
+    {{Ards, 0.3, "lung_compliance_ratio", 0.7, 0.7, complianceRatio}, kPulse},
+    {{Ards, 0.6, "lung_compliance_ratio", 0.5, 0.5, complianceRatio}, kPulse},
+    {{Ards, 0.9, "lung_compliance_ratio", 0.4, 0.4, complianceRatio}, kPulse},
+    {{Ards, 0.3, "inspiration_to_expiration", 0.7, 0.7, inspiration}, kPulse},
+    {{Ards, 0.6, "inspiration_to_expiration", 1.1, 1.1, inspiration}, kPulse},
+    {{Ards, 0.9, "inspiration_to_expiration", 1.5, 1.5, inspiration}, kPulse},
+    {{Ards, 0.6, "alveolar_dead_space_l", 0.03, 0.03, deadSpace_l}, kPulse},
+    {{Ards, 0.9, "alveolar_dead_space_l", 0.15, 0.15, deadSpace_l}, kPulse},
+    {{Ards, 0.9, "ventilated_compliance_ml_per_cmh2o", 0.0, 30.0, staticCompliance_ml, true},
+     "static compliance in severe ARDS (rdrr cliot)",
+     false},
+    {{Copd, 0.3, "bronchial_resistance_ratio", 0.85 / 0.45, 0.85 / 0.45, bronchiRatio}, kPulse},
+    {{Copd, 0.6, "bronchial_resistance_ratio", 1.7 / 0.45, 1.7 / 0.45, bronchiRatio}, kPulse},
+    {{Copd, 0.9, "bronchial_resistance_ratio", 2.4 / 0.45, 2.4 / 0.45, bronchiRatio}, kPulse},
+    {{Copd, 0.3, "inspiration_to_expiration", 0.35, 0.35, inspiration}, kPulse},
+    {{Copd, 0.6, "inspiration_to_expiration", 0.22, 0.22, inspiration}, kPulse},
+    {{Copd, 0.9, "inspiration_to_expiration", 0.12, 0.12, inspiration}, kPulse},
+    {{Copd, 0.9, "alveolar_dead_space_l", 0.9, 0.9, deadSpace_l}, kPulse},
+    {{Copd, 0.9, "rest_volume_ratio", 1.77, 1.77, restRatio}, kEmphysema},
+    {{Copd, 0.9, "total_capacity_ratio", 1.40, 1.40, capacityRatio}, kEmphysema},
+    {{Asthma, 0.3, "airway_resistance_ratio", 5.0, 15.0, airwayRatio}, "acute asthma (Pulse)"},
+    {{Asthma, 0.6, "airway_resistance_ratio", 5.0, 15.0, airwayRatio}, "acute asthma (Pulse)"},
+    {{Asthma, 0.9, "airway_resistance_ratio", 5.0, 15.0, airwayRatio}, "acute asthma (Pulse)"},
+    {{SimplePneumothorax, kAny, "lung_volume_ratio", 0.25, 1.0, openShareOfRight},
+     "max(0.25 FRC, FRC - gas in the pleura) (Pulse)"},
+    {{MainstemIntubation, kAny, "final_volume_ratio_of_the_other_lung", 0.40, 0.50, endOfUptake},
+     "40 to 50 % of FRC after minutes (textbook)"},
 };
+
+/// What we ask of the model of an adult where no publication was found.
+constexpr ExpectedRange kTargets[] = {
+    {Copd, 0.9, "auto_peep_at_20_per_min_cmh2o", 5.0, 10.0, autoPeepAt20_cmH2O, true},
+    {Asthma, 0.9, "auto_peep_at_20_per_min_cmh2o", 8.0, 15.0, autoPeepAt20_cmH2O, true},
+};
+
+bool concerns(const ExpectedRange& range, const MeasuredCondition& measured)
+{
+    return range.kind == measured.condition.kind
+           && (range.severity == kAny || range.severity == measured.condition.severity)
+           && (measured.isAdult || !range.ofAdults);
+}
+
+QJsonObject compared(const ExpectedRange& range, const MeasuredCondition& measured)
+{
+    const double value = range.value(measured);
+    const double slack = kRounding * std::abs(range.greatest);
+    return {{mechanics_key::kFigure, QLatin1StringView{range.figure}},
+            {mechanics_key::kValue, value},
+            {mechanics_key::kLeast, range.least},
+            {mechanics_key::kGreatest, range.greatest},
+            {mechanics_key::kIsWithin,
+             value >= range.least - slack && value <= range.greatest + slack}};
+}
 
 } // namespace
 
 QJsonArray publishedRanges(const MeasuredCondition& measured)
 {
     QJsonArray described;
-    for (const PublishedRange& range : kRanges) {
-        const bool isMeant =
-            range.kind == measured.condition.kind
-            && (range.severity == kAny || range.severity == measured.condition.severity)
-            && (measured.isAdult || !range.ofAdults);
-        if (!isMeant)
+    for (const PublishedRange& range : kPublished) {
+        if (!concerns(range.expected, measured))
             continue;
-        const double value = range.value(measured);
-        const double slack = kRounding * std::abs(range.greatest);
-        const bool isWithin = value >= range.least - slack && value <= range.greatest + slack;
-        described.append(QJsonObject{{mechanics_key::kFigure, QLatin1StringView{range.figure}},
-                                     {mechanics_key::kValue, value},
-                                     {mechanics_key::kLeast, range.least},
-                                     {mechanics_key::kGreatest, range.greatest},
-                                     {mechanics_key::kSource, QLatin1StringView{range.source}},
-                                     {mechanics_key::kIsWithin, isWithin}});
+        QJsonObject object = compared(range.expected, measured);
+        object[mechanics_key::kSource] = QLatin1StringView{range.source};
+        object[mechanics_key::kIsByConstruction] = range.isByConstruction;
+        described.append(object);
     }
+    return described;
+}
+
+QJsonArray ourTargets(const MeasuredCondition& measured)
+{
+    QJsonArray described;
+    for (const ExpectedRange& range : kTargets)
+        if (concerns(range, measured))
+            described.append(compared(range, measured));
     return described;
 }
 

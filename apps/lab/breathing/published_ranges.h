@@ -21,8 +21,11 @@ struct MeasuredCondition {
 };
 
 /// The figures of this condition and severity for which a range is published, each with its range,
-/// its source and whether the figure lies within. Ranges of adults are left out for a child. The
-/// keys are in the help of `mechanics`.
+/// its source, whether the model was given the figure, and whether it lies within. Ranges of adults
+/// are left out for a child. The keys are in the help of `mechanics`.
 [[nodiscard]] QJsonArray publishedRanges(const MeasuredCondition& measured);
+
+/// The same for the ranges that we ask of the model where no publication was found: without source.
+[[nodiscard]] QJsonArray ourTargets(const MeasuredCondition& measured);
 
 } // namespace carina::lab

@@ -35,6 +35,11 @@ constexpr Key kMeanResidual{"mean_residual_mm",
                             "mean distance of where they were from where the field takes them"};
 constexpr Key kMaxResidual{"max_residual_mm", "greatest such distance"};
 constexpr Key kRatio{"ratio", "mean_residual_mm / mean_motion_mm"};
+constexpr Key kRatioOfShift{
+    "ratio_shift", "the same ratio for a shift to the feet that grows with the distance from the "
+                   "apex, fitted to these landmarks"};
+constexpr Key kRatioOfAffine{"ratio_affine",
+                             "the same for an affine map fitted to these landmarks"};
 constexpr Key kConstants{"constants", "the constants of a breath:"};
 constexpr Key kFrontShare{"front_share", "descent of the front as a share of that of the back", 1};
 constexpr Key kRibs{"ribs", "how far the ribs move with the diaphragm", 1};
@@ -97,12 +102,15 @@ QJsonObject describe(const BreathingConstants& constants, const std::vector<Land
 QJsonObject describe(const LandmarkCase& landmarks, const BreathingConstants& constants)
 {
     const LandmarkResiduals residuals = residualsOf(landmarks, constants);
-    return {{deform_key::kLandmarks, qint64(landmarks.p_A_exhaled.size())},
-            {deform_key::kAmplitude, residuals.amplitude},
-            {deform_key::kMeanMotion, residuals.meanMotion_mm},
-            {deform_key::kMeanResidual, residuals.meanResidual_mm},
-            {deform_key::kMaxResidual, residuals.maxResidual_mm},
-            {deform_key::kRatio, residuals.ratio()}};
+    return {
+        {deform_key::kLandmarks, qint64(landmarks.p_A_exhaled.size())},
+        {deform_key::kAmplitude, residuals.amplitude},
+        {deform_key::kMeanMotion, residuals.meanMotion_mm},
+        {deform_key::kMeanResidual, residuals.meanResidual_mm},
+        {deform_key::kMaxResidual, residuals.maxResidual_mm},
+        {deform_key::kRatio, residuals.ratio()},
+        {deform_key::kRatioOfShift, residuals.meanResidualOfShift_mm / residuals.meanMotion_mm},
+        {deform_key::kRatioOfAffine, residuals.meanResidualOfAffine_mm / residuals.meanMotion_mm}};
 }
 
 /// How the field does on landmarks when its constants know only the others.
@@ -228,8 +236,9 @@ Use oneCaseUse()
             .schema = deform_key::kSchema,
             .keys = {deform_key::kLandmarks, deform_key::kAmplitude, deform_key::kMeanMotion,
                      deform_key::kMeanResidual, deform_key::kMaxResidual, deform_key::kRatio,
-                     deform_key::kConstants, deform_key::kFrontShare, deform_key::kRibs,
-                     deform_key::kGravity, deform_key::kFittedTo, deform_key::kLeftOut}};
+                     deform_key::kRatioOfShift, deform_key::kRatioOfAffine, deform_key::kConstants,
+                     deform_key::kFrontShare, deform_key::kRibs, deform_key::kGravity,
+                     deform_key::kFittedTo, deform_key::kLeftOut}};
 }
 
 Use eachCaseUse()

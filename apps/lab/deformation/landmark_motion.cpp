@@ -4,6 +4,7 @@
 #include "engine/core/expects.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include <QFileInfo>
 
@@ -94,6 +95,30 @@ Person personOf(const LandmarkCase& landmarks)
     return person;
 }
 
+/// Down by the distance from the apex, as a share of the height.
+Eigen::VectorXd shiftFromApex(const LandmarkCase& landmarks)
+{
+    const Box box_A = boxAround(landmarks.p_A_exhaled);
+    Eigen::VectorXd d(3 * landmarks.p_A_exhaled.size());
+    for (std::size_t i = 0; i < landmarks.p_A_exhaled.size(); ++i) {
+        const double below = box_A.max.z() - landmarks.p_A_exhaled[i].z();
+        d.segment<3>(3 * static_cast<Eigen::Index>(i)) = -below / box_A.size().z() * Vec3::UnitZ();
+    }
+    return d;
+}
+
+/// What the affine map of least squares leaves of a motion.
+Eigen::VectorXd residualOfAffine(const LandmarkCase& landmarks, const Eigen::VectorXd& motion)
+{
+    const auto count = static_cast<Eigen::Index>(landmarks.p_A_exhaled.size());
+    Eigen::MatrixX4d places(count, 4);
+    for (Eigen::Index i = 0; i < count; ++i)
+        places.row(i) << landmarks.p_A_exhaled[std::size_t(i)].transpose(), 1.0;
+    const Eigen::MatrixX3d moved = motion.reshaped(3, count).transpose();
+    const Eigen::MatrixX3d left = moved - places * places.colPivHouseholderQr().solve(moved);
+    return left.transpose().reshaped();
+}
+
 double bestAmplitude(const Eigen::VectorXd& moved, const Eigen::VectorXd& motion)
 {
     return moved.dot(motion) / moved.squaredNorm();
@@ -140,6 +165,10 @@ LandmarkResiduals residualsOf(const LandmarkCase& landmarks, const BreathingCons
     residuals.meanMotion_mm = 1e3 * meanLength(motion);
     residuals.meanResidual_mm = 1e3 * meanLength(left);
     residuals.maxResidual_mm = 1e3 * left.reshaped(3, left.size() / 3).colwise().norm().maxCoeff();
+    const Eigen::VectorXd shift = shiftFromApex(landmarks);
+    residuals.meanResidualOfShift_mm =
+        1e3 * meanLength(motion - bestAmplitude(shift, motion) * shift);
+    residuals.meanResidualOfAffine_mm = 1e3 * meanLength(residualOfAffine(landmarks, motion));
     return residuals;
 }
 

@@ -45,6 +45,10 @@ struct LandmarkResiduals {
     double meanMotion_mm = 0.0;
     double meanResidual_mm = 0.0;
     double maxResidual_mm = 0.0;
+    /// Means of what simpler models leave, each fitted to these landmarks themselves: a shift to
+    /// the feet in proportion to the distance from the apex, and an affine map.
+    double meanResidualOfShift_mm = 0.0;
+    double meanResidualOfAffine_mm = 0.0;
 
     [[nodiscard]] double ratio() const { return meanResidual_mm / meanMotion_mm; }
 };

@@ -24,7 +24,7 @@ constexpr Key kCrcErrors{"crc_errors", "commands and replies with a wrong checks
 constexpr Key kPoses{"poses", "of all tools, in the replies to TX, BX and BX2"};
 constexpr Key kRefused{"refused", "one object for each command or reply that cannot be used:"};
 constexpr Key kLine{"line", "of the file, where the exchange begins", 1};
-constexpr Key kReason{"reason", "", 1};
+constexpr Key kReason{"reason", "why it cannot be used", 1};
 constexpr Key kTools{"tools", "one object for each handle of a port, in ascending order:"};
 constexpr Key kHandle{"handle", "two hexadecimal digits", 1};
 constexpr Key kSeen{"sights", "how often it was tracked, missing, and so on", 1};

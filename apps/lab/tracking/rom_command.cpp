@@ -16,12 +16,12 @@ namespace rom_key
 {
 constexpr Key kFile{"file", "FILE as given"};
 constexpr Key kKind{"kind", "what the tool is for"};
-constexpr Key kMaker{"maker", ""};
-constexpr Key kPart{"part_number", ""};
+constexpr Key kMaker{"maker", "who made the tool, as the file says"};
+constexpr Key kPart{"part_number", "of the tool at its maker"};
 constexpr Key kFewest{"fewest_markers", "that a pose needs"};
 constexpr Key kError{"largest_error_mm", "of a marker that is used for a pose"};
 constexpr Key kAngle{"largest_angle_deg", "between the normal of a marker and the camera"};
-constexpr Key kSpread{"smallest_spread_mm", ""};
+constexpr Key kSpread{"smallest_spread_mm", "extent that the markers used for a pose must have"};
 constexpr Key kMarkers{"markers", "one object for each, in the order of the file:"};
 constexpr Key kPosition{"p_mm", "[x, y, z] in the frame of the tool", 1};
 constexpr Key kNormal{"normal", "where it faces; null where it is seen from everywhere", 1};

@@ -38,8 +38,9 @@ struct LungPose {
 };
 
 /// Quiet breathing, supine. Diaphragm and gravity are in the ratio fitted to landmarks in the lungs
-/// of five people. The ribs move more than in that fit, so that they make two fifths of the volume
-/// change, as measured from outside (docs/deformation.md).
+/// of five people. The ribs move more than in that fit, as was measured from outside. A direction
+/// only: drawnPose() gives the ribs the share of the breath that is the patient's, 35 to 45 % by
+/// sex and age (ChestShape::ribShare, docs/deformation.md).
 inline constexpr LungPose kQuietBreath{1.0, 0.65, 0.15, 0.0};
 
 /// The shape of a whole chest.

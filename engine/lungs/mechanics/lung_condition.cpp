@@ -44,7 +44,7 @@ constexpr double kPulseRest_l = 2.31; // resting volume of the patient the dead 
 // Emphysema (AJRCCM 158:3), reached at 0.9.
 constexpr SeverityTable kCopdRest{1.0, 1.0 + 0.77 / 3.0, 1.0 + 1.54 / 3.0, 1.77};
 constexpr SeverityTable kCopdCapacity{1.0, 1.0 + 0.40 / 3.0, 1.0 + 0.80 / 3.0, 1.40};
-constexpr SeverityTable kCopdResidual{1.0, 1.0 + 1.42 / 3.0, 1.0 + 2.84 / 3.0, 2.42};
+constexpr SeverityTable kCopdFloor{1.0, 1.0 + 1.42 / 3.0, 1.0 + 2.84 / 3.0, 2.42};
 
 bool affects(const LungCondition& condition, std::size_t lung)
 {
@@ -91,7 +91,7 @@ void makeCopd(LungMechanics& lung, double severity)
     lung.wallVolume = lookedUp(kCopdRest, severity) * healthyRest;
     lung.wallRecoil = (1.0 - 0.5 * severity) * lung.wallRecoil;
     lung.curve = PressureVolumeCurve::through(
-        lookedUp(kCopdResidual, severity) * before.floor,
+        lookedUp(kCopdFloor, severity) * before.floor,
         lookedUp(kCopdCapacity, severity) * ceilingOf(before), lung.wallVolume, lung.wallRecoil,
         lookedUp(kCopdCompliance, severity) * before.complianceAt(healthyRest));
     lung.bronchi = (1.0 / lookedUp(kCopdResistance, severity)) * lung.bronchi;

@@ -72,7 +72,7 @@ inline constexpr std::size_t kMostConditions = 6;
 ///   0, 0.03, 0.15 L in an adult. Muscles: strength 0.76, 0.52, 0.28 times, the effort of exhausted
 ///   ones as it leaves that share of the tidal volume; I:E 1.4, 2.2, 3 times.
 /// - Copd: bronchial resistance 1.9, 3.8, 5.3 times; resting volume 1.77, capacity 1.40 and
-///   residual volume 2.42 times at 0.9; compliance 1, 1.1, 1.4 times; the recoil of the wall
+///   the floor of the curve 2.42 times at 0.9; compliance 1, 1.1, 1.4 times; the recoil of the wall
 ///   1 - 0.5 s times; alveolar dead space of 0.3, 0.6, 0.9 L in an adult. Bronchi are compressed
 ///   during expiration: their resistance to gas that leaves is 3.9, 6.8, 9.7 times that to gas that
 ///   enters, and below a closing volume of 1.7 s times the resting volume they narrow besides.

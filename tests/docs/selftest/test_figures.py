@@ -131,10 +131,26 @@ class Found(unittest.TestCase):
 
 
 class Uncovered(unittest.TestCase):
-    def test_lists_figures_of_sections_without_a_command(self):
-        text = "# A\n\n    carina-lab drop\n\n12 mm\n\n## B\n\n| 13 mm |\n\n14 of them\n\n15 ms\n"
-        span = text.index("15 ms")
-        self.assertEqual([(9, "| 13 mm |")], figures.uncovered_in(text, [(span, span + 2)]))
+    def lines(self, text, *compared):
+        spans = [(text.index(words), text.index(words) + len(words)) for words in compared]
+        return [line for _, line in figures.uncovered_in(text, spans)]
+
+    def test_a_command_holds_its_paragraph_the_next_and_the_table_of_that(self):
+        self.assertEqual([], self.lines("# A\n\nBy `carina-lab drop` 12 mm.\n"))
+        self.assertEqual([], self.lines("# A\n\n    carina-lab drop\n\n12 mm:\n\n| a | 13 mm |\n"))
+
+    def test_it_does_not_hold_the_rest_of_the_section(self):
+        text = "# A\n\n    carina-lab drop\n\n12 mm\n\n13 mm\n\n| a | 14 mm |\n\n## B\n\n15 ms, 16 of them\n"
+        self.assertEqual(["13 mm", "| a | 14 mm |", "15 ms, 16 of them"], self.lines(text))
+
+    def test_a_paragraph_that_is_compared_in_part_is_told(self):
+        text = "# A\n\n    carina-lab drop\n\nIt takes 12 ms\nand 13 ms.\n"
+        self.assertEqual(["and 13 ms."], self.lines(text, "12"))
+
+    def test_a_row_that_is_compared_in_part_is_told(self):
+        text = "# A\n\n    carina-lab drop\n\n| s | mm | of |\n|---|---|---|\n| 0.3 | 12 | 0.5 |\n"
+        self.assertEqual(["| 0.3 | 12 | 0.5 |"], self.lines(text, "12"))
+        self.assertEqual([], self.lines(text, "12", "0.5"))
 
 
 class Run(unittest.TestCase):

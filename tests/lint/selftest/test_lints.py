@@ -9,6 +9,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import format as format_lint
 import layers
 import links
+import pages
 import size
 import words
 
@@ -162,6 +163,32 @@ class Size(Tree):
         self.assertEqual(size.faults_of(self.root), [])
         self.write("entry16.md", "")
         self.assertEqual(len(size.faults_of(self.root)), 1)
+
+
+class Pages(Tree):
+    def faults(self, text):
+        self.write("docs/start.md", text)
+        return pages.faults_of(self.root)
+
+    def test_a_right_link_has_no_fault(self):
+        self.assertEqual([], self.faults(
+            "# Start: `codec` and [table](architecture.md)\n[all](#start-codec-and-table), "
+            "[who](architecture.md#who-may-include-whom), [file](../engine/sync/codec.h), "
+            "[`folder`](../engine/), [elsewhere](https://example.org/a#b), `[code](none)`\n\n"
+            "    [code](none)\n"))
+
+    def test_refuses_a_file_that_is_not_there(self):
+        self.assertEqual(["docs/start.md:2: other.md#a: no such file"],
+                         self.faults("# Start\n[other](other.md#a)\n"))
+
+    def test_refuses_an_anchor_without_its_heading(self):
+        self.assertIn("0 headings", self.faults("# Start\n\n    # Code\n\n[code](#code)\n")[0])
+
+    def test_refuses_an_anchor_of_two_headings(self):
+        self.assertIn("2 headings", self.faults("# Start\n## Files\n## Files\n[files](#files)\n")[0])
+
+    def test_refuses_an_anchor_in_a_source(self):
+        self.assertEqual(1, len(self.faults("[line](../engine/sync/codec.h#L1)\n")))
 
 
 class Words(Tree):

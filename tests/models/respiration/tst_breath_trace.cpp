@@ -175,6 +175,7 @@ void TestBreathTrace::tellsTheFiguresOfTheLastBreath()
     QVERIFY(breath->right_ml > breath->left_ml);
     QVERIFY(!breath->airway); // nobody pushes
     QVERIFY(breath->alveolarVentilation_lPerMin > 2.5 && breath->alveolarVentilation_lPerMin < 5.3);
+    QVERIFY(std::abs(breath->functionalResidual_ml - 30.0 * 40.0) < 1.0); // 30 ml/kg
 }
 
 void TestBreathTrace::tellsThePressuresOfAVentilator()
@@ -190,6 +191,8 @@ void TestBreathTrace::tellsThePressuresOfAVentilator()
     QVERIFY(breath && breath->airway);
     QVERIFY(breath->airway->peak_cmH2O > breath->airway->plateau_cmH2O);
     QVERIFY(breath->airway->plateau_cmH2O > 5.0); // of PEEP
+    // Relaxed under a ventilator: towards 25 ml/kg, of which seconds have reached most.
+    QVERIFY(std::abs(breath->functionalResidual_ml - 25.0 * 40.0) < 20.0);
 }
 
 void TestBreathTrace::keepsCheckpointsThatChangeNothing()

@@ -79,8 +79,8 @@ class Launcher(unittest.TestCase):
             self.assertIn(f"\n  {command} ", run.stdout)
 
     def test_refuses_what_it_does_not_know(self):
-        for arguments in (["fly"], ["test", "--some"], ["test", "--mutate"], ["test", "a", "b"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
-                          ["demo", "--seconds", "0"], ["demo", "--patient", "horse"],
+        for arguments in (["fly"], ["test", "--some"], ["test", "--mutate"], ["test", "--reach", "engine"], ["test", "a", "b"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
+                          ["demo", "--seconds", "0"], ["demo", "--patient", "horse"], ["demo", "--patient", "child,"],
                           ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"],
                           ["demo", "--site", "no/such/file"], ["demo", "--output", "sphere"],
                           ["demo", "--register", "--site", "carina"]):
@@ -113,7 +113,7 @@ class Launcher(unittest.TestCase):
     def test_ends_with_a_line_that_counts(self):
         run = self.carina("test")
         lines = run.stdout.splitlines()
-        self.assertRegex(lines[-1], r"^2 passed, 0 failed, 1 skipped, \d+\.\d minutes$")
+        self.assertRegex(lines[-1], r"^1 passed, 0 failed, 1 skipped, 1 in part, \d+\.\d minutes$")
         self.assertIn("skipped: b: no anatomy set", lines)
         self.assertIn("skipped in part: a: no recordings", lines)
         self.assertIn("3 of 3 tests", run.stderr)
@@ -122,20 +122,20 @@ class Launcher(unittest.TestCase):
         run = self.carina("test", THIRD="fail")
         self.assertNotEqual(run.returncode, 0)
         self.assertIn("failed: c\nFAIL!  : TestC::third() it broke", run.stdout)
-        self.assertRegex(run.stdout.splitlines()[-1], "^1 passed, 1 failed, 1 skipped, ")
+        self.assertRegex(run.stdout.splitlines()[-1], "^0 passed, 1 failed, 1 skipped, 1 in part, ")
 
     def test_a_missing_program_is_a_failed_test(self):
         run = self.carina("test", FOURTH='<testcase name="d" status="notrun">'
                           '<skipped message="Unable to find executable"/></testcase>')
         self.assertNotEqual(run.returncode, 0)
-        self.assertRegex(run.stdout.splitlines()[-1], "^2 passed, 1 failed, 1 skipped, ")
+        self.assertRegex(run.stdout.splitlines()[-1], "^1 passed, 1 failed, 1 skipped, 1 in part, ")
 
     def test_a_class_of_which_nothing_ran_is_skipped(self):
         run = self.carina("test", FOURTH='<testcase name="d" status="run"><system-out>SKIP   : '
                           'TestD::one() no lungs\nTotals: 2 passed, 0 failed, 3 skipped</system-out>'
                           '</testcase>')
         self.assertEqual(run.returncode, 0)
-        self.assertRegex(run.stdout.splitlines()[-1], "^2 passed, 0 failed, 2 skipped, ")
+        self.assertRegex(run.stdout.splitlines()[-1], "^1 passed, 0 failed, 2 skipped, 1 in part, ")
 
     def test_the_warnings_of_lints_are_shown(self):
         run = self.carina("test", FOURTH='<testcase name="lint.size" status="run"><system-out>'
@@ -153,6 +153,20 @@ class Launcher(unittest.TestCase):
         self.assertIn("tests/engine/sync/test_engine_sync", self.called("ninja")[-1])
         self.assertNotIn("tests/all", self.called("ninja")[-1])
         self.assertIn(" -R engine.sync", self.called("ctest")[-1])
+
+    def test_reach_lists_what_no_program_calls(self):
+        self.program("tests/reach", RECORD)
+        self.assertEqual(self.carina("test", "--reach").returncode, 0)
+        self.assertEqual(len(self.called("reach")), 1)
+
+    def test_all_mutates_files_that_are_there(self):
+        for name in ("reach", "mutate"):
+            self.program(f"tests/{name}", RECORD)
+        self.assertEqual(self.carina("test", "--all").returncode, 0)
+        self.assertEqual(len(self.called("reach")), 1)
+        mutated = self.called("mutate")[0].split()[1:]
+        self.assertIn("engine/lungs/mechanics/lung_condition.cpp", mutated)
+        self.assertEqual([], [name for name in mutated if not (ROOT / name).is_file()])
 
     def test_a_failed_build_is_shown_and_stops(self):
         self.program("bin/ninja", "#!/bin/sh\necho 'FAILED: x.o'\nexit 1\n")
@@ -173,6 +187,12 @@ class Launcher(unittest.TestCase):
         self.assertEqual(instructor.split()[2], trainee.split()[2])
         for call in (instructor, trainee):
             self.assertTrue(call.endswith("--patient child"), call)
+
+    def test_demo_takes_a_patient_in_words(self):
+        for patient in ("adult, airway 250 mm", "child, girl", "45 years, 182 cm, man, obese"):
+            run = self.carina("demo", "--patient", patient, DISPLAY=":none")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertTrue(self.called("carina-trainee")[-1].endswith(f"--patient {patient}"), patient)
 
     def test_demo_registers_first_and_gives_the_site_to_the_trainee(self):
         run = self.carina("demo", "--register", "--output", "mono", DISPLAY=":none")

@@ -17,6 +17,7 @@ class TestMechanicsCommand : public QObject
 
 private Q_SLOTS:
     void describesThePatientAndEveryCondition();
+    void tellsWhatItWasGivenFromWhatFollows();
     void trapsMoreGasTheFasterItBreathes();
     void describesAWaveform();
     void describesAPosition();
@@ -61,6 +62,34 @@ void TestMechanicsCommand::describesThePatientAndEveryCondition()
     QCOMPARE(names.size(), 10);
     for (const QString& name : names)
         QVERIFY2(pageOf(mechanicsCommand()).contains(name), qPrintable(name));
+}
+
+/// A range has a source, and is an outcome only where more than one parameter goes into it; what no
+/// publication says is a target.
+void TestMechanicsCommand::tellsWhatItWasGivenFromWhatFollows()
+{
+    QStringList outcomes;
+    QStringList targets;
+    for (const char* name : {"ards", "copd"}) {
+        const auto printed = mechanics({QStringLiteral("--condition"), QLatin1StringView{name}});
+        QVERIFY(printed.has_value());
+        for (const QJsonValue& condition : (*printed)[QStringLiteral("conditions")].toArray()) {
+            for (const QJsonValue& range : condition[QStringLiteral("ranges")].toArray()) {
+                QVERIFY(!range[QStringLiteral("source")].toString().isEmpty());
+                QVERIFY(range[QStringLiteral("by_construction")].isBool());
+                if (!range[QStringLiteral("by_construction")].toBool())
+                    outcomes += range[QStringLiteral("figure")].toString();
+                else
+                    QVERIFY(range[QStringLiteral("within")].toBool());
+            }
+            for (const QJsonValue& target : condition[QStringLiteral("targets")].toArray()) {
+                QVERIFY(!target.toObject().contains(QStringLiteral("source")));
+                targets += target[QStringLiteral("figure")].toString();
+            }
+        }
+    }
+    QCOMPARE(outcomes, QStringList{QStringLiteral("ventilated_compliance_ml_per_cmh2o")});
+    QCOMPARE(targets, QStringList{QStringLiteral("auto_peep_at_20_per_min_cmh2o")});
 }
 
 void TestMechanicsCommand::trapsMoreGasTheFasterItBreathes()

@@ -62,6 +62,9 @@ private Q_SLOTS:
                          command.name);
                 QVERIFY2(!use.lines.empty() && *use.text != '\0', command.name);
             }
+            for (const Use& use : command.uses)
+                for (const Key& key : use.keys)
+                    QVERIFY2(*key.help != '\0', key.name);
             for (const QString& line : pageOf(command).split(QLatin1Char('\n')))
                 QVERIFY2(line.size() <= kScreenColumns, qPrintable(line));
         }

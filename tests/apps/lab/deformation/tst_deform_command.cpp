@@ -99,6 +99,7 @@ class TestDeformCommand : public QObject
 private Q_SLOTS:
     void init() { m_folder.emplace(); }
     void findsNoResidualWhereLandmarksMoveByTheField();
+    void comparesWithSimplerModels();
     void learnsHowOthersBreathe();
     void passesOverItsOwnLandmarks();
     void leavesEachFileOutInTurn();
@@ -125,6 +126,35 @@ void TestDeformCommand::findsNoResidualWhereLandmarksMoveByTheField()
     QVERIFY(number(found, "mean_motion_mm") > 1.0);
     QVERIFY(number(found, "max_residual_mm") < 1e-9);
     QVERIFY(number(found, "ratio") < 1e-9);
+}
+
+/// Landmarks that a shift to the feet moves, growing from the apex: it leaves nothing of that, and
+/// neither does the affine map that it is; of one with another direction the affine map alone.
+void TestDeformCommand::comparesWithSimplerModels()
+{
+    const auto movedBy = [&](const Vec3& growing) {
+        std::mt19937 random{17};
+        std::uniform_real_distribution<double> place_mm{0.0, 200.0};
+        QByteArray text = "i,ee_x_mm,ee_y_mm,ee_z_mm,ei_x_mm,ei_y_mm,ei_z_mm\n";
+        for (int n = 0; n < 50; ++n) {
+            const double h = n == 0 ? 0.0 : place_mm(random);
+            const Vec3 p{place_mm(random), place_mm(random), h};
+            text += QByteArray::number(n);
+            for (const Vec3& at : {p, Vec3{p + h * growing}})
+                for (int axis = 0; axis < 3; ++axis)
+                    text += ',' + QByteArray::number(at[axis], 'g', 17);
+            text += '\n';
+        }
+        const QString file = m_folder->write("shift.csv", text);
+        return deformWith({QStringLiteral("--landmarks"), file}).value();
+    };
+    const QJsonObject down = movedBy({0.0, 0.0, 0.05});
+    QVERIFY(number(down, "ratio_shift") < 1e-9);
+    QVERIFY(number(down, "ratio_affine") < 1e-9);
+    // Of (0, 0.03, 0.04) per length, of which 0.05 is the whole, 0.03 is left.
+    const QJsonObject aslant = movedBy({0.0, 0.03, 0.04});
+    QVERIFY(std::abs(number(aslant, "ratio_shift") - 0.6) < 1e-9);
+    QVERIFY(number(aslant, "ratio_affine") < 1e-9);
 }
 
 void TestDeformCommand::learnsHowOthersBreathe()

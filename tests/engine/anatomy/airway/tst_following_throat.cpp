@@ -12,6 +12,10 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace carina::following_throat_test
 {
 
@@ -64,6 +68,13 @@ std::optional<Person> realMan()
     return man;
 }
 
+/// In degrees.
+double openingOf(const RigidTransform& X_AJ)
+{
+    const Quat& q = X_AJ.rotation();
+    return inDegrees({2.0 * std::atan2(q.vec().norm(), std::abs(q.w()))});
+}
+
 std::optional<Person> personCalled(const QString& name)
 {
     if (name == QStringLiteral("a real man"))
@@ -73,8 +84,8 @@ std::optional<Person> personCalled(const QString& name)
     const PatientParameters who =
         parametersOf(isChild ? BuiltinPatient::TwelveYears : BuiltinPatient::Adult);
     Anatomy made = patientFor(who, isHeldOpen ? Posture::Laryngoscopy : Posture::Rest).value();
-    return Person{std::move(made.parts), made.landmarks, isHeldOpen ? 11.7 : 0.0,
-                  isChild ? 0.9e-3 : 1e-3};
+    const double held_deg = isHeldOpen ? openingOf(heldJaw(made.contentHash)) : 0.0;
+    return Person{std::move(made.parts), made.landmarks, held_deg, isChild ? 0.9e-3 : 1e-3};
 }
 
 /// Of a jaw that opens from being shut, from where the surfaces have it.
@@ -207,7 +218,7 @@ void TestFollowingThroat::foldsNowhere()
 
 // Opened by 18 degrees, to 30 mm, or brought forward by 10 mm, the tongue and the floor of the
 // mouth leave the bone they touch by less than that; of a mouth that was held open and shuts, by
-// twice as much.
+// twice as much. Where nothing moves they stay.
 void TestFollowingThroat::staysOnTheJaw()
 {
     QFETCH(QString, name);
@@ -218,7 +229,12 @@ void TestFollowingThroat::staysOnTheJaw()
     const ThroatField throat = throatOf(*somebody);
     const SurfaceTree bone = surfaceOf(
         *somebody, [](const AnatomyPart& part) { return part.role == PartRole::Mandible; });
-    Largest largest_mm;
+    struct Motion {
+        double opening_deg;
+        double forward_mm;
+        Largest apart_mm{};
+    };
+    std::array<Motion, 3> motions{{{kUsual_deg, 0.0}, {0.0, 10.0}, {0.0, 0.0}}};
     int touching = 0;
     for (const AnatomyPart& part : somebody->parts) {
         if (part.role != PartRole::Tongue && part.name.find("hyoid") == std::string::npos)
@@ -228,14 +244,22 @@ void TestFollowingThroat::staysOnTheJaw()
             if (bone.distanceTo(p_A) > kTouching_m)
                 continue;
             ++touching;
-            for (const RigidTransform& X_AJ :
-                 {jawOf(*somebody, kUsual_deg, 0.0), jawOf(*somebody, 0.0, 10.0)}) {
+            for (Motion& motion : motions) {
+                const RigidTransform X_AJ = jawOf(*somebody, motion.opening_deg, motion.forward_mm);
                 const Vec3 x_A = p_A + test::throatAt(throat, p_A, X_AJ, ThroatTissue::Airway).d_A;
-                largest_mm.take(1e3 * (x_A - X_AJ * p_A).norm(), part.name);
+                motion.apart_mm.take(1e3 * (x_A - X_AJ * p_A).norm(), part.name);
             }
         }
     }
+    const Largest& largest_mm = std::ranges::max(motions, {}, [](const Motion& motion) {
+                                    return motion.apart_mm.value;
+                                }).apart_mm;
     qInfo("%d vertices, at most %.1f mm, %s", touching, largest_mm.value, largest_mm.where.c_str());
+    qInfo(
+        "made with the mouth open by %.1f degrees; opened to 18 degrees %.1f mm, forward %.1f mm, "
+        "shut %.1f mm",
+        somebody->held_deg, motions[0].apart_mm.value, motions[1].apart_mm.value,
+        motions[2].apart_mm.value);
     QVERIFY(largest_mm.value < gap_mm);
 }
 

@@ -1,5 +1,6 @@
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/anatomy/patient/patient_landmarks.h"
+#include "engine/geometry/mesh/surface_tree.h"
 #include "tests/engine/anatomy/shapes/section.h"
 #include "tests/support/test_class.h"
 
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void sternumReachesFromNotchToTip();
     void aTubeHasItsWayFree_data() { patients(); }
     void aTubeHasItsWayFree();
+    void theMiddleOfASolidIsNotFree();
 
 private:
     static void patients();
@@ -80,6 +82,14 @@ double nearestVertex(const TriangleMesh& mesh, const Vec3& p_A)
     for (const Vec3f& p : mesh.positions)
         nearest = std::min(nearest, (p.cast<double>() - p_A).norm());
     return nearest;
+}
+
+/// How far a place is from a closed surface; negative inside it.
+double distanceOutside(const SurfaceTree& surface, const Vec3& p_A)
+{
+    const SurfacePoint nearest = surface.nearestTo(p_A).value();
+    const double distance = (nearest.p - p_A).norm();
+    return nearest.normal.dot(p_A - nearest.p) < 0.0 ? -distance : distance;
 }
 
 const std::array kOrdinals{"first",   "second", "third", "fourth", "fifth",    "sixth",
@@ -208,6 +218,8 @@ void TestPatientLandmarks::sternumReachesFromNotchToTip()
     QVERIFY(ribs.p_A_sternalNotch.z() < second.max.z());
 }
 
+/// Of each solid at the edge of the way the tube stays outside; only the teeth may touch it, for
+/// the way begins at the edge of the upper incisors.
 void TestPatientLandmarks::aTubeHasItsWayFree()
 {
     QFETCH(int, which);
@@ -222,13 +234,26 @@ void TestPatientLandmarks::aTubeHasItsWayFree()
                               || part.name.find("arytenoid") != std::string::npos;
         if (!inTheWay)
             continue;
+        const SurfaceTree surface{part.levels[0]};
         const double free = part.role == PartRole::Tooth ? 0.0 : radius;
-        for (const Vec3& p_A : path)
-            QVERIFY2(nearestVertex(part.levels[0], p_A) > free,
-                     qPrintable(QStringLiteral("%1: %2 mm")
-                                    .arg(QString::fromStdString(part.name))
-                                    .arg(1e3 * nearestVertex(part.levels[0], p_A))));
+        for (const Vec3& p_A : path) {
+            const double outside = distanceOutside(surface, p_A);
+            QVERIFY2(outside > free, qPrintable(QStringLiteral("%1: %2 mm")
+                                                    .arg(QString::fromStdString(part.name))
+                                                    .arg(1e3 * outside)));
+        }
     }
+}
+
+/// Were the way to lead through the middle of a tongue, whose surface is far, it would be noticed.
+void TestPatientLandmarks::theMiddleOfASolidIsNotFree()
+{
+    const Patient& patient = patientOf(0);
+    const TriangleMesh& tongue =
+        std::ranges::find(patient.anatomy.parts, PartRole::Tongue, &AnatomyPart::role)->levels[0];
+    const Vec3 middle = boundsOf(tongue).centre();
+    QVERIFY(test::windingNumber(tongue, middle) > 0.5);
+    QVERIFY(distanceOutside(SurfaceTree{tongue}, middle) < -5.0 * kMillimetre);
 }
 
 CARINA_TEST(TestPatientLandmarks)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <tuple>
 
 namespace carina::registration_coverage_test
@@ -16,12 +17,13 @@ namespace
 {
 
 constexpr int kRegistrations = 1000;
-constexpr double kHand = 0.8e-3;       // m along each axis: how far a touch is from the landmark
-constexpr double kTracker = 0.1e-3;    // m along each axis: noise of each sample
-constexpr Angle kLean = degrees(20.0); // of the stylus from touch to touch, RMS
-/// Three standard errors of a share counted in so many, where it is 0.9 or more; four fifths of
-/// that where it is about half.
-constexpr double kCounted = 0.035;
+constexpr double kHand = 0.8e-3;        // m along each axis: how far a touch is from the landmark
+constexpr double kTracker = 0.1e-3;     // m along each axis: noise of each sample
+constexpr Angle kLean = degrees(20.0);  // of the stylus from touch to touch, RMS
+constexpr double kStandardErrors = 4.0; // of a share that is counted, beside theory
+/// By how much a share may leave what was recorded: three standard errors of a share counted in so
+/// many, where it is 0.9 or more; four fifths of that where it is about half.
+constexpr double kRecorded = 0.035;
 constexpr Duration kPeriod = std::chrono::microseconds{16'667};
 
 /// How touches stray, and how the manikin differs from the patient. As given here: by kHand along
@@ -185,6 +187,57 @@ std::vector<Tally> registered(Technician& technician, int count, int earlier, in
     return tallies;
 }
 
+/// The place of the first-order error of a fit: its rotation (about the middle of the landmarks)
+/// and its translation are independent and normal, for touches that stray alike in all directions.
+class TheoreticalError
+{
+public:
+    /// @param touch deviation along each axis, m
+    TheoreticalError(const std::vector<Vec3>& p_A, double touch)
+    {
+        for (const Vec3& p : p_A)
+            m_middle += p / double(p_A.size());
+        Mat3 inertia = Mat3::Zero();
+        for (const Vec3& p : p_A) {
+            const Vec3 arm = p - m_middle;
+            inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
+        }
+        m_turn = test::factorOf(touch * touch * inertia.inverse());
+        m_shift = touch / std::sqrt(double(p_A.size()));
+    }
+
+    [[nodiscard]] Vec3 at(const Vec3& target, test::Hand& hand) const
+    {
+        const Vec3 turn = hand.error(m_turn);
+        return m_shift * hand.unit() + turn.cross(target - m_middle);
+    }
+
+private:
+    Vec3 m_middle = Vec3::Zero();
+    Mat3 m_turn;
+    double m_shift = 0.0;
+};
+
+/// How often the 95 % bound holds where all touches are off by `shared`: the fit takes the shift up
+/// whole, and its residuals, with 3 N - 6 degrees of freedom, do not know of it.
+/// @param unit the target's error for an FLE of one metre
+double shareByTheory(const std::vector<Vec3>& p_A, const Vec3& target, const Vec3& shared,
+                     const TargetError& unit)
+{
+    constexpr int kDrawn = 100'000;
+    const double touch = std::sqrt(kHand * kHand + kTracker * kTracker / 60.0);
+    const double degrees = 3.0 * double(p_A.size()) - 6.0;
+    const TheoreticalError error{p_A, touch};
+    test::Hand hand{149};
+    std::chi_squared_distribution<double> squares{degrees};
+    int held = 0;
+    for (int i = 0; i < kDrawn; ++i) {
+        const double fle = std::sqrt(3.0 * squares(hand.random()) / degrees) * touch;
+        held += (shared + error.at(target, hand)).norm() < fle * unit.bound.si ? 1 : 0;
+    }
+    return double(held) / kDrawn;
+}
+
 bool isNinetyFivePercent(int held)
 {
     return held >= 0.935 * kRegistrations && held <= 0.965 * kRegistrations;
@@ -235,8 +288,45 @@ private Q_SLOTS:
         }
     }
 
+    void knowsNothingOfASharedShift_data()
+    {
+        QTest::addColumn<Circumstances>("how");
+        QTest::addColumn<Vec3>("shared"); // what all touches are off by, m
+        QTest::addColumn<int>("count");
+        // A tip that leans by an RMS angle a in all is across the shaft by 1 - a^2 / 3 of it.
+        const double across = 0.5e-3 * (1.0 - kLean.si * kLean.si / 3.0);
+        for (const int count : {4, 6, 8}) {
+            QTest::addRow("tip 0.5 mm off, %d landmarks", count)
+                << Circumstances{.tip_S = {0.5e-3, 0.0, 0.0}} << Vec3{across, 0.0, 0.0} << count;
+            QTest::addRow("skin slides to the feet, %d landmarks", count)
+                << Circumstances{.slides_A = slidesAway()} << Vec3{0.0, 0.0, -1e-3} << count;
+        }
+    }
+
+    /// A shift that all touches share displaces every target by itself: at each of them the bound
+    /// holds as often as theory says.
+    void knowsNothingOfASharedShift()
+    {
+        QFETCH(Circumstances, how);
+        QFETCH(Vec3, shared);
+        QFETCH(int, count);
+        int leftOut = 0;
+        Technician technician{139, how};
+        const std::vector<Tally> tallies = registered(technician, count, 0, leftOut);
+        for (std::size_t t = 0; t < tallies.size(); ++t) {
+            const double expected = shareByTheory(test::firstLandmarks(count), test::kTargets[t],
+                                                  shared, tallies[t].unit);
+            const double counted = double(tallies[t].boundHeld) / kRegistrations;
+            const double standardError =
+                std::sqrt(expected * (1.0 - expected) / double(kRegistrations));
+            qInfo("%-15s held %.3f, by theory %.3f", test::kTargetNames[t], counted, expected);
+            QVERIFY(std::abs(counted - expected) < kStandardErrors * standardError);
+        }
+    }
+
     /// Errors of which the residuals know nothing, or something else: how often the bound holds at
-    /// the target where it holds least.
+    /// the target where it holds least. These shares are a record of what came out, which
+    /// docs/registration.md quotes, and no theory's; those of shared shifts have one above.
     void holdsLessWhereItsAssumptionsDoNot_data()
     {
         QTest::addColumn<Circumstances>("how");
@@ -254,8 +344,8 @@ private Q_SLOTS:
         for (const auto& [name, how, held] : cases)
             for (int i = 0; i < 3; ++i)
                 QTest::addRow("%s, %d landmarks", name, 4 + 2 * i)
-                    << how << 4 + 2 * i << held[std::size_t(i)] - kCounted
-                    << held[std::size_t(i)] + kCounted;
+                    << how << 4 + 2 * i << held[std::size_t(i)] - kRecorded
+                    << held[std::size_t(i)] + kRecorded;
     }
 
     void holdsLessWhereItsAssumptionsDoNot()

@@ -73,6 +73,17 @@ std::string errorMeaning(std::uint8_t code)
     return std::string{"error "} + kDigits[code >> 4U] + kDigits[code & 0xFU];
 }
 
+bool isFine(const NdiReply& reply)
+{
+    return reply.bytes == "OKAY" || reply.bytes.starts_with("WARNING");
+}
+
+std::string whyRefused(const NdiReply& reply)
+{
+    const auto code = errorCode(reply);
+    return code ? errorMeaning(*code) : "an answer that is not expected";
+}
+
 void NdiReplyReader::take(std::span<const std::byte> arrived)
 {
     if (m_bytes.size() + arrived.size() > kLongestNdiReply + kChecksumBytes) {

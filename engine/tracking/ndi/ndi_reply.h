@@ -39,6 +39,12 @@ inline constexpr std::size_t kLongestNdiReply = 64 * 1024;
 /// What a code of ERRORnn means, for those that a session runs into; "error 5F" for another one.
 [[nodiscard]] std::string errorMeaning(std::uint8_t code);
 
+/// Whether a command was done: OKAY, perhaps with a warning.
+[[nodiscard]] bool isFine(const NdiReply& reply);
+
+/// Why a command was not done, for a reply that is not fine.
+[[nodiscard]] std::string whyRefused(const NdiReply& reply);
+
 /// Finds replies in a stream of bytes, whatever the pieces in which it arrives. Without a clock:
 /// whoever waited in vain for the rest of a reply calls clear().
 class NdiReplyReader

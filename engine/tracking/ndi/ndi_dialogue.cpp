@@ -1,0 +1,106 @@
+#include "engine/tracking/ndi/ndi_dialogue.h"
+
+#include <iterator>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr Duration kIdleWake = std::chrono::milliseconds{500};
+constexpr int kBitsPerByte = 10;
+
+} // namespace
+
+void NdiDialogue::clear(LocalTime now)
+{
+    m_reader.clear();
+    m_replyBytes = 0;
+    m_steps.clear();
+    m_deadline.reset();
+    m_wake = now;
+}
+
+void NdiDialogue::queueFirst(std::vector<NdiStep> steps)
+{
+    m_steps.insert(m_steps.begin(), std::move_iterator{steps.begin()},
+                   std::move_iterator{steps.end()});
+}
+
+void NdiDialogue::take(std::span<const std::byte> bytes, LocalTime now)
+{
+    m_replyBytes += bytes.size();
+    m_reader.take(bytes);
+    while (const auto reply = m_reader.next()) {
+        if (*reply)
+            takeReply(**reply, now);
+        else
+            ++m_damaged; // its step ends when its patience does
+        m_replyBytes = 0;
+    }
+}
+
+void NdiDialogue::takeReply(const NdiReply& reply, LocalTime now)
+{
+    const bool isReset = reply.bytes == "RESET";
+    const bool waits = m_deadline && !m_steps.empty() && m_steps.front().asks();
+    if (isReset && !(waits && m_steps.front().isReset))
+        return m_events.wasReset();
+    if (!waits || isReset != m_steps.front().isReset)
+        return; // too late, or of nobody
+    const NdiStep step = std::move(m_steps.front());
+    m_steps.pop_front();
+    m_deadline.reset();
+    m_wake = now;
+    if (step.then)
+        step.then(reply);
+}
+
+void NdiDialogue::endInVain(LocalTime now)
+{
+    const NdiStep step = std::move(m_steps.front());
+    m_steps.pop_front();
+    m_deadline.reset();
+    m_wake = now;
+    m_reader.clear();
+    m_replyBytes = 0;
+    if (step.inVain)
+        step.inVain();
+    else if (step.asks())
+        m_events.isSilent();
+}
+
+NdiPortAction NdiDialogue::advance(LocalTime now)
+{
+    NdiPortAction action;
+    while (!m_steps.empty()) {
+        if (m_deadline && now < *m_deadline) {
+            m_wake = *m_deadline;
+            return action;
+        }
+        if (m_deadline) {
+            endInVain(now);
+            continue;
+        }
+        const NdiStep& step = m_steps.front();
+        m_deadline = now + step.patience;
+        if (step.rate) {
+            action.rate = step.rate;
+            m_bitsPerSecond = *step.rate;
+        }
+        action.sendBreak = action.sendBreak || step.sendsBreak;
+        if (!step.command.name.empty())
+            action.bytes += encoded(step.command);
+    }
+    m_wake = now + kIdleWake;
+    return action;
+}
+
+Duration NdiDialogue::replyTime() const
+{
+    return std::chrono::nanoseconds{std::int64_t(m_replyBytes) * kBitsPerByte * 1'000'000'000
+                                    / m_bitsPerSecond};
+}
+
+} // namespace carina

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "engine/tracking/ndi/ndi_dialogue.h"
+#include "engine/tracking/ndi/tool_definition.h"
+
+#include <map>
+
+namespace carina
+{
+
+/// A tool that a tracker of NDI is to track.
+struct NdiWantedTool {
+    std::string name;
+    /// Of a wireless tool, which is told to the device; nothing for one that is plugged in. The
+    /// wired tools of the list are those of the device's ports, in ascending order.
+    std::optional<NdiToolDefinition> definition{};
+};
+
+/// Gives a device the tools that it is to track: ports that others left are freed, each wireless
+/// tool is defined and enabled, wired tools are initialised and enabled. A tool that the device
+/// refuses is left out.
+class NdiTools
+{
+public:
+    /// @pre the dialogue outlives this.
+    NdiTools(std::vector<NdiWantedTool> wanted, NdiDialogue& dialogue);
+
+    /// Queues the commands, behind what is queued. What was known before is forgotten.
+    void setUp();
+
+    [[nodiscard]] std::size_t count() const { return m_wanted.size(); }
+    /// Which of the wanted tools has a handle of the device.
+    [[nodiscard]] std::optional<std::size_t> toolOf(std::uint16_t handle) const;
+    /// Each tool that is left out, and why: "Tube: PINIT failed; Chin: …"; empty if none is.
+    [[nodiscard]] std::string refusals() const;
+    /// How many tools are plugged into the device.
+    [[nodiscard]] std::size_t pluggedIn() const { return m_pluggedIn; }
+
+private:
+    void free(const NdiReply& ports);
+    void define(std::size_t tool);
+    void load(std::size_t tool, std::uint16_t handle);
+    void useWired(const NdiReply& ports);
+    [[nodiscard]] NdiStep initialising(std::size_t tool, std::uint16_t handle);
+    void enable(std::size_t tool, std::uint16_t handle);
+    void refuse(std::size_t tool, const NdiReply& reply);
+
+    std::vector<NdiWantedTool> m_wanted;
+    NdiDialogue& m_dialogue;
+    std::map<std::uint16_t, std::size_t> m_toolOf; ///< by handle
+    std::map<std::size_t, std::string> m_refused;  ///< tools, and why
+    std::size_t m_pluggedIn = 0;
+};
+
+} // namespace carina

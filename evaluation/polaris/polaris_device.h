@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/core/session_time.h"
-#include "engine/geometry/vec.h"
+#include "evaluation/polaris/polaris_ports.h"
+#include "evaluation/polaris/polaris_poses.h"
 
 #include <cstdint>
 #include <functional>
@@ -13,13 +13,6 @@
 
 namespace carina
 {
-
-/// A pose as a Polaris states it.
-struct PolarisPose {
-    Quat q = Quat::Identity();
-    Vec3 p_mm = Vec3::Zero();
-    double error_mm = 0.0;
-};
 
 /// What goes wrong, on demand.
 struct PolarisFaults {
@@ -37,14 +30,21 @@ public:
     /// The pose of a tool at a time; nothing while it is not seen. A tool is named by its part
     /// number, or by its number among the wired ones: "wired 1".
     using PoseOf = std::function<std::optional<PolarisPose>(const std::string& tool, LocalTime t)>;
+    /// The markers of no tool that are seen at a time, millimetres.
+    using StraysAt = std::function<std::vector<Vec3>(LocalTime t)>;
 
     struct Settings {
-        int wiredTools = 0;
+        std::vector<PluggedTool> wired{};
         double exposuresPerSecond = 60.0;
         /// Rates that it can be set to, in bits a second.
         std::vector<int> rates{9600, 14400, 19200, 38400, 57600, 115200, 921600};
         bool hasRate = true;   ///< a serial line; else its bytes take no time
         bool hasBinary = true; ///< understands BX; else an error
+        std::string serialNumber = "P4-00000";
+        /// What it answers to commands that ask for what does not change.
+        std::map<std::string, std::string> constants{
+            {"VER:4", "Simulated Polaris\nNDI S/N: P4-00000\n"}};
+        StraysAt strays = [](LocalTime) { return std::vector<Vec3>{}; };
     };
 
     /// A reply, and when its last byte is there.
@@ -65,38 +65,27 @@ public:
 
     PolarisFaults& faults() { return m_faults; }
     [[nodiscard]] int rate() const { return m_rate; }
-    [[nodiscard]] bool isTracking() const { return m_isTracking; }
+    [[nodiscard]] bool isTracking() const { return m_mode == Mode::Tracking; }
 
 private:
-    struct Port {
-        std::string tool{};
-        std::string definition{}; ///< of a wireless tool, as loaded
-        bool isWireless = false;
-        bool isInitialised = false;
-        bool isEnabled = false;
-    };
+    enum class Mode : std::uint8_t { Begun, Initialised, Diagnosing, Tracking };
 
     [[nodiscard]] std::string answer(const std::string& command, LocalTime now);
-    [[nodiscard]] std::string answerPort(const std::string& name, const std::string& arguments);
-    [[nodiscard]] std::string loadDefinition(const std::string& arguments);
-    [[nodiscard]] std::string initialise(Port& port) const;
-    [[nodiscard]] std::string listPorts(int which) const;
-    [[nodiscard]] std::string textPoses(const std::string& options, LocalTime now) const;
-    [[nodiscard]] std::string binaryPoses(LocalTime now) const;
-    [[nodiscard]] std::string generalPoses(LocalTime now) const;
-    [[nodiscard]] std::uint32_t frameAt(LocalTime now) const;
-    [[nodiscard]] LocalTime exposureAt(LocalTime now) const;
+    [[nodiscard]] std::string setRate(const std::string& arguments);
+    [[nodiscard]] std::optional<std::string> changeMode(const std::string& name, LocalTime now);
+    [[nodiscard]] std::optional<std::string> poses(const std::string& name,
+                                                   const std::string& options, LocalTime now) const;
+    [[nodiscard]] PolarisExposure exposureAt(LocalTime now) const;
     [[nodiscard]] Reply sent(std::string bytes, LocalTime now);
 
     Settings m_settings;
     PoseOf m_poseOf;
+    PolarisPorts m_ports;
     PolarisFaults m_faults;
-    std::map<int, Port> m_ports; ///< by handle
     std::string m_received;
     int m_rate = 9600;
     std::optional<int> m_nextRate; ///< from the end of the present reply on
-    bool m_isInitialised = false;
-    bool m_isTracking = false;
+    Mode m_mode = Mode::Begun;
     LocalTime m_trackingSince{};
     LocalTime m_lineFree{}; ///< when the last byte of the last reply was sent
 };

@@ -220,7 +220,7 @@ private Q_SLOTS:
     {
         Line line{{.tools = {{"probe"}, wireless("tube"), {"second probe"}, {"third"}},
                    .rates = {115200}},
-                  {.wiredTools = 2}};
+                  {.wired = {{.port = 1}, {.port = 3}}}};
         line.start();
         static_cast<void>(line.run(5s));
         QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);

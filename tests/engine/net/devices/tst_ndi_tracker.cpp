@@ -1,13 +1,10 @@
 #include "engine/net/devices/ndi_tracker.h"
 
 #include "engine/core/monotonic_clock.h"
-#include "evaluation/polaris/polaris_line.h"
+#include "tests/evaluation/polaris/served_device.h"
 #include "tests/support/test_class.h"
 
 #include <QTemporaryDir>
-
-#include <atomic>
-#include <thread>
 
 namespace carina::ndi_tracker_test
 {
@@ -28,35 +25,20 @@ double xAt(SessionTime t)
     return kSpeed * toSeconds(t - start);
 }
 
-/// A device at a pseudo-terminal, served on a thread until it is destroyed.
-class ServedDevice
+/// A device at a pseudo-terminal whose tool moves along x.
+class ServedTerminal : public ServedDevice
 {
 public:
-    explicit ServedDevice(const std::string& link)
-        : m_device{{}, [](const std::string&, LocalTime t) {
-                       return std::optional{
-                           PolarisPose{Quat::Identity(),
-                                       {1e3 * xAt(SessionTime{t.time_since_epoch()}), 0.0, -1500.0},
-                                       0.1}};
-                   }}
+    explicit ServedTerminal(const std::string& link)
+        : ServedDevice{
+            PolarisLine::terminal(link).value(), {}, [](const std::string&, LocalTime t) {
+                return std::optional{
+                    PolarisPose{Quat::Identity(),
+                                {1e3 * xAt(SessionTime{t.time_since_epoch()}), 0.0, -1500.0},
+                                0.1}};
+            }}
     {
-        auto line = PolarisLine::terminal(link);
-        m_thread = std::thread{[this, line = std::move(line).value()]() mutable {
-            static_cast<void>(line.serve(m_device, [this](LocalTime) { return !m_ends; }));
-        }};
     }
-    ~ServedDevice()
-    {
-        m_ends = true;
-        m_thread.join();
-    }
-    ServedDevice(const ServedDevice&) = delete;
-    ServedDevice& operator=(const ServedDevice&) = delete;
-
-private:
-    PolarisDevice m_device;
-    std::atomic<bool> m_ends = false;
-    std::thread m_thread;
 };
 
 TrackerDescription describedAt(const std::string& address)
@@ -87,7 +69,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const std::string link = folder.filePath(QStringLiteral("port")).toStdString();
-        const ServedDevice device{link};
+        const ServedTerminal device{link};
         const auto tracker = NdiTracker::make(describedAt(link), sessionNow);
         QVERIFY(tracker);
         QVERIFY((*tracker)->start());
@@ -113,12 +95,12 @@ private Q_SLOTS:
         QVERIFY((*tracker)->start());
         QTRY_VERIFY((*tracker)->trouble().find(link) != std::string::npos);
         {
-            const ServedDevice device{link};
+            const ServedTerminal device{link};
             QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, 20000);
         }
         QTRY_VERIFY_WITH_TIMEOUT(!(*tracker)->trouble().empty(), 10000);
         const std::size_t before = samplesOf(**tracker);
-        const ServedDevice device{link};
+        const ServedTerminal device{link};
         QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, 20000);
     }
 

@@ -1,0 +1,235 @@
+#include "evaluation/polaris/polaris_ports.h"
+
+#include "evaluation/polaris/polaris_bytes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+using polaris::error;
+using polaris::hexadecimal;
+using polaris::little;
+using polaris::written;
+
+const std::string kDone = "OKAY";
+
+constexpr std::size_t kDefinition = 752;
+constexpr std::size_t kLoaded = 1024; // by sixteen blocks
+constexpr std::size_t kTypeAt = 12;
+constexpr std::size_t kRevisionAt = 16;
+constexpr std::size_t kSerialAt = 20;
+constexpr std::size_t kMakerAt = 580;
+constexpr std::size_t kMakerBytes = 12;
+constexpr std::size_t kPartNumberAt = 592;
+constexpr std::size_t kPartNumberBytes = 20;
+
+constexpr unsigned kOccupied = 0x001;
+constexpr unsigned kInitialised = 0x010;
+constexpr unsigned kEnabled = 0x020;
+
+/// Of PHINF, in the order of the answer.
+constexpr unsigned kTellsInformation = 0x0001;
+constexpr unsigned kTellsElectricalTest = 0x0002;
+constexpr unsigned kTellsPartNumber = 0x0004;
+constexpr unsigned kTellsAccessories = 0x0008;
+constexpr unsigned kTellsMarkers = 0x0010;
+constexpr unsigned kTellsLocation = 0x0020;
+constexpr unsigned kTellsKnown = 0x003F;
+const std::string kAccessoriesOfWireless = "01";
+
+std::string padded(std::string text, std::size_t width)
+{
+    text.resize(width, ' ');
+    return text;
+}
+
+/// The text in a definition, up to its first zero.
+std::string textIn(const std::string& definition, std::size_t at, std::size_t most)
+{
+    const std::string field = definition.substr(at, most);
+    return field.substr(0, field.find('\0'));
+}
+
+/// Four bytes, the most significant first.
+std::string wordIn(const std::string& definition, std::size_t at)
+{
+    std::string digits;
+    for (std::size_t i = 4; i-- > 0;)
+        digits += written("%02X", unsigned(static_cast<unsigned char>(definition[at + i])));
+    return digits;
+}
+
+std::string informationIn(const std::string& definition)
+{
+    return wordIn(definition, kTypeAt) + padded(textIn(definition, kMakerAt, kMakerBytes), 12)
+           + written("%03u", unsigned(static_cast<unsigned char>(definition[kRevisionAt])))
+           + wordIn(definition, kSerialAt);
+}
+
+bool isWhole(const std::string& definition)
+{
+    unsigned sum = 0;
+    for (std::size_t i = 6; i < kDefinition; ++i)
+        sum += static_cast<unsigned char>(definition[i]);
+    return definition.starts_with("NDI") && little(sum & 0xFFFFU, 2) == definition.substr(4, 2);
+}
+
+} // namespace
+
+unsigned PolarisPorts::Port::status() const
+{
+    return kOccupied | (isInitialised ? kInitialised : 0) | (isEnabled ? kEnabled : 0);
+}
+
+PolarisPorts::PolarisPorts(std::vector<PluggedTool> plugged, std::string serialNumber)
+    : m_plugged{std::move(plugged)}, m_serialNumber{std::move(serialNumber)}
+{
+    std::ranges::sort(m_plugged, {}, &PluggedTool::port);
+}
+
+std::optional<std::string> PolarisPorts::answer(const std::string& name,
+                                                const std::string& arguments)
+{
+    if (name == "PHSR")
+        return list(arguments.empty() ? 0 : arguments.back() - '0');
+    if (name == "PHRQ")
+        return request();
+    if (name == "PVWR")
+        return load(arguments);
+    if (name != "PINIT" && name != "PHF" && name != "PENA" && name != "PDIS" && name != "PHINF")
+        return std::nullopt;
+    const auto found = m_ports.find(int(hexadecimal(arguments.substr(0, 2)).value_or(0)));
+    if (found == m_ports.end())
+        return error(0x2B);
+    Port& port = found->second;
+    if (name == "PINIT")
+        return initialise(port);
+    if (name == "PHINF")
+        return information(port, hexadecimal(arguments.substr(2)).value_or(0));
+    if (name == "PHF") {
+        m_ports.erase(found);
+        return kDone;
+    }
+    if (!port.isInitialised)
+        return error(0x23);
+    port.isEnabled = name == "PENA";
+    return kDone;
+}
+
+int PolarisPorts::freeHandle() const
+{
+    int handle = 1;
+    while (m_ports.contains(handle))
+        ++handle;
+    return handle;
+}
+
+/// Each gets a handle the first time.
+void PolarisPorts::findPlugged()
+{
+    for (std::size_t i = 0; i < m_plugged.size(); ++i) {
+        const std::string name = "wired " + std::to_string(i + 1);
+        const bool isFound = std::ranges::any_of(
+            m_ports, [&](const auto& entry) { return entry.second.tool == name; });
+        if (!isFound)
+            m_ports[freeHandle()] = {.tool = name, .plugged = m_plugged[i]};
+    }
+}
+
+/// 00 all, 01 to be freed, 02 to be initialised, 03 to be enabled, 04 enabled.
+std::string PolarisPorts::list(int which)
+{
+    if (which == 0 || which == 2)
+        findPlugged();
+    std::string entries;
+    unsigned count = 0;
+    for (const auto& [handle, port] : m_ports) {
+        const bool listed = which == 0 || (which == 2 && !port.isInitialised)
+                            || (which == 3 && port.isInitialised && !port.isEnabled)
+                            || (which == 4 && port.isEnabled);
+        if (!listed)
+            continue;
+        entries += written("%02X%03X", unsigned(handle), port.status());
+        ++count;
+    }
+    return written("%02X", count) + entries;
+}
+
+std::string PolarisPorts::request()
+{
+    const int handle = freeHandle();
+    m_ports[handle] = {.definition = std::string(kLoaded, '\0')};
+    return written("%02X", unsigned(handle));
+}
+
+std::string PolarisPorts::load(const std::string& arguments)
+{
+    const auto handle = hexadecimal(arguments.substr(0, 2));
+    const auto at = hexadecimal(arguments.size() > 6 ? arguments.substr(2, 4) : std::string{});
+    const auto port = m_ports.find(int(handle.value_or(0)));
+    if (port == m_ports.end() || port->second.plugged)
+        return error(0x2B);
+    if (!at || arguments.size() != 6 + 128 || *at + 64 > kLoaded)
+        return error(0x23);
+    for (std::size_t i = 0; i < 64; ++i) {
+        const auto byte = hexadecimal(arguments.substr(6 + 2 * i, 2));
+        if (!byte)
+            return error(0x23);
+        port->second.definition[*at + i] = char(*byte);
+    }
+    return kDone;
+}
+
+/// A wireless tool has to have a whole definition; its part number is its name here.
+std::string PolarisPorts::initialise(Port& port) const
+{
+    if (!port.plugged) {
+        if (!isWhole(port.definition))
+            return error(0x13);
+        port.tool = textIn(port.definition, kPartNumberAt, kPartNumberBytes);
+    }
+    port.isInitialised = true;
+    return port.plugged && port.plugged->warns ? "WARNING" : kDone;
+}
+
+/// What is not known before a tool is initialised is blank or zero.
+std::string PolarisPorts::information(const Port& port, unsigned options) const
+{
+    if (options == 0 || (options & ~kTellsKnown) != 0)
+        return error(0x23);
+    const PluggedTool unknown{.information = "00000000" + std::string(12, ' ') + "00000000000"};
+    PluggedTool told = unknown;
+    if (port.isInitialised && port.plugged)
+        told = *port.plugged;
+    else if (port.isInitialised)
+        told = {.information = informationIn(port.definition),
+                .partNumber = textIn(port.definition, kPartNumberAt, kPartNumberBytes),
+                .accessories = kAccessoriesOfWireless};
+    std::string text;
+    if ((options & kTellsInformation) != 0)
+        text += told.information + written("%02X", port.status() & 0xFFU);
+    if ((options & kTellsElectricalTest) != 0)
+        text += told.electricalTest;
+    if ((options & kTellsPartNumber) != 0)
+        text += padded(told.partNumber, kPartNumberBytes);
+    if ((options & kTellsAccessories) != 0)
+        text += told.accessories;
+    if ((options & kTellsMarkers) != 0)
+        text += told.markers;
+    if ((options & kTellsLocation) != 0)
+        text += location(port);
+    return text;
+}
+
+/// The device, the system, whether it is wireless, the port and the channel.
+std::string PolarisPorts::location(const Port& port) const
+{
+    return padded(m_serialNumber, 8)
+           + (port.plugged ? written("00%02d00", port.plugged->port) : "010A00");
+}
+
+} // namespace carina

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// A tool that is plugged into a Polaris, which knows of it what is in its memory.
+struct PluggedTool {
+    int port = 1;
+    std::string information = "01000000Simulated   00000000000"; ///< type, maker, revision, serial
+    std::string partNumber{};
+    std::string accessories = "00";
+    std::string electricalTest = "00000000";
+    std::string markers = "00";
+    bool warns = false; ///< is initialised with a warning
+};
+
+/// The port handles of a Polaris: which tools it has, and what it tells of them.
+class PolarisPorts
+{
+public:
+    struct Port {
+        std::string tool{};       ///< its name, once it is initialised
+        std::string definition{}; ///< of a wireless tool, as loaded
+        std::optional<PluggedTool> plugged{};
+        bool isInitialised = false;
+        bool isEnabled = false;
+
+        [[nodiscard]] unsigned status() const;
+    };
+
+    PolarisPorts(std::vector<PluggedTool> plugged, std::string serialNumber);
+
+    /// Forgets all handles. Those of plugged tools are given when ports are asked for.
+    void clear() { m_ports.clear(); }
+    /// The answer to a command on ports, without its checksum; nothing where it is none.
+    [[nodiscard]] std::optional<std::string> answer(const std::string& name,
+                                                    const std::string& arguments);
+
+    /// By handle.
+    [[nodiscard]] const std::map<int, Port>& all() const { return m_ports; }
+
+private:
+    [[nodiscard]] int freeHandle() const;
+    void findPlugged();
+    [[nodiscard]] std::string list(int which);
+    [[nodiscard]] std::string request();
+    [[nodiscard]] std::string load(const std::string& arguments);
+    [[nodiscard]] std::string initialise(Port& port) const;
+    [[nodiscard]] std::string information(const Port& port, unsigned options) const;
+    [[nodiscard]] std::string location(const Port& port) const;
+
+    std::vector<PluggedTool> m_plugged; ///< ascending in their ports
+    std::string m_serialNumber;
+    std::map<int, Port> m_ports; ///< by handle
+};
+
+} // namespace carina

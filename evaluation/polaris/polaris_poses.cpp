@@ -1,0 +1,151 @@
+#include "evaluation/polaris/polaris_poses.h"
+
+#include "evaluation/polaris/polaris_bytes.h"
+
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+using polaris::little;
+using polaris::real;
+using polaris::written;
+
+constexpr unsigned kAsksPoses = 0x0001;
+constexpr unsigned kAsksMarkers = 0x0002;
+constexpr unsigned kAsksSingleStray = 0x0004;
+constexpr unsigned kAsksOutOfVolume = 0x0800; // nothing is out of it here
+constexpr unsigned kAsksStrays = 0x1000;
+constexpr unsigned kAsksKnown =
+    kAsksPoses | kAsksMarkers | kAsksSingleStray | kAsksOutOfVolume | kAsksStrays;
+
+constexpr unsigned kMissingTool = 0x02; // among what is told of its markers
+constexpr int kMarkerBytes = 10;        // four bits for each of twenty
+
+/// Of TX and BX; nothing where they are not known.
+std::optional<unsigned> known(const std::string& options)
+{
+    const auto asked = polaris::hexadecimal(options);
+    return asked && *asked != 0 && (*asked & ~kAsksKnown) == 0 ? asked : std::nullopt;
+}
+
+std::string realPose(const PolarisPose& pose)
+{
+    std::string out;
+    for (const double number : {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z(), pose.p_mm.x(),
+                                pose.p_mm.y(), pose.p_mm.z(), pose.error_mm})
+        out += real(number);
+    return out;
+}
+
+std::string textPoint(const Vec3& p_mm)
+{
+    std::string out;
+    for (const double number : p_mm)
+        out += written("%+07ld", std::lround(number * 1e2));
+    return out;
+}
+
+std::string textPose(const PolarisPose& pose)
+{
+    std::string out;
+    for (const double number : {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()})
+        out += written("%+06ld", std::lround(number * 1e4));
+    return out + textPoint(pose.p_mm) + written("%+06ld", std::lround(pose.error_mm * 1e4));
+}
+
+std::string textTool(const PolarisExposure::Tool& tool, unsigned asked, std::uint32_t frame)
+{
+    std::string out = written("%02X", unsigned(tool.handle));
+    if ((asked & kAsksPoses) != 0)
+        out += (tool.pose ? textPose(*tool.pose) : "MISSING")
+               + written("%08X%08X", tool.status, unsigned(frame));
+    if ((asked & kAsksMarkers) != 0)
+        out += written("%02X", tool.pose ? 0U : kMissingTool) + std::string(2 * kMarkerBytes, '0');
+    if ((asked & kAsksSingleStray) != 0)
+        out += "00"; // none
+    return out + '\n';
+}
+
+/// The count, for each whether it is out of the volume, four to a digit, and where they are.
+std::string textStrays(const std::vector<Vec3>& strays_mm)
+{
+    std::string out = written("%02X", unsigned(strays_mm.size()));
+    out += std::string((strays_mm.size() + 3) / 4, '0');
+    for (const Vec3& p_mm : strays_mm)
+        out += textPoint(p_mm);
+    return out;
+}
+
+std::string binaryTool(const PolarisExposure::Tool& tool, unsigned asked, std::uint32_t frame)
+{
+    std::string out = little(std::uint64_t(tool.handle), 1) + little(tool.pose ? 1 : 2, 1);
+    if ((asked & kAsksPoses) != 0)
+        out += (tool.pose ? realPose(*tool.pose) : std::string{}) + little(tool.status, 4)
+               + little(frame, 4);
+    if ((asked & kAsksMarkers) != 0)
+        out += little(tool.pose ? 0 : kMissingTool, 1) + std::string(kMarkerBytes, '\0');
+    if ((asked & kAsksSingleStray) != 0)
+        out += little(0, 1);
+    return out;
+}
+
+std::string binaryStrays(const std::vector<Vec3>& strays_mm)
+{
+    std::string out = little(strays_mm.size(), 1);
+    out += std::string((strays_mm.size() + 7) / 8, '\0');
+    for (const Vec3& p_mm : strays_mm)
+        for (const double number : p_mm)
+            out += real(number);
+    return out;
+}
+
+} // namespace
+
+std::string textReply(const PolarisExposure& seen, const std::string& options)
+{
+    const auto asked = known(options);
+    if (!asked)
+        return polaris::asText(polaris::error(0x23));
+    std::string out = written("%02X", unsigned(seen.tools.size()));
+    for (const PolarisExposure::Tool& tool : seen.tools)
+        out += textTool(tool, *asked, seen.frame);
+    if ((*asked & kAsksStrays) != 0)
+        out += textStrays(seen.strays_mm);
+    return polaris::asText(out + "0000");
+}
+
+std::string binaryReply(const PolarisExposure& seen, const std::string& options)
+{
+    const auto asked = known(options);
+    if (!asked)
+        return polaris::asText(polaris::error(0x23));
+    std::string out = little(seen.tools.size(), 1);
+    for (const PolarisExposure::Tool& tool : seen.tools)
+        out += binaryTool(tool, *asked, seen.frame);
+    if ((*asked & kAsksStrays) != 0)
+        out += binaryStrays(seen.strays_mm);
+    return polaris::asBinary(out + little(0, 2));
+}
+
+std::string generalReply(const PolarisExposure& seen)
+{
+    std::string tools;
+    for (const PolarisExposure::Tool& tool : seen.tools)
+        tools += little(std::uint64_t(tool.handle), 2)
+                 + (tool.pose ? little(0, 2) + realPose(*tool.pose) : little(0x011F, 2));
+    const auto component = [](std::uint64_t type, std::uint64_t items, const std::string& bytes) {
+        return little(type, 2) + little(12 + bytes.size(), 4) + little(0, 2) + little(items, 4)
+               + bytes;
+    };
+    const auto time = std::uint64_t(seen.time.time_since_epoch().count());
+    const std::string frame = little(1, 1) + little(0, 1) + little(0, 2) + little(seen.frame, 4)
+                              + little(time / 1'000'000'000, 4) + little(time % 1'000'000'000, 4)
+                              + little(1, 2) + little(1, 2)
+                              + component(2, seen.tools.size(), tools);
+    return polaris::asBinary(little(1, 2) + little(1, 2) + component(1, 1, frame));
+}
+
+} // namespace carina

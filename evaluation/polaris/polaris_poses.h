@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/core/session_time.h"
+#include "engine/geometry/vec.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carina
+{
+
+/// A pose as a Polaris states it.
+struct PolarisPose {
+    Quat q = Quat::Identity();
+    Vec3 p_mm = Vec3::Zero();
+    double error_mm = 0.0;
+};
+
+/// An exposure as a Polaris saw it.
+struct PolarisExposure {
+    struct Tool {
+        int handle = 0;
+        unsigned status = 0; ///< of its port
+        std::optional<PolarisPose> pose{};
+    };
+    std::vector<Tool> tools{};
+    std::vector<Vec3> strays_mm{}; ///< markers of no tool
+    std::uint32_t frame = 0;
+    LocalTime time{};
+};
+
+/// The answer to TX, whole. Options 0001, 0002, 0004, 0800 and 1000, as four digits.
+[[nodiscard]] std::string textReply(const PolarisExposure& seen, const std::string& options);
+/// The answer to BX with the same options.
+[[nodiscard]] std::string binaryReply(const PolarisExposure& seen, const std::string& options);
+/// The answer to BX2: the tools.
+[[nodiscard]] std::string generalReply(const PolarisExposure& seen);
+
+} // namespace carina

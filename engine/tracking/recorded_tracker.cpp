@@ -6,8 +6,11 @@
 namespace carina
 {
 
-RecordedTracker::RecordedTracker(const TrackerSequence& sequence, ReadSessionClock clock)
-    : m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
+RecordedTracker::RecordedTracker(const TrackerSequence& sequence, ReadSessionClock clock,
+                                 Playing playing)
+    : m_playing{playing}, m_thread{std::move(clock), [this](SessionTime now) {
+                                       return advance(now);
+                                   }}
 {
     for (const RecordedTool& tool : sequence.tools) {
         Tool& played = m_played.emplace_back(tool.samples.size());
@@ -30,18 +33,31 @@ Result<void> RecordedTracker::start()
     return m_thread.start();
 }
 
+/// To the beginning, after the pause.
+void RecordedTracker::rewind()
+{
+    m_start = *m_start + (m_entries.back().sample.time - m_entries.front().sample.time) + kPause;
+    m_delivered = 0;
+    for (Tool& tool : m_played)
+        tool.filter = MotionFilter{};
+}
+
 std::optional<SessionTime> RecordedTracker::advance(SessionTime now)
 {
     if (!m_start)
         m_start = now;
-    for (; m_delivered < m_entries.size(); ++m_delivered) {
+    for (;; ++m_delivered) {
+        if (m_delivered == m_entries.size()) {
+            if (m_playing == Playing::Once || m_entries.empty())
+                return std::nullopt;
+            rewind();
+        }
         Entry entry = m_entries[m_delivered];
         entry.sample.time = *m_start + (entry.sample.time - m_entries.front().sample.time);
         if (entry.sample.time > now)
             return entry.sample.time;
         entry.tool->history.push(entry.tool->filter.moving(entry.sample));
     }
-    return std::nullopt;
 }
 
 } // namespace carina

@@ -7,14 +7,23 @@
 namespace carina
 {
 
-/// A tracker that plays a recording once, at the speed of the recording: the time of a sample is
+/// How often a recording is played.
+enum class Playing : std::uint8_t {
+    Once,
+    Looped, ///< from its beginning again, after a pause that is too long to interpolate over
+};
+
+/// A tracker that plays a recording at the speed of the recording: the time of a sample is
 /// the session time of the start plus its time since the first sample of the recording. Each tool's
 /// history can hold the whole recording. Each sample gets the velocity that a MotionFilter
 /// estimates.
 class RecordedTracker : public Tracker
 {
 public:
-    RecordedTracker(const TrackerSequence& sequence, ReadSessionClock clock);
+    static constexpr Duration kPause = std::chrono::milliseconds{250}; ///< before a repetition
+
+    RecordedTracker(const TrackerSequence& sequence, ReadSessionClock clock,
+                    Playing playing = Playing::Once);
 
     /// Plays from the beginning; all histories are cleared first.
     [[nodiscard]] Result<void> start() override;
@@ -22,7 +31,7 @@ public:
     [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
 
     /// One step of the thread: delivers what is due at `now`. The first call sets the start.
-    /// @returns when the next sample is due; nothing at the end of the recording.
+    /// @returns when the next sample is due; nothing at the end of a recording played once.
     /// @pre the thread is not running.
     std::optional<SessionTime> advance(SessionTime now);
 
@@ -38,6 +47,9 @@ private:
         PoseSample sample;
     };
 
+    void rewind();
+
+    Playing m_playing;
     std::deque<Tool> m_played; // one for each of m_tools; a history cannot be moved
     std::vector<TrackedTool> m_tools;
     std::vector<Entry> m_entries; // ascending in time

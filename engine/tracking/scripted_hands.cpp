@@ -143,6 +143,7 @@ std::optional<RigidTransform> ScriptedHands::operator()(ToolRole tool, SessionTi
     }
     case ToolRole::Manikin:
     case ToolRole::Chest:
+    case ToolRole::Laryngoscope:
     case ToolRole::Other:
         break;
     }

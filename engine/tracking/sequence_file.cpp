@@ -22,7 +22,7 @@ constexpr double kOrthonormal = 5e-3;
 
 ToolRole roleOf(std::string_view name)
 {
-    constexpr std::array<std::pair<std::string_view, ToolRole>, 10> kRoles{
+    constexpr std::array<std::pair<std::string_view, ToolRole>, 11> kRoles{
         {{"Head", ToolRole::Head},
          {"Hmd", ToolRole::Head},
          {"Jaw", ToolRole::Jaw},
@@ -32,7 +32,8 @@ ToolRole roleOf(std::string_view name)
          {"Stylus", ToolRole::Stylus},
          {"Manikin", ToolRole::Manikin},
          {"Chest", ToolRole::Chest},
-         {"Hand", ToolRole::Hand}}};
+         {"Hand", ToolRole::Hand},
+         {"Laryngoscope", ToolRole::Laryngoscope}}};
     for (const auto& [known, role] : kRoles) {
         if (name == known)
             return role;

@@ -16,8 +16,9 @@ enum class ToolRole : std::uint8_t {
     Tube,
     Stylus,
     Manikin,
-    Chest, ///< a marker on the manikin's chest, which rises as it breathes
-    Hand,  ///< a probe on the back of a hand
+    Chest,        ///< a marker on the manikin's chest, which rises as it breathes
+    Hand,         ///< a probe on the back of a hand
+    Laryngoscope, ///< a probe on its handle
     Other,
 };
 

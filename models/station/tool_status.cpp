@@ -16,7 +16,69 @@ QString toolWords(const char* text) { return QCoreApplication::translate("ToolSt
 
 QString toolName(const TrackedTool& tool)
 {
-    switch (tool.role) {
+    const QString name = toolRoleName(tool.role);
+    return name.isEmpty() ? QString::fromStdString(tool.name) : name;
+}
+
+/// Samples per second within the window before the newest.
+double rateOf(const std::vector<PoseSample>& samples)
+{
+    const SessionTime newest = samples.back().time;
+    const auto first = std::ranges::find_if(
+        samples, [&](const PoseSample& sample) { return newest - sample.time <= kRateWindow; });
+    const auto intervals = std::distance(first, samples.end()) - 1;
+    return intervals > 0 ? double(intervals) / toSeconds(newest - first->time) : 0.0;
+}
+
+/// Of the newest sample in which it was seen.
+std::optional<double> ageOf(const std::vector<PoseSample>& samples, SessionTime now)
+{
+    const auto seen = std::find_if(samples.rbegin(), samples.rend(), [](const PoseSample& sample) {
+        return sample.validity != Validity::Lost;
+    });
+    return seen == samples.rend() ? std::nullopt : std::optional{toSeconds(now - seen->time)};
+}
+
+QString visibleState(Validity validity)
+{
+    return validity == Validity::PartlyOccluded
+               ? toolWords(QT_TRANSLATE_NOOP("ToolStatus", "partly out of view"))
+               : toolWords(QT_TRANSLATE_NOOP("ToolStatus", "visible"));
+}
+
+ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
+{
+    ToolStatus status{.role = tool.role, .name = toolName(tool)};
+    status.text = toolWords(QT_TRANSLATE_NOOP("ToolStatus", "out of view"));
+    status.state = toolWords(QT_TRANSLATE_NOOP("ToolStatus", "never seen"));
+    const std::vector<PoseSample> samples = tool.history->samples();
+    status.age_s = ageOf(samples, now);
+    if (!status.age_s)
+        return status;
+    const PoseSample& newest = samples.back();
+    const bool isDelivered = now - newest.time <= kSilent;
+    status.rate_Hz = isDelivered ? rateOf(samples) : 0.0;
+    status.state = status.text;
+    if (!isDelivered || newest.validity == Validity::Lost)
+        return status;
+    status.isVisible = true;
+    status.state = visibleState(newest.validity);
+    status.error_mm = 1e3 * newest.error;
+    status.text =
+        toolWords(QT_TRANSLATE_NOOP(
+                      "ToolStatus",
+                      "visible, %1\u00a0Hz, markers fit to %2\u00a0mm (RMS), %3\u00a0ms old"))
+            .arg(qRound(status.rate_Hz))
+            .arg(*status.error_mm, 0, 'f', 2)
+            .arg(qRound(1e3 * toSeconds(now - newest.time)));
+    return status;
+}
+
+} // namespace
+
+QString toolRoleName(ToolRole role)
+{
+    switch (role) {
     case ToolRole::Head:
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Headset"));
     case ToolRole::Jaw:
@@ -31,44 +93,13 @@ QString toolName(const TrackedTool& tool)
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Chest marker"));
     case ToolRole::Hand:
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Hand probe"));
+    case ToolRole::Laryngoscope:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "Laryngoscope"));
     case ToolRole::Other:
         break;
     }
-    return QString::fromStdString(tool.name);
+    return {};
 }
-
-/// Samples per second within the window before the newest.
-double rateOf(const std::vector<PoseSample>& samples)
-{
-    const SessionTime newest = samples.back().time;
-    const auto first = std::ranges::find_if(
-        samples, [&](const PoseSample& sample) { return newest - sample.time <= kRateWindow; });
-    const auto intervals = std::distance(first, samples.end()) - 1;
-    return intervals > 0 ? double(intervals) / toSeconds(newest - first->time) : 0.0;
-}
-
-ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
-{
-    ToolStatus status{.role = tool.role, .name = toolName(tool)};
-    const std::vector<PoseSample> samples = tool.history->samples();
-    if (samples.empty() || now - samples.back().time > kSilent
-        || samples.back().validity == Validity::Lost) {
-        status.text = toolWords(QT_TRANSLATE_NOOP("ToolStatus", "out of view"));
-        return status;
-    }
-    const PoseSample& newest = samples.back();
-    status.isVisible = true;
-    status.text =
-        toolWords(QT_TRANSLATE_NOOP(
-                      "ToolStatus",
-                      "visible, %1\u00a0Hz, markers fit to %2\u00a0mm (RMS), %3\u00a0ms old"))
-            .arg(qRound(rateOf(samples)))
-            .arg(1e3 * newest.error, 0, 'f', 2)
-            .arg(qRound(1e3 * toSeconds(now - newest.time)));
-    return status;
-}
-
-} // namespace
 
 std::vector<ToolStatus> toolStatus(const Tracker& tracker, SessionTime now)
 {

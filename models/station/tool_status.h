@@ -4,17 +4,31 @@
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace carina
 {
 
+/// What a tool is for, as shown: "Stylus"; empty for one of another use.
+[[nodiscard]] QString toolRoleName(ToolRole role);
+
 /// The visibility of one tool of a tracker.
 struct ToolStatus {
     ToolRole role = ToolRole::Other;
-    QString name{};         ///< as shown: "Stylus"
-    bool isVisible = false; ///< tracked, with recent samples
-    QString text{};         ///< "out of view", or sample rate and quality
+    QString name{};                ///< as shown: "Stylus"
+    bool isVisible = false;        ///< tracked, with recent samples
+    QString text{};                ///< "out of view", or sample rate and quality
+    QString state{};               ///< "visible", "partly out of view", "out of view", "never seen"
+    double rate_Hz = 0.0;          ///< samples a second, the lost ones included; 0 while none come
+    std::optional<double> age_s{}; ///< of the newest sample in which it was seen
+    std::optional<double> error_mm{}; ///< how well its markers fit, RMS; while it is visible
+};
+
+/// A tracker as its person sees it.
+struct TrackerSight {
+    QString trouble{}; ///< what keeps it from tracking, as a sentence; empty where nothing does
+    std::vector<ToolStatus> tools{};
 };
 
 /// The status of a tracker's tools at a time on its clock.

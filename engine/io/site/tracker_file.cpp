@@ -16,18 +16,17 @@ constexpr FileLimit kDefinitionLimit{"a tool definition", 64 * 1024};
 constexpr int kSlowestRate = 9600;
 constexpr std::array kKindWords{"ndi"};
 constexpr std::array kPoseWords{"TX", "BX", "BX2"};
-constexpr std::array kRoleWords{"head", "jaw", "tube", "stylus", "manikin", "chest", "other"};
-constexpr std::array kRoles{ToolRole::Head,    ToolRole::Jaw,   ToolRole::Tube, ToolRole::Stylus,
-                            ToolRole::Manikin, ToolRole::Chest, ToolRole::Other};
+constexpr std::array kRoleWords{"head",  "jaw",  "tube",         "stylus", "manikin",
+                                "chest", "hand", "laryngoscope", "other"};
+constexpr std::array kRoles{ToolRole::Head,   ToolRole::Jaw,          ToolRole::Tube,
+                            ToolRole::Stylus, ToolRole::Manikin,      ToolRole::Chest,
+                            ToolRole::Hand,   ToolRole::Laryngoscope, ToolRole::Other};
+static_assert(kRoles.size() == kRoleWords.size());
 
-Result<NdiToolDefinition> readDefinition(const std::filesystem::path& file)
+QString roleWord(ToolRole role)
 {
-    return readWholeFile(file, kDefinitionLimit).and_then([&](const std::string& bytes) {
-        return NdiToolDefinition::read(std::as_bytes(std::span{bytes}))
-            .map_error([&](const Error& error) {
-                return Error{error.code, file.string() + ": " + error.detail};
-            });
-    });
+    const auto* known = std::ranges::find(kRoles, role);
+    return QString::fromLatin1(kRoleWords[std::size_t(known - kRoles.begin())]);
 }
 
 /// Tools with the files of their definitions, which are read when all fields are right.
@@ -84,12 +83,53 @@ Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file)
         described.tools.push_back(named.tool);
         if (named.definition.empty())
             continue;
-        auto definition = readDefinition(file.parent_path() / named.definition);
+        auto definition = readToolDefinition(file.parent_path() / named.definition);
         if (!definition)
             return tl::unexpected(definition.error());
         described.tools.back().definition = *std::move(definition);
     }
     return described;
+}
+
+Result<void> writeTrackerFile(const std::filesystem::path& file,
+                              const TrackerDescription& description)
+{
+    QJsonArray tools;
+    int wireless = 0;
+    for (const DescribedTool& tool : description.tools) {
+        QJsonObject entry{{QStringLiteral("name"), QString::fromStdString(tool.name)},
+                          {QStringLiteral("role"), roleWord(tool.role)}};
+        if (tool.definition) {
+            const std::string name =
+                file.stem().string() + "-" + std::to_string(++wireless) + ".rom";
+            const auto& bytes = tool.definition->bytes();
+            const auto wrote = writeWholeFile(
+                file.parent_path() / name,
+                std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+            if (!wrote)
+                return wrote;
+            entry[QStringLiteral("definition")] = QString::fromStdString(name);
+        }
+        tools.append(entry);
+    }
+    return writeJsonFile(
+        file,
+        {{QStringLiteral("schema"), kTrackerSchema},
+         {QStringLiteral("kind"), QString::fromLatin1(kKindWords[0])},
+         {QStringLiteral("address"), QString::fromStdString(description.address)},
+         {QStringLiteral("poses"), QString::fromLatin1(kPoseWords[std::size_t(description.poses)])},
+         {QStringLiteral("fastest_rate"), description.fastestRate},
+         {QStringLiteral("tools"), tools}});
+}
+
+Result<NdiToolDefinition> readToolDefinition(const std::filesystem::path& file)
+{
+    return readWholeFile(file, kDefinitionLimit).and_then([&](const std::string& bytes) {
+        return NdiToolDefinition::read(std::as_bytes(std::span{bytes}))
+            .map_error([&](const Error& error) {
+                return Error{error.code, file.string() + ": " + error.detail};
+            });
+    });
 }
 
 } // namespace carina

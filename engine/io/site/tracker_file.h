@@ -23,7 +23,7 @@ struct TrackerDescription {
     std::string address; ///< "/dev/ttyUSB0", or host and port: "192.0.2.7:8765"
     NdiPoseReply poses = NdiPoseReply::Bx;
     int fastestRate = 921600; ///< that the serial port holds, bits a second
-    std::vector<DescribedTool> tools;
+    std::vector<DescribedTool> tools{};
 };
 
 /// Reads the description of a tracker, a JSON object with
@@ -33,13 +33,24 @@ struct TrackerDescription {
 ///     address       a serial port, or host:port
 ///     poses         "TX", "BX" or "BX2"; BX without it
 ///     fastest_rate  of the serial port, bits a second; 921600 without it
-///     tools         a list of name; role ("head", "jaw", "tube", "stylus", "manikin", "chest" or
-///                   "other"), none but "other" twice; and of a wireless tool definition, its .rom
-///                   file, beside this one unless it is absolute. Wired tools are those of the
-///                   ports in ascending order
+///     tools         a list of name; role ("head", "jaw", "tube", "stylus", "manikin", "chest",
+///                   "hand", "laryngoscope" or "other"), none but "other" twice; and of a wireless
+///                   tool definition, its .rom file, beside this one unless it is absolute. Wired
+///                   tools are those of the ports in ascending order
 ///
 /// @returns the errors of readJsonFile; FileMalformed for a fault; those of reading a definition.
 ///          The detail names file and field.
 [[nodiscard]] Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file);
+
+/// Writes a description, and beside it the definition of its first wireless tool as FILE-1.rom, of
+/// the second as FILE-2.rom and so on, where FILE is the name of the file without its extension.
+/// @returns FileUnwritable
+[[nodiscard]] Result<void> writeTrackerFile(const std::filesystem::path& file,
+                                            const TrackerDescription& description);
+
+/// Reads the definition of a wireless tool, a .rom file.
+/// @returns the errors of reading a file and of NdiToolDefinition::read; the detail begins with the
+///          file.
+[[nodiscard]] Result<NdiToolDefinition> readToolDefinition(const std::filesystem::path& file);
 
 } // namespace carina

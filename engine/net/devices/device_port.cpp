@@ -97,6 +97,11 @@ private:
 
 bool isSerialPort(const std::string& address) { return address.starts_with('/'); }
 
+bool isDeviceAddress(const std::string& address)
+{
+    return DevicePort::make(address, {[] {}, [] {}, [](const auto&) {}}).has_value();
+}
+
 Result<std::unique_ptr<DevicePort>> DevicePort::make(const std::string& address,
                                                      Callbacks callbacks)
 {

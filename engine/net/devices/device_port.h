@@ -15,6 +15,9 @@ namespace carina
 /// Whether an address is that of a serial port, "/dev/ttyUSB0", and not host and port.
 [[nodiscard]] bool isSerialPort(const std::string& address);
 
+/// Whether it is one of the two.
+[[nodiscard]] bool isDeviceAddress(const std::string& address);
+
 /// The bytes to and from a device: a serial port, or a connection over TCP. Needs a thread with an
 /// event loop; all its functions and callbacks are of that thread.
 class DevicePort

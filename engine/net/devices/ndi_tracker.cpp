@@ -105,7 +105,7 @@ private:
         m_port->act(m_client.advance(now));
         for (const NdiMeasurement& measured : m_client.takeMeasurements())
             m_tracker.take(measured, now);
-        m_tracker.say(m_client.trouble());
+        m_tracker.say(m_client.trouble(), m_client.found());
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(m_client.nextWake() - now);
         m_timer.start(std::max(left, std::chrono::milliseconds{1}));
     }
@@ -120,9 +120,8 @@ private:
 Result<std::unique_ptr<NdiTracker>> NdiTracker::make(const TrackerDescription& description,
                                                      ReadSessionClock clock)
 {
-    if (const auto port = DevicePort::make(description.address, {[] {}, [] {}, [](const auto&) {}});
-        !port)
-        return tl::unexpected(port.error());
+    if (!isDeviceAddress(description.address))
+        return fail(Errc::WrongAddress, description.address);
     return std::unique_ptr<NdiTracker>{new NdiTracker{description, std::move(clock)}};
 }
 
@@ -164,10 +163,17 @@ std::string NdiTracker::trouble() const
     return m_trouble;
 }
 
-void NdiTracker::say(std::string trouble)
+std::optional<NdiFound> NdiTracker::found() const
+{
+    const std::lock_guard lock{m_mutex};
+    return m_found;
+}
+
+void NdiTracker::say(std::string trouble, std::optional<NdiFound> found)
 {
     const std::lock_guard lock{m_mutex};
     m_trouble = std::move(trouble);
+    m_found = std::move(found);
 }
 
 void NdiTracker::take(const NdiMeasurement& measurement, LocalTime now)

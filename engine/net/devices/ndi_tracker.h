@@ -19,6 +19,7 @@ namespace carina
 class NdiTracker : public Tracker
 {
 public:
+    /// Without tools it only looks what is there.
     /// @returns WrongAddress
     [[nodiscard]] static Result<std::unique_ptr<NdiTracker>>
     make(const TrackerDescription& description, ReadSessionClock clock);
@@ -28,6 +29,8 @@ public:
     void stop() override;
     [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
     [[nodiscard]] std::string trouble() const override;
+    /// The device, while it tracks. May be called from any thread.
+    [[nodiscard]] std::optional<NdiFound> found() const;
 
 private:
     class Line;
@@ -39,7 +42,7 @@ private:
 
     NdiTracker(const TrackerDescription& description, ReadSessionClock clock);
     void take(const NdiMeasurement& measurement, LocalTime now);
-    void say(std::string trouble);
+    void say(std::string trouble, std::optional<NdiFound> found = {});
 
     std::string m_address;
     NdiClientSettings m_settings;
@@ -48,6 +51,7 @@ private:
     std::vector<TrackedTool> m_tools;
     mutable std::mutex m_mutex;
     std::string m_trouble;
+    std::optional<NdiFound> m_found;
     QThread m_thread;
     std::unique_ptr<Line> m_line; ///< of m_thread, while that runs
 };

@@ -70,6 +70,20 @@ private Q_SLOTS:
         QCOMPARE(tracker.tools()[0].history->newest()->X_FO.translation(), Vec3(1, 2, 3));
     }
 
+    void beginsAgainAfterAPauseThatIsNotInterpolated()
+    {
+        RecordedTracker tracker{twoTools(), noClock, Playing::Looped};
+        const SessionTime start = at(7s);
+        tracker.advance(start);
+        const SessionTime again = start + 200ms + RecordedTracker::kPause;
+        QCOMPARE(tracker.advance(start + 200ms).value(), again);
+        QCOMPARE(tracker.advance(again + 100ms).value(), again + 150ms);
+        const TrackedTool stylus = tracker.tools()[0];
+        QCOMPARE(timesOf(stylus), (std::vector{start + 200ms, again, again + 100ms})); // it holds 3
+        QCOMPARE(stylus.history->at(again - 100ms)->validity, Validity::Lost);
+        QCOMPARE(stylus.history->at(again + 50ms)->validity, Validity::Tracked);
+    }
+
     void keepsAllOfALongRecording()
     {
         constexpr int kSamples = 2000;
@@ -88,6 +102,8 @@ private Q_SLOTS:
     {
         RecordedTracker tracker{{}, noClock};
         QVERIFY(!tracker.advance(at(0s)));
+        RecordedTracker looped{{}, noClock, Playing::Looped};
+        QVERIFY(!looped.advance(at(0s)));
     }
 
     void playsOnItsThreadAndFromTheBeginningAgain()

@@ -85,6 +85,60 @@ private Q_SLOTS:
         QCOMPARE(tracker->fastestRate, 921600);
     }
 
+    void knowsEveryRole_data()
+    {
+        QTest::addColumn<ToolRole>("role");
+        QTest::newRow("head") << ToolRole::Head;
+        QTest::newRow("jaw") << ToolRole::Jaw;
+        QTest::newRow("tube") << ToolRole::Tube;
+        QTest::newRow("stylus") << ToolRole::Stylus;
+        QTest::newRow("manikin") << ToolRole::Manikin;
+        QTest::newRow("chest") << ToolRole::Chest;
+        QTest::newRow("hand") << ToolRole::Hand;
+        QTest::newRow("laryngoscope") << ToolRole::Laryngoscope;
+        QTest::newRow("other") << ToolRole::Other;
+    }
+
+    void knowsEveryRole()
+    {
+        QFETCH(const ToolRole, role);
+        const auto tracker = Folder{}.readWith(
+            "", R"([{"name": "a", "role": ")" + std::string{QTest::currentDataTag()} + R"("}])");
+        QVERIFY2(tracker, tracker ? "" : tracker.error().detail.c_str());
+        QCOMPARE(tracker->tools[0].role, role);
+    }
+
+    void readsWhatItWrote()
+    {
+        const Folder folder;
+        auto described = folder.readWith(R"("poses": "BX2", "fastest_rate": 57600, )");
+        QVERIFY(described);
+        const QTemporaryDir elsewhere;
+        const auto file = elsewhere.filePath(QStringLiteral("bench.json")).toStdString();
+        QVERIFY(writeTrackerFile(file, *described));
+        QVERIFY(QFile::exists(elsewhere.filePath(QStringLiteral("bench-1.rom"))));
+        const auto read = readTrackerFile(file);
+        QVERIFY2(read, read ? "" : read.error().detail.c_str());
+        QCOMPARE(read->address, described->address);
+        QCOMPARE(read->poses, NdiPoseReply::Bx2);
+        QCOMPARE(read->fastestRate, 57600);
+        QCOMPARE(read->tools.size(), std::size_t{2});
+        QCOMPARE(read->tools[0].name, std::string{"Tube"});
+        QVERIFY(read->tools[0].definition->bytes() == described->tools[0].definition->bytes());
+        QCOMPARE(read->tools[1].role, ToolRole::Jaw);
+        QVERIFY(!read->tools[1].definition);
+    }
+
+    void saysWhereItCannotWrite()
+    {
+        const QTemporaryDir folder;
+        const auto file = std::filesystem::path{folder.path().toStdString()} / "file";
+        std::ofstream{file} << "is no folder";
+        const auto written = writeTrackerFile(file / "bench.json", {.address = "host:1"});
+        QVERIFY(!written);
+        QCOMPARE(written.error().code, Errc::FileUnwritable);
+    }
+
     void namesWhatIsWrong_data()
     {
         QTest::addColumn<QByteArray>("more");

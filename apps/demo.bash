@@ -43,7 +43,7 @@ demo_windows() {
     mkdir -p "$data"
     if [ "$register" = yes ]; then
         say "registering; close the wizard when it has fitted the patient"
-        "$build/apps/registration/carina-registration" --simulated-tracker --site "$site" \
+        "$build/apps/registration/carina-registration" --tracker simulated --site "$site" \
             "${patient[@]}"
     fi
     rm -f "$data/codes"
@@ -51,7 +51,7 @@ demo_windows() {
         --codes "$data/codes" \
         "${patient[@]}" &
     children+=($!)
-    "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee --simulated-tracker \
+    "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee --tracker simulated \
         --data "$data" --code-file "$data/codes" "${patient[@]}" "${view[@]}" &
     children+=($!)
     wait_for_children
@@ -62,7 +62,7 @@ register_headless() {
     local out=$1 size=$2
     rm -f "$out"/registration*
     if ! with_display timeout --kill-after=10 240 "$build/apps/registration/carina-registration" \
-        --simulated-tracker --site "$site" --measure "$out" --size "$size" "${patient[@]}" \
+        --tracker simulated --site "$site" --measure "$out" --size "$size" "${patient[@]}" \
         > "$out/registration.log" 2>&1; then
         tail -n 20 "$out/registration.log" >&2
         die "the registration failed"
@@ -82,7 +82,7 @@ demo_headless() {
         --data "$out/session" --codes "$out/session/codes" --new "${measure[@]}" "${patient[@]}" > "$out/instructor.log" 2>&1 &
     children+=($!)
     with_display "${at_most[@]}" "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee \
-        --data "$out/session" --code-file "$out/session/codes" --simulated-tracker \
+        --data "$out/session" --code-file "$out/session/codes" --tracker simulated \
         "${measure[@]}" "${patient[@]}" "${view[@]}" > "$out/trainee.log" 2>&1 &
     children+=($!)
     if ! wait_for_children; then

@@ -26,10 +26,7 @@ void addSiteOption(QCommandLineParser& parser)
          QStringLiteral("FILE")});
 }
 
-QString simulatedTrackerName()
-{
-    return QCoreApplication::translate("Program", "Simulated tracker");
-}
+bool hasSite(const QCommandLineParser& parser) { return parser.isSet(kSiteFile); }
 
 Result<std::optional<SitePlace>> siteOption(const QCommandLineParser& parser,
                                             const PatientModel& patient, const QString& tracker)

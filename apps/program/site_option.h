@@ -13,11 +13,11 @@ namespace carina::program
 /// Adds `--site FILE`.
 void addSiteOption(QCommandLineParser& parser);
 
-/// The name of the simulated tracker, as a site keeps it.
-[[nodiscard]] QString simulatedTrackerName();
+/// Whether `--site` is given.
+[[nodiscard]] bool hasSite(const QCommandLineParser& parser);
 
 /// The site named by `--site`, as of now; std::nullopt without it.
-/// @param tracker name of the present tracker; empty where it is not known
+/// @param tracker trackerIdentity of the present one; empty where it is not known
 /// @returns the errors of readSiteFile.
 [[nodiscard]] Result<std::optional<SitePlace>>
 siteOption(const QCommandLineParser& parser, const PatientModel& patient, const QString& tracker);

@@ -9,29 +9,25 @@ namespace
 
 const QString kTracker = QStringLiteral("tracker");
 
-QString words(const char* text) { return QCoreApplication::translate("TrackerOption", text); }
-
 } // namespace
 
-void addTrackerOption(QCommandLineParser& parser)
+void addTrackerOption(QCommandLineParser& parser, const QString& without)
 {
-    parser.addOption({kTracker,
-                      words("Track with the device that this file describes: a Polaris, its port "
-                            "and its tools (docs/tracking.md)."),
-                      QStringLiteral("FILE")});
+    const QString meaning = QCoreApplication::translate(
+        "TrackerOption", "Track with the device that this file describes, a Polaris with its port "
+                         "and its tools (docs/tracking.md); with a simulated tracker; or with a "
+                         "recording (.igs.mha of Plus or 3D Slicer), played once or looped.");
+    parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
+                      QStringLiteral("FILE|simulated|recorded:FILE|looped:FILE")});
 }
 
-Result<std::optional<TrackerDescription>> trackerOption(const QCommandLineParser& parser)
+Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser)
 {
     if (!parser.isSet(kTracker))
         return std::nullopt;
-    return readTrackerFile(parser.value(kTracker).toStdString())
-        .map([](TrackerDescription described) { return std::optional{std::move(described)}; });
-}
-
-QString trackerName(const TrackerDescription& description)
-{
-    return words("NDI tracker at %1").arg(QString::fromStdString(description.address));
+    return trackerNamed(parser.value(kTracker)).map([](TrackerChoice choice) {
+        return std::optional{std::move(choice)};
+    });
 }
 
 } // namespace carina::program

@@ -1,23 +1,20 @@
 #pragma once
 
-#include "engine/io/site/tracker_file.h"
+#include "models/tracker/tracker_choice.h"
 
 #include <QCommandLineParser>
-#include <QString>
+
+#include <optional>
 
 namespace carina::program
 {
 
-/// `--tracker FILE`: the device of a program that tracks.
-void addTrackerOption(QCommandLineParser& parser);
+/// `--tracker FILE|simulated|recorded:FILE|looped:FILE`: the tracker of a program.
+/// @param without what the program does without it, as a sentence
+void addTrackerOption(QCommandLineParser& parser, const QString& without);
 
-/// The tracker that `--tracker` describes; std::nullopt without it.
-/// @returns the errors of readTrackerFile.
-[[nodiscard]] Result<std::optional<TrackerDescription>>
-trackerOption(const QCommandLineParser& parser);
-
-/// As it is shown, and as a site names the tracker that it was registered with: "NDI tracker at
-/// /dev/ttyUSB0".
-[[nodiscard]] QString trackerName(const TrackerDescription& description);
+/// The tracker that `--tracker` names; std::nullopt without it.
+/// @returns the errors of trackerNamed.
+[[nodiscard]] Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser);
 
 } // namespace carina::program

@@ -1,15 +1,14 @@
 #include "apps/program/program.h"
-#include "apps/program/site_option.h"
 #include "apps/program/tracker_option.h"
+#include "apps/program/tracker_question.h"
 #include "apps/registration/patient_landmarks.h"
 #include "apps/registration/registration_journal.h"
 #include "apps/registration/registration_report.h"
 #include "apps/registration/scripted_hand.h"
 #include "apps/registration/scripted_technician.h"
-#include "engine/core/monotonic_clock.h"
+#include "apps/registration/workplace.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/io/site/site_file.h"
-#include "engine/net/devices/ndi_tracker.h"
 #include "ui/registration/registration_window.h"
 
 #include <QApplication>
@@ -27,7 +26,6 @@ namespace
 {
 
 const QString kSite = QStringLiteral("site");
-const QString kSimulatedTracker = QStringLiteral("simulated-tracker");
 const QString kHands = QStringLiteral("hands");
 const QString kScripted = QStringLiteral("scripted");
 const QString kMeasure = QStringLiteral("measure");
@@ -48,7 +46,6 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption(
         {kSite, words("File of the site, saved after every step; a stored site is continued."),
          QStringLiteral("FILE"), defaultSite()});
-    parser.addOption({kSimulatedTracker, words("Use a simulated tracker and manikin.")});
     parser.addOption({kHands,
                       words("Hand that holds the stylus of the simulated tracker: scripted does "
                             "what the wizard asks for; off leaves the stylus where it is."),
@@ -60,18 +57,9 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR")});
     parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
                       QStringLiteral("FILE")});
-    program::addTrackerOption(parser);
+    program::addTrackerOption(parser, words("Without it, a window asks for the tracker."));
     program::addSizeOption(parser);
     program::addPatientOptions(parser);
-}
-
-Result<bool> hasScriptedHand(const QCommandLineParser& parser)
-{
-    const QString who = parser.value(kHands);
-    if (who != kScripted && who != QStringLiteral("off"))
-        return fail(Errc::WrongOption,
-                    "--hands takes scripted or off, not '" + who.toStdString() + "'");
-    return who == kScripted;
 }
 
 Result<void> writeReport(const QDir& folder, const std::string& siteFile,
@@ -116,57 +104,20 @@ Result<std::unique_ptr<RegistrationJournal>> journalOf(const RegistrationModel& 
     return RegistrationJournal::open(parser.value(kJournal), registration);
 }
 
-/// The tracker that the stylus is touched under, and with it, where it is simulated, the manikin.
-struct Workplace {
-    QString name; ///< of the tracker, as shown
-    ReadSessionClock clock;
-    std::optional<SimulatedWorkplace> simulated{};
-    std::unique_ptr<Tracker> device{};
+/// What the wizard's window ends with where another tracker is to be used.
+constexpr int kAnotherTracker = 100;
 
-    [[nodiscard]] Tracker& tracker() const { return device ? *device : *simulated->tracker; }
-};
-
-Result<Workplace> workplaceOf(const QCommandLineParser& parser,
-                              const program::ChosenPatient& patient)
-{
-    const auto described = program::trackerOption(parser);
-    if (!described)
-        return tl::unexpected(described.error());
-    if (described->has_value() == parser.isSet(kSimulatedTracker))
-        return fail(Errc::WrongOption, "name one tracker: --tracker FILE or --simulated-tracker");
-    if (*described) {
-        const auto clock = [] {
-            return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
-        };
-        return NdiTracker::make(**described, clock).map([&](std::unique_ptr<NdiTracker> device) {
-            return Workplace{program::trackerName(**described), clock, {}, std::move(device)};
-        });
-    }
-    return simulatedWorkplace(patient.model->landmarks(), patient.model->tube())
-        .map([](SimulatedWorkplace simulated) {
-            const ReadSessionClock clock = simulated.clock;
-            return Workplace{program::simulatedTrackerName(), clock, std::move(simulated), {}};
-        });
-}
-
-Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient& patient,
-                 const QSize& size, bool scripted)
+/// The wizard with this tracker, until its window is closed.
+Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient& patient,
+                 const TrackerChoice& tracker)
 {
     const std::string siteFile = parser.value(kSite).toStdString();
-    if (!QDir{}.mkpath(QFileInfo{parser.value(kSite)}.absolutePath()))
-        return fail(Errc::FileUnwritable, siteFile);
-    QLockFile lock{parser.value(kSite) + QStringLiteral(".lock")};
-    lock.setStaleLockTime(0); // it is stale when its program is gone
-    if (!lock.tryLock())
-        return fail(lock.error() == QLockFile::LockFailedError ? Errc::SiteInUse
-                                                               : Errc::FileUnwritable,
-                    siteFile);
     auto site = RegistrationModel::siteOf(siteFile, *patient.model);
     if (!site)
         return tl::unexpected(site.error());
     if (auto writable = writeSiteFile(siteFile, *site); !writable)
         return tl::unexpected(writable.error());
-    const auto workplace = workplaceOf(parser, patient);
+    const auto workplace = workplaceWith(tracker, patient);
     if (!workplace)
         return tl::unexpected(workplace.error());
     if (auto started = workplace->tracker().start(); !started)
@@ -184,34 +135,85 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
     if (!journal)
         return tl::unexpected(journal.error());
     std::optional<ScriptedHand> hand;
-    if (scripted && workplace->simulated)
+    if (workplace->simulated && parser.value(kHands) == kScripted)
         hand.emplace(registration, *workplace->simulated);
     RegistrationWindow window{registration};
-    window.resize(size);
+    QObject::connect(&window, &RegistrationWindow::anotherTrackerWanted, &window,
+                     [] { QApplication::exit(kAnotherTracker); });
+    window.resize(*program::sizeOption(parser));
     window.show();
     return parser.isSet(kMeasure) ? measure(window, registration, *workplace->simulated, parser)
                                   : QApplication::exec();
 }
 
+/// The tracker that a person chooses; the present one, if there is any, where they do not.
+Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser,
+                                                   std::optional<TrackerChoice> present)
+{
+    const QFileInfo site{parser.value(kSite)};
+    const QString kept = site.absoluteDir().filePath(QStringLiteral("tracker.json"));
+    return program::askForTracker(kept.toStdString()).map([&](std::optional<TrackerChoice> chosen) {
+        return chosen ? std::move(chosen) : std::move(present);
+    });
+}
+
+/// The wizard with one tracker after another.
+Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient& patient,
+                 std::optional<TrackerChoice> tracker)
+{
+    const std::string siteFile = parser.value(kSite).toStdString();
+    if (!QDir{}.mkpath(QFileInfo{parser.value(kSite)}.absolutePath()))
+        return fail(Errc::FileUnwritable, siteFile);
+    QLockFile lock{parser.value(kSite) + QStringLiteral(".lock")};
+    lock.setStaleLockTime(0); // it is stale when its program is gone
+    if (!lock.tryLock())
+        return fail(lock.error() == QLockFile::LockFailedError ? Errc::SiteInUse
+                                                               : Errc::FileUnwritable,
+                    siteFile);
+    for (bool asks = !tracker;; asks = true) {
+        if (asks) {
+            auto chosen = chosenTracker(parser, std::move(tracker));
+            if (!chosen)
+                return tl::unexpected(chosen.error());
+            tracker = *std::move(chosen);
+        }
+        if (!tracker)
+            return 0;
+        const auto ended = work(parser, patient, *tracker);
+        if (!ended || *ended != kAnotherTracker)
+            return ended;
+    }
+}
+
+/// Whether the options can be used together, and folders be written to.
+Result<void> checkOptions(const QCommandLineParser& parser,
+                          const std::optional<TrackerChoice>& tracker)
+{
+    if (const auto size = program::sizeOption(parser); !size)
+        return tl::unexpected(size.error());
+    if (const QString who = parser.value(kHands); who != kScripted && who != QStringLiteral("off"))
+        return fail(Errc::WrongOption,
+                    "--hands takes scripted or off, not '" + who.toStdString() + "'");
+    if (!parser.isSet(kMeasure))
+        return {};
+    if (!tracker || !tracker->isSimulated())
+        return fail(Errc::WrongOption, "--measure needs --tracker simulated");
+    return openFolder(parser.value(kMeasure).toStdString());
+}
+
 Result<int> run(const QCommandLineParser& parser)
 {
-    const auto size = program::sizeOption(parser);
-    if (!size)
-        return tl::unexpected(size.error());
-    const auto scripted = hasScriptedHand(parser);
-    if (!scripted)
-        return tl::unexpected(scripted.error());
-    if (parser.isSet(kMeasure))
-        if (const auto opened = openFolder(parser.value(kMeasure).toStdString()); !opened)
-            return tl::unexpected(opened.error());
-    if (parser.isSet(kMeasure) && !parser.isSet(kSimulatedTracker))
-        return fail(Errc::WrongOption, "--measure needs --simulated-tracker");
+    auto tracker = program::trackerOption(parser);
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    if (const auto checked = checkOptions(parser, *tracker); !checked)
+        return tl::unexpected(checked.error());
     if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
     const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    return show(parser, *patient, *size, *scripted);
+    return show(parser, *patient, *std::move(tracker));
 }
 
 } // namespace

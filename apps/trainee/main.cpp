@@ -8,7 +8,6 @@
 #include "apps/program/tracker_option.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
-#include "engine/io/files/file_limit.h"
 #include "models/patient/shared_patient.h"
 #include "models/station/own_station.h"
 #include "ui/trainee/trainee_window.h"
@@ -24,8 +23,6 @@ namespace carina
 namespace
 {
 
-const QString kSimulatedTracker = QStringLiteral("simulated-tracker");
-const QString kRecordedTracker = QStringLiteral("recorded-tracker");
 const QString kStationName = QStringLiteral("station");
 const QString kManikinBreathes = QStringLiteral("manikin-breathes");
 
@@ -53,15 +50,6 @@ void addOptions(QCommandLineParser& parser)
                                             "trainee was last, else the first that is open."),
          QStringLiteral("NAME")});
     parser.addOption(
-        {kSimulatedTracker,
-         QApplication::translate("Trainee", "Use a simulated tracker and scripted hands; without a "
-                                            "tracker this program shows the session only.")});
-    parser.addOption({kRecordedTracker,
-                      QApplication::translate("Trainee", "Play the poses of tools from a recording "
-                                                         "(.igs.mha of Plus or 3D Slicer), once, "
-                                                         "on a manikin registered by --site."),
-                      QStringLiteral("FILE")});
-    parser.addOption(
         {kManikinBreathes,
          QApplication::translate("Trainee", "Breathing rate of the simulated manikin, breaths per "
                                             "minute; the patient breathes with it."),
@@ -75,7 +63,10 @@ void addOptions(QCommandLineParser& parser)
         {QStringLiteral("full-screen"), QApplication::translate("Trainee", "Fill the screen.")});
     program::addPatientOptions(parser);
     program::addSiteOption(parser);
-    program::addTrackerOption(parser);
+    program::addTrackerOption(
+        parser,
+        QApplication::translate("Trainee", "All but the simulated one need --site. Without "
+                                           "a tracker this program shows the session only."));
     program::addMeasureOptions(parser);
     program::addJournalOption(parser);
 }
@@ -179,57 +170,23 @@ Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions
     return program::Entered{*std::move(node), entry.settings.role};
 }
 
-/// At most one tracker, and for one that is not simulated a site.
-Result<void> checkTrackers(const QCommandLineParser& parser, bool hasSite)
+/// The tracker that is asked for; for one that is not simulated with a site.
+Result<std::optional<TrackerChoice>> trackerFor(const QCommandLineParser& parser)
 {
-    const QStringList real{kRecordedTracker, QStringLiteral("tracker")};
-    QStringList asked;
-    for (const QString& option : real + QStringList{kSimulatedTracker})
-        if (parser.isSet(option))
-            asked += QStringLiteral("--") + option;
-    if (asked.size() > 1)
+    auto chosen = program::trackerOption(parser);
+    if (chosen && *chosen && !(*chosen)->isSimulated() && !program::hasSite(parser))
         return fail(Errc::WrongOption,
-                    (asked[0] + QStringLiteral(": not with ") + asked[1]).toStdString());
-    if (asked.size() == 1 && !parser.isSet(kSimulatedTracker) && !hasSite)
-        return fail(Errc::WrongOption,
-                    (asked[0]
-                     + QStringLiteral(": it needs --site, which says where the patient "
-                                      "lies"))
-                        .toStdString());
-    return {};
-}
-
-/// The recording of --recorded-tracker, if it is given.
-Result<std::optional<TrackerSequence>> recording(const QCommandLineParser& parser)
-{
-    if (!parser.isSet(kRecordedTracker))
-        return std::nullopt;
-    const std::filesystem::path file{parser.value(kRecordedTracker).toStdString()};
-    auto sequence = readableSize(file, kMeasurementLimit).and_then([&](std::uint64_t) {
-        return readSequenceFile(file);
-    });
-    if (!sequence)
-        return tl::unexpected(sequence.error());
-    return std::optional{*std::move(sequence)};
+                    "--tracker: it needs --site, which says where the patient lies");
+    return chosen;
 }
 
 /// The tracker of a trainee; none for an observer.
-Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role role, bool hasSite)
+Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role role,
+                                          std::optional<TrackerChoice> chosen)
 {
     TraineeStation::Hardware hardware;
-    if (const auto checked = checkTrackers(parser, hasSite); !checked)
-        return tl::unexpected(checked.error());
-    auto recorded = recording(parser);
-    if (!recorded)
-        return tl::unexpected(recorded.error());
-    auto device = program::trackerOption(parser);
-    if (!device)
-        return tl::unexpected(device.error());
-    if (role == Role::Trainee) {
-        hardware.simulated = parser.isSet(kSimulatedTracker);
-        hardware.recording = *std::move(recorded);
-        hardware.device = *std::move(device);
-    }
+    if (role == Role::Trainee)
+        hardware.tracker = std::move(chosen);
     if (!parser.isSet(kManikinBreathes))
         return hardware;
     bool isNumber = false;
@@ -258,9 +215,11 @@ Result<int> run(const QCommandLineParser& parser)
     const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    const QString trackerName =
-        parser.isSet(kSimulatedTracker) ? program::simulatedTrackerName() : QString{};
-    const auto site = program::siteOption(parser, *patient->model, trackerName);
+    auto chosen = trackerFor(parser);
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    const QString identity = *chosen ? trackerIdentity(**chosen) : QString{};
+    const auto site = program::siteOption(parser, *patient->model, identity);
     if (!site)
         return tl::unexpected(site.error());
     const auto headset =
@@ -273,12 +232,12 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(entered.error());
     if (!entered->node)
         return 0;
-    auto tracker = hardware(parser, entered->role, site->has_value());
+    auto tracker = hardware(parser, entered->role, *std::move(chosen));
     if (!tracker)
         return tl::unexpected(tracker.error());
     TraineeStation station{
         std::move(entered->node), *std::move(tracker),
-        [&](const PatientModel& of) { return program::siteOption(parser, of, trackerName); }};
+        [&](const PatientModel& of) { return program::siteOption(parser, of, identity); }};
     if (const auto laid = station.lay(patient->model); !laid)
         return tl::unexpected(laid.error());
 

@@ -2,9 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/io/site/site.h"
-#include "engine/net/devices/ndi_tracker.h"
 #include "engine/session/simulated_station.h"
-#include "engine/tracking/recorded_tracker.h"
 #include "engine/tracking/reframed.h"
 
 namespace carina
@@ -58,7 +56,7 @@ TraineeStation::TraineeStation(std::unique_ptr<SessionNode> node, Hardware hardw
       m_placeOf{std::move(placeOf)},
       m_report{*m_node}
 {
-    if (m_hardware.hasTracker())
+    if (m_hardware.tracker)
         publish();
     QObject::connect(&m_looking, &QTimer::timeout, &m_looking, [this] {
         if (m_laid && m_laid->guard)
@@ -111,7 +109,7 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                  const std::function<void()>& show)
 {
     auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr, nullptr, {}});
-    if (m_hardware.hasTracker())
+    if (m_hardware.tracker)
         if (const auto tracked = track(*next); !tracked)
             return tracked;
     next->view =
@@ -151,31 +149,16 @@ Result<void> TraineeStation::track(Laid& laid)
     laid.place = *place;
     if (laid.place && !laid.place->setup)
         return {}; // nothing tells where the tools are in the patient
-    Result<void> made;
-    if (m_hardware.recording)
-        replay(laid);
-    else
-        made = m_hardware.device ? connect(laid) : simulate(laid);
-    if (!made)
+    if (const auto made = m_hardware.tracker->isSimulated() ? simulate(laid) : connect(laid); !made)
         return made;
     laid.guard = guardOf(*laid.tracking, laid.place);
     return laid.tracking->start();
 }
 
-void TraineeStation::replay(Laid& laid) const
-{
-    CARINA_EXPECTS(laid.place.has_value());
-    auto tracker = std::make_unique<RecordedTracker>(*m_hardware.recording,
-                                                     [node = m_node.get()] { return node->now(); });
-    laid.tracking =
-        std::make_shared<StationTracking>(std::move(tracker), laid.place->setup->registration);
-}
-
 Result<void> TraineeStation::connect(Laid& laid) const
 {
     CARINA_EXPECTS(laid.place.has_value());
-    auto tracker =
-        NdiTracker::make(*m_hardware.device, [node = m_node.get()] { return node->now(); });
+    auto tracker = makeTracker(*m_hardware.tracker, [node = m_node.get()] { return node->now(); });
     if (!tracker)
         return tl::unexpected(tracker.error());
     laid.tracking =
@@ -202,7 +185,7 @@ Result<void> TraineeStation::simulate(Laid& laid) const
 
 void TraineeStation::takePlace(const std::function<void()>& show)
 {
-    if (!m_laid || !m_hardware.hasTracker())
+    if (!m_laid || !m_hardware.tracker)
         return;
     const auto read = m_placeOf(*m_laid->patient);
     if (!read || !*read)
@@ -228,7 +211,7 @@ void TraineeStation::takePlace(const std::function<void()>& show)
 
 std::optional<RegistrationStanding> TraineeStation::standing() const
 {
-    if (!m_laid || !m_hardware.hasTracker())
+    if (!m_laid || !m_hardware.tracker)
         return std::nullopt;
     if (!m_laid->place)
         return RegistrationStanding{RegistrationState::Simulated, StaleReason::None, {}};

@@ -1,16 +1,15 @@
 #pragma once
 
 #include "apps/program/seen_overlay.h"
-#include "engine/io/site/tracker_file.h"
 #include "engine/net/node/session_node.h"
 #include "engine/session/station_tracking.h"
-#include "engine/tracking/sequence_file.h"
 #include "models/patient/patient_source.h"
 #include "models/respiration/manikin_breaths.h"
 #include "models/site/site_setup.h"
 #include "models/station/chin_probe_model.h"
 #include "models/station/standing_report.h"
 #include "models/station/station_view.h"
+#include "models/tracker/tracker_choice.h"
 
 #include <QTimer>
 
@@ -29,14 +28,10 @@ public:
     using Place = std::optional<SitePlace>;
     using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
 
-    /// The tracker of the station; without either it has none.
     struct Hardware {
-        bool simulated = false;                     ///< a simulated tracker and hands
-        Frequency manikinBreathes;                  ///< the simulated manikin; 0: it lies still
-        std::optional<TrackerSequence> recording{}; ///< played once for each patient; needs a Place
-        std::optional<TrackerDescription> device{}; ///< needs a Place
-
-        [[nodiscard]] bool hasTracker() const { return simulated || recording || device; }
+        /// One that is not simulated needs a Place; a recording is played for each patient.
+        std::optional<TrackerChoice> tracker{};
+        Frequency manikinBreathes; ///< the simulated manikin; 0: it lies still
     };
 
     TraineeStation(std::unique_ptr<SessionNode> node, Hardware hardware, PlaceOf placeOf);
@@ -96,7 +91,6 @@ private:
 
     [[nodiscard]] Result<void> track(Laid& laid);
     [[nodiscard]] Result<void> simulate(Laid& laid) const;
-    void replay(Laid& laid) const;
     [[nodiscard]] Result<void> connect(Laid& laid) const;
     void publish();
 

@@ -126,9 +126,9 @@ private:
         m_trainee = std::make_unique<Program>(
             QStringLiteral(CARINA_TRAINEE),
             QStringList{QStringLiteral("--port"), m_port, QStringLiteral("--as"),
-                        QStringLiteral("Trainee"), QStringLiteral("--simulated-tracker"),
-                        QStringLiteral("--data"), m_folder->path(), QStringLiteral("--code-file"),
-                        codes()}
+                        QStringLiteral("Trainee"), QStringLiteral("--tracker"),
+                        QStringLiteral("simulated"), QStringLiteral("--data"), m_folder->path(),
+                        QStringLiteral("--code-file"), codes()}
                 + more,
             m_folder->filePath(QStringLiteral("trainee.jsonl")));
         const CacheAt here{cache()};

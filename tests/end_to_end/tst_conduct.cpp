@@ -46,7 +46,7 @@ private Q_SLOTS:
     void init()
     {
         m_anna = trainee(QStringLiteral("Anna"));
-        m_anna->start({QStringLiteral("--simulated-tracker")});
+        m_anna->start({QStringLiteral("--tracker"), QStringLiteral("simulated")});
         QTRY_COMPARE_WITH_TIMEOUT(phaseOf(*m_anna), QStringLiteral("running"), kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(noticeOf(*m_anna), QString{}, kSoon_ms);
         work("choose table Anna");
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(statusOfComingIn(QStringLiteral("Ben")), 1);
         QCOMPARE(noticeOf(*m_anna), QString{}); // who is in stays
         m_anna->kill();
-        m_anna->start({QStringLiteral("--simulated-tracker")}); // or comes back
+        m_anna->start({QStringLiteral("--tracker"), QStringLiteral("simulated")}); // or comes back
         QTRY_COMPARE_WITH_TIMEOUT(noticeOf(*m_anna), QString{}, kPatience_ms);
         work("press lock");
         QTRY_COMPARE_WITH_TIMEOUT(statusOfComingIn(QStringLiteral("Ben")), 0, kPatience_ms);

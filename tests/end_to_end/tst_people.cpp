@@ -120,8 +120,8 @@ private Q_SLOTS:
             add(name, QStringLiteral(CARINA_TRAINEE),
                 common
                     + QStringList{QStringLiteral("--as"), QString::fromLatin1(name),
-                                  QStringLiteral("--code-file"), codes,
-                                  QStringLiteral("--simulated-tracker")});
+                                  QStringLiteral("--code-file"), codes, QStringLiteral("--tracker"),
+                                  QStringLiteral("simulated")});
             m_programs.back()->start();
             QTRY_VERIFY_WITH_TIMEOUT(!m_programs.back()->shown().isEmpty(), kPatience_ms);
         }

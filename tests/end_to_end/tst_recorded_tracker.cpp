@@ -68,9 +68,10 @@ private Q_SLOTS:
             {QStringLiteral("--port"), port, QStringLiteral("--as"), QStringLiteral("Trainee"),
              QStringLiteral("--code-file"), codes, QStringLiteral("--data"),
              folder.filePath(QStringLiteral("trainee")), QStringLiteral("--site"),
-             folder.filePath(QStringLiteral("site.json")), QStringLiteral("--recorded-tracker"),
-             folder.filePath(QStringLiteral("tube.igs.mha")), QStringLiteral("--measure"),
-             folder.path(), QStringLiteral("--seconds"), QStringLiteral("8")},
+             folder.filePath(QStringLiteral("site.json")), QStringLiteral("--tracker"),
+             QStringLiteral("recorded:") + folder.filePath(QStringLiteral("tube.igs.mha")),
+             QStringLiteral("--measure"), folder.path(), QStringLiteral("--seconds"),
+             QStringLiteral("8")},
             folder.filePath(QStringLiteral("trainee.jsonl"))};
         trainee.start();
         // The console reads at once that nobody verified this place.

@@ -24,9 +24,9 @@ private Q_SLOTS:
         QTemporaryDir folder;
         QVERIFY(folder.isValid());
         Program technician{QStringLiteral(CARINA_REGISTRATION),
-                           {QStringLiteral("--simulated-tracker"), QStringLiteral("--patient"),
-                            QStringLiteral("child"), QStringLiteral("--site"),
-                            folder.filePath(QStringLiteral("site.json")),
+                           {QStringLiteral("--tracker"), QStringLiteral("simulated"),
+                            QStringLiteral("--patient"), QStringLiteral("child"),
+                            QStringLiteral("--site"), folder.filePath(QStringLiteral("site.json")),
                             QStringLiteral("--measure"), folder.filePath(QStringLiteral("out"))},
                            folder.filePath(QStringLiteral("technician.jsonl"))};
         QJsonObject last;

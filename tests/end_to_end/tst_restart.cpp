@@ -56,8 +56,9 @@ private Q_SLOTS:
             QStringLiteral(CARINA_TRAINEE),
             common
                 + QStringList{QStringLiteral("--as"), QStringLiteral("Trainee"),
-                              QStringLiteral("--simulated-tracker"), QStringLiteral("--data"),
-                              m_folder->path(), QStringLiteral("--code-file"),
+                              QStringLiteral("--tracker"), QStringLiteral("simulated"),
+                              QStringLiteral("--data"), m_folder->path(),
+                              QStringLiteral("--code-file"),
                               m_folder->filePath(QStringLiteral("codes"))},
             m_folder->filePath(QStringLiteral("trainee.jsonl")));
         m_instructor->start({QStringLiteral("--start")});

@@ -110,9 +110,9 @@ private:
         return std::make_unique<Program>(
             QStringLiteral(CARINA_TRAINEE),
             QStringList{QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--as"),
-                        QLatin1String{name}, QStringLiteral("--simulated-tracker"),
-                        QStringLiteral("--data"), m_folder.path(), QStringLiteral("--code-file"),
-                        codes()}
+                        QLatin1String{name}, QStringLiteral("--tracker"),
+                        QStringLiteral("simulated"), QStringLiteral("--data"), m_folder.path(),
+                        QStringLiteral("--code-file"), codes()}
                 + more,
             m_folder.filePath(QLatin1String{name} + QStringLiteral(".jsonl")));
     }

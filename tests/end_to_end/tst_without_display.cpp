@@ -75,7 +75,7 @@ private:
     {
         return {{"registration",
                  QStringLiteral(CARINA_REGISTRATION),
-                 {QStringLiteral("--simulated-tracker")}},
+                 {QStringLiteral("--tracker"), QStringLiteral("simulated")}},
                 {"instructor", QStringLiteral(CARINA_INSTRUCTOR), {}},
                 {"trainee",
                  QStringLiteral(CARINA_TRAINEE),

@@ -96,8 +96,10 @@ void RegistrationWindow::addPages()
     auto* overview = new OverviewPage{m_registration};
     connect(overview, &OverviewPage::finished, this, &QWidget::close);
     connect(overview, &OverviewPage::reportWanted, this, &RegistrationWindow::askForReport);
+    auto* tracker = new TrackerPage{m_registration};
+    connect(tracker, &TrackerPage::anotherWanted, this, &RegistrationWindow::anotherTrackerWanted);
     m_pages = {overview,
-               new TrackerPage{m_registration},
+               tracker,
                new StylusPage{m_registration},
                new LandmarksPage{m_registration},
                new TouchPage{m_registration},

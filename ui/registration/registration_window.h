@@ -37,6 +37,10 @@ public:
     /// writeRegistrationReport.
     [[nodiscard]] Result<void> writeReport(const QString& file);
 
+Q_SIGNALS:
+    /// A person wants to work with another tracker than the model has.
+    void anotherTrackerWanted();
+
 private:
     void addPages();
     void connectButtons();

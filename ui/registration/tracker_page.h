@@ -5,16 +5,19 @@
 namespace carina
 {
 
-/// Chooses the present tracker for the site.
+/// Chooses the present tracker for the site, or another one.
 class TrackerPage : public RegistrationPage
 {
     Q_OBJECT
 
 public:
-    using RegistrationPage::RegistrationPage;
+    explicit TrackerPage(RegistrationModel& registration);
 
     [[nodiscard]] QString actionText() const override;
     void act() override;
+
+Q_SIGNALS:
+    void anotherWanted();
 };
 
 } // namespace carina

@@ -64,8 +64,8 @@ Result<std::unique_ptr<StartedSession>> StartedSession::start(const SessionProgr
         return tl::unexpected(read.error());
     session->run("trainee", programs.trainee,
                  {QStringLiteral("--as"), QString::fromLatin1(kTrainee),
-                  QStringLiteral("--simulated-tracker"), QStringLiteral("--code-file"),
-                  session->m_codesFile});
+                  QStringLiteral("--tracker"), QStringLiteral("simulated"),
+                  QStringLiteral("--code-file"), session->m_codesFile});
     return session;
 }
 

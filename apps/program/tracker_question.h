@@ -1,0 +1,17 @@
+#pragma once
+
+#include "models/tracker/tracker_form.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace carina::program
+{
+
+/// Asks a person for the tracker, beginning with the one of the last time.
+/// @param kept a Polaris that is chosen is described in this file; if it is there, it is offered
+///             first
+/// @returns std::nullopt where the person cancelled; FileUnwritable for the file.
+[[nodiscard]] Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept);
+
+} // namespace carina::program

@@ -1,0 +1,72 @@
+#include "models/tracker/tracker_choice.h"
+
+#include "engine/core/expects.h"
+#include "engine/io/files/file_limit.h"
+#include "engine/net/devices/ndi_tracker.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace carina
+{
+namespace
+{
+
+const QString kSimulated = QStringLiteral("simulated");
+const QString kRecorded = QStringLiteral("recorded:");
+const QString kLooped = QStringLiteral("looped:");
+
+QString choiceWords(const char* text) { return QCoreApplication::translate("TrackerChoice", text); }
+
+} // namespace
+
+Result<TrackerChoice> trackerNamed(const QString& words)
+{
+    if (words == kSimulated)
+        return TrackerChoice{SimulatedDevice{}};
+    if (words.startsWith(kRecorded))
+        return recordedTracker(words.mid(kRecorded.size()).toStdString(), Playing::Once);
+    if (words.startsWith(kLooped))
+        return recordedTracker(words.mid(kLooped.size()).toStdString(), Playing::Looped);
+    return readTrackerFile(words.toStdString()).map([](TrackerDescription described) {
+        return TrackerChoice{std::move(described)};
+    });
+}
+
+Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing)
+{
+    return readableSize(file, kMeasurementLimit)
+        .and_then([&](std::uint64_t) { return readSequenceFile(file); })
+        .map([&](TrackerSequence sequence) {
+            return TrackerChoice{PlayedRecording{file, std::move(sequence), playing}};
+        });
+}
+
+QString trackerName(const TrackerChoice& choice)
+{
+    if (const auto* recording = std::get_if<PlayedRecording>(&choice.device))
+        return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Recording of %1"))
+            .arg(QFileInfo{QString::fromStdString(recording->file)}.fileName());
+    if (const auto* described = std::get_if<TrackerDescription>(&choice.device))
+        return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "NDI tracker at %1"))
+            .arg(QString::fromStdString(described->address));
+    return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Simulated tracker"));
+}
+
+QString trackerIdentity(const TrackerChoice& choice)
+{
+    return std::holds_alternative<PlayedRecording>(choice.device) ? QString{} : trackerName(choice);
+}
+
+Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSessionClock clock)
+{
+    if (const auto* recording = std::get_if<PlayedRecording>(&choice.device))
+        return std::make_unique<RecordedTracker>(recording->sequence, std::move(clock),
+                                                 recording->playing);
+    const auto* described = std::get_if<TrackerDescription>(&choice.device);
+    CARINA_EXPECTS(described != nullptr);
+    return NdiTracker::make(*described, std::move(clock))
+        .map([](std::unique_ptr<NdiTracker> made) -> std::unique_ptr<Tracker> { return made; });
+}
+
+} // namespace carina

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "engine/io/site/tracker_file.h"
+#include "engine/tracking/recorded_tracker.h"
+
+#include <QString>
+
+#include <memory>
+#include <variant>
+
+namespace carina
+{
+
+/// The simulated tracker and manikin, which each program makes for what it does with them.
+struct SimulatedDevice {
+};
+
+/// A recording, which is played from its beginning.
+struct PlayedRecording {
+    std::string file; ///< as it was named
+    TrackerSequence sequence;
+    Playing playing = Playing::Once;
+};
+
+/// The tracker that a program is to use.
+struct TrackerChoice {
+    std::variant<SimulatedDevice, PlayedRecording, TrackerDescription> device;
+
+    [[nodiscard]] bool isSimulated() const
+    {
+        return std::holds_alternative<SimulatedDevice>(device);
+    }
+};
+
+/// The choice that words name: "simulated"; "recorded:FILE", a recording of Plus or 3D Slicer
+/// (.igs.mha), which is played once; "looped:FILE", one that is played again and again; otherwise a
+/// file that describes a tracker.
+/// @returns the errors of reading that file.
+[[nodiscard]] Result<TrackerChoice> trackerNamed(const QString& words);
+
+/// The recording in a file. @returns the errors of reading it.
+[[nodiscard]] Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing);
+
+/// As it is shown, and as a site names the tracker that it was registered with: "Simulated
+/// tracker", "Recording of FILE", "NDI tracker at /dev/ttyUSB0".
+[[nodiscard]] QString trackerName(const TrackerChoice& choice);
+
+/// The same for the question whether a site was registered with this tracker; empty for a
+/// recording, which may be of any.
+[[nodiscard]] QString trackerIdentity(const TrackerChoice& choice);
+
+/// The tracker itself, not started.
+/// @pre the choice is not the simulated tracker.
+/// @returns the errors of NdiTracker::make.
+[[nodiscard]] Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice,
+                                                           ReadSessionClock clock);
+
+} // namespace carina

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/net/devices/ndi_tracker.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace carina
+{
+
+/// Tries whether a tracker answers, before it is used: connects to it, and says what is there. It
+/// goes on until it is ended, so that a tracker may be switched on meanwhile.
+class TrackerTrial : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr int kInterval_ms = 200;
+
+    enum class State : std::uint8_t {
+        Idle,
+        Looking, ///< and nothing is known yet
+        Answers,
+        Silent, ///< nothing answers, as far as is known
+    };
+
+    TrackerTrial();
+
+    /// @returns the errors of NdiTracker::make and start.
+    [[nodiscard]] Result<void> begin(const TrackerDescription& description);
+    /// Gives the port free.
+    void end();
+
+    [[nodiscard]] State state() const { return m_state; }
+    /// What was found, and of each tool how it is seen: a sentence and lines beneath. Of a tracker
+    /// that does not answer what to look at. Empty while idle.
+    [[nodiscard]] QString text() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void look();
+    [[nodiscard]] QString foundText(const NdiFound& found) const;
+
+    std::string m_address;
+    std::unique_ptr<NdiTracker> m_tracker;
+    State m_state = State::Idle;
+    QTimer m_timer;
+};
+
+} // namespace carina

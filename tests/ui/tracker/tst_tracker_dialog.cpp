@@ -1,0 +1,152 @@
+#include "ui/tracker/tracker_dialog.h"
+
+#include "tests/evaluation/polaris/served_device.h"
+#include "tests/support/test_class.h"
+#include "ui/tracker/tracker_tools.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+#include <QTcpServer>
+
+namespace carina::tracker_dialog_test
+{
+namespace
+{
+
+constexpr int kPatience_ms = 10'000;
+
+std::vector<OfferedAddress> onePort()
+{
+    return {{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("/dev/ttyUSB0 (FT232R USB UART)")}};
+}
+
+template <class Widget> Widget& find(const QWidget& window, const char* name)
+{
+    return *window.findChild<Widget*>(QLatin1String{name});
+}
+
+void choose(const QWidget& dialog, TrackerSource source)
+{
+    dialog.findChild<QAbstractButton*>(QStringLiteral("source%1").arg(int(source)))->click();
+}
+
+} // namespace
+
+class TrackerDialogTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theSimulatedTrackerNeedsNothingElse()
+    {
+        TrackerDialog dialog{{}, onePort()};
+        dialog.show();
+        QVERIFY(find<QAbstractButton>(dialog, "use").isEnabled());
+        QVERIFY(!find<QComboBox>(dialog, "address").isVisible());
+        QTest::keyClick(&dialog, Qt::Key_Return);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        QVERIFY(dialog.choice().isSimulated());
+    }
+
+    void offersTheSerialPortsThatWereFound()
+    {
+        TrackerDialog dialog{{}, onePort()};
+        dialog.show();
+        choose(dialog, TrackerSource::Polaris);
+        QVERIFY(find<QComboBox>(dialog, "address").isVisible());
+        QVERIFY(find<QLabel>(dialog, "ports").text().contains(QLatin1Char{'1'}));
+        QCOMPARE(dialog.form().address, QStringLiteral("/dev/ttyUSB0"));
+        QVERIFY(find<QAbstractButton>(dialog, "use").isEnabled());
+        find<QAbstractButton>(dialog, "use").click();
+        const auto& described = std::get<TrackerDescription>(dialog.choice().device);
+        QCOMPARE(described.address, std::string{"/dev/ttyUSB0"});
+        QCOMPARE(described.tools.size(), std::size_t{1});
+        QCOMPARE(described.tools[0].role, ToolRole::Stylus);
+    }
+
+    void saysWhatIsMissing()
+    {
+        TrackerDialog dialog{{}, {}};
+        choose(dialog, TrackerSource::Polaris);
+        QVERIFY(find<QLabel>(dialog, "ports").text().startsWith(QStringLiteral("No serial port")));
+        QVERIFY(!find<QLabel>(dialog, "missing").text().isEmpty());
+        QVERIFY(!find<QAbstractButton>(dialog, "use").isEnabled());
+        QVERIFY(!find<QAbstractButton>(dialog, "try").isEnabled());
+        find<QComboBox>(dialog, "address").setEditText(QStringLiteral("192.0.2.7:8765"));
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), QString{});
+        QVERIFY(find<QAbstractButton>(dialog, "use").isEnabled());
+        find<QAbstractButton>(dialog, "removeTool").click();
+        QVERIFY(!find<QAbstractButton>(dialog, "use").isEnabled());
+    }
+
+    void toolsAreAddedEachForAnotherRole()
+    {
+        TrackerDialog dialog{{.source = TrackerSource::Polaris}, onePort()};
+        find<QAbstractButton>(dialog, "addPluggedIn").click();
+        dialog.findChild<TrackerTools*>()->addDefinition(QStringLiteral("/media/tube.rom"));
+        QCOMPARE(dialog.form().tools,
+                 (std::vector<FormTool>{{ToolRole::Stylus, {}},
+                                        {ToolRole::Jaw, {}},
+                                        {ToolRole::Tube, QStringLiteral("/media/tube.rom")}}));
+        auto& table = find<QTableWidget>(dialog, "tools");
+        qobject_cast<QComboBox*>(table.cellWidget(1, 0))->setCurrentIndex(0);
+        QVERIFY(find<QLabel>(dialog, "missing").text().contains(QStringLiteral("Stylus")));
+        QCOMPARE(table.item(2, 1)->text(), QStringLiteral("tube.rom"));
+    }
+
+    void staysOpenWhereAFileCannotBeRead()
+    {
+        TrackerDialog dialog{{.source = TrackerSource::Description,
+                              .description = QStringLiteral("/nowhere/tracker.json")},
+                             {}};
+        dialog.show();
+        find<QAbstractButton>(dialog, "use").click();
+        QVERIFY(dialog.isVisible());
+        QVERIFY(find<QLabel>(dialog, "missing").text().contains(QStringLiteral("tracker.json")));
+    }
+
+    void tellsWhatAnswersBeforeItIsUsed()
+    {
+        QTcpServer taken;
+        taken.listen(QHostAddress::LocalHost);
+        const std::uint16_t port = taken.serverPort();
+        taken.close();
+        TrackerDialog dialog{
+            {.source = TrackerSource::Polaris, .address = QStringLiteral("127.0.0.1:%1").arg(port)},
+            {}};
+        const auto& found = find<QLabel>(dialog, "found");
+        find<QAbstractButton>(dialog, "try").click();
+        QTRY_VERIFY_WITH_TIMEOUT(found.text().startsWith(QStringLiteral("▲ No tracker answers")),
+                                 kPatience_ms);
+        const ServedDevice device{
+            PolarisLine::tcp(port).value(),
+            {.wired = {{}}, .hasRate = false},
+            [](const std::string&, LocalTime) {
+                return std::optional{PolarisPose{Quat::Identity(), {0.0, 0.0, -1500.0}, 0.1}};
+            }};
+        QTRY_VERIFY_WITH_TIMEOUT(found.text().contains(QStringLiteral("✓ Stylus: visible")),
+                                 kPatience_ms);
+        find<QComboBox>(dialog, "address").setEditText(QStringLiteral("192.0.2.7:8765"));
+        QCOMPARE(found.text(), QString{}); // it was of another address
+    }
+
+    void everyControlHasANameForAScreenReader()
+    {
+        const TrackerDialog dialog{{.source = TrackerSource::Polaris}, onePort()};
+        for (const QLineEdit* edit : dialog.findChildren<QLineEdit*>())
+            if (qobject_cast<QComboBox*>(edit->parentWidget()) == nullptr)
+                QVERIFY2(!edit->accessibleName().isEmpty(), qPrintable(edit->objectName()));
+        for (const QComboBox* box : dialog.findChildren<QComboBox*>())
+            QVERIFY(!box->accessibleName().isEmpty());
+        QVERIFY(!find<QTableWidget>(dialog, "tools").accessibleName().isEmpty());
+    }
+};
+
+CARINA_SCREEN_TEST(TrackerDialogTest)
+
+} // namespace carina::tracker_dialog_test
+
+#include "tst_tracker_dialog.moc"

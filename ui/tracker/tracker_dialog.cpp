@@ -1,0 +1,231 @@
+#include "ui/tracker/tracker_dialog.h"
+
+#include "models/errors/error_text.h"
+#include "ui/tracker/tracker_tools.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kWidth = 620;
+constexpr int kFoundHeight = 110;
+constexpr int kIndent = 24;
+
+QLabel* wrappingLabel(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1String{name});
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+QLineEdit* namedEdit(const char* name, const QString& label)
+{
+    auto* edit = new QLineEdit;
+    edit->setObjectName(QLatin1String{name});
+    edit->setAccessibleName(label);
+    return edit;
+}
+
+} // namespace
+
+TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<OfferedAddress>& offered,
+                             QWidget* parent)
+    : QDialog{parent},
+      m_sources{new QButtonGroup{this}},
+      m_address{new QComboBox},
+      m_tools{new TrackerTools},
+      m_try{new QPushButton{tr("&Look whether it answers")}},
+      m_found{wrappingLabel("found")},
+      m_recording{namedEdit("recording", tr("File of the recording"))},
+      m_isLooped{new QCheckBox{tr("Play it &again and again")}},
+      m_description{namedEdit("description", tr("File that describes the tracker"))},
+      m_missing{wrappingLabel("missing")},
+      m_use{new QPushButton{tr("&Use this tracker")}}
+{
+    setWindowTitle(tr("Connect a tracker"));
+    setMinimumWidth(kWidth);
+    layOut();
+    addSource(TrackerSource::Simulated,
+              tr("&Simulated tracker and manikin, to try the program without hardware"), nullptr);
+    addSource(TrackerSource::Polaris, tr("&Polaris or another tracker of NDI"),
+              polarisFields(offered));
+    addSource(TrackerSource::Recording, tr("A &recording of Plus or 3D Slicer"),
+              fileFields(*m_recording, tr("Recording"), tr("Recordings (*.mha)"), m_isLooped));
+    addSource(
+        TrackerSource::Description, tr("A tracker that a &file describes"),
+        fileFields(*m_description, tr("Description of a tracker"), tr("Descriptions (*.json)")));
+    fill(begin);
+    connectFields();
+    refresh();
+}
+
+void TrackerDialog::layOut()
+{
+    m_missing->setAccessibleName(tr("What is missing"));
+    m_use->setObjectName(QStringLiteral("use"));
+    auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
+    buttons->addButton(m_use, QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout{this};
+    column->addWidget(new QLabel{tr("Where are the poses of the tools to come from?")});
+    column->addStretch();
+    column->addWidget(m_missing);
+    column->addWidget(buttons);
+    m_use->setDefault(true); // of this dialog, now that it is in it
+}
+
+void TrackerDialog::addSource(TrackerSource source, const QString& text, QWidget* details)
+{
+    auto* button = new QRadioButton{text};
+    button->setObjectName(QStringLiteral("source%1").arg(int(source)));
+    m_sources->addButton(button, int(source));
+    auto* column = qobject_cast<QVBoxLayout*>(layout());
+    const int behind = column->count() - 3; // stretch, what is missing, buttons
+    column->insertWidget(behind, button);
+    if (details == nullptr)
+        return;
+    m_details[std::size_t(source)] = details;
+    details->setContentsMargins(kIndent, 0, 0, 0);
+    column->insertWidget(behind + 1, details);
+}
+
+QWidget* TrackerDialog::polarisFields(const std::vector<OfferedAddress>& offered)
+{
+    m_address->setObjectName(QStringLiteral("address"));
+    m_address->setAccessibleName(tr("Serial port, or address and port on the network"));
+    m_address->setEditable(true);
+    m_address->setInsertPolicy(QComboBox::NoInsert);
+    m_address->lineEdit()->setPlaceholderText(QStringLiteral("192.0.2.7:8765"));
+    for (const OfferedAddress& each : offered)
+        m_address->addItem(each.text, each.address);
+    m_try->setObjectName(QStringLiteral("try"));
+    m_try->setAutoDefault(false);
+    m_found->setAccessibleName(tr("What was found"));
+    m_found->setMinimumHeight(kFoundHeight);
+    m_found->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* ports = wrappingLabel("ports");
+    ports->setText(offered.empty()
+                       ? tr("No serial port was found on this computer.")
+                       : tr("Serial ports found on this computer: %1").arg(offered.size()));
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout{fields};
+    form->addRow(tr("&Address"), m_address);
+    form->addRow(QString{}, ports);
+    form->addRow(tr("Tools"), m_tools);
+    form->addRow(m_try, m_found);
+    return fields;
+}
+
+QWidget* TrackerDialog::fileFields(QLineEdit& file, const QString& title, const QString& kinds,
+                                   QCheckBox* choice)
+{
+    auto* browse = new QPushButton{tr("Browse…")};
+    browse->setAccessibleName(tr("Browse: %1").arg(title));
+    browse->setAutoDefault(false);
+    connect(browse, &QPushButton::clicked, this, [this, &file, title, kinds] {
+        const QString chosen = QFileDialog::getOpenFileName(this, title, file.text(), kinds);
+        if (!chosen.isEmpty())
+            file.setText(chosen);
+    });
+    auto* fields = new QWidget;
+    auto* row = new QHBoxLayout{fields};
+    row->addWidget(&file, 1);
+    row->addWidget(browse);
+    if (choice != nullptr)
+        row->addWidget(choice);
+    return fields;
+}
+
+void TrackerDialog::fill(const TrackerForm& form)
+{
+    m_sources->button(int(form.source))->setChecked(true);
+    if (!form.address.isEmpty())
+        m_address->setEditText(form.address);
+    m_tools->setTools(form.tools);
+    m_recording->setText(form.recording);
+    m_isLooped->setChecked(form.isLooped);
+    m_description->setText(form.description);
+}
+
+void TrackerDialog::connectFields()
+{
+    connect(m_sources, &QButtonGroup::idToggled, this, &TrackerDialog::edited);
+    connect(m_address, &QComboBox::editTextChanged, this, &TrackerDialog::edited);
+    connect(m_tools, &TrackerTools::changed, this, &TrackerDialog::edited);
+    connect(m_recording, &QLineEdit::textChanged, this, &TrackerDialog::edited);
+    connect(m_description, &QLineEdit::textChanged, this, &TrackerDialog::edited);
+    connect(m_try, &QPushButton::clicked, this, &TrackerDialog::tryIt);
+    connect(&m_trial, &TrackerTrial::changed, this, &TrackerDialog::refresh);
+}
+
+TrackerForm TrackerDialog::form() const
+{
+    const int offered = m_address->findText(m_address->currentText());
+    return {.source = TrackerSource(m_sources->checkedId()),
+            .address =
+                offered < 0 ? m_address->currentText() : m_address->itemData(offered).toString(),
+            .tools = m_tools->tools(),
+            .recording = m_recording->text(),
+            .isLooped = m_isLooped->isChecked(),
+            .description = m_description->text()};
+}
+
+/// What was found is not of these fields any more.
+void TrackerDialog::edited()
+{
+    m_trial.end();
+    refresh();
+}
+
+void TrackerDialog::tryIt()
+{
+    const auto chosen = choiceOf(form());
+    const auto begun = chosen.and_then([this](const TrackerChoice& choice) {
+        return m_trial.begin(std::get<TrackerDescription>(choice.device));
+    });
+    if (!begun)
+        m_missing->setText(errorText(begun.error()));
+}
+
+void TrackerDialog::accept()
+{
+    if (whatIsMissing(form()))
+        return;
+    m_trial.end();
+    auto chosen = choiceOf(form());
+    if (!chosen)
+        return m_missing->setText(errorText(chosen.error()));
+    m_choice = *std::move(chosen);
+    QDialog::accept();
+}
+
+void TrackerDialog::refresh()
+{
+    const auto missing = whatIsMissing(form());
+    m_missing->setText(missing.value_or(QString{}));
+    m_use->setEnabled(!missing);
+    m_try->setEnabled(!missing);
+    m_found->setText(m_trial.text());
+    for (std::size_t source = 0; source < m_details.size(); ++source)
+        if (m_details[source] != nullptr)
+            m_details[source]->setVisible(int(source) == m_sources->checkedId());
+}
+
+} // namespace carina

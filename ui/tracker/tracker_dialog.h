@@ -1,0 +1,69 @@
+#pragma once
+
+#include "models/tracker/tracker_form.h"
+#include "models/tracker/tracker_trial.h"
+
+#include <QDialog>
+
+#include <array>
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace carina
+{
+
+class TrackerTools;
+
+/// Asks a person which tracker to use: the simulated one, a Polaris at a serial port or on the
+/// network, a recording, or what a file describes. A Polaris can be tried before; what answered is
+/// told, or that nothing does. Use is enabled once nothing is missing, also for a Polaris that does
+/// not answer yet: it is tried again by itself.
+class TrackerDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// @param begin shown first
+    TrackerDialog(const TrackerForm& begin, const std::vector<OfferedAddress>& offered,
+                  QWidget* parent = nullptr);
+
+    [[nodiscard]] TrackerForm form() const;
+    /// What was chosen. @pre the dialog was accepted.
+    [[nodiscard]] const TrackerChoice& choice() const { return *m_choice; }
+
+    /// Takes the choice, if its files can be read; else it says why not.
+    void accept() override;
+
+private:
+    void addSource(TrackerSource source, const QString& text, QWidget* details);
+    [[nodiscard]] QWidget* polarisFields(const std::vector<OfferedAddress>& offered);
+    [[nodiscard]] QWidget* fileFields(QLineEdit& file, const QString& title, const QString& kinds,
+                                      QCheckBox* choice = nullptr);
+    void layOut();
+    void connectFields();
+    void fill(const TrackerForm& form);
+    void tryIt();
+    void edited();
+    void refresh();
+
+    TrackerTrial m_trial;
+    std::optional<TrackerChoice> m_choice;
+    QButtonGroup* m_sources;
+    std::array<QWidget*, 4> m_details{}; ///< of each source; null where it has none
+    QComboBox* m_address;
+    TrackerTools* m_tools;
+    QPushButton* m_try;
+    QLabel* m_found;
+    QLineEdit* m_recording;
+    QCheckBox* m_isLooped;
+    QLineEdit* m_description;
+    QLabel* m_missing;
+    QPushButton* m_use;
+};
+
+} // namespace carina

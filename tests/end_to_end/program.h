@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <memory>
+#include <vector>
 
 /// For the session of a test, beside others that run at the same time.
 inline QString portOfThisTest()
@@ -63,6 +64,15 @@ public:
     [[nodiscard]] QJsonObject shownFirst() const
     {
         return QJsonDocument::fromJson(lines().value(m_linesBefore)).object();
+    }
+
+    /// All that was shown since, oldest first.
+    [[nodiscard]] std::vector<QJsonObject> allShown() const
+    {
+        std::vector<QJsonObject> all;
+        for (const QByteArray& line : lines().mid(m_linesBefore))
+            all.push_back(QJsonDocument::fromJson(line).object());
+        return all;
     }
 
 private:

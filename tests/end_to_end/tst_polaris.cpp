@@ -1,0 +1,143 @@
+#include "tests/end_to_end/program.h"
+#include "tests/support/test_class.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QTcpServer>
+#include <QTemporaryDir>
+
+namespace carina::polaris_test
+{
+namespace
+{
+
+constexpr int kPatience_ms = 60'000;
+constexpr qint64 kBack_ns = 2'000'000'000;
+
+/// A place registered by a pure shift.
+const QByteArray kSite = R"({"schema": "carina.site/2", "step": "overview",
+ "catalogue": {"name": "three", "landmarks": [{"name": "a", "p_AQ_mm": [0, 0, 1]},
+  {"name": "b", "p_AQ_mm": [0, 1, 0]}, {"name": "c", "p_AQ_mm": [1, 0, 0]}]},
+ "registration": {"X_AM_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+  "X_AT_mm": [[1, 0, 0, 10], [0, 1, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]],
+  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})";
+
+/// The simulated device, a program of its own at a TCP port. It is ready once it has written its
+/// description.
+class Device
+{
+public:
+    explicit Device(QString folder) : m_folder{std::move(folder)}
+    {
+        QTcpServer free;
+        free.listen(QHostAddress::LocalHost);
+        m_port = free.serverPort();
+    }
+    ~Device() { kill(); }
+
+    void start()
+    {
+        QFile::remove(description());
+        m_process.start(QStringLiteral(CARINA_LAB),
+                        {QStringLiteral("polaris-sim"), m_folder, QStringLiteral("--tcp"),
+                         QString::number(m_port), QStringLiteral("--seconds"),
+                         QStringLiteral("600")});
+        QVERIFY(m_process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(description()), kPatience_ms);
+    }
+    void kill()
+    {
+        m_process.kill();
+        m_process.waitForFinished();
+    }
+    [[nodiscard]] QString description() const
+    {
+        return QDir{m_folder}.filePath(QStringLiteral("tracker.json"));
+    }
+    [[nodiscard]] QString address() const { return QStringLiteral("127.0.0.1:%1").arg(m_port); }
+
+private:
+    QString m_folder;
+    quint16 m_port = 0;
+    QProcess m_process;
+};
+
+qint64 timeOf(const QJsonObject& shown) { return shown[QStringLiteral("session_ns")].toInteger(); }
+
+/// The time of the first frame after `since` that has a tool of this program; 0 where none has.
+qint64 firstTracked(const QJsonObject& line, qint64 since)
+{
+    for (const QJsonValue& frame : line[QStringLiteral("frames")].toArray())
+        for (const QJsonValue& object : frame[QStringLiteral("objects")].toArray())
+            if (object[QStringLiteral("own")].toBool() && timeOf(frame.toObject()) > since)
+                return timeOf(frame.toObject());
+    return 0;
+}
+
+} // namespace
+
+/// A trainee whose tracker is a Polaris.
+class TestPolaris : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tracksAgainSoonAfterTheDeviceIsBack()
+    {
+        const QTemporaryDir folder;
+        const QString codes = folder.filePath(QStringLiteral("codes"));
+        const QString site = folder.filePath(QStringLiteral("site.json"));
+        QFile written{site};
+        QVERIFY(written.open(QIODevice::WriteOnly) && written.write(kSite) == kSite.size());
+        written.close();
+        Device device{folder.filePath(QStringLiteral("device"))};
+        device.start();
+        Program instructor{QStringLiteral(CARINA_INSTRUCTOR),
+                           {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--data"),
+                            folder.filePath(QStringLiteral("host")), QStringLiteral("--codes"),
+                            codes, QStringLiteral("--start")},
+                           folder.filePath(QStringLiteral("instructor.jsonl"))};
+        instructor.start();
+        QTRY_VERIFY_WITH_TIMEOUT(!instructor.shown().isEmpty(), kPatience_ms);
+        Program trainee{QStringLiteral(CARINA_TRAINEE),
+                        {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--as"),
+                         QStringLiteral("Trainee"), QStringLiteral("--code-file"), codes,
+                         QStringLiteral("--data"), folder.filePath(QStringLiteral("trainee")),
+                         QStringLiteral("--site"), site, QStringLiteral("--tracker"),
+                         device.description()},
+                        folder.filePath(QStringLiteral("trainee.jsonl"))};
+        trainee.start();
+        QTRY_VERIFY_WITH_TIMEOUT(firstTracked(trainee.shown(), 0) != 0, kPatience_ms);
+
+        device.kill();
+        QTRY_VERIFY_WITH_TIMEOUT(isLost(trainee.shown(), device), kPatience_ms);
+        device.start();
+        const qint64 back = timeOf(trainee.shown());
+        QTRY_VERIFY_WITH_TIMEOUT(trackedSince(trainee, back) != 0, kPatience_ms);
+        const qint64 passed = trackedSince(trainee, back) - back;
+        QVERIFY2(passed <= kBack_ns, qPrintable(QString::number(1e-9 * double(passed))));
+    }
+
+private:
+    /// No tool is drawn, and the picture says why.
+    static bool isLost(const QJsonObject& shown, const Device& device)
+    {
+        return !shown.isEmpty() && firstTracked(shown, 0) == 0
+               && shown[QStringLiteral("notice")].toString().contains(device.address());
+    }
+
+    /// By the trainee's journal, all lines.
+    static qint64 trackedSince(const Program& trainee, qint64 since)
+    {
+        for (const QJsonObject& line : trainee.allShown())
+            if (const qint64 tracked = firstTracked(line, since); tracked != 0)
+                return tracked;
+        return 0;
+    }
+};
+
+CARINA_TEST(TestPolaris)
+
+} // namespace carina::polaris_test
+
+#include "tst_polaris.moc"

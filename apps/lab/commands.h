@@ -37,6 +37,7 @@ namespace carina::lab
 
 [[nodiscard]] Command ndiCommand();
 [[nodiscard]] Command polarisCommand();
+[[nodiscard]] Command polarisRateCommand();
 [[nodiscard]] Command predictCommand();
 [[nodiscard]] Command romCommand();
 [[nodiscard]] Command trackCommand();

@@ -1,14 +1,11 @@
 #include "apps/lab/command/patient_options.h"
 #include "apps/lab/commands.h"
+#include "apps/lab/tracking/simulated_tools.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/core/monotonic_clock.h"
-#include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/session/simulated_station.h"
-#include "engine/tracking/ndi/tool_definition.h"
 #include "evaluation/polaris/polaris_line.h"
-
-#include <QJsonArray>
 
 #include <array>
 #include <filesystem>
@@ -63,44 +60,19 @@ constexpr Key kFaultsMade{"faults", "that were made"};
 constexpr Key kSchema{"schema", "carina.polaris/1"};
 } // namespace polaris_key
 
-/// Four markers, another arrangement for each tool: no two can be taken for one another.
-std::vector<ToolMarker> markersOf(std::size_t tool)
-{
-    const double more = 0.008 * double(tool);
-    return {{{0.0, 0.0, 0.0}},
-            {{0.050 + more, 0.0, 0.0}},
-            {{0.0, 0.070 + 2.0 * more, 0.0}},
-            {{-0.040, -0.045 - more, 0.015}}};
-}
-
 /// The description of the tracker and the definitions of its tools, as a technician would write
 /// them.
 Result<void> writeDescription(const std::filesystem::path& folder, const std::string& address)
 {
-    QJsonArray tools;
-    for (std::size_t i = 0; i < kTools.size(); ++i) {
-        const std::string name = kTools[i].name;
-        const auto definition =
-            NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markersOf(i), "Carina", name);
-        if (!definition)
-            return tl::unexpected(definition.error());
-        const auto& bytes = definition->bytes();
-        const auto wrote = writeWholeFile(
-            folder / (name + ".rom"),
-            std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-        if (!wrote)
-            return wrote;
-        const QString word = QString::fromStdString(name);
-        tools.append(QJsonObject{{QStringLiteral("name"), word},
-                                 {QStringLiteral("role"), word},
-                                 {QStringLiteral("definition"), word + QStringLiteral(".rom")}});
-    }
-    return writeJsonFile(folder / "tracker.json",
-                         {{QStringLiteral("schema"), QStringLiteral("carina.tracker/1")},
-                          {QStringLiteral("kind"), QStringLiteral("ndi")},
-                          {QStringLiteral("address"), QString::fromStdString(address)},
-                          {QStringLiteral("fastest_rate"), 115200},
-                          {QStringLiteral("tools"), tools}});
+    std::vector<std::pair<std::string, ToolRole>> named;
+    for (const SimulatedTool& tool : kTools)
+        named.emplace_back(tool.name, tool.role);
+    auto tools = simulatedTools(named);
+    if (!tools)
+        return tl::unexpected(tools.error());
+    return writeTrackerFile(
+        folder / "tracker.json",
+        {.address = address, .fastestRate = 115200, .tools = *std::move(tools)});
 }
 
 /// What the device states of the scripted hands.

@@ -1,0 +1,238 @@
+#include "apps/lab/command/words.h"
+#include "apps/lab/commands.h"
+#include "apps/lab/tracking/simulated_tools.h"
+#include "engine/core/monotonic_clock.h"
+#include "engine/net/devices/ndi_tracker.h"
+#include "evaluation/polaris/polaris_line.h"
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <ctime>
+#include <pthread.h>
+#include <thread>
+
+namespace carina::lab
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+struct NamedReply {
+    std::string_view name;
+    NdiPoseReply reply;
+};
+constexpr std::array kReplies{NamedReply{"bx", NdiPoseReply::Bx},
+                              NamedReply{"tx", NdiPoseReply::Tx},
+                              NamedReply{"bx2", NdiPoseReply::Bx2}};
+constexpr int kRate = 115200;
+constexpr Duration kPatience = 20s;  // until it tracks
+constexpr Duration kSettling = 1s;   // after it does, and after a tool was hidden
+constexpr Duration kCountEvery = 1s; // of eight that a history holds
+const std::string kHiddenTool = "stylus";
+
+namespace rate_option
+{
+constexpr Option kSeconds{"seconds", "N", "of each of the two measurements, 1 to 600 (10)"};
+constexpr Option kPoses{"poses", "COMMAND", "that asks for poses: bx unless said, tx or bx2"};
+} // namespace rate_option
+
+namespace rate_key
+{
+constexpr Key kBitsPerSecond{"bits_per_second", "of the line"};
+constexpr Key kCommand{"poses", "the command that asked for them: bx, tx or bx2"};
+constexpr Key kAllSeen{"all_seen", "while three tools are seen"};
+constexpr Key kOneHidden{"one_hidden", "while one of them is not; as all_seen"};
+constexpr Key kSeconds{"measured_s", "how long", 1};
+constexpr Key kSamples{"samples_per_s", "of the tool with the fewest, those that are lost included",
+                       1};
+constexpr Key kClient{"client_core_percent",
+                      "processor time of this program without its simulated device, of one core",
+                      1};
+constexpr Key kDevice{"device_core_percent", "the same of the simulated device", 1};
+constexpr Key kSchema{"schema", "carina.polaris-rate/1"};
+} // namespace rate_key
+
+QString nameOf(NdiPoseReply reply)
+{
+    const auto* named = std::ranges::find(kReplies, reply, &NamedReply::reply);
+    return QString::fromLatin1(named->name.data(), qsizetype(named->name.size()));
+}
+
+Duration timeOn(clockid_t clock)
+{
+    timespec time{};
+    ::clock_gettime(clock, &time);
+    return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
+}
+
+/// The simulated device on a thread of its own, whose processor time can be told.
+class MeasuredDevice
+{
+public:
+    explicit MeasuredDevice(PolarisLine line)
+        : m_device{{}, [this](const std::string& tool, LocalTime t) { return poseOf(tool, t); }},
+          m_thread{[this, line = std::move(line)](const std::stop_token& stopping) mutable {
+              static_cast<void>(
+                  line.serve(m_device, [&](LocalTime) { return !stopping.stop_requested(); }));
+          }}
+    {
+    }
+
+    void hide(bool hides) { m_hides = hides; }
+    [[nodiscard]] Duration processorTime()
+    {
+        clockid_t clock{};
+        return ::pthread_getcpuclockid(m_thread.native_handle(), &clock) == 0 ? timeOn(clock)
+                                                                              : Duration{0};
+    }
+
+private:
+    /// A metre and a half before it, turning.
+    [[nodiscard]] std::optional<PolarisPose> poseOf(const std::string& tool, LocalTime t) const
+    {
+        if (m_hides && tool == kHiddenTool)
+            return std::nullopt;
+        const double angle = 0.5 * toSeconds(t.time_since_epoch() % Duration{1h});
+        return PolarisPose{Quat{Eigen::AngleAxisd{angle, Vec3::UnitZ()}}, {0.0, 0.0, -1500.0}, 0.1};
+    }
+
+    PolarisDevice m_device;
+    std::atomic<bool> m_hides = false;
+    std::jthread m_thread; // last: it uses the others
+};
+
+/// Samples of each tool since the construction.
+class SampleCount
+{
+public:
+    explicit SampleCount(const Tracker& tracker) : m_tools{tracker.tools()}
+    {
+        for (const TrackedTool& tool : m_tools)
+            m_counts.push_back({0, newestOf(tool)});
+    }
+
+    void look()
+    {
+        for (std::size_t i = 0; i < m_tools.size(); ++i) {
+            Count& count = m_counts[i];
+            for (const PoseSample& sample : m_tools[i].history->samples())
+                count.samples += sample.time > count.upTo ? 1 : 0;
+            count.upTo = newestOf(m_tools[i]);
+        }
+    }
+    [[nodiscard]] int fewest() const
+    {
+        return std::ranges::min(m_counts, {}, &Count::samples).samples;
+    }
+
+private:
+    struct Count {
+        int samples = 0;
+        SessionTime upTo{};
+    };
+
+    static SessionTime newestOf(const TrackedTool& tool)
+    {
+        const auto newest = tool.history->newest();
+        return newest ? newest->time : SessionTime{};
+    }
+
+    std::vector<TrackedTool> m_tools;
+    std::vector<Count> m_counts;
+};
+
+QJsonObject measured(const Tracker& tracker, MeasuredDevice& device, Duration duration)
+{
+    const auto clientTime = [&] {
+        return timeOn(CLOCK_PROCESS_CPUTIME_ID) - device.processorTime();
+    };
+    std::this_thread::sleep_for(kSettling);
+    SampleCount count{tracker};
+    const LocalTime begin = monotonicNow();
+    const Duration clientBefore = clientTime();
+    const Duration deviceBefore = device.processorTime();
+    for (LocalTime now = begin; now < begin + duration; now = monotonicNow()) {
+        std::this_thread::sleep_for(std::min(kCountEvery, begin + duration - now));
+        count.look();
+    }
+    const double seconds = toSeconds(monotonicNow() - begin);
+    const auto percent = [&](Duration used) { return 100.0 * toSeconds(used) / seconds; };
+    return {{rate_key::kSeconds, seconds},
+            {rate_key::kSamples, count.fewest() / seconds},
+            {rate_key::kClient, percent(clientTime() - clientBefore)},
+            {rate_key::kDevice, percent(device.processorTime() - deviceBefore)}};
+}
+
+/// Once all tools have been seen.
+Result<void> waitUntilItTracks(const NdiTracker& tracker)
+{
+    const auto isSeen = [](const TrackedTool& tool) { return tool.history->newest().has_value(); };
+    const LocalTime end = monotonicNow() + kPatience;
+    while (!std::ranges::all_of(tracker.tools(), isSeen)) {
+        if (monotonicNow() > end)
+            return fail(Errc::TrackerFailed, tracker.trouble());
+        std::this_thread::sleep_for(50ms);
+    }
+    return {};
+}
+
+Result<QJsonObject> measureRate(const Words& words)
+{
+    const auto seconds = words.whole(rate_option::kSeconds, 1, 600, 10);
+    const auto poses = words.word(rate_option::kPoses, kReplies, &NamedReply::reply);
+    if (!seconds || !poses)
+        return tl::unexpected(!seconds ? seconds.error() : poses.error());
+    const NdiPoseReply reply = words.has(rate_option::kPoses) ? *poses : NdiPoseReply::Bx;
+    const QTemporaryDir folder;
+    const std::string link = folder.filePath(QStringLiteral("port")).toStdString();
+    auto line = PolarisLine::terminal(link);
+    auto tools = simulatedTools(
+        {{"head", ToolRole::Head}, {"tube", ToolRole::Tube}, {kHiddenTool, ToolRole::Stylus}});
+    if (!line || !tools)
+        return tl::unexpected(!line ? line.error() : tools.error());
+    auto tracker = NdiTracker::make(
+        {.address = link, .poses = reply, .fastestRate = kRate, .tools = *std::move(tools)},
+        [] { return std::optional{SessionTime{monotonicNow().time_since_epoch()}}; });
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    MeasuredDevice device{*std::move(line)};
+    const auto tracks = (*tracker)->start().and_then([&] { return waitUntilItTracks(**tracker); });
+    if (!tracks)
+        return tl::unexpected(tracks.error());
+    const Duration duration = std::chrono::seconds{*seconds};
+    const QJsonObject allSeen = measured(**tracker, device, duration);
+    device.hide(true);
+    const QJsonObject oneHidden = measured(**tracker, device, duration);
+    (*tracker)->stop();
+    return QJsonObject{{rate_key::kSchema, QLatin1StringView{rate_key::kSchema.help}},
+                       {rate_key::kBitsPerSecond, kRate},
+                       {rate_key::kCommand, nameOf(reply)},
+                       {rate_key::kAllSeen, allSeen},
+                       {rate_key::kOneHidden, oneHidden}};
+}
+
+} // namespace
+
+Command polarisRateCommand()
+{
+    return {.name = "polaris-rate",
+            .theme = "tracking",
+            .summary = "measures the rate at which a Polaris is read, and what that costs",
+            .uses = {{.lines = {"[--seconds N] [--poses COMMAND]"},
+                      .text = "Tracks three tools of a simulated Polaris, which exposes 60 times a "
+                              "second, at a pseudo-terminal that is paced at 115200 bits a second: "
+                              "first with all seen, then with one of them hidden.",
+                      .options = {rate_option::kSeconds, rate_option::kPoses},
+                      .schema = rate_key::kSchema,
+                      .keys = {rate_key::kBitsPerSecond, rate_key::kCommand, rate_key::kAllSeen,
+                               rate_key::kSeconds, rate_key::kSamples, rate_key::kClient,
+                               rate_key::kDevice, rate_key::kOneHidden}}},
+            .reminder = "carina-lab help polaris-rate lists its options.",
+            .experiment = measureRate};
+}
+
+} // namespace carina::lab

@@ -249,9 +249,16 @@ Result<int> run(const QCommandLineParser& parser)
     PeopleModel people{session, place.id()};
     SessionPatient sessionPatient{station.node(), place.id(), patient->model,
                                   AnatomyCache::defaultFolder()};
-    TraineeWindow window{station.node(), sessionPatient, station.view(),
-                         *headset,       *output,        station.chinProbe(),
-                         actions,        people,         [&station] { return station.standing(); }};
+    TraineeWindow window{station.node(),
+                         sessionPatient,
+                         station.view(),
+                         *headset,
+                         *output,
+                         station.chinProbe(),
+                         actions,
+                         people,
+                         [&station] { return station.standing(); },
+                         [&station] { return station.trackerSight(); }};
     sessionPatient.follow([&](const SharedPatientModel& another) {
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });

@@ -209,6 +209,17 @@ void TraineeStation::takePlace(const std::function<void()>& show)
     }
 }
 
+std::optional<TrackerSight> TraineeStation::trackerSight() const
+{
+    if (!m_laid || !m_hardware.tracker)
+        return std::nullopt;
+    TrackerSight sight{.trouble = chinProbe().trackerTrouble()};
+    const auto now = m_node->now();
+    if (m_laid->tracking && now)
+        sight.tools = toolStatus(m_laid->tracking->tracker(), *now);
+    return sight;
+}
+
 std::optional<RegistrationStanding> TraineeStation::standing() const
 {
     if (!m_laid || !m_hardware.tracker)

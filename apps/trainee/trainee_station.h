@@ -9,6 +9,7 @@
 #include "models/station/chin_probe_model.h"
 #include "models/station/standing_report.h"
 #include "models/station/station_view.h"
+#include "models/station/tool_status.h"
 #include "models/tracker/tracker_choice.h"
 
 #include <QTimer>
@@ -63,6 +64,8 @@ public:
     }
     /// How far the registration can be relied on; std::nullopt without a tracker.
     [[nodiscard]] std::optional<RegistrationStanding> standing() const;
+    /// How the tracker sees its tools now; std::nullopt without a tracker.
+    [[nodiscard]] std::optional<TrackerSight> trackerSight() const;
     /// The true X_HA of the simulated head; empty without a simulation.
     [[nodiscard]] const program::TrueView& truth() const { return m_laid->truth; }
 

@@ -81,6 +81,8 @@ public:
     [[nodiscard]] MotionAssumption motionAssumption() const;
     /// What keeps the tracker from tracking (Tracker::trouble()).
     [[nodiscard]] std::string trouble() const { return m_tracker->trouble(); }
+    /// What it tracks with.
+    [[nodiscard]] const Tracker& tracker() const { return *m_tracker; }
     /// The tracker's name of the tool; empty where it has no such tool.
     [[nodiscard]] std::string toolName(ToolRole role) const;
 

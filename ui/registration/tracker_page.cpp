@@ -1,5 +1,7 @@
 #include "ui/registration/tracker_page.h"
 
+#include "ui/tracker/tracker_panel.h"
+
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -12,8 +14,10 @@ TrackerPage::TrackerPage(RegistrationModel& registration) : RegistrationPage{reg
     another->setObjectName(QStringLiteral("anotherTracker"));
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
+    column->addWidget(new TrackerPanel{[this]() -> std::optional<TrackerSight> {
+        return TrackerSight{this->registration().trackerTrouble(), this->registration().tools()};
+    }});
     column->addWidget(another);
-    column->addStretch();
     connect(another, &QPushButton::clicked, this, &TrackerPage::anotherWanted);
 }
 

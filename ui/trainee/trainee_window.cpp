@@ -7,6 +7,7 @@
 #include "ui/panels/parts_panel.h"
 #include "ui/panels/people_menus.h"
 #include "ui/panels/section_panel.h"
+#include "ui/tracker/tracker_panel.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QActionGroup>
@@ -28,12 +29,13 @@ constexpr int kNoticeMargin = 4; // pixels
 TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
                              const StationView& view, const HeadsetView& headset, ViewOutput output,
                              ChinProbeModel chinProbe, ObjectActionModel& actions,
-                             PeopleModel& people, Standing standing)
+                             PeopleModel& people, Standing standing, Tracker tracker)
     : m_node{node},
       m_patient{patient},
       m_scene{new SceneView{this}},
       m_actions{new QDockWidget{tr("Actions"), this}},
       m_parts{new QDockWidget{tr("Parts"), this}},
+      m_tracker{new QDockWidget{tr("Tracker"), this}},
       m_partsPanel{new PartsPanel},
       m_section{new SectionPanel},
       m_notices{new QLabel{this}, new QLabel{this}},
@@ -49,6 +51,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     setCentralWidget(m_scene);
     makeActions(actions);
     makeParts();
+    makeTracker(std::move(tracker));
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setTextFormat(Qt::PlainText);      // names and licences come from elsewhere
@@ -97,6 +100,12 @@ void TraineeWindow::makeParts()
     tabifyDockWidget(m_actions, m_parts); // one above the other they are higher than a screen
 }
 
+void TraineeWindow::makeTracker(Tracker tracker)
+{
+    addPanel(m_tracker, new TrackerPanel{std::move(tracker)}, tr("&Tools of the tracker"));
+    tabifyDockWidget(m_parts, m_tracker);
+}
+
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
 {
     dock->setWidget(panel);
@@ -128,6 +137,7 @@ void TraineeWindow::makeMenu()
     m_menu.addSeparator();
     m_menu.addAction(m_actions->toggleViewAction());
     m_menu.addAction(m_parts->toggleViewAction());
+    m_menu.addAction(m_tracker->toggleViewAction());
     m_menu.addSeparator();
     addFetching();
     addMotion();
@@ -263,7 +273,7 @@ void TraineeWindow::showTo(ViewOutput output)
     for (QAction* preset : m_presets)
         preset->setEnabled(output == ViewOutput::Screen);
     // A headset's picture keeps all of the window.
-    for (QDockWidget* dock : {m_actions, m_parts}) {
+    for (QDockWidget* dock : {m_actions, m_parts, m_tracker}) {
         dock->setFloating(output != ViewOutput::Screen);
         dock->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
                                                            : Qt::NoDockWidgetArea);

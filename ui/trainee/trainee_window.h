@@ -4,6 +4,7 @@
 #include "models/patient/session_patient.h"
 #include "models/session/people_model.h"
 #include "models/station/chin_probe_model.h"
+#include "models/station/tool_status.h"
 #include "ui/scene/station_scene.h"
 
 #include <QDockWidget>
@@ -22,9 +23,9 @@ class SectionPanel;
 
 /// The trainee's window: only the anatomy on black, on a screen or in a headset. Notices appear
 /// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
-/// picture does not move. Esc opens a menu, from which panels for the actions on shared objects and
-/// for the parts of the patient open: beside the picture on a screen, in a separate window with a
-/// headset.
+/// picture does not move. Esc opens a menu, from which panels for the actions on shared objects,
+/// for the parts of the patient and for the tools of the tracker open: beside the picture on a
+/// screen, in a separate window with a headset.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -34,10 +35,14 @@ public:
     /// program without a tracker.
     using Standing = std::function<std::optional<RegistrationStanding>()>;
 
+    /// How the tracker sees its tools now; std::nullopt for a program without one.
+    using Tracker = std::function<std::optional<TrackerSight>()>;
+
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
-                  ObjectActionModel& actions, PeopleModel& people, Standing standing = {});
+                  ObjectActionModel& actions, PeopleModel& people, Standing standing = {},
+                  Tracker tracker = {});
 
     /// Draws another patient from now on.
     /// @param chinProbe of the patient's tracking
@@ -55,6 +60,7 @@ protected:
 private:
     void makeActions(ObjectActionModel& actions);
     void makeParts();
+    void makeTracker(Tracker tracker);
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
@@ -78,6 +84,7 @@ private:
     SceneView* m_scene;
     QDockWidget* m_actions;
     QDockWidget* m_parts;
+    QDockWidget* m_tracker;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half

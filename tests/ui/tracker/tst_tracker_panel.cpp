@@ -1,0 +1,92 @@
+#include "ui/tracker/tracker_panel.h"
+
+#include "tests/support/test_class.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableWidget>
+
+namespace carina::tracker_panel_test
+{
+namespace
+{
+
+ToolStatus seen(const char* name)
+{
+    return {.name = QString::fromLatin1(name),
+            .isVisible = true,
+            .state = QStringLiteral("visible"),
+            .rate_Hz = 59.7,
+            .age_s = 0.016,
+            .error_mm = 0.123};
+}
+
+ToolStatus unseen(const char* name)
+{
+    return {
+        .name = QString::fromLatin1(name), .state = QStringLiteral("out of view"), .age_s = 3.5};
+}
+
+QString rowOf(const TrackerPanel& panel, int row)
+{
+    const auto* table = panel.findChild<QTableWidget*>(QStringLiteral("toolTable"));
+    QStringList cells;
+    for (int column = 0; column < table->columnCount(); ++column)
+        cells << table->item(row, column)->text();
+    return cells.join(QLatin1Char{'|'});
+}
+
+} // namespace
+
+class TrackerPanelTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tellsOfEachToolHowItIsSeen()
+    {
+        TrackerPanel panel{[]() -> std::optional<TrackerSight> {
+            return TrackerSight{{}, {seen("Tube"), unseen("Stylus")}};
+        }};
+        QCOMPARE(rowOf(panel, 0), QStringLiteral("Tube|✓ visible|60|0.02|0.12"));
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–"));
+        QVERIFY(panel.findChild<QLabel*>(QStringLiteral("trouble"))->text().isEmpty());
+    }
+
+    void saysWhatKeepsTheTrackerFromTracking()
+    {
+        std::optional<TrackerSight> sight{{QStringLiteral("It does not answer."), {}}};
+        TrackerPanel panel{[&] { return sight; }};
+        const auto* trouble = panel.findChild<QLabel*>(QStringLiteral("trouble"));
+        QCOMPARE(trouble->text(), QStringLiteral("It does not answer."));
+        sight.reset();
+        panel.look();
+        QCOMPARE(trouble->text(), QStringLiteral("This program has no tracker."));
+    }
+
+    void tellsOnceThatAToolIsLost()
+    {
+        TrackerSight sight{{}, {seen("Tube"), unseen("Stylus")}};
+        TrackerPanel panel{[&] { return std::optional{sight}; }};
+        QSignalSpy lost{&panel, &TrackerPanel::lost};
+        sight.tools[0] = unseen("Tube");
+        panel.look();
+        QVERIFY(lost.isEmpty()); // it may have been hidden for a moment
+        panel.look();
+        panel.look();
+        QCOMPARE(lost.size(), 1); // and the stylus was never there
+        QCOMPARE(lost[0][0].toString(), QStringLiteral("Tube"));
+        sight.tools[0] = seen("Tube");
+        panel.look();
+        sight.tools[0] = unseen("Tube");
+        panel.look();
+        panel.look();
+        QCOMPARE(lost.size(), 2);
+    }
+};
+
+CARINA_SCREEN_TEST(TrackerPanelTest)
+
+} // namespace carina::tracker_panel_test
+
+#include "tst_tracker_panel.moc"

@@ -1,0 +1,110 @@
+#include "ui/tracker/tracker_panel.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kLooksUntilLost = 2;
+constexpr double kOldest_s = 99.9; ///< that is told as a number
+
+enum ToolColumn { kToolName, kToolState, kToolRate, kToolAge, kToolError, kToolColumns };
+
+QString none() { return QStringLiteral("–"); }
+
+} // namespace
+
+TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
+    : QWidget{parent},
+      m_sight{std::move(sight)},
+      m_trouble{new QLabel},
+      m_table{new QTableWidget{0, kToolColumns}},
+      m_sound{new QCheckBox{tr("S&ound when a tool is lost")}}
+{
+    m_trouble->setObjectName(QStringLiteral("trouble"));
+    m_trouble->setAccessibleName(tr("What keeps the tracker from tracking"));
+    m_trouble->setTextFormat(Qt::PlainText);
+    m_trouble->setWordWrap(true);
+    m_table->setObjectName(QStringLiteral("toolTable"));
+    m_table->setAccessibleName(tr("Tools as the tracker sees them"));
+    m_table->setHorizontalHeaderLabels(
+        {tr("Tool"), tr("State"), tr("Rate, Hz"), tr("Age, s"), tr("Fit, mm")});
+    m_table->horizontalHeaderItem(kToolAge)->setToolTip(
+        tr("How old the newest pose is in which the tool was seen"));
+    m_table->horizontalHeaderItem(kToolError)
+        ->setToolTip(tr("How far the tool's markers lie from where its pose puts them (RMS), as "
+                        "the tracker says"));
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->hide();
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionMode(QAbstractItemView::NoSelection);
+    m_table->setTabKeyNavigation(false);
+    m_sound->setObjectName(QStringLiteral("sound"));
+    setFocusProxy(m_table);
+    auto* column = new QVBoxLayout{this};
+    column->addWidget(m_trouble);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_sound);
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &TrackerPanel::look);
+    timer->start(kInterval_ms);
+    look();
+}
+
+void TrackerPanel::look()
+{
+    const auto sight = m_sight ? m_sight() : std::nullopt;
+    m_trouble->setText(sight ? sight->trouble : tr("This program has no tracker."));
+    m_trouble->setVisible(!m_trouble->text().isEmpty());
+    show(sight ? sight->tools : std::vector<ToolStatus>{});
+    listen(sight ? sight->tools : std::vector<ToolStatus>{});
+}
+
+void TrackerPanel::show(const std::vector<ToolStatus>& tools)
+{
+    m_table->setRowCount(int(tools.size()));
+    for (int row = 0; row < int(tools.size()); ++row) {
+        const ToolStatus& tool = tools[std::size_t(row)];
+        const QString mark = tool.isVisible ? QStringLiteral("✓ ") : QStringLiteral("▲ ");
+        const auto put = [&](ToolColumn column, const QString& text) {
+            if (m_table->item(row, column) == nullptr)
+                m_table->setItem(row, column, new QTableWidgetItem);
+            m_table->item(row, column)->setText(text);
+        };
+        put(kToolName, tool.name);
+        put(kToolState, mark + tool.state);
+        put(kToolRate, tool.rate_Hz > 0.0 ? QString::number(qRound(tool.rate_Hz)) : none());
+        put(kToolAge, !tool.age_s               ? none()
+                      : *tool.age_s > kOldest_s ? tr("long")
+                                                : QString::number(*tool.age_s, 'f', 2));
+        put(kToolError, tool.error_mm ? QString::number(*tool.error_mm, 'f', 2) : none());
+    }
+}
+
+void TrackerPanel::listen(const std::vector<ToolStatus>& tools)
+{
+    for (const ToolStatus& tool : tools) {
+        if (tool.isVisible) {
+            m_unseen[tool.name] = 0;
+            continue;
+        }
+        const auto known = m_unseen.find(tool.name);
+        if (known == m_unseen.end() || ++known->second != kLooksUntilLost)
+            continue;
+        if (m_sound->isChecked())
+            QApplication::beep();
+        Q_EMIT lost(tool.name);
+    }
+}
+
+} // namespace carina

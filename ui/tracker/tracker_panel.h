@@ -1,0 +1,50 @@
+#pragma once
+
+#include "models/station/tool_status.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <map>
+
+class QCheckBox;
+class QLabel;
+class QTableWidget;
+
+namespace carina
+{
+
+/// The tools of a tracker as they are seen now, twice a second: visibility, rate, age of the last
+/// pose and how well the markers fit; and what keeps the tracker from tracking. On request a sound
+/// is made when a tool is lost.
+class TrackerPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// std::nullopt without a tracker; may be empty.
+    using Sight = std::function<std::optional<TrackerSight>()>;
+
+    static constexpr int kInterval_ms = 500;
+
+    explicit TrackerPanel(Sight sight, QWidget* parent = nullptr);
+
+    /// Shows how it is now; a timer calls it every kInterval_ms.
+    void look();
+
+Q_SIGNALS:
+    /// A tool was seen and is not any more, since two looks.
+    void lost(const QString& tool);
+
+private:
+    void show(const std::vector<ToolStatus>& tools);
+    void listen(const std::vector<ToolStatus>& tools);
+
+    Sight m_sight;
+    QLabel* m_trouble;
+    QTableWidget* m_table;
+    QCheckBox* m_sound;
+    std::map<QString, int> m_unseen; ///< looks since a tool was seen, by name
+};
+
+} // namespace carina

@@ -1,3 +1,4 @@
+#include "tests/end_to_end/held_transfer.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
@@ -11,10 +12,9 @@ namespace carina::anatomy_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000; ///< for a program to start and import on a busy machine
-constexpr int kSoon_ms = 20'000;
-constexpr int kMeasured_s = 15; ///< long enough for the set to come
-constexpr int kTries = 8;
+constexpr int kPatience_ms = 60'000;  ///< for a program to start and import on a busy machine
+constexpr int kMeasured_s = 15;       ///< long enough for the set to come
+constexpr qint64 kPassed = 1'000'000; ///< bytes of the set, before its line stands still
 
 /// The files of a cache that end so, in the folder of sets that were carried.
 QFileInfoList carried(const QString& cache, const QString& ending)
@@ -72,8 +72,8 @@ private Q_SLOTS:
 
     void traineeDrawsTheHostsPatientAndSaysSo()
     {
-        start({QStringLiteral("--measure"), m_folder->path(), QStringLiteral("--seconds"),
-               QString::number(kMeasured_s)});
+        start(m_port, {QStringLiteral("--measure"), m_folder->path(), QStringLiteral("--seconds"),
+                       QString::number(kMeasured_s)});
         QTRY_VERIFY_WITH_TIMEOUT(m_trainee->hasEnded(), kPatience_ms);
         QCOMPARE(m_trainee->exitCode(), 0);
         QCOMPARE(drawn(*m_trainee), drawn(*m_instructor));
@@ -88,12 +88,16 @@ private Q_SLOTS:
 
     void traineeThatIsKilledUnderWayGoesOn()
     {
-        QVERIFY(killUnderWay());
-        const qint64 before = carried(cache(), QStringLiteral("part")).at(0).size();
-        QVERIFY(before > 0);
+        {
+            const HeldTransfer line{std::uint16_t(m_port.toUInt()), kPassed};
+            start(line.port());
+            QTRY_VERIFY_WITH_TIMEOUT(arrived() > kPassed / 2, kPatience_ms);
+            m_trainee->kill();
+        }
+        const qint64 before = arrived();
         QVERIFY(carried(cache(), QStringLiteral("anatomy")).isEmpty());
-        start();
-        QTRY_COMPARE_WITH_TIMEOUT(drawn(*m_trainee), drawn(*m_instructor), kSoon_ms);
+        start(m_port);
+        QTRY_COMPARE_WITH_TIMEOUT(drawn(*m_trainee), drawn(*m_instructor), kPatience_ms);
         const QFileInfoList whole = carried(cache(), QStringLiteral("anatomy"));
         QCOMPARE(whole.size(), 1);
         QVERIFY(whole[0].size() > before);
@@ -101,31 +105,18 @@ private Q_SLOTS:
     }
 
 private:
-    /// Kills a trainee while its set has come in part. @returns false where it was too quick.
-    bool killUnderWay()
+    /// Bytes of a set that has come in part.
+    [[nodiscard]] qint64 arrived() const
     {
-        for (int i = 0; i < kTries; ++i) {
-            start();
-            const bool begun = QTest::qWaitFor(
-                [this] {
-                    const auto parts = carried(cache(), QStringLiteral("part"));
-                    return (!parts.isEmpty() && parts[0].size() > 0)
-                           || !carried(cache(), QStringLiteral("anatomy")).isEmpty();
-                },
-                kSoon_ms);
-            m_trainee->kill();
-            if (begun && carried(cache(), QStringLiteral("anatomy")).isEmpty())
-                return true;
-            QDir{cache()}.removeRecursively();
-        }
-        return false;
+        const QFileInfoList parts = carried(cache(), QStringLiteral("part"));
+        return parts.isEmpty() ? 0 : parts[0].size();
     }
 
-    void start(const QStringList& more = {})
+    void start(const QString& port, const QStringList& more = {})
     {
         m_trainee = std::make_unique<Program>(
             QStringLiteral(CARINA_TRAINEE),
-            QStringList{QStringLiteral("--port"), m_port, QStringLiteral("--as"),
+            QStringList{QStringLiteral("--port"), port, QStringLiteral("--as"),
                         QStringLiteral("Trainee"), QStringLiteral("--tracker"),
                         QStringLiteral("simulated"), QStringLiteral("--data"), m_folder->path(),
                         QStringLiteral("--code-file"), codes()}

@@ -139,7 +139,8 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
         [this](ParticipantId participant) {
             return limitsOf(m_stored.state().participants().at(participant).role);
         },
-        [this](ParticipantId participant) { return m_stored.state().stationOf(participant); }};
+        [this](ParticipantId participant) { return m_stored.state().stationOf(participant); },
+        [this](PeerAddress path) { return m_paths.sharedBudget(path); }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
     for (const auto& [id, object] : m_stored.state().objects())
@@ -493,7 +494,7 @@ void HostDriver::show(LocalTime now)
 void HostDriver::connected(PeerAddress peer, const Credential& who, LocalTime now)
 {
     m_access->connected(peer, who);
-    m_paths.connected(peer, who, now);
+    m_paths.connected(peer, who, std::exchange(m_source, {}), now);
 }
 
 void HostDriver::disconnected(PeerAddress peer, LocalTime now)
@@ -507,6 +508,8 @@ void HostDriver::refused(const Error& why, LocalTime) { m_refusal = why; }
 
 void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
+    if (!m_paths.hears(from, now))
+        return;
     compareViews(now); // by what was known until now
     if (!isTokenRequest(bytes)) {
         m_speaker = from;
@@ -514,7 +517,8 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
         return;
     }
     const auto peer = m_core->peers().find(from);
-    if (peer == m_core->peers().end() || !m_paths.hearsTokenRequest(from, now))
+    if (peer == m_core->peers().end() || !m_core->takesDatagram(from, bytes.size(), now)
+        || !m_paths.hearsTokenRequest(from, now))
         return;
     // Without a token the peer comes back by its code.
     if (const auto token = m_access->issueToken(from, peer->second.participant))

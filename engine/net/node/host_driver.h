@@ -36,6 +36,7 @@ public:
     /// Waits until everything decided so far is stored or given up.
     void waitForDisk(LocalTime now);
 
+    void cameFrom(const SourcePrefix& source) override { m_source = source; }
     void connected(PeerAddress peer, const Credential& who, LocalTime now) override;
     void disconnected(PeerAddress peer, LocalTime now) override;
     void refused(const Error& why, LocalTime now) override;
@@ -131,6 +132,7 @@ private:
     std::unique_ptr<SyncHost> m_core;
     ExternalClock m_externalClock;
     std::unique_ptr<HostAccess> m_access;
+    SourcePrefix m_source{};   // of the next path
     PeerAddress m_speaker = 0; // sender of the datagram being handled
     HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};
     TokenBucket m_newcomers;

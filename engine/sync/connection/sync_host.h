@@ -6,6 +6,7 @@
 #include "engine/sync/connection/peer_budget.h"
 #include "engine/sync/connection/peer_link.h"
 #include "engine/sync/connection/peer_traffic.h"
+#include "engine/sync/connection/shown_relay.h"
 #include "engine/sync/facts/fact_replication.h"
 #include "engine/sync/streams/host_streams.h"
 
@@ -51,6 +52,8 @@ struct HostRules {
     std::function<PeerLimits(ParticipantId)> limits;
     /// The station that a participant is at, of which alone its streams are taken.
     std::function<StationId(ParticipantId)> stationOf;
+    /// What the participants behind this path and others share; null where they share nothing.
+    std::function<std::shared_ptr<SharedBudget>(PeerAddress)> sharedBudget;
 };
 
 /// The session host's end, without socket, clock or thread: replicates the log to every peer,
@@ -71,8 +74,12 @@ public:
     /// How far a sample may be ahead of the session, beside half the round trip of its path: a
     /// clock is not better known than that.
     static constexpr Duration kLargestAhead = std::chrono::milliseconds{5};
+    /// Upper limit of what half the round trip adds to it: who answers late has a long one.
+    static constexpr Duration kLargestAheadByPath = std::chrono::milliseconds{50};
     /// Upper limit of slowestPath(), by which effect times are delayed.
     static constexpr Duration kLongestPath = std::chrono::seconds{1};
+    /// The same for the paths of those who may not act: who only watches must not slow down all.
+    static constexpr Duration kLongestPathOfWatchers = std::chrono::milliseconds{200};
 
     struct Output {
         struct Addressed {
@@ -129,6 +136,8 @@ public:
     void append(const FactRecord& fact);
     /// Tells who waits for a fact that it could not be stored.
     void giveUp(const FactRecord& fact, Errc why, LocalTime now);
+    /// Whether a datagram of this peer that is no part of a bundle is within its budget; counts it.
+    [[nodiscard]] bool takesDatagram(PeerAddress from, std::size_t bytes, LocalTime now);
     /// What was shown of an object of the host, for all others to compare with.
     void tellShown(const ShownPose& shown) { forward(shown, kNobody); }
     /// Sets the ownership of an object, taken from the facts.
@@ -170,7 +179,8 @@ public:
     [[nodiscard]] bool isHere(ParticipantId participant) const;
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const std::vector<FactRecord>& log() const { return m_log; }
-    /// Half the longest recent round trip of any peer, at most kLongestPath.
+    /// Half the longest recent round trip of any peer, at most kLongestPath; of those who may not
+    /// act, kLongestPathOfWatchers.
     [[nodiscard]] Duration slowestPath() const;
 
 private:
@@ -190,18 +200,21 @@ private:
     void welcomeArrivals(LocalTime now);
     void welcome(PeerAddress address, const Arrival& arrival, LocalTime now);
     void remove(PeerAddress address, LocalTime now);
-    /// Passes on what its owner showed of an object.
+    /// Passes on what its owner showed of an object, when that is due.
+    void relayShown(LocalTime now);
     void forward(const ShownPose& shown, ParticipantId from);
     void forgetParticipant(ParticipantId participant, LocalTime now);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
     void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);
     void dropSilentPeers(LocalTime now);
     void endExceedingPeers(LocalTime now);
-    /// Whether a program that asks from this address is kept out by another one of the participant.
     /// Of one who is here or was; null before.
     [[nodiscard]] PeerBudget* knownBudget(ParticipantId participant);
     /// For a new connection of the participant.
-    [[nodiscard]] PeerBudget budgetOf(ParticipantId participant);
+    [[nodiscard]] PeerBudget budgetOf(PeerAddress from, ParticipantId participant, LocalTime now);
+    /// Tells the budgets that are shared how many share them.
+    void countMembers();
+    /// Whether a program that asks from this address is kept out by another one of the participant.
     [[nodiscard]] bool isTaken(PeerAddress from, const Identity& who, ProposalId join,
                                LocalTime now);
     /// Ends the other programs of a participant whom `from` proved to be.
@@ -230,6 +243,7 @@ private:
     std::map<ParticipantId, PeerBudget> m_budgets;
     /// Since when a program asks to come in as a participant of whom another is here.
     std::map<PeerAddress, LocalTime> m_asksSince;
+    ShownRelay m_shown;
     HostStreams m_streams;
     HostActions m_actions;
     Output m_output;

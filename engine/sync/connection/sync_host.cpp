@@ -178,10 +178,7 @@ void SyncHost::advance(LocalTime now)
 
 LocalTime SyncHost::nextWake() const
 {
-    for (const auto& [address, arrival] : m_arrivals)
-        if (arrival.admission.joined <= logEnd())
-            return LocalTime::min();
-    if (!m_exceeding.empty())
+    if (!m_exceeding.empty() || m_arrivals.stored(logEnd()))
         return LocalTime::min();
     LocalTime wake = std::min(
         {m_actions.nextDue(), m_streams.nextDue(), m_shown.nextDue(), m_nobodySilentBefore});
@@ -223,13 +220,8 @@ void SyncHost::giveUp(const FactRecord& fact, Errc why, LocalTime now)
     for (auto& [address, peer] : m_peers)
         if (peer.participant == fact.author)
             peer.outbox.emplace_back(ProposalRefused{fact.proposal, why});
-    for (auto entry = m_arrivals.begin(); entry != m_arrivals.end();) {
-        const Arrival& arrival = entry->second;
-        const bool waits = arrival.admission.joined == fact.number;
-        if (waits)
-            answerStranger(entry->first, arrival.header.connection, HelloRefused{why}, now);
-        entry = waits ? m_arrivals.erase(entry) : std::next(entry);
-    }
+    for (const auto& [address, arrival] : m_arrivals.takeWaitingFor(fact.number))
+        answerStranger(address, arrival.header.connection, HelloRefused{why}, now);
 }
 
 void SyncHost::share(ObjectId object, const Ownership& ownership)
@@ -246,11 +238,7 @@ void SyncHost::publish(const StreamSample& sample, LocalTime now)
 void SyncHost::drop(PeerAddress address, LocalTime now)
 {
     m_asksSince.erase(address);
-    const auto arrival = m_arrivals.find(address);
-    const auto arriving = arrival == m_arrivals.end()
-                              ? std::nullopt
-                              : std::optional{arrival->second.admission.participant};
-    m_arrivals.erase(address);
+    const auto arriving = m_arrivals.drop(address);
     const auto peer = m_peers.find(address);
     const bool isSame = peer != m_peers.end() && arriving == peer->second.participant;
     if (peer != m_peers.end())
@@ -263,9 +251,7 @@ bool SyncHost::isHere(ParticipantId participant) const
 {
     return std::ranges::any_of(
                m_peers, [&](const auto& entry) { return entry.second.participant == participant; })
-           || std::ranges::any_of(m_arrivals, [&](const auto& entry) {
-                  return entry.second.admission.participant == participant;
-              });
+           || m_arrivals.isHere(participant);
 }
 
 void SyncHost::dismiss(ParticipantId participant, const Error& why, LocalTime now)
@@ -273,9 +259,7 @@ void SyncHost::dismiss(ParticipantId participant, const Error& why, LocalTime no
     for (const auto& [address, peer] : m_peers)
         if (peer.participant == participant)
             answerStranger(address, peer.link.connection(), refusalOf(why), now);
-    std::erase_if(m_arrivals, [participant](const auto& entry) {
-        return entry.second.admission.participant == participant;
-    });
+    m_arrivals.forget(participant);
     forgetParticipant(participant, now);
 }
 
@@ -313,13 +297,8 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
         if (!isAfter(header.connection, peer.link.connection()))
             return;
     }
-    if (const auto arrival = m_arrivals.find(from); arrival != m_arrivals.end()) {
-        Arrival& asked = arrival->second; // another program on this address has to ask again
-        if (asked.hello.join.id == hello.join.id
-            && !isAfter(asked.header.connection, header.connection))
-            asked = {header, now, hello, asked.admission};
+    if (m_arrivals.hears(from, header, hello, now))
         return;
-    }
     const auto admission = admit(from, hello, now);
     if (!admission) {
         if (known == m_peers.end() || known->second.budget.answers(now))
@@ -328,26 +307,22 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
     }
     if (!*admission)
         return;
-    std::erase_if(m_arrivals, [&](const auto& entry) { // the same program from another address
-        return entry.second.admission.participant == (*admission)->participant;
-    });
-    m_arrivals.emplace(from, Arrival{header, now, hello, **admission});
+    m_arrivals.add(from, {header, now, hello, **admission});
 }
 
 void SyncHost::welcomeArrivals(LocalTime now)
 {
-    for (auto entry = m_arrivals.begin(); entry != m_arrivals.end();) {
-        const bool isStored = entry->second.admission.joined <= logEnd();
-        if (isStored)
-            welcome(entry->first, entry->second, now);
-        entry = isStored ? m_arrivals.erase(entry) : std::next(entry);
+    while (const auto address = m_arrivals.stored(logEnd())) {
+        welcome(*address, m_arrivals.at(*address), now);
+        m_arrivals.drop(*address);
     }
 }
 
 void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime now)
 {
     const auto& [header, heard, hello, admission] = arrival;
-    PeerBudget budget = budgetOf(address, admission.participant, now);
+    PeerBudget& budget = m_budgets.comesIn(admission.participant, m_rules.limits,
+                                           m_rules.sharedBudget(address), now);
     displace(address, admission.participant, now);
     forgetParticipant(admission.participant, now);
     if (m_peers.contains(address))
@@ -355,7 +330,7 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
     const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
     Peer peer{PeerLink{header.connection, m_clockOffset, now},       admission.participant,
               static_cast<std::uint16_t>(admission.joined.value),    hello.join.id,
-              FactSender{continues ? hello.lastFact : FactNumber{}}, std::move(budget)};
+              FactSender{continues ? hello.lastFact : FactNumber{}}, budget};
     peer.link.heard(header, heard);
     m_nobodySilentBefore = std::min(m_nobodySilentBefore, heard + kPeerTimeout);
     m_peers.emplace(address, std::move(peer));
@@ -369,11 +344,11 @@ Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& 
     const auto who = m_rules.identify(hello, now);
     if (!who)
         return tl::unexpected(who.error());
-    if (isBarred(who->participant, now))
+    if (m_budgets.isBarred(who->participant, now))
         return fail(Errc::TooMuchSent);
     if (who->participant == kHost || isTaken(from, *who, hello.join.id, now))
         return fail(Errc::NameTaken);
-    if (PeerBudget* budget = knownBudget(who->participant)) {
+    if (PeerBudget* budget = m_budgets.known(who->participant)) {
         switch (budget->takesProposal(now, PeerBudget::kComing)) {
         case PeerBudget::Verdict::Taken:
             break;
@@ -384,26 +359,6 @@ Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& 
         }
     }
     return m_rules.admit(hello, now);
-}
-
-PeerBudget* SyncHost::knownBudget(ParticipantId participant)
-{
-    for (auto& [address, peer] : m_peers)
-        if (peer.participant == participant)
-            return &peer.budget;
-    const auto left = m_budgets.find(participant);
-    return left == m_budgets.end() ? nullptr : &left->second;
-}
-
-PeerBudget SyncHost::budgetOf(PeerAddress from, ParticipantId participant, LocalTime now)
-{
-    const PeerBudget* known = knownBudget(participant);
-    PeerBudget budget = known ? *known : PeerBudget{m_rules.limits(participant)};
-    m_budgets.erase(participant);
-    budget.shareWith(m_rules.sharedBudget(from));
-    if (!known) // nobody knew before whose it is
-        static_cast<void>(budget.takesProposal(now, PeerBudget::kComing));
-    return budget;
 }
 
 void SyncHost::countMembers()
@@ -426,12 +381,7 @@ bool SyncHost::isTaken(PeerAddress from, const Identity& who, ProposalId join, L
         const LocalTime since = m_asksSince.try_emplace(from, now).first->second;
         return !who.isProven || peer.link.lastHeard() < since + kAliveBeside;
     }
-    return std::ranges::any_of(m_arrivals, [&](const auto& entry) {
-        const auto& [address, arrival] = entry;
-        const bool isSameRun = who.isProven && arrival.hello.join.id == join;
-        return address != from && arrival.admission.participant == who.participant && !isSameRun
-               && now < arrival.heard + kNameHeld;
-    });
+    return m_arrivals.keepsOut(from, who, join, kNameHeld, now);
 }
 
 void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime now)
@@ -453,7 +403,6 @@ void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime n
 void SyncHost::remove(PeerAddress address, LocalTime now)
 {
     const ParticipantId participant = m_peers.at(address).participant;
-    m_budgets.insert_or_assign(participant, m_peers.at(address).budget);
     m_peers.erase(address);
     countMembers();
     m_actions.leave(address, now);
@@ -465,10 +414,8 @@ void SyncHost::forgetParticipant(ParticipantId participant, LocalTime now)
 {
     for (auto entry = m_peers.begin(); entry != m_peers.end();) {
         const bool isOne = entry->second.participant == participant;
-        if (isOne) {
+        if (isOne)
             m_actions.leave(entry->first, now);
-            m_budgets.insert_or_assign(participant, entry->second.budget);
-        }
         entry = isOne ? m_peers.erase(entry) : std::next(entry);
     }
     countMembers();
@@ -540,25 +487,17 @@ void SyncHost::dropSilentPeers(LocalTime now)
 
 void SyncHost::endExceedingPeers(LocalTime now)
 {
-    std::erase_if(m_barredUntil, [now](const auto& entry) { return entry.second <= now; });
     for (const PeerAddress address : std::exchange(m_exceeding, {})) {
         const auto exceeding = m_peers.find(address);
         if (exceeding == m_peers.end())
             continue; // left meanwhile
         const Peer& peer = exceeding->second;
-        m_barredUntil.insert_or_assign(peer.participant, now + kBarred);
         answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent, {}}, now);
         m_output.ended.push_back(address);
         const ParticipantId participant = peer.participant;
         remove(address, now);
-        m_budgets.erase(participant); // the bar is enough
+        m_budgets.bar(participant, now);
     }
-}
-
-bool SyncHost::isBarred(ParticipantId participant, LocalTime now) const
-{
-    const auto barred = m_barredUntil.find(participant);
-    return barred != m_barredUntil.end() && now < barred->second;
 }
 
 void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)

@@ -13,6 +13,10 @@ namespace carina
 /// acknowledges. docs/security.md has the table.
 [[nodiscard]] PeerLimits limitsOf(Role role);
 
+/// What the host takes from all participants of a role together who come from one address: enough
+/// for a class behind one router, and no more for one person under many names.
+[[nodiscard]] SharedLimits sharedLimitsOf(Role role);
+
 /// Objects that one participant may have shared.
 [[nodiscard]] std::size_t mostObjectsOf(Role role);
 /// Objects of one kind that a trainee may have shared: who acts in `carina-lab drift --live` has

@@ -3,8 +3,8 @@
 #include "engine/core/result.h"
 #include "engine/session/session_state.h"
 
+#include <map>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace carina
@@ -70,7 +70,7 @@ public:
 private:
     SessionState m_state;
     SessionTime m_latestEffect = SessionTime::min();
-    std::unordered_map<ProposalId, FactNumber> m_settled;
+    std::map<ProposalId, FactNumber> m_settled; // ordered: programs choose the ids
 };
 
 } // namespace carina

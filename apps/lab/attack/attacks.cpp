@@ -1,6 +1,8 @@
 #include "apps/lab/attack/attacks.h"
 
 #include "apps/lab/attack/impostors.h"
+#include "apps/lab/attack/overloads.h"
+#include "apps/lab/attack/participating.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/session/facts/fact_codec.h"
 
@@ -14,43 +16,6 @@ namespace carina::lab
 {
 namespace
 {
-
-/// One who comes in under a name of its own and then sends something in each turn.
-class Participating : public Attack
-{
-public:
-    Participating(const Target& target, Role role)
-        : m_name{target.attacker}, m_intruder{wayIn(target, role)}
-    {
-    }
-
-    void step() final
-    {
-        if (!m_intruder.isIn())
-            return;
-        const LocalTime now = monotonicNow();
-        if (m_intruder.ended() != m_endedBefore || (!m_intruder.welcome() && now >= m_nextHello)) {
-            m_endedBefore = m_intruder.ended();
-            m_nextHello = now + std::chrono::milliseconds{200};
-            m_intruder.hello(m_name, ProposalId{m_random()}, ++m_connection);
-        }
-        if (m_intruder.welcome())
-            flood(m_intruder);
-    }
-    [[nodiscard]] std::int64_t sent() const final { return m_intruder.sent(); }
-
-protected:
-    virtual void flood(Intruder& intruder) = 0;
-
-    std::mt19937_64 m_random{kAttackSeed};
-
-private:
-    std::string m_name;
-    Intruder m_intruder;
-    int m_endedBefore = 0;
-    std::uint32_t m_connection = 1;
-    LocalTime m_nextHello{};
-};
 
 /// Proposes as much as fits into some datagrams.
 class Proposing : public Participating
@@ -383,6 +348,10 @@ std::span<const AttackKind> attackKinds()
     constexpr double kComings = 20.0;
     // As many as the host takes from an instructor in a second, and a tenth.
     constexpr double kInstructing = 110.0;
+    // Twelve comings and goings, what each may have saved up, and a burst of the pot; then by the
+    // second the shares and the pot of trainees of one address, and a tenth (sharedLimitsOf).
+    constexpr double kCrowd = 12.0 * (2.0 + 8.0) + 2.0 * 40.0;
+    constexpr double kCrowdPerS = 88.0;
     static constexpr std::array kKinds{
         AttackKind{"leaving", "an observer proposes that it leaves, without end", kComings, 0.0,
                    begin<Leaving>},
@@ -402,6 +371,13 @@ std::span<const AttackKind> attackKinds()
                    begin<IdlePaths>},
         AttackKind{"false-tube", "a trainee streams a second tube, 12 ms ahead of the session",
                    kComings, 0.0, begin<FalseTube>},
+        AttackKind{"shown", "a trainee tells without end where its tube was shown", kComings + 1.0,
+                   0.0, beginShowing},
+        AttackKind{"crowd", "a trainee asks for tubes under twelve names, each within its budget",
+                   kComings + kCrowd, kCrowdPerS, beginCrowd},
+        AttackKind{"strangers",
+                   "datagrams over paths with an observer's code over which nobody comes in",
+                   kComings, 0.0, beginStrangers},
         AttackKind{"actions", "a trainee acts on what is not its own", kComings, 0.0,
                    begin<ForeignActions>},
         AttackKind{"names", "a trainee comes in under ever new names over one path", kComings, 0.0,
@@ -410,8 +386,8 @@ std::span<const AttackKind> attackKinds()
         AttackKind{"instructing", "an instructor changes the patient and its breathing without end",
                    kComings + 2.0 * kInstructing, kInstructing, begin<Instructing>},
         AttackKind{"together", "sixteen attackers, in all these ways at once",
-                   16.0 * kComings + 2.0 * kInstructing, 44.0 + 2.0 * kInstructing,
-                   begin<Together>},
+                   16.0 * kComings + 2.0 * kInstructing + kCrowd,
+                   44.0 + 2.0 * kInstructing + kCrowdPerS, begin<Together>},
         AttackKind{"new-codes", "an instructor gives observers a new code without end", kComings,
                    2.0, begin<NewCodes>}};
     return kKinds;

@@ -7,9 +7,7 @@
 #include "engine/session/participant_limits.h"
 #include "engine/session/station_rules.h"
 
-#include <QCryptographicHash>
 #include <QRandomGenerator>
-#include <QtEndian>
 
 #include <algorithm>
 #include <utility>
@@ -25,24 +23,7 @@ constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
 /// Of showing when each peer was last heard; who comes or goes is shown at once.
 constexpr Duration kLinkInterval = std::chrono::milliseconds{50};
 constexpr Duration kWatchInterval = std::chrono::milliseconds{500};
-/// A path is not idle as long as its participant's join may wait for a slow disk.
-constexpr Duration kJoinStoredWithin = std::chrono::seconds{10};
 constexpr const char* kFirstStationName = "Station 1";
-
-/// The id under which a join enters the log. The one that a program sent stays between it and the
-/// host, so that it proves that a later join is of the same run of that program.
-ProposalId sealed(ProposalId join)
-{
-    QCryptographicHash hash{QCryptographicHash::Sha256};
-    hash.addData(QByteArrayView{"carina join 1"});
-    hash.addData(QByteArray::number(quint64{join.value}));
-    return ProposalId{qFromLittleEndian<quint64>(hash.result().constData())};
-}
-
-Error removalError(const SessionState& state, const Removal& removal)
-{
-    return {removal.banned ? Errc::Banned : Errc::Removed, removalText(state, removal)};
-}
 
 std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
 
@@ -86,37 +67,37 @@ Result<std::unique_ptr<HostDriver>> HostDriver::open(const HostSettings& setting
         return tl::unexpected(kept.error());
 
     std::unique_ptr<HostDriver> driver{new HostDriver{SessionAuthority{*facts}, board, now}};
-    const std::string sessionId = isNew ? newSessionId() : driver->m_stored.state().sessionId();
+    const std::string sessionId =
+        isNew ? newSessionId() : driver->m_ledger.stored().state().sessionId();
     auto access = HostAccess::open(settings.secrets, sessionId, settings.derive);
     if (!access)
         return tl::unexpected(access.error());
     driver->m_access = *std::move(access);
+    driver->m_entry =
+        std::make_unique<HostEntry>(driver->m_ledger, *driver->m_access, driver->m_paths);
     board.setJoinCodes(driver->m_access->codes());
     if (const auto revoked = driver->revokeBanned(); !revoked)
         return tl::unexpected(revoked.error());
     if (*anchor && lastCommitted && contradictsLog(**anchor, bootId, *lastCommitted, now))
         driver->m_storeFault = Error{Errc::ClockLost, {}};
     driver->startCore(sessionId, *std::move(records), offset);
-    driver->m_core->setStrategy(driver->m_stored.state().strategy(), now);
+    driver->m_core->setStrategy(driver->m_ledger.stored().state().strategy(), now);
     driver->resumeActions(*actions, now);
     if (const auto begun = isNew ? driver->begin(settings, sessionId, now) : Result<void>{}; !begun)
         return tl::unexpected(begun.error());
     driver->joinItself(settings.participantName, now);
     if (const auto chosen = driver->chooseStrategy(settings, now); !chosen)
         return tl::unexpected(chosen.error());
-    if (const auto kept = store->append(driver->notHandedOver()); !kept)
+    if (const auto kept = store->append(driver->m_ledger.handOver()); !kept)
         return fail(Errc::StoreFailed, kept.error().detail);
-    driver->stored(driver->m_unstored.size(), now);
+    driver->stored(driver->m_ledger.takeHandedOver(), now);
     driver->m_writer = std::make_unique<StoreWriter>(std::move(store));
     driver->show(now);
     return driver;
 }
 
 HostDriver::HostDriver(SessionAuthority authority, NodeBoard& board, LocalTime now)
-    : m_decided{authority},
-      m_stored{std::move(authority)},
-      m_board{board},
-      m_returnsEnd{now + kPeerTimeout}
+    : m_ledger{std::move(authority)}, m_board{board}, m_returnsEnd{now + kPeerTimeout}
 {
 }
 
@@ -125,24 +106,31 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
 {
     HostRules rules{
         [this](const Hello& hello, LocalTime now) {
-            return m_paths.hearsHello(m_speaker, now) ? identify(hello, now)
-                                                      : Result<Identity>{fail(Errc::TooMuchSent)};
+            return m_paths.hearsHello(m_speaker, now)
+                       ? m_entry->identify(m_speaker, hello, m_core->sessionTime(now))
+                       : Result<Identity>{fail(Errc::TooMuchSent)};
         },
-        [this](const Hello& hello, LocalTime now) { return admit(hello, now); },
-        [this](ProposalId proposal) { return m_decided.settled(proposal).has_value(); },
+        [this](const Hello& hello, LocalTime now) {
+            return m_entry->admit(m_speaker, hello, m_core->log(), m_core->sessionTime(now), now,
+                                  [&](const Proposal& join) { return decide(join, now); });
+        },
+        [this](ProposalId proposal) { return m_ledger.decided().settled(proposal).has_value(); },
         [this](const ProposalRecord& record, LocalTime now) { return decideForPeer(record, now); },
         [this](ParticipantId participant, LocalTime now) { left(participant, now); },
         [this](ParticipantId participant) {
-            const Participant& who = m_stored.state().participants().at(participant);
+            const Participant& who = m_ledger.stored().state().participants().at(participant);
             return who.role != Role::Observer && !who.muted;
         },
         [this](ParticipantId participant) {
-            return limitsOf(m_stored.state().participants().at(participant).role);
+            return limitsOf(m_ledger.stored().state().participants().at(participant).role);
         },
-        [this](ParticipantId participant) { return m_stored.state().stationOf(participant); }};
+        [this](ParticipantId participant) {
+            return m_ledger.stored().state().stationOf(participant);
+        },
+        [this](PeerAddress path) { return m_paths.sharedBudget(path); }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
-    for (const auto& [id, object] : m_stored.state().objects())
+    for (const auto& [id, object] : m_ledger.stored().state().objects())
         share(object);
 }
 
@@ -165,7 +153,7 @@ Result<void> HostDriver::begin(const HostSettings& settings, const std::string& 
 
 Result<void> HostDriver::chooseStrategy(const HostSettings& settings, LocalTime now)
 {
-    StrategyChoice choice = m_decided.state().strategy();
+    StrategyChoice choice = m_ledger.decided().state().strategy();
     if (!settings.strategy || std::exchange(choice.kind, *settings.strategy) == *settings.strategy)
         return {};
     return decideByHost(kNoStation, fact::StrategyChosen{choice}, now);
@@ -175,23 +163,25 @@ void HostDriver::joinItself(const std::string& name, LocalTime now)
 {
     // Not judged: the authority would give the host a number as it does to everybody else.
     const SessionTime time = m_core->sessionTime(now);
-    const FactNumber number{m_decided.state().lastApplied().value + 1};
+    const FactNumber number{m_ledger.decided().state().lastApplied().value + 1};
     const fact::ParticipantJoined joined{kSelf, Role::Instructor, name};
-    const StationId last = m_decided.state().stationOf(kSelf);
-    const StationId station =
-        m_decided.state().isOpen(last) ? last : firstOpenStation(m_decided.state());
+    const StationId last = m_ledger.decided().state().stationOf(kSelf);
+    const StationId station = m_ledger.decided().state().isOpen(last)
+                                  ? last
+                                  : firstOpenStation(m_ledger.decided().state());
     m_epoch = static_cast<std::uint16_t>(number.value);
-    enter({number, ProposalId{hostRandom()}, kSelf, station, time, time, joined});
+    m_ledger.enter({number, ProposalId{hostRandom()}, kSelf, station, time, time, joined});
 }
 
 Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
 {
-    if (const auto number = m_decided.settled(proposal.id))
+    if (const auto number = m_ledger.decided().settled(proposal.id))
         return *number;
-    return m_decided.judge(proposal, m_core->sessionTime(now), m_core->slowestPath() + m_storing)
+    return m_ledger.decided()
+        .judge(proposal, m_core->sessionTime(now), m_core->slowestPath() + m_storing)
         .and_then([this](const Fact& fact) {
             return prepare(fact).map([&] {
-                enter(fact);
+                m_ledger.enter(fact);
                 return fact.number;
             });
         });
@@ -199,7 +189,7 @@ Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
 
 Result<void> HostDriver::decideForPeer(const ProposalRecord& proposal, LocalTime now)
 {
-    if (m_unstored.size() >= kMostUnstored)
+    if (m_ledger.unstored() >= kMostUnstored)
         return fail(Errc::StoreFailed, "the disk is too slow");
     return fromRecord(proposal)
         .and_then([&](const Proposal& read) { return decide(read, now); })
@@ -215,35 +205,19 @@ Result<void> HostDriver::decideByHost(StationId station, FactBody body, LocalTim
     return tl::unexpected(fact.error());
 }
 
-void HostDriver::enter(const Fact& fact)
-{
-    m_decided.commit(fact);
-    m_unstored.push_back({fact, toRecord(fact)});
-}
-
-std::vector<FactRecord> HostDriver::notHandedOver() const
-{
-    std::vector<FactRecord> facts;
-    for (std::size_t i = m_handedOver; i < m_unstored.size(); ++i)
-        facts.push_back(m_unstored[i].record);
-    return facts;
-}
-
 void HostDriver::stored(std::size_t count, LocalTime now)
 {
     for (; count > 0; --count) {
-        const auto& [fact, record] = m_unstored.front();
-        m_stored.commit(fact);
+        const auto [fact, record] = m_ledger.storeOldest();
         m_core->append(record);
         carryOut(fact.body);
         if (const auto* chosen = std::get_if<fact::StrategyChosen>(&fact.body))
             m_core->setStrategy(chosen->choice, now);
         if (const auto object = objectOf(fact.body))
-            share(m_stored.state().objects().at(*object));
+            share(m_ledger.stored().state().objects().at(*object));
         if (changesPlace(fact.body))
-            for (const auto& [id, object] : m_stored.state().objects())
+            for (const auto& [id, object] : m_ledger.stored().state().objects())
                 share(object);
-        m_unstored.pop_front();
         m_shownState.reset();
     }
 }
@@ -251,9 +225,8 @@ void HostDriver::stored(std::size_t count, LocalTime now)
 void HostDriver::giveUp(const Error& why, LocalTime now)
 {
     // What was decided since was decided on the ground of what is not stored.
-    for (const auto& [fact, record] : std::exchange(m_unstored, {}))
+    for (const FactRecord& record : m_ledger.giveUp())
         m_core->giveUp(record, Errc::StoreFailed, now);
-    m_decided = m_stored;
     m_publications.forget();           // what was to be shared is not
     m_returnsEnd = now + kPeerTimeout; // who left meanwhile is found absent
     m_refusal = Error{Errc::StoreFailed, why.detail};
@@ -278,10 +251,10 @@ std::optional<RigidTransform> HostDriver::shownPose(ObjectId object, SessionTime
 void HostDriver::compareViews(LocalTime now)
 {
     m_nextViews = LocalTime::max();
-    if (m_stored.state().objects().empty())
+    if (m_ledger.stored().state().objects().empty())
         return;
     const SessionTime session = m_core->sessionTime(now);
-    for (const ShownPose& own : m_views.advance(m_stored.state(), kSelf, session))
+    for (const ShownPose& own : m_views.advance(m_ledger.stored().state(), kSelf, session))
         m_core->tellShown(own);
     m_nextViews = now + (m_views.nextDue(session) - session);
 }
@@ -310,9 +283,9 @@ void HostDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
 
 void HostDriver::sendOwnStreams(LocalTime now)
 {
-    for (auto& [station, object] : m_publications.takeUnknown(m_decided.state(), kSelf))
+    for (auto& [station, object] : m_publications.takeUnknown(m_ledger.decided().state(), kSelf))
         static_cast<void>(decideByHost(station, std::move(object), now)); // a refusal is shown
-    for (const auto& [station, cpo] : m_publications.sample(m_stored.state(), kSelf, now))
+    for (const auto& [station, cpo] : m_publications.sample(m_ledger.stored().state(), kSelf, now))
         m_core->publish({kSelf, m_epoch, station, cpo}, now);
 }
 
@@ -321,7 +294,7 @@ void HostDriver::handOver(LocalTime now)
     if (m_writer->isBusy())
         return;
     StoreJob job;
-    job.facts = notHandedOver();
+    job.facts = m_ledger.handOver();
     if (now >= m_nextKeep) {
         for (const auto& [object, event] : std::exchange(m_unkept, {}))
             job.actions.push_back(event);
@@ -334,7 +307,6 @@ void HostDriver::handOver(LocalTime now)
         return;
     m_nextWatch = now + kWatchInterval;
     m_tokensHandedOver = std::exchange(m_tokens, {});
-    m_handedOver = m_unstored.size();
     m_handedOverAt = now;
     m_writer->write(std::move(job));
 }
@@ -358,7 +330,7 @@ void HostDriver::takeReport(LocalTime now)
 
 void HostDriver::take(const StoreReport& report, LocalTime now)
 {
-    const std::size_t facts = std::exchange(m_handedOver, 0);
+    const std::size_t facts = m_ledger.takeHandedOver();
     if (facts > 0)
         m_storing = std::min(now - m_handedOverAt, kLongestStoring);
     Datagrams tokens = std::exchange(m_tokensHandedOver, {}); // lost ones are asked for again
@@ -422,7 +394,7 @@ LocalTime HostDriver::nextWake() const
                                      m_nextViews, m_paths.nextWake()});
     if (m_writer->isBusy())
         return wake; // it wakes by its report
-    if (!m_unstored.empty() || !m_tokens.empty())
+    if (m_ledger.unstored() > 0 || !m_tokens.empty())
         return LocalTime::min();
     return std::min({wake, m_nextWatch, m_unkept.empty() ? LocalTime::max() : m_nextKeep,
                      m_access->isUnwritten() ? m_nextSecrets : LocalTime::max()});
@@ -474,7 +446,7 @@ std::shared_ptr<const std::vector<NodeBoard::Link>> HostDriver::links(LocalTime 
 void HostDriver::show(LocalTime now)
 {
     if (!m_shownState)
-        m_shownState = std::make_shared<SessionState>(m_stored.state());
+        m_shownState = std::make_shared<SessionState>(m_ledger.stored().state());
     NodeBoard::View view;
     view.self = kSelf;
     const Duration offset = m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch();
@@ -493,7 +465,7 @@ void HostDriver::show(LocalTime now)
 void HostDriver::connected(PeerAddress peer, const Credential& who, LocalTime now)
 {
     m_access->connected(peer, who);
-    m_paths.connected(peer, who, now);
+    m_paths.connected(peer, who, std::exchange(m_source, {}), now);
 }
 
 void HostDriver::disconnected(PeerAddress peer, LocalTime now)
@@ -507,6 +479,8 @@ void HostDriver::refused(const Error& why, LocalTime) { m_refusal = why; }
 
 void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
+    if (!m_paths.hears(from, now))
+        return;
     compareViews(now); // by what was known until now
     if (!isTokenRequest(bytes)) {
         m_speaker = from;
@@ -514,95 +488,12 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
         return;
     }
     const auto peer = m_core->peers().find(from);
-    if (peer == m_core->peers().end() || !m_paths.hearsTokenRequest(from, now))
+    if (peer == m_core->peers().end() || !m_core->takesDatagram(from, bytes.size(), now)
+        || !m_paths.hearsTokenRequest(from, now))
         return;
     // Without a token the peer comes back by its code.
     if (const auto token = m_access->issueToken(from, peer->second.participant))
         m_tokens.push_back({from, encodeToken({peer->second.participant, *token})});
-}
-
-Result<Proposal> HostDriver::joinOf(const Hello& hello) const
-{
-    auto proposal = fromRecord(hello.join);
-    if (!proposal)
-        return proposal;
-    const auto wanted = openStationNamed(m_decided.state(), hello.station);
-    if (!hello.station.empty() && !wanted)
-        return fail(Errc::StationUnknown, "open: " + openStationNames(m_decided.state()));
-    proposal->station = wanted.value_or(kNoStation);
-    return proposal;
-}
-
-Result<Identity> HostDriver::identify(const Hello& hello, LocalTime now) const
-{
-    const auto proposal = joinOf(hello);
-    if (!proposal)
-        return tl::unexpected(proposal.error());
-    const auto* joined = std::get_if<fact::ParticipantJoined>(&proposal->body);
-    if (!joined || joined->participant.value != 0)
-        return fail(Errc::NotPermitted);
-    const Participant& self = m_stored.state().participants().at(kSelf);
-    if (joined->name == self.name && joined->role == self.role)
-        return Identity{kSelf};
-    return m_decided.judge(*proposal, m_core->sessionTime(now), Duration{})
-        .and_then([&](const Fact& fact) {
-            const ParticipantId id = std::get<fact::ParticipantJoined>(fact.body).participant;
-            return m_access->check(m_speaker, joined->role, id)
-                .and_then([&] { return checkReturn(id, hello.join.id); })
-                .map([&] {
-                    return Identity{id, m_access->isProven(m_speaker)};
-                });
-        });
-}
-
-Result<void> HostDriver::checkReturn(ParticipantId id, ProposalId join) const
-{
-    const SessionState& state = m_decided.state();
-    if (state.isLocked() && !m_access->isProven(m_speaker))
-        return fail(Errc::SessionLocked);
-    const auto known = state.participants().find(id);
-    const auto cameIn = m_decided.settled(sealed(join));
-    const bool isOut = cameIn && known != state.participants().end() && known->second.removal
-                       && *cameIn < known->second.removal->at;
-    return isOut ? tl::unexpected(removalError(state, *known->second.removal)) : Result<void>{};
-}
-
-Result<std::optional<Admission>> HostDriver::admit(const Hello& hello, LocalTime now)
-{
-    const auto who = identify(hello, now);
-    auto proposal = joinOf(hello);
-    if (!who || !proposal)
-        return tl::unexpected(who ? proposal.error() : who.error());
-    const auto& participants = m_decided.state().participants();
-    const auto known = participants.find(who->participant);
-    if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now)) {
-        m_paths.idleFrom(m_speaker, now);
-        return std::nullopt;
-    }
-    proposal->id = sealed(proposal->id);
-    // A repeat gets the fact it has. Not the same run of a program that was given up meanwhile and
-    // comes in a second time, nor another's.
-    const bool isPresent = known != participants.end() && known->second.present;
-    if (m_decided.settled(proposal->id) && !(isPresent && isJoinOf(proposal->id, who->participant)))
-        proposal->id = ProposalId{hostRandom()};
-    return decide(*proposal, now).map([&](FactNumber joined) {
-        m_paths.idleFrom(m_speaker, now + kJoinStoredWithin);
-        m_access->admitted(m_speaker, who->participant);
-        return std::optional{Admission{who->participant, joined}};
-    });
-}
-
-bool HostDriver::isJoinOf(ProposalId proposal, ParticipantId participant) const
-{
-    const auto number = m_decided.settled(proposal);
-    if (!number)
-        return false;
-    const auto& log = m_core->log();
-    const auto fact =
-        fromRecord(number->value <= log.size() ? log[number->value - 1]
-                                               : m_unstored[number->value - log.size() - 1].record);
-    const auto* joined = fact ? std::get_if<fact::ParticipantJoined>(&fact->body) : nullptr;
-    return joined != nullptr && joined->participant == participant;
 }
 
 Result<void> HostDriver::prepare(const Fact& fact)
@@ -617,8 +508,9 @@ Result<void> HostDriver::prepare(const Fact& fact)
     }
     const auto* removed = std::get_if<fact::ParticipantRemoved>(&fact.body);
     if (removed && removed->banned)
-        m_access->revokeToken(m_decided.state().participants().at(removed->participant).role,
-                              removed->participant);
+        m_access->revokeToken(
+            m_ledger.decided().state().participants().at(removed->participant).role,
+            removed->participant);
     return {};
 }
 
@@ -630,7 +522,7 @@ void HostDriver::carryOut(const FactBody& body)
 
 Result<void> HostDriver::revokeBanned() const
 {
-    for (const auto& [id, participant] : m_stored.state().participants())
+    for (const auto& [id, participant] : m_ledger.stored().state().participants())
         if (participant.removal && participant.removal->banned)
             m_access->revokeToken(participant.role, id);
     return m_access->isUnwritten() ? m_access->write() : Result<void>{};
@@ -639,10 +531,10 @@ Result<void> HostDriver::revokeBanned() const
 void HostDriver::dismissRemoved(LocalTime now)
 {
     for (const ParticipantId id : std::exchange(m_removed, {})) {
-        const auto& removal = m_stored.state().participants().at(id).removal;
+        const auto& removal = m_ledger.stored().state().participants().at(id).removal;
         if (!removal)
             continue; // back already
-        m_core->dismiss(id, removalError(m_stored.state(), *removal), now);
+        m_core->dismiss(id, removalError(m_ledger.stored().state(), *removal), now);
     }
 }
 
@@ -651,7 +543,7 @@ void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& d
 {
     for (const auto& [old, participant] : displaced) {
         m_access->displace(old);
-        const Role role = m_stored.state().participants().at(participant).role;
+        const Role role = m_ledger.stored().state().participants().at(participant).role;
         const AccessKey token = m_access->replaceToken(role, participant);
         static_cast<void>(decideByHost(kNoStation, fact::TokenReplaced{participant}, now));
         for (const auto& [address, peer] : m_core->peers())
@@ -672,7 +564,7 @@ void HostDriver::dropAbsent(LocalTime now)
         return;
     m_returnsEnd = LocalTime::max();
     std::vector<ParticipantId> absent;
-    for (const auto& [id, participant] : m_decided.state().participants())
+    for (const auto& [id, participant] : m_ledger.decided().state().participants())
         if (participant.present && id != kSelf && !m_core->isHere(id))
             absent.push_back(id);
     for (const ParticipantId id : absent)

@@ -2,12 +2,10 @@
 
 #include "engine/io/fact_store/store_writer.h"
 #include "engine/net/node/external_clock.h"
-#include "engine/net/node/host_access.h"
-#include "engine/net/node/host_paths.h"
+#include "engine/net/node/host_entry.h"
 #include "engine/net/node/node_board.h"
 #include "engine/net/node/node_driver.h"
 #include "engine/net/objects/publications.h"
-#include "engine/session/session_authority.h"
 
 namespace carina
 {
@@ -19,8 +17,6 @@ namespace carina
 class HostDriver : public NodeDriver
 {
 public:
-    /// New participants in a second; twice as many at once.
-    static constexpr double kNewcomers = 40.0;
     /// Facts that are decided and not stored, from which on proposals are refused.
     static constexpr std::size_t kMostUnstored = 4096;
     /// By at most so much a slow disk puts off the effect of a change.
@@ -36,6 +32,7 @@ public:
     /// Waits until everything decided so far is stored or given up.
     void waitForDisk(LocalTime now);
 
+    void cameFrom(const SourcePrefix& source) override { m_source = source; }
     void connected(PeerAddress peer, const Credential& who, LocalTime now) override;
     void disconnected(PeerAddress peer, LocalTime now) override;
     void refused(const Error& why, LocalTime now) override;
@@ -64,24 +61,11 @@ private:
     [[nodiscard]] Result<FactNumber> decide(const Proposal& proposal, LocalTime now);
     [[nodiscard]] Result<void> decideForPeer(const ProposalRecord& proposal, LocalTime now);
     [[nodiscard]] Result<void> decideByHost(StationId station, FactBody body, LocalTime now);
-    /// A fact that is decided; stored later.
-    void enter(const Fact& fact);
-    /// The facts that are decided and not handed over to the disk.
-    [[nodiscard]] std::vector<FactRecord> notHandedOver() const;
     /// The first of the facts that are decided are on disk.
     void stored(std::size_t count, LocalTime now);
     /// The facts that are decided cannot be stored: everything is as it was before them.
     void giveUp(const Error& why, LocalTime now);
 
-    /// The proposal to join at the station that is wanted. @returns StationUnknown.
-    [[nodiscard]] Result<Proposal> joinOf(const Hello& hello) const;
-    [[nodiscard]] Result<Identity> identify(const Hello& hello, LocalTime now) const;
-    /// @returns SessionLocked for who did not prove who it is; Removed for a run of a program that
-    ///          was removed.
-    [[nodiscard]] Result<void> checkReturn(ParticipantId id, ProposalId join) const;
-    [[nodiscard]] Result<std::optional<Admission>> admit(const Hello& hello, LocalTime now);
-    /// Whether the proposal became the fact that this participant joined.
-    [[nodiscard]] bool isJoinOf(ProposalId proposal, ParticipantId participant) const;
     void left(ParticipantId participant, LocalTime now);
     /// What has to be done before a fact is entered.
     /// @returns TooMuchSent while the key of a role's last code is being derived; then it must not
@@ -115,15 +99,7 @@ private:
     [[nodiscard]] std::shared_ptr<const std::vector<NodeBoard::Link>> links(LocalTime now);
     [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;
 
-    struct Unstored {
-        Fact fact;
-        FactRecord record;
-    };
-
-    SessionAuthority m_decided;      // by every fact that is decided
-    SessionAuthority m_stored;       // by those on disk
-    std::deque<Unstored> m_unstored; // between the two
-    std::size_t m_handedOver = 0;    // the first of them are with the writer
+    FactLedger m_ledger;
     std::unique_ptr<StoreWriter> m_writer;
     LocalTime m_handedOverAt{};
     Duration m_storing{}; // how long the last facts took
@@ -131,9 +107,10 @@ private:
     std::unique_ptr<SyncHost> m_core;
     ExternalClock m_externalClock;
     std::unique_ptr<HostAccess> m_access;
+    SourcePrefix m_source{};   // of the next path
     PeerAddress m_speaker = 0; // sender of the datagram being handled
     HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};
-    TokenBucket m_newcomers;
+    std::unique_ptr<HostEntry> m_entry;
     std::vector<PeerAddress> m_ended; // paths of those who exceeded their budget
     Datagrams m_tokens;               // to be sent once they are on disk
     Datagrams m_tokensHandedOver;     // these are with the writer
@@ -143,8 +120,8 @@ private:
     Publications m_publications;
     ShownViews m_views{[this](ObjectId id, SessionTime t) { return shownPose(id, t); },
                        [this](ObjectId id, SessionTime t) {
-                           return m_publications.measured(id, m_stored.state(), ParticipantId{0},
-                                                          t);
+                           return m_publications.measured(id, m_ledger.stored().state(),
+                                                          ParticipantId{0}, t);
                        }};
     LocalTime m_nextViews = LocalTime::max();
     std::uint16_t m_epoch = 0;

@@ -1,14 +1,17 @@
 #include "engine/net/node/host_paths.h"
 
+#include "engine/session/participant_limits.h"
+
 #include <algorithm>
 
 namespace carina
 {
 
-void HostPaths::connected(PeerAddress path, const Credential& who, LocalTime now)
+void HostPaths::connected(PeerAddress path, const Credential& who, const SourcePrefix& from,
+                          LocalTime now)
 {
     endOldestIdle(who);
-    m_paths.emplace(path, Path{who, now});
+    m_paths.emplace(path, Path{who, from, now});
     m_nextLook = std::min(m_nextLook, now + kLook);
 }
 
@@ -16,6 +19,36 @@ void HostPaths::idleFrom(PeerAddress path, LocalTime time)
 {
     if (const auto known = m_paths.find(path); known != m_paths.end())
         known->second.idleSince = time;
+}
+
+bool HostPaths::hears(PeerAddress path, LocalTime now)
+{
+    const auto known = m_paths.find(path);
+    if (known == m_paths.end() || m_isInUse(path))
+        return true;
+    if (!known->second.isEnded && known->second.datagrams.take(1.0, kIdleDatagrams, now))
+        return true;
+    if (!std::exchange(known->second.isEnded, true))
+        m_ended.push_back(path);
+    return false;
+}
+
+std::shared_ptr<SharedBudget> HostPaths::sharedBudget(PeerAddress path)
+{
+    const auto known = m_paths.find(path);
+    if (known == m_paths.end())
+        return nullptr;
+    const Role role = known->second.who.role;
+    auto& shared = m_shared[{known->second.from, role}];
+    if (shared)
+        return shared;
+    auto created = std::make_shared<SharedBudget>(sharedLimitsOf(role));
+    shared = created;
+    // Whose budget nobody has any more has nothing to remember.
+    std::erase_if(m_shared, [&](const auto& entry) {
+        return entry.second != created && entry.second.use_count() == 1;
+    });
+    return created;
 }
 
 bool HostPaths::hearsHello(PeerAddress path, LocalTime now)
@@ -39,8 +72,9 @@ void HostPaths::advance(LocalTime now)
         if (m_isInUse(address)) {
             path.idleSince = now;
         } else if (now >= path.idleSince + kHelloWithin) {
-            m_ended.push_back(address);
-            path.idleSince = now; // it is told as disconnected next
+            m_ended.push_back(address); // it is told as disconnected next
+            path.idleSince = now;
+            path.isEnded = true;
         } else {
             m_nextLook = std::min(m_nextLook, path.idleSince + kHelloWithin);
         }
@@ -50,15 +84,26 @@ void HostPaths::advance(LocalTime now)
 void HostPaths::endOldestIdle(const Credential& who)
 {
     std::vector<PeerAddress> idle;
-    for (const auto& [address, path] : m_paths)
-        if (path.who == who && !m_isInUse(address))
-            idle.push_back(address);
-    if (idle.size() < (who.participant ? kMostIdleOfToken : kMostIdleOfCode))
-        return;
-    const PeerAddress oldest = *std::ranges::min_element(
-        idle, {}, [this](PeerAddress address) { return m_paths.at(address).idleSince; });
-    m_ended.push_back(oldest);
-    m_paths.erase(oldest);
+    std::vector<PeerAddress> own;
+    for (const auto& [address, path] : m_paths) {
+        if (m_isInUse(address))
+            continue;
+        idle.push_back(address);
+        if (path.who == who)
+            own.push_back(address);
+    }
+    const std::size_t mostOwn = who.participant ? kMostIdleOfToken : kMostIdleOfCode;
+    const auto endOldest = [this](const std::vector<PeerAddress>& of) {
+        const PeerAddress oldest = *std::ranges::min_element(
+            of, {}, [this](PeerAddress address) { return m_paths.at(address).idleSince; });
+        if (!m_paths.at(oldest).isEnded)
+            m_ended.push_back(oldest);
+        m_paths.erase(oldest);
+    };
+    if (own.size() >= mostOwn)
+        endOldest(own);
+    else if (idle.size() >= kMostIdle)
+        endOldest(idle);
 }
 
 } // namespace carina

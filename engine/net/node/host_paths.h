@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/net/entry/hello_limiter.h"
 #include "engine/net/entry/psk_identity.h"
 #include "engine/sync/actions/host_actions.h"
 #include "engine/sync/connection/peer_budget.h"
@@ -7,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace carina
@@ -23,6 +25,12 @@ public:
     /// idle longest is ended for a new one, so that who has one code cannot keep out the others.
     static constexpr std::size_t kMostIdleOfCode = 64;
     static constexpr std::size_t kMostIdleOfToken = 4;
+    /// Of all credentials: with these, and one for each participant who may be present, the
+    /// transport never has as many as it takes.
+    static constexpr std::size_t kMostIdle = 896;
+    /// Datagrams over such a path in a second; twice as many at once. It is ended beyond: a program
+    /// that comes in, or is told that its connection is not known, sends few.
+    static constexpr double kIdleDatagrams = 40.0;
     /// Hellos over a path in a second that are judged; twice as many at once.
     static constexpr double kHellos = 10.0;
     /// How often it is looked which paths are in use.
@@ -33,11 +41,17 @@ public:
     /// @param isInUse whether a participant is connected over a path
     explicit HostPaths(std::function<bool(PeerAddress)> isInUse) : m_isInUse{std::move(isInUse)} {}
 
-    void connected(PeerAddress path, const Credential& who, LocalTime now);
+    void connected(PeerAddress path, const Credential& who, const SourcePrefix& from,
+                   LocalTime now);
     void disconnected(PeerAddress path) { m_paths.erase(path); }
     /// Counts a path as idle from a later time on, until which its participant may wait.
     void idleFrom(PeerAddress path, LocalTime time);
 
+    /// Whether a datagram over a path is heard; the path is ended where it is one too many and
+    /// nobody takes part over it.
+    [[nodiscard]] bool hears(PeerAddress path, LocalTime now);
+    /// What those share who come from one address in one role; null for a path that is not known.
+    [[nodiscard]] std::shared_ptr<SharedBudget> sharedBudget(PeerAddress path);
     /// True for a path that gave way to a new one: its Hello may come before it is closed.
     [[nodiscard]] bool hearsHello(PeerAddress path, LocalTime now);
     [[nodiscard]] bool hearsTokenRequest(PeerAddress path, LocalTime now);
@@ -50,7 +64,10 @@ public:
 private:
     struct Path {
         Credential who;
+        SourcePrefix from;
         LocalTime idleSince{}; ///< nobody has taken part over it from then on
+        bool isEnded = false;
+        TokenBucket datagrams{};
         TokenBucket hellos{};
         TokenBucket tokenRequests{};
     };
@@ -60,6 +77,7 @@ private:
 
     std::function<bool(PeerAddress)> m_isInUse;
     std::map<PeerAddress, Path> m_paths;
+    std::map<std::pair<SourcePrefix, Role>, std::shared_ptr<SharedBudget>> m_shared;
     std::vector<PeerAddress> m_ended;
     LocalTime m_nextLook = LocalTime::max();
 };

@@ -49,23 +49,37 @@ void HostTransport::admit(const std::string& sessionId, KeyOf keyOf)
 
 void HostTransport::serve(TransportListener& listener, LocalTime now)
 {
-    // All are read before the first is taken, for each counts as arrived when it was read.
-    std::vector<RawDatagram> arrived;
-    while (arrived.size() < kDatagramsPerTurn) {
-        auto datagram = readRaw(m_socket);
+    read();
+    for (std::size_t i = 0; i < kDatagramsPerTurn; ++i) {
+        const auto datagram = m_arrived.next();
         if (!datagram)
             break;
-        arrived.push_back(*std::move(datagram));
+        // One left from an earlier turn counts as arrived in this one: the listener's time only
+        // rises.
+        take(*datagram, listener, std::max(datagram->arrived, now));
     }
-    for (const RawDatagram& datagram : arrived)
-        take(datagram, listener, datagram.arrived);
     dropSilent(listener, now);
+}
+
+void HostTransport::read()
+{
+    // All are read before the first is taken, for each counts as arrived when it was read.
+    for (std::size_t i = 0; i < kReadPerTurn; ++i) {
+        auto datagram = readRaw(m_socket);
+        if (!datagram)
+            return;
+        if (!firstRecord(octets(datagram->bytes)))
+            continue;
+        const Endpoint from = endpoint(datagram->from, datagram->port);
+        const bool isKnown = m_paths.contains(from) || m_handshakes.contains(from);
+        m_arrived.add(from, *std::move(datagram), isKnown);
+    }
 }
 
 LocalTime HostTransport::nextWake() const
 {
     // Datagrams left for the next turn do not signal again.
-    if (m_socket.hasPendingDatagrams())
+    if (!m_arrived.empty() || m_socket.hasPendingDatagrams())
         return LocalTime::min();
     return m_nobodySilentBefore;
 }
@@ -93,6 +107,7 @@ void HostTransport::close()
     m_byAddress.clear();
     m_paths.clear();
     m_handshakes.clear();
+    m_arrived.clear();
     m_socket.close();
 }
 
@@ -238,13 +253,16 @@ void HostTransport::proved(Associations::iterator handshake, TransportListener& 
     m_handshakes.erase(handshake);
     if (const auto before = m_paths.find(from); before != m_paths.end())
         drop(before, listener, now);
-    if (m_paths.size() >= kMostPaths)
+    if (m_paths.size() >= kMostPaths) { // the listener ends idle ones before
+        peer->dtls.shutdown(&m_socket);
         return;
+    }
     peer->address = ++m_lastAddress;
     peer->lastHeard = now;
     watch(now + kPathTimeout);
     m_byAddress.emplace(peer->address, peer.get());
     const Association& path = *m_paths.emplace(from, std::move(peer)).first->second;
+    listener.cameFrom(sourcePrefix(from));
     listener.connected(path.address, path.who, now);
 }
 

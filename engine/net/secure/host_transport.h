@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/net/secure/arrival_queue.h"
 #include "engine/net/secure/dtls.h"
 #include "engine/net/secure/endpoint.h"
 #include "engine/net/secure/secure_transport.h"
@@ -29,7 +30,8 @@ public:
     };
     using KeyOf = std::function<KeyAnswer(const PskIdentity&)>;
 
-    static constexpr std::size_t kDatagramsPerTurn = 256;
+    static constexpr std::size_t kDatagramsPerTurn = 256; ///< handled, of all sources in turn
+    static constexpr std::size_t kReadPerTurn = 1024;     ///< from the socket
     /// At once; the oldest is dropped for a new one.
     static constexpr std::size_t kMostHandshakes = 64;
     /// Those of all participants who may be present, and idle ones: the host ends these soon.
@@ -81,6 +83,7 @@ private:
     Associations::iterator drop(Associations::iterator path, TransportListener& listener,
                                 LocalTime now);
     void dropSilent(TransportListener& listener, LocalTime now);
+    void read();
     /// Notes an association that may be silent for too long from a time on.
     void watch(LocalTime from) { m_nobodySilentBefore = std::min(m_nobodySilentBefore, from); }
 
@@ -91,6 +94,7 @@ private:
     CertificateDigest m_digest{}; // of it
     KeyOf m_keyOf;
     HelloLimiter m_limiter;
+    ArrivalQueue m_arrived;
     Associations m_handshakes;
     Associations m_paths;
     std::map<PeerAddress, Association*> m_byAddress; // into m_paths

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/net/entry/hello_limiter.h"
 #include "engine/net/entry/psk_identity.h"
 #include "engine/sync/connection/sync_host.h"
 
@@ -15,6 +16,8 @@ class TransportListener
 public:
     virtual ~TransportListener() = default;
 
+    /// Where the peer of the next path comes from; told before it by a host's transport.
+    virtual void cameFrom(const SourcePrefix& /*source*/) {}
     /// There is a new encrypted path to a peer that authenticated as `who`.
     virtual void connected(PeerAddress peer, const Credential& who, LocalTime now) = 0;
     /// A datagram that arrived over a connected path, decrypted.

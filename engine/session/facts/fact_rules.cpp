@@ -3,6 +3,7 @@
 #include "engine/session/facts/number_check.h"
 #include "engine/session/facts/utf8.h"
 #include "engine/session/respiration/respiration_rules.h"
+#include "engine/sync/strategies/probe_trigger.h"
 
 #include <initializer_list>
 #include <string>
@@ -27,7 +28,6 @@ Result<void> checkTexts(std::initializer_list<const std::string*> texts)
 
 /// Rates of probes, per second, and numbers of delays that the ASA can be given.
 constexpr double kSlowestProbes = 0.1;
-constexpr double kFastestProbes = 20.0;
 constexpr double kMostDelays = 1000.0;
 
 Result<void> checkChoice(const StrategyChoice& choice)

@@ -21,15 +21,19 @@ WireRecord DueEvent::record() const
     return event;
 }
 
-void EventRepeater::begin(const EventCpo& event, LocalTime now)
+void EventRepeater::begin(const EventCpo& event, LocalTime due)
 {
-    m_entries.insert_or_assign(event.object, Entry{event, now, now});
+    const auto found = m_entries.find(event.object);
+    if (found != m_entries.end() && found->second.lastSent == LocalTime::min())
+        due = std::min(due, found->second.due);
+    m_entries.insert_or_assign(event.object, Entry{event, due, due});
 }
 
 void EventRepeater::beat(const EventCpo& event, LocalTime due)
 {
     const auto found = m_entries.find(event.object);
     if (found != m_entries.end() && found->second.due > due
+        && found->second.lastSent != LocalTime::min()
         && due - found->second.lastSent >= kShortestBeat)
         found->second.due = due;
 }

@@ -43,8 +43,9 @@ public:
 
     explicit EventRepeater(bool hasHeartbeat) : m_hasHeartbeat{hasHeartbeat} {}
 
-    /// Replaces the action on an object by a new one, to be sent now.
-    void begin(const EventCpo& event, LocalTime now);
+    /// Replaces the action on an object by a new one, to be sent at `due`, or when the one that it
+    /// replaces was to be sent first.
+    void begin(const EventCpo& event, LocalTime due);
     /// Schedules a heartbeat of an action, to be forwarded at `due`.
     void beat(const EventCpo& event, LocalTime due);
     void acknowledge(const EventAck& ack);
@@ -64,7 +65,7 @@ private:
         EventCpo event;
         LocalTime begun;
         LocalTime due;
-        LocalTime lastSent = LocalTime::min();
+        LocalTime lastSent = LocalTime::min(); ///< never yet
         bool isAcknowledged = false;
         int beatsForNothing = 0;
     };

@@ -12,6 +12,13 @@ namespace
 
 constexpr ParticipantId kActingHost{0};
 
+/// The same for all that is put off, so that it goes in one datagram.
+LocalTime endOfInterval(LocalTime now)
+{
+    return LocalTime{(now.time_since_epoch() / HostActions::kTogether + 1)
+                     * HostActions::kTogether};
+}
+
 EventAck ackOf(const EventCpo& event) { return {event.object, event.epoch, event.action}; }
 
 } // namespace
@@ -78,21 +85,25 @@ Result<void> HostActions::act(ObjectId object, const ObjectAction& action, Sessi
     const SessionTime start = session + std::min(longestLagOf(m_choice), lagOf(nullptr));
     return m_actions.begun(object, action, start, now).map([&](const EventCpo& event) {
         m_own.begin(event, now);
-        spread(kActingHost, event, session, now);
+        spread(kActingHost, event, session, now, now);
         m_strategy.begin(event, now);
         m_actions.show(m_strategy.view());
     });
 }
 
-void HostActions::take(PeerAddress from, const StrategyMessage& message, bool mayAct, LocalTime now)
+void HostActions::take(PeerAddress from, const RelayedMessage& relayed,
+                       const StrategyMessage& message, bool mayAct, LocalTime now)
 {
     const auto peer = m_peers.find(from);
-    const auto relayed = decodeRelayed(message.bytes);
-    if (peer == m_peers.end() || !relayed)
+    if (peer == m_peers.end())
         return;
-    const auto* action = std::get_if<EventCpo>(&relayed->content);
+    const auto isWithin = [&](std::map<ParticipantId, TokenBucket>& pairs) {
+        return m_strategy.isPresent(relayed.to) && pairs[relayed.to].take(1.0, kFastestProbes, now);
+    };
+    const auto* action = std::get_if<EventCpo>(&relayed.content);
+    const bool isAnswer = std::holds_alternative<DelayAnswer>(relayed.content);
     const bool isAllowed = action ? mayAct && m_actions.isOwners(peer->second.participant, *action)
-                                  : relayed->to != kAllOthers;
+                                  : isWithin(isAnswer ? peer->second.answers : peer->second.probes);
     if (!isAllowed)
         return;
     m_strategy.receive(peer->second.participant, message.bytes, now);
@@ -103,7 +114,10 @@ void HostActions::take(PeerAddress from, const EventCpo& event, SessionTime sess
     const auto peer = m_peers.find(from);
     if (peer == m_peers.end() || !m_actions.isOwners(peer->second.participant, event))
         return;
-    if (spread(peer->second.participant, event, session, now) != EventTable::Verdict::Refused)
+    const bool isKnown = m_actions.table().named({event.object, event.epoch, event.action});
+    const bool isAtOnce = isKnown || peer->second.atOnce.take(1.0, kAtOnce, now);
+    const LocalTime due = isAtOnce ? now : endOfInterval(now);
+    if (spread(peer->second.participant, event, session, now, due) != EventTable::Verdict::Refused)
         peer->second.acks.emplace_back(ackOf(event));
 }
 
@@ -134,7 +148,7 @@ std::vector<EventCpo> HostActions::takeChanged()
 }
 
 EventTable::Verdict HostActions::spread(ParticipantId from, const EventCpo& event,
-                                        SessionTime session, LocalTime now)
+                                        SessionTime session, LocalTime now, LocalTime due)
 {
     const auto verdict = m_actions.take(event, session, now);
     if (verdict == EventTable::Verdict::New)
@@ -144,7 +158,7 @@ EventTable::Verdict HostActions::spread(ParticipantId from, const EventCpo& even
         if (peer.participant == from)
             continue;
         if (verdict == EventTable::Verdict::New)
-            peer.events.begin(event, now);
+            peer.events.begin(event, due);
         else if (verdict == EventTable::Verdict::Known)
             peer.events.beat(event, turn);
         turn += EventRepeater::kTurn;
@@ -157,12 +171,12 @@ void HostActions::advance(SessionTime session, LocalTime now)
     m_strategy.advance(now);
     m_actions.show(m_strategy.view());
     for (const EventCpo& event : std::exchange(m_handedOver, {}))
-        if (spread(kActingHost, event, session, now) == EventTable::Verdict::New
+        if (spread(kActingHost, event, session, now, now) == EventTable::Verdict::New
             && m_actions.isOwn(event.object))
             m_own.begin(event, now);
     for (const DueEvent& due : m_own.takeDue(now)) {
         m_own.acknowledge(ackOf(due.event));
-        spread(kActingHost, due.event, session, now);
+        spread(kActingHost, due.event, session, now, now);
     }
 }
 

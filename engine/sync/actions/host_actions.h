@@ -1,6 +1,9 @@
 #pragma once
 
 #include "engine/sync/actions/shared_actions.h"
+#include "engine/sync/connection/token_bucket.h"
+#include "engine/sync/strategies/probe_trigger.h"
+#include "engine/sync/strategies/relayed_message.h"
 #include "engine/sync/strategies/strategy_end.h"
 
 #include <map>
@@ -24,6 +27,10 @@ public:
     static constexpr Duration kLagMargin = std::chrono::milliseconds{2};
     /// Between two tellings of the lag to a participant.
     static constexpr Duration kLagInterval = std::chrono::seconds{1};
+    /// Actions of a participant in a second that are forwarded each at once; twice as many in a
+    /// burst. What exceeds this goes on together, the newest of each object, once in kTogether.
+    static constexpr double kAtOnce = 64.0;
+    static constexpr Duration kTogether = std::chrono::milliseconds{16};
 
     /// The session's strategy, taken from the facts.
     void setStrategy(const StrategyChoice& choice, LocalTime now);
@@ -46,8 +53,11 @@ public:
     /// here, and is ignored otherwise.
     void take(PeerAddress from, const EventBeat& beat, SessionTime session, LocalTime now);
     /// A message of the strategy from a peer: dropped where it is an action and the peer may not
-    /// act, or not on that object, and where it is to all others and no action.
-    void take(PeerAddress from, const StrategyMessage& message, bool mayAct, LocalTime now);
+    /// act, or not on that object, and where it is to all others and no action. Of probes, and of
+    /// answers, at most kFastestProbes a second go from one participant to another.
+    /// @param relayed the message, decoded
+    void take(PeerAddress from, const RelayedMessage& relayed, const StrategyMessage& message,
+              bool mayAct, LocalTime now);
     void acknowledge(PeerAddress from, const EventAck& ack);
     /// Restores an action that was in force before a restart of the host; it continues under the
     /// present ownership. Ignored for an object that is not shared.
@@ -71,14 +81,18 @@ private:
         std::vector<WireRecord> acks{};
         Duration delay{};
         LocalTime nextLag = LocalTime::min();
+        TokenBucket atOnce{};                          ///< actions that are not put off
+        std::map<ParticipantId, TokenBucket> probes{}; ///< to others
+        std::map<ParticipantId, TokenBucket> answers{};
     };
 
     void tellParticipants(LocalTime now);
     [[nodiscard]] bool hasLag() const { return m_choice.kind == StrategyKind::LocalLag; }
     /// The lag with which actions of this peer, or nullptr for the host, begin everywhere at once.
     [[nodiscard]] Duration lagOf(const Peer* author) const;
+    /// @param due when it is to be forwarded if it is new
     EventTable::Verdict spread(ParticipantId from, const EventCpo& event, SessionTime session,
-                               LocalTime now);
+                               LocalTime now, LocalTime due);
 
     SharedActions m_actions;
     StrategyHost m_strategy;

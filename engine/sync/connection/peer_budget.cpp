@@ -5,21 +5,6 @@
 namespace carina
 {
 
-bool TokenBucket::take(double amount, double perSecond, LocalTime now)
-{
-    if (!(perSecond > 0.0))
-        return false;
-    if (m_at && now > *m_at)
-        m_used_s = std::max(0.0, m_used_s - toSeconds(now - *m_at));
-    m_at = std::max(m_at.value_or(now), now);
-    const double wanted_s = amount / perSecond;
-    constexpr double kRounding_s = 1e-9;
-    if (m_used_s + wanted_s > kBurst_s + kRounding_s)
-        return false;
-    m_used_s += wanted_s;
-    return true;
-}
-
 bool PeerBudget::counted(TokenBucket& bucket, double amount, double perSecond, LocalTime now)
 {
     if (bucket.take(amount, perSecond, now))
@@ -33,12 +18,18 @@ bool PeerBudget::counted(TokenBucket& bucket, double amount, double perSecond, L
 bool PeerBudget::takesDatagram(std::size_t bytes, LocalTime now)
 {
     return counted(m_datagrams, 1.0, m_limits.datagrams, now)
-           && counted(m_bytes, double(bytes), m_limits.bytes, now);
+           && counted(m_bytes, double(bytes), m_limits.bytes, now)
+           && (!m_shared || m_shared->takesDatagram(m_share, bytes, now));
 }
 
-bool PeerBudget::takesProposal(LocalTime now)
+PeerBudget::Verdict PeerBudget::takesProposal(LocalTime now, double facts)
 {
-    return counted(m_proposals, 1.0, m_limits.proposals, now);
+    if (!counted(m_proposals, facts, m_limits.proposals, now))
+        return Verdict::Refused;
+    if (!m_shared || m_shared->takesProposals(m_share, facts, now))
+        return Verdict::Taken;
+    m_proposals.putBack(facts, m_limits.proposals);
+    return Verdict::Later;
 }
 
 bool PeerBudget::takesEvent(LocalTime now) { return counted(m_events, 1.0, m_limits.events, now); }

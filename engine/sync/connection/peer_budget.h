@@ -1,9 +1,8 @@
 #pragma once
 
-#include "engine/core/session_time.h"
+#include "engine/sync/connection/shared_budget.h"
 
-#include <cstddef>
-#include <optional>
+#include <memory>
 
 namespace carina
 {
@@ -15,21 +14,7 @@ struct PeerLimits {
     double proposals = 0.0; ///< each may become a fact on disk
     double events = 0.0;    ///< starts, changes and beats of actions on objects
     double samples = 0.0;   ///< of streams
-    double messages = 0.0;  ///< of the session's strategy
-};
-
-/// A token bucket: holds two seconds' worth, and fills with the passing of time.
-class TokenBucket
-{
-public:
-    static constexpr double kBurst_s = 2.0;
-
-    /// Takes an amount if it is there. @param perSecond how fast the bucket fills
-    [[nodiscard]] bool take(double amount, double perSecond, LocalTime now);
-
-private:
-    double m_used_s = 0.0; ///< taken and not refilled, in seconds of filling
-    std::optional<LocalTime> m_at;
+    double messages = 0.0;  ///< of the session's strategy; as many answers to probes again
 };
 
 /// The budget of a participant at the host, sans time: what exceeds it is not taken. Excess is
@@ -43,11 +28,33 @@ public:
     static constexpr double kMostExcess_s = 10.0;
     /// Refusals per second that are answered; others are dropped.
     static constexpr double kAnswers = 20.0;
+    /// Proposals per second of which it is looked whether they were decided before. A program sends
+    /// all that it waits for again with each new one, and ten times a second.
+    static constexpr double kHeardProposals = 2000.0;
+    /// What coming in counts as: its fact, and the one that will say that the participant has left.
+    static constexpr double kComing = 2.0;
 
     explicit PeerBudget(const PeerLimits& limits) : m_limits{limits} {}
 
+    /// From now on it shares a budget with the others of its place; null: with nobody.
+    void shareWith(std::shared_ptr<SharedBudget> others) { m_shared = std::move(others); }
+    [[nodiscard]] SharedBudget* shared() const { return m_shared.get(); }
+
+    enum class Verdict : std::uint8_t {
+        Taken,
+        Later,  ///< by what it shares with others; no excess, and it may ask again
+        Refused ///< by its own limit
+    };
+
+    /// What its place exceeds is not taken either, and is no excess of its own.
     [[nodiscard]] bool takesDatagram(std::size_t bytes, LocalTime now);
-    [[nodiscard]] bool takesProposal(LocalTime now);
+    /// Whether one more proposal is looked at; what exceeds this is no excess.
+    [[nodiscard]] bool hearsProposal(LocalTime now)
+    {
+        return m_heard.take(1.0, kHeardProposals, now);
+    }
+    /// @param facts that will come of it: kComing for a join
+    [[nodiscard]] Verdict takesProposal(LocalTime now, double facts = 1.0);
     [[nodiscard]] bool takesEvent(LocalTime now);
     [[nodiscard]] bool takesSamples(std::size_t count, LocalTime now);
     /// Messages beyond the limit are lost, as the strategies must bear, and are no excess: how many
@@ -55,6 +62,11 @@ public:
     [[nodiscard]] bool takesMessage(LocalTime now)
     {
         return m_messages.take(1.0, m_limits.messages, now);
+    }
+    /// The same for answers to probes, which others ask for: they use up nothing else.
+    [[nodiscard]] bool takesProbeAnswer(LocalTime now)
+    {
+        return m_probeAnswers.take(1.0, m_limits.messages, now);
     }
     /// Whether one more refusal may be answered.
     [[nodiscard]] bool answers(LocalTime now) { return m_answers.take(1.0, kAnswers, now); }
@@ -71,7 +83,11 @@ private:
     TokenBucket m_events;
     TokenBucket m_samples;
     TokenBucket m_messages;
+    TokenBucket m_probeAnswers;
+    TokenBucket m_heard;
     TokenBucket m_answers;
+    std::shared_ptr<SharedBudget> m_shared;
+    SharedBudget::Share m_share;
     double m_excess_s = 0.0;
     LocalTime m_excessAt{};
 };

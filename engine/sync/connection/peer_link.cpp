@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr std::size_t kRoundTripsKept = 64;
-// Longer ones come from an echo that is not ours.
+// Longer ones come from an echo that is not ours, or of long ago.
 constexpr Duration kLongestRoundTrip = std::chrono::seconds{10};
 
 } // namespace
@@ -39,7 +39,7 @@ std::optional<RoundTrip> PeerLink::heard(const BundleHeader& header, LocalTime n
     const LocalTime sent{header.echo->sentAt - m_clockOffset};
     const Duration length = now - sent - header.echo->hold;
     const bool isFirstAnswer = !m_answered || sent > *m_answered;
-    if (length < Duration{} || length > kLongestRoundTrip || !isFirstAnswer)
+    if (sent < m_begun || length < Duration{} || length > kLongestRoundTrip || !isFirstAnswer)
         return std::nullopt;
     m_answered = sent;
     m_roundTrips.push_back(length);

@@ -30,7 +30,11 @@ class PeerLink
 public:
     /// @param clockOffset this node's clock in headers less its local time
     PeerLink(std::uint32_t connection, Duration clockOffset, LocalTime now)
-        : m_connection{connection}, m_clockOffset{clockOffset}, m_lastHeard{now}, m_lastSent{now}
+        : m_connection{connection},
+          m_clockOffset{clockOffset},
+          m_begun{now},
+          m_lastHeard{now},
+          m_lastSent{now}
     {
     }
 
@@ -41,7 +45,9 @@ public:
 
     /// Notes a datagram from the peer. @returns the round trip that it completes, if any. A peer
     /// that sends often echoes the same datagram many times. Only the first echo counts: the others
-    /// share its outward delay, and one slow datagram would look like a change of route.
+    /// share its outward delay, and one slow datagram would look like a change of route. An echo of
+    /// what this end cannot have sent measures nothing. A peer that answers late on purpose looks
+    /// like one far away: what is made of a round trip has to bear that.
     std::optional<RoundTrip> heard(const BundleHeader& header, LocalTime now);
 
     [[nodiscard]] LocalTime lastHeard() const { return m_lastHeard; }
@@ -62,6 +68,7 @@ private:
 
     std::uint32_t m_connection;
     Duration m_clockOffset;
+    LocalTime m_begun; // nothing was sent before
     LocalTime m_lastHeard;
     LocalTime m_lastSent;
     std::uint32_t m_sequence = 0;

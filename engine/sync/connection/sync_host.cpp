@@ -1,6 +1,7 @@
 #include "engine/sync/connection/sync_host.h"
 
 #include "engine/core/expects.h"
+#include "engine/sync/strategies/relayed_message.h"
 #include "engine/sync/wire/datagram_codec.h"
 #include "engine/sync/wire/sequence.h"
 
@@ -52,16 +53,22 @@ struct SyncHost::Visitor {
     void operator()(const EventAck& ack) const { host.m_actions.acknowledge(from, ack); }
     void operator()(const ShownPose& shown) const
     {
-        if (host.m_actions.shared().ownerOf(shown.object) != peer.participant
-            || !peer.budget.takesMessage(now))
-            return;
-        host.m_output.shown.push_back(shown);
-        host.forward(shown, peer.participant);
+        if (host.m_actions.shared().ownerOf(shown.object) == peer.participant
+            && host.m_rules.mayAct(peer.participant) && peer.budget.takesMessage(now))
+            host.m_shown.take(shown, peer.participant, now);
     }
     void operator()(const StrategyMessage& message) const
     {
-        if (peer.budget.takesMessage(now))
-            host.m_actions.take(from, message, host.m_rules.mayAct(peer.participant), now);
+        const auto relayed = decodeRelayed(message.bytes);
+        if (!relayed)
+            return;
+        const bool isAnswer = std::holds_alternative<DelayAnswer>(relayed->content);
+        const bool isAction = std::holds_alternative<EventCpo>(relayed->content);
+        const bool mayAct = host.m_rules.mayAct(peer.participant);
+        if (isAnswer ? !peer.budget.takesProbeAnswer(now) : !peer.budget.takesMessage(now))
+            return;
+        if (!isAction || (mayAct && peer.budget.takesEvent(now)))
+            host.m_actions.take(from, *relayed, message, mayAct, now);
     }
     void operator()(const ExternalTimeRecord& own) const
     {
@@ -88,22 +95,31 @@ SyncHost::SyncHost(const SessionKey& session, std::vector<FactRecord> log, Durat
 
 void SyncHost::receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
+    if (m_peers.contains(from) && !takesDatagram(from, bytes.size(), now))
+        return;
     take(from, bytes, now);
     if (const auto peer = m_peers.find(from);
         peer != m_peers.end() && peer->second.budget.isFarExceeded())
         m_exceeding.insert(from);
 }
 
+bool SyncHost::takesDatagram(PeerAddress from, std::size_t bytes, LocalTime now)
+{
+    const auto found = m_peers.find(from);
+    if (found == m_peers.end())
+        return false;
+    Peer& peer = found->second;
+    peer.traffic.bytes.add(double(bytes), now);
+    const bool taken = peer.budget.takesDatagram(bytes, now);
+    peer.traffic.refused += taken ? 0 : 1;
+    if (peer.budget.isFarExceeded())
+        m_exceeding.insert(from);
+    return taken;
+}
+
 void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTime now)
 {
     const auto found = m_peers.find(from);
-    if (found != m_peers.end()) {
-        found->second.traffic.bytes.add(double(bytes.size()), now);
-        if (!found->second.budget.takesDatagram(bytes.size(), now)) {
-            ++found->second.traffic.refused;
-            return;
-        }
-    }
     const auto datagram = decodeDatagram(bytes);
     if (!datagram) {
         if (datagram.error().code == Errc::VersionMismatch)
@@ -129,7 +145,9 @@ void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTim
         return remove(from, now);
     Peer& peer = found->second;
     peer.heard(header, sessionTime(now), now);
-    m_actions.measured(from, roundTripOf(peer.link) / 2);
+    // The lag with which actions begin is for those who act.
+    m_actions.measured(from,
+                       m_rules.mayAct(peer.participant) ? roundTripOf(peer.link) / 2 : Duration{});
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
         std::visit(Visitor{*this, from, peer, now}, record);
@@ -148,6 +166,7 @@ void SyncHost::advance(LocalTime now)
     dropSilentPeers(now);
     endExceedingPeers(now);
     m_actions.advance(sessionTime(now), now);
+    relayShown(now);
     const bool tick = m_streams.isDue(now);
     const bool isForAnybody = tick || m_actions.nextDue() <= now;
     for (auto& [address, peer] : m_peers)
@@ -159,15 +178,21 @@ void SyncHost::advance(LocalTime now)
 
 LocalTime SyncHost::nextWake() const
 {
-    for (const auto& [address, arrival] : m_arrivals)
-        if (arrival.admission.joined <= logEnd())
-            return LocalTime::min();
-    if (!m_exceeding.empty())
+    if (!m_exceeding.empty() || m_arrivals.stored(logEnd()))
         return LocalTime::min();
-    LocalTime wake = std::min({m_actions.nextDue(), m_streams.nextDue(), m_nobodySilentBefore});
+    LocalTime wake = std::min(
+        {m_actions.nextDue(), m_streams.nextDue(), m_shown.nextDue(), m_nobodySilentBefore});
     for (const auto& [address, peer] : m_peers)
         wake = std::min(wake, nextDueTo(peer));
     return wake;
+}
+
+void SyncHost::relayShown(LocalTime now)
+{
+    for (const auto& [shown, from] : m_shown.takeDue(now)) {
+        m_output.shown.push_back(shown);
+        forward(shown, from);
+    }
 }
 
 void SyncHost::forward(const ShownPose& shown, ParticipantId from)
@@ -195,13 +220,8 @@ void SyncHost::giveUp(const FactRecord& fact, Errc why, LocalTime now)
     for (auto& [address, peer] : m_peers)
         if (peer.participant == fact.author)
             peer.outbox.emplace_back(ProposalRefused{fact.proposal, why});
-    for (auto entry = m_arrivals.begin(); entry != m_arrivals.end();) {
-        const Arrival& arrival = entry->second;
-        const bool waits = arrival.admission.joined == fact.number;
-        if (waits)
-            answerStranger(entry->first, arrival.header.connection, HelloRefused{why}, now);
-        entry = waits ? m_arrivals.erase(entry) : std::next(entry);
-    }
+    for (const auto& [address, arrival] : m_arrivals.takeWaitingFor(fact.number))
+        answerStranger(address, arrival.header.connection, HelloRefused{why}, now);
 }
 
 void SyncHost::share(ObjectId object, const Ownership& ownership)
@@ -218,11 +238,7 @@ void SyncHost::publish(const StreamSample& sample, LocalTime now)
 void SyncHost::drop(PeerAddress address, LocalTime now)
 {
     m_asksSince.erase(address);
-    const auto arrival = m_arrivals.find(address);
-    const auto arriving = arrival == m_arrivals.end()
-                              ? std::nullopt
-                              : std::optional{arrival->second.admission.participant};
-    m_arrivals.erase(address);
+    const auto arriving = m_arrivals.drop(address);
     const auto peer = m_peers.find(address);
     const bool isSame = peer != m_peers.end() && arriving == peer->second.participant;
     if (peer != m_peers.end())
@@ -235,9 +251,7 @@ bool SyncHost::isHere(ParticipantId participant) const
 {
     return std::ranges::any_of(
                m_peers, [&](const auto& entry) { return entry.second.participant == participant; })
-           || std::ranges::any_of(m_arrivals, [&](const auto& entry) {
-                  return entry.second.admission.participant == participant;
-              });
+           || m_arrivals.isHere(participant);
 }
 
 void SyncHost::dismiss(ParticipantId participant, const Error& why, LocalTime now)
@@ -245,9 +259,7 @@ void SyncHost::dismiss(ParticipantId participant, const Error& why, LocalTime no
     for (const auto& [address, peer] : m_peers)
         if (peer.participant == participant)
             answerStranger(address, peer.link.connection(), refusalOf(why), now);
-    std::erase_if(m_arrivals, [participant](const auto& entry) {
-        return entry.second.admission.participant == participant;
-    });
+    m_arrivals.forget(participant);
     forgetParticipant(participant, now);
 }
 
@@ -264,16 +276,19 @@ void SyncHost::close(LocalTime now)
 Duration SyncHost::slowestPath() const
 {
     Duration slowest{};
-    for (const auto& [address, peer] : m_peers)
-        slowest = std::max(slowest, roundTripOf(peer.link) / 2);
-    return std::min(slowest, kLongestPath);
+    for (const auto& [address, peer] : m_peers) {
+        const Duration longest =
+            m_rules.mayAct(peer.participant) ? kLongestPath : kLongestPathOfWatchers;
+        slowest = std::max(slowest, std::min(roundTripOf(peer.link) / 2, longest));
+    }
+    return slowest;
 }
 
 void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& hello,
                      LocalTime now)
 {
-    if (const auto known = m_peers.find(from);
-        known != m_peers.end() && known->second.join == hello.join.id) {
+    const auto known = m_peers.find(from);
+    if (known != m_peers.end() && known->second.join == hello.join.id) {
         Peer& peer = known->second;
         if (peer.link.connection() == header.connection) {
             peer.link.heard(header, now);
@@ -282,38 +297,32 @@ void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& 
         if (!isAfter(header.connection, peer.link.connection()))
             return;
     }
-    if (const auto arrival = m_arrivals.find(from); arrival != m_arrivals.end()) {
-        Arrival& known = arrival->second; // another program on this address has to ask again
-        if (known.hello.join.id == hello.join.id
-            && !isAfter(known.header.connection, header.connection))
-            known = {header, now, hello, known.admission};
+    if (m_arrivals.hears(from, header, hello, now))
+        return;
+    const auto admission = admit(from, hello, now);
+    if (!admission) {
+        if (known == m_peers.end() || known->second.budget.answers(now))
+            answerStranger(from, header.connection, refusalOf(admission.error()), now);
         return;
     }
-    const auto admission = admit(from, hello, now);
-    if (!admission)
-        return answerStranger(from, header.connection, refusalOf(admission.error()), now);
     if (!*admission)
         return;
-    std::erase_if(m_arrivals, [&](const auto& entry) { // the same program from another address
-        return entry.second.admission.participant == (*admission)->participant;
-    });
-    m_arrivals.emplace(from, Arrival{header, now, hello, **admission});
+    m_arrivals.add(from, {header, now, hello, **admission});
 }
 
 void SyncHost::welcomeArrivals(LocalTime now)
 {
-    for (auto entry = m_arrivals.begin(); entry != m_arrivals.end();) {
-        const bool isStored = entry->second.admission.joined <= logEnd();
-        if (isStored)
-            welcome(entry->first, entry->second, now);
-        entry = isStored ? m_arrivals.erase(entry) : std::next(entry);
+    while (const auto address = m_arrivals.stored(logEnd())) {
+        welcome(*address, m_arrivals.at(*address), now);
+        m_arrivals.drop(*address);
     }
 }
 
 void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime now)
 {
     const auto& [header, heard, hello, admission] = arrival;
-    PeerBudget budget = budgetOf(admission.participant);
+    PeerBudget& budget = m_budgets.comesIn(admission.participant, m_rules.limits,
+                                           m_rules.sharedBudget(address), now);
     displace(address, admission.participant, now);
     forgetParticipant(admission.participant, now);
     if (m_peers.contains(address))
@@ -321,10 +330,11 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
     const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
     Peer peer{PeerLink{header.connection, m_clockOffset, now},       admission.participant,
               static_cast<std::uint16_t>(admission.joined.value),    hello.join.id,
-              FactSender{continues ? hello.lastFact : FactNumber{}}, std::move(budget)};
+              FactSender{continues ? hello.lastFact : FactNumber{}}, budget};
     peer.link.heard(header, heard);
     m_nobodySilentBefore = std::min(m_nobodySilentBefore, heard + kPeerTimeout);
     m_peers.emplace(address, std::move(peer));
+    countMembers();
     m_actions.join(address, admission.participant, now);
 }
 
@@ -334,31 +344,31 @@ Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& 
     const auto who = m_rules.identify(hello, now);
     if (!who)
         return tl::unexpected(who.error());
-    if (isBarred(who->participant, now))
+    if (m_budgets.isBarred(who->participant, now))
         return fail(Errc::TooMuchSent);
     if (who->participant == kHost || isTaken(from, *who, hello.join.id, now))
         return fail(Errc::NameTaken);
-    // To come in again writes a fact, as a proposal does.
-    if (PeerBudget* budget = knownBudget(who->participant); budget && !budget->takesProposal(now))
-        return fail(Errc::TooMuchSent);
+    if (PeerBudget* budget = m_budgets.known(who->participant)) {
+        switch (budget->takesProposal(now, PeerBudget::kComing)) {
+        case PeerBudget::Verdict::Taken:
+            break;
+        case PeerBudget::Verdict::Later:
+            return std::nullopt;
+        case PeerBudget::Verdict::Refused:
+            return fail(Errc::TooMuchSent);
+        }
+    }
     return m_rules.admit(hello, now);
 }
 
-PeerBudget* SyncHost::knownBudget(ParticipantId participant)
+void SyncHost::countMembers()
 {
-    for (auto& [address, peer] : m_peers)
-        if (peer.participant == participant)
-            return &peer.budget;
-    const auto left = m_budgets.find(participant);
-    return left == m_budgets.end() ? nullptr : &left->second;
-}
-
-PeerBudget SyncHost::budgetOf(ParticipantId participant)
-{
-    const PeerBudget* known = knownBudget(participant);
-    PeerBudget budget = known ? *known : PeerBudget{m_rules.limits(participant)};
-    m_budgets.erase(participant);
-    return budget;
+    std::map<SharedBudget*, std::size_t> members;
+    for (const auto& [address, peer] : m_peers)
+        if (SharedBudget* shared = peer.budget.shared())
+            ++members[shared];
+    for (const auto& [shared, count] : members)
+        shared->setMembers(count);
 }
 
 bool SyncHost::isTaken(PeerAddress from, const Identity& who, ProposalId join, LocalTime now)
@@ -371,12 +381,7 @@ bool SyncHost::isTaken(PeerAddress from, const Identity& who, ProposalId join, L
         const LocalTime since = m_asksSince.try_emplace(from, now).first->second;
         return !who.isProven || peer.link.lastHeard() < since + kAliveBeside;
     }
-    return std::ranges::any_of(m_arrivals, [&](const auto& entry) {
-        const auto& [address, arrival] = entry;
-        const bool isSameRun = who.isProven && arrival.hello.join.id == join;
-        return address != from && arrival.admission.participant == who.participant && !isSameRun
-               && now < arrival.heard + kNameHeld;
-    });
+    return m_arrivals.keepsOut(from, who, join, kNameHeld, now);
 }
 
 void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime now)
@@ -398,8 +403,8 @@ void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime n
 void SyncHost::remove(PeerAddress address, LocalTime now)
 {
     const ParticipantId participant = m_peers.at(address).participant;
-    m_budgets.insert_or_assign(participant, m_peers.at(address).budget);
     m_peers.erase(address);
+    countMembers();
     m_actions.leave(address, now);
     if (!isHere(participant)) // or it is coming in again
         m_rules.left(participant, now);
@@ -409,19 +414,25 @@ void SyncHost::forgetParticipant(ParticipantId participant, LocalTime now)
 {
     for (auto entry = m_peers.begin(); entry != m_peers.end();) {
         const bool isOne = entry->second.participant == participant;
-        if (isOne) {
+        if (isOne)
             m_actions.leave(entry->first, now);
-            m_budgets.insert_or_assign(participant, entry->second.budget);
-        }
         entry = isOne ? m_peers.erase(entry) : std::next(entry);
     }
+    countMembers();
 }
 
 void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
 {
+    if (!peer.budget.hearsProposal(now)) {
+        ++peer.traffic.refused; // it comes again
+        return;
+    }
     if (m_rules.isSettled(proposal.id))
         return; // its fact is on its way, to the disk or to everybody
-    if (!peer.budget.takesProposal(now)) {
+    const auto verdict = peer.budget.takesProposal(now);
+    if (verdict == PeerBudget::Verdict::Later)
+        return; // it comes again
+    if (verdict == PeerBudget::Verdict::Refused) {
         ++peer.traffic.refused;
         if (peer.budget.answers(now))
             peer.outbox.emplace_back(ProposalRefused{proposal.id, Errc::TooMuchSent});
@@ -446,7 +457,8 @@ void SyncHost::takeStreams(Peer& peer, const StreamGroup& group, LocalTime now)
         peer.traffic.refused += group.streams.size();
         return;
     }
-    const SessionTime latest = sessionTime(now) + kLargestAhead + roundTripOf(peer.link) / 2;
+    const SessionTime latest = sessionTime(now) + kLargestAhead
+                               + std::min(roundTripOf(peer.link) / 2, kLargestAheadByPath);
     for (const StreamCpo& cpo : group.streams) {
         if (cpo.time > latest)
             continue;
@@ -475,25 +487,17 @@ void SyncHost::dropSilentPeers(LocalTime now)
 
 void SyncHost::endExceedingPeers(LocalTime now)
 {
-    std::erase_if(m_barredUntil, [now](const auto& entry) { return entry.second <= now; });
     for (const PeerAddress address : std::exchange(m_exceeding, {})) {
         const auto exceeding = m_peers.find(address);
         if (exceeding == m_peers.end())
             continue; // left meanwhile
         const Peer& peer = exceeding->second;
-        m_barredUntil.insert_or_assign(peer.participant, now + kBarred);
         answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent, {}}, now);
         m_output.ended.push_back(address);
         const ParticipantId participant = peer.participant;
         remove(address, now);
-        m_budgets.erase(participant); // the bar is enough
+        m_budgets.bar(participant, now);
     }
-}
-
-bool SyncHost::isBarred(ParticipantId participant, LocalTime now) const
-{
-    const auto barred = m_barredUntil.find(participant);
-    return barred != m_barredUntil.end() && now < barred->second;
 }
 
 void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)

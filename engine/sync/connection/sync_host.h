@@ -3,9 +3,11 @@
 #include "engine/core/result.h"
 #include "engine/sync/actions/host_actions.h"
 #include "engine/sync/clock/peer_clock.h"
-#include "engine/sync/connection/peer_budget.h"
+#include "engine/sync/connection/arrivals.h"
+#include "engine/sync/connection/host_budgets.h"
 #include "engine/sync/connection/peer_link.h"
 #include "engine/sync/connection/peer_traffic.h"
+#include "engine/sync/connection/shown_relay.h"
 #include "engine/sync/facts/fact_replication.h"
 #include "engine/sync/streams/host_streams.h"
 
@@ -15,21 +17,6 @@
 
 namespace carina
 {
-
-/// Result of admitting a participant.
-struct Admission {
-    ParticipantId participant;
-    /// The fact that the participant joined; it is welcomed once this is in the log. The number
-    /// modulo 2^16 is the epoch of the participant's streams: it increases with each joining, also
-    /// across a restart of the host.
-    FactNumber joined;
-};
-
-/// Whom a join would be admitted as.
-struct Identity {
-    ParticipantId participant;
-    bool isProven = false; ///< by a secret that only this participant and the host should have
-};
 
 /// Callbacks into the session, which decides. What it decides becomes a fact of the log later, when
 /// it is on disk, by SyncHost::append, or is given up by SyncHost::giveUp.
@@ -51,6 +38,8 @@ struct HostRules {
     std::function<PeerLimits(ParticipantId)> limits;
     /// The station that a participant is at, of which alone its streams are taken.
     std::function<StationId(ParticipantId)> stationOf;
+    /// What the participants behind this path and others share; null where they share nothing.
+    std::function<std::shared_ptr<SharedBudget>(PeerAddress)> sharedBudget;
 };
 
 /// The session host's end, without socket, clock or thread: replicates the log to every peer,
@@ -66,13 +55,15 @@ public:
     /// the time for which a name is held. A program that was restarted, or moved, is heard no more
     /// on its old path.
     static constexpr Duration kAliveBeside = std::chrono::milliseconds{500};
-    /// For this long a participant whose program sent far too much stays out.
-    static constexpr Duration kBarred = std::chrono::seconds{30};
     /// How far a sample may be ahead of the session, beside half the round trip of its path: a
     /// clock is not better known than that.
     static constexpr Duration kLargestAhead = std::chrono::milliseconds{5};
+    /// Upper limit of what half the round trip adds to it: who answers late has a long one.
+    static constexpr Duration kLargestAheadByPath = std::chrono::milliseconds{50};
     /// Upper limit of slowestPath(), by which effect times are delayed.
     static constexpr Duration kLongestPath = std::chrono::seconds{1};
+    /// The same for the paths of those who may not act: who only watches must not slow down all.
+    static constexpr Duration kLongestPathOfWatchers = std::chrono::milliseconds{200};
 
     struct Output {
         struct Addressed {
@@ -97,7 +88,7 @@ public:
         std::uint16_t epoch;
         ProposalId join; ///< identifies one run of a program
         FactSender facts;
-        PeerBudget budget;
+        PeerBudget& budget;  ///< of the participant, in the host
         bool welcome = true; ///< a Welcome is to be sent
         bool answer = false; ///< a datagram is to be sent at once
         std::vector<WireRecord> outbox{};
@@ -129,6 +120,8 @@ public:
     void append(const FactRecord& fact);
     /// Tells who waits for a fact that it could not be stored.
     void giveUp(const FactRecord& fact, Errc why, LocalTime now);
+    /// Whether a datagram of this peer that is no part of a bundle is within its budget; counts it.
+    [[nodiscard]] bool takesDatagram(PeerAddress from, std::size_t bytes, LocalTime now);
     /// What was shown of an object of the host, for all others to compare with.
     void tellShown(const ShownPose& shown) { forward(shown, kNobody); }
     /// Sets the ownership of an object, taken from the facts.
@@ -170,18 +163,12 @@ public:
     [[nodiscard]] bool isHere(ParticipantId participant) const;
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     [[nodiscard]] const std::vector<FactRecord>& log() const { return m_log; }
-    /// Half the longest recent round trip of any peer, at most kLongestPath.
+    /// Half the longest recent round trip of any peer, at most kLongestPath; of those who may not
+    /// act, kLongestPathOfWatchers.
     [[nodiscard]] Duration slowestPath() const;
 
 private:
     struct Visitor;
-    /// A program that is admitted, and whose fact is on its way to the disk.
-    struct Arrival {
-        BundleHeader header; ///< of its last Hello
-        LocalTime heard;
-        Hello hello;
-        Admission admission;
-    };
 
     void take(PeerAddress from, std::span<const std::byte> bytes, LocalTime now);
     void hello(PeerAddress from, const BundleHeader& header, const Hello& hello, LocalTime now);
@@ -190,23 +177,21 @@ private:
     void welcomeArrivals(LocalTime now);
     void welcome(PeerAddress address, const Arrival& arrival, LocalTime now);
     void remove(PeerAddress address, LocalTime now);
-    /// Passes on what its owner showed of an object.
+    /// Passes on what its owner showed of an object, when that is due.
+    void relayShown(LocalTime now);
     void forward(const ShownPose& shown, ParticipantId from);
     void forgetParticipant(ParticipantId participant, LocalTime now);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
     void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);
     void dropSilentPeers(LocalTime now);
     void endExceedingPeers(LocalTime now);
+    /// Tells the budgets that are shared how many share them.
+    void countMembers();
     /// Whether a program that asks from this address is kept out by another one of the participant.
-    /// Of one who is here or was; null before.
-    [[nodiscard]] PeerBudget* knownBudget(ParticipantId participant);
-    /// For a new connection of the participant.
-    [[nodiscard]] PeerBudget budgetOf(ParticipantId participant);
     [[nodiscard]] bool isTaken(PeerAddress from, const Identity& who, ProposalId join,
                                LocalTime now);
     /// Ends the other programs of a participant whom `from` proved to be.
     void displace(PeerAddress from, ParticipantId participant, LocalTime now);
-    [[nodiscard]] bool isBarred(ParticipantId participant, LocalTime now) const;
     void sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now);
     void answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,
                         LocalTime now);
@@ -219,17 +204,16 @@ private:
     Duration m_clockOffset;
     std::optional<ExternalTime> m_external; // less session time
     HostRules m_rules;
+    HostBudgets m_budgets;
     std::map<PeerAddress, Peer> m_peers;
     /// No peer is silent for kPeerTimeout before this.
     LocalTime m_nobodySilentBefore = LocalTime::max();
     /// Peers that sent far too much since the last turn.
     std::set<PeerAddress> m_exceeding;
-    std::map<PeerAddress, Arrival> m_arrivals;
-    std::map<ParticipantId, LocalTime> m_barredUntil;
-    /// Of those who left: who comes again goes on with the same. As many as there are names.
-    std::map<ParticipantId, PeerBudget> m_budgets;
+    Arrivals m_arrivals;
     /// Since when a program asks to come in as a participant of whom another is here.
     std::map<PeerAddress, LocalTime> m_asksSince;
+    ShownRelay m_shown;
     HostStreams m_streams;
     HostActions m_actions;
     Output m_output;

@@ -5,6 +5,9 @@
 namespace carina
 {
 
+/// The highest rate at which one participant may probe the path to another, per second.
+inline constexpr double kFastestProbes = 20.0;
+
 /// How often a path is probed: gamma_0 probes a second, by the adaptive trigger of the Adaptive
 /// Synchronization Algorithm (Hamza-Lup et al. 2004).
 ///
@@ -19,7 +22,7 @@ public:
         bool isAdaptive = true;
         double start = 1.0;                            ///< per second
         double lowest = 1.0;                           ///< per second
-        double highest = 20.0;                         ///< per second
+        double highest = kFastestProbes;               ///< per second
         Duration sigmaFloor{};                         ///< a smaller sigma counts as this
         std::size_t history = DelayHistory::kCapacity; ///< number of delays before it adapts
         std::size_t kept = DelayHistory::kCapacity;    ///< number of delays that are kept

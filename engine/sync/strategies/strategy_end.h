@@ -3,6 +3,7 @@
 #include "engine/sync/strategies/relayed_view.h"
 #include "engine/sync/strategies/strategy.h"
 
+#include <algorithm>
 #include <map>
 
 namespace carina
@@ -41,6 +42,12 @@ public:
     void choose(const StrategyChoice& choice, LocalTime now);
     /// Who is present, the host included.
     void setParticipants(std::vector<ParticipantId> participants, LocalTime now);
+
+    /// Whether messages to this participant are forwarded.
+    [[nodiscard]] bool isPresent(ParticipantId participant) const
+    {
+        return m_relay && std::ranges::find(m_participants, participant) != m_participants.end();
+    }
 
     /// An action of the host begins.
     void begin(const EventCpo& action, LocalTime now);

@@ -43,7 +43,8 @@ struct Pair {
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
                 [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; },
                 [](ParticipantId) { return limitsOf(Role::Instructor); },
-                [](ParticipantId) { return StationId{}; }}},
+                [](ParticipantId) { return StationId{}; },
+                [](PeerAddress) { return std::shared_ptr<SharedBudget>{}; }}},
           client{{0, "Anna", role}, board, now}
     {
         client.connected(kHost, {}, now);

@@ -72,6 +72,36 @@ private Q_SLOTS:
         for (const PeerAddress address : {kFirst, kSecond})
             QCOMPARE(host.takeDue(address, kStart + 1s).size(), 1U);
     }
+
+    /// Of the probes and answers that one participant sends another, and not what it sends others.
+    void probesOfAPairAreLimited_data()
+    {
+        QTest::addColumn<bool>("areAnswers");
+        QTest::newRow("probes") << false;
+        QTest::newRow("answers") << true;
+    }
+    void probesOfAPairAreLimited()
+    {
+        QFETCH(const bool, areAnswers);
+        HostActions host;
+        host.setStrategy({.kind = StrategyKind::AsaAdaptive}, kStart);
+        for (const PeerAddress address : {kOwner, kFirst, kSecond})
+            host.join(address, ParticipantId{static_cast<std::uint16_t>(address - 100)}, kStart);
+        const auto send = [&](std::uint16_t to, LocalTime now) {
+            RelayedMessage message{ParticipantId{2}, ParticipantId{to}, DelayProbe{1s}};
+            if (areAnswers)
+                message.content = DelayAnswer{1s};
+            host.take(kFirst, message, {encodeRelayed(message)}, false, now);
+            return host.takeDue(static_cast<PeerAddress>(100 + to), now).size();
+        };
+        std::size_t passed = 0;
+        for (int i = 0; i < 10'000; ++i) // 1000 a second
+            passed += send(3, kStart + i * 1ms);
+        QVERIFY(passed >= std::size_t(10.0 * kFastestProbes));
+        QVERIFY(passed <= std::size_t(12.0 * kFastestProbes));
+        QCOMPARE(send(1, kStart + 10s), 1U);
+        QCOMPARE(send(99, kStart + 10s), 0U); // who is not there
+    }
 };
 
 CARINA_TEST(TestHostActions)

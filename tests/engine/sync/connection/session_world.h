@@ -45,8 +45,10 @@ struct TestSession {
     std::set<ParticipantId> observers; ///< who may not act
     bool areProven = true;             ///< whether each proves by a secret who it is
     PeerLimits limits{1e4, 1e7, 1e4, 1e4, 1e4, 1e4};
-    Ownership ownership{kNobody, 1}; ///< of the one object
-    StationId station;               ///< where everybody is
+    Ownership ownership{kNobody, 1};      ///< of the one object
+    StationId station;                    ///< where everybody is
+    std::shared_ptr<SharedBudget> shared; ///< by all, if there is one
+    mutable int lookUps = 0;              ///< of whether a proposal is settled
 
     [[nodiscard]] static std::vector<std::byte> body(const std::string& text)
     {
@@ -55,6 +57,7 @@ struct TestSession {
     }
     [[nodiscard]] bool isSettled(ProposalId id) const
     {
+        ++lookUps;
         return std::ranges::find(disk, id, &FactRecord::proposal) != disk.end();
     }
     [[nodiscard]] Result<void> decide(const ProposalRecord& proposal)
@@ -112,7 +115,8 @@ struct TestSession {
                 [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },
                 [this](ParticipantId who) { return !observers.contains(who); },
                 [this](ParticipantId) { return limits; },
-                [this](ParticipantId) { return station; }};
+                [this](ParticipantId) { return station; },
+                [this](PeerAddress) { return shared; }};
     }
 };
 
@@ -129,6 +133,7 @@ public:
         std::vector<FactRecord> log;
         std::vector<StreamSample> streams;
         std::vector<RefusedProposal> refused;
+        std::vector<ShownPose> shown;
         int timesStartedAfresh = 0;
     };
 
@@ -154,6 +159,7 @@ public:
                                                       SimulatedLink{path, nextRandom()},
                                                       SimulatedLink{path, nextRandom()},
                                                       nullptr,
+                                                      {},
                                                       {},
                                                       {},
                                                       {}}));
@@ -246,6 +252,7 @@ private:
         std::ranges::move(output.facts, std::back_inserter(s.log));
         std::ranges::move(output.streams, std::back_inserter(s.streams));
         std::ranges::move(output.refused, std::back_inserter(s.refused));
+        std::ranges::move(output.shown, std::back_inserter(s.shown));
         for (const auto& bytes : output.datagrams)
             s.toHost.send(bytes, m_now);
     }

@@ -54,7 +54,7 @@ private Q_SLOTS:
     void eachKindHasItsOwnBucket()
     {
         PeerBudget budget{kLimits};
-        while (budget.takesProposal(kStart)) {}
+        while (budget.takesProposal(kStart) == PeerBudget::Verdict::Taken) {}
         QVERIFY(budget.takesEvent(kStart) && budget.takesSamples(60, kStart)
                 && budget.takesDatagram(100, kStart));
         QVERIFY(!budget.takesSamples(61, kStart));
@@ -67,7 +67,10 @@ private Q_SLOTS:
         PeerBudget slow{kLimits};
         int taken = 0;
         for (int i = 0; i < 60 * 15; ++i)
-            taken += slow.takesProposal(kStart + i * (1'000'000'000ns / 15)) ? 1 : 0;
+            taken += slow.takesProposal(kStart + i * (1'000'000'000ns / 15))
+                             == PeerBudget::Verdict::Taken
+                         ? 1
+                         : 0;
         QVERIFY(!slow.isFarExceeded());
         QVERIFY(taken >= 600 && taken <= 621);
         PeerBudget flood{kLimits};
@@ -85,7 +88,7 @@ private Q_SLOTS:
         world.startHost();
         world.addSite({5ms, 0ms, 0.0, 0.0});
         world.startClient(0, "anna");
-        world.run(500ms);
+        world.run(1100ms); // until what coming in costs is there again
         world.session.isFast = false;
         for (int i = 0; i < 4; ++i)
             world.propose(0, "patient");
@@ -98,6 +101,69 @@ private Q_SLOTS:
         world.run(50ms);
         QVERIFY(world.site(0).client->waiting().empty());
         QCOMPARE(world.site(0).log.size(), std::size_t{5});
+    }
+
+    void burstIsHeldHoweverSlowlyTheBucketFills()
+    {
+        TokenBucket bucket;
+        QVERIFY(bucket.take(8.0, 0.1, kStart, 8.0));
+        QVERIFY(!bucket.take(1.0, 0.1, kStart + 9s, 8.0));
+        QVERIFY(bucket.take(1.0, 0.1, kStart + 10s, 8.0));
+        bucket.putBack(1.0, 0.1);
+        QVERIFY(bucket.take(1.0, 0.1, kStart + 10s, 8.0));
+    }
+
+    /// Others decide how many answers they ask for.
+    void answersToProbesUseUpNothingElse()
+    {
+        PeerBudget budget{{.messages = 10.0}};
+        int answers = 0;
+        while (budget.takesProbeAnswer(kStart))
+            ++answers;
+        QCOMPARE(answers, 20);
+        QVERIFY(budget.takesMessage(kStart));
+        QVERIFY(!budget.isFarExceeded());
+    }
+
+    /// What its place exceeds is put off, and neither told nor held against it.
+    void whatIsSharedPutsOffAndRefusesNothing()
+    {
+        PeerBudget budget{kLimits};
+        const auto shared = std::make_shared<SharedBudget>(
+            SharedLimits{.datagrams = 10.0, .bytes = 1e4, .proposals = 1.0});
+        budget.shareWith(shared);
+        int taken = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const auto verdict = budget.takesProposal(kStart);
+            QVERIFY(verdict != PeerBudget::Verdict::Refused);
+            taken += verdict == PeerBudget::Verdict::Taken ? 1 : 0;
+        }
+        QCOMPARE(taken, int(SharedBudget::kSavedProposals) + 2); // its share, and the pot
+        int datagrams = 0;
+        for (int i = 0; i < 100; ++i)
+            datagrams += budget.takesDatagram(1, kStart) ? 1 : 0;
+        QCOMPARE(datagrams, 20 + 20);
+        QVERIFY(!budget.isFarExceeded());
+    }
+
+    /// A class behind one router: each sends its streams and acknowledgements, and shares what it
+    /// holds when it comes in, all at the same time.
+    void aClassOfThirtyTwoBehindOneAddressIsNotHurt()
+    {
+        constexpr PeerLimits kTrainee{.datagrams = 2000.0, .bytes = 5e5, .proposals = 20.0};
+        const auto shared = std::make_shared<SharedBudget>(
+            SharedLimits{.datagrams = 16000.0, .bytes = 4e6, .proposals = 40.0});
+        shared->setMembers(32);
+        std::vector<PeerBudget> pupils(32, PeerBudget{kTrainee});
+        for (PeerBudget& pupil : pupils) {
+            pupil.shareWith(shared);
+            QCOMPARE(pupil.takesProposal(kStart, PeerBudget::kComing), PeerBudget::Verdict::Taken);
+            for (int object = 0; object < 4; ++object)
+                QCOMPARE(pupil.takesProposal(kStart), PeerBudget::Verdict::Taken);
+        }
+        for (int i = 0; i < 10 * 130; ++i)
+            for (PeerBudget& pupil : pupils)
+                QVERIFY(pupil.takesDatagram(200, kStart + i * (1'000'000'000ns / 130)));
     }
 
     /// Neither a new connection nor a new run of the program brings a new budget.

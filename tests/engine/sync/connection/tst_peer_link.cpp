@@ -121,6 +121,20 @@ private Q_SLOTS:
         QCOMPARE(*client.longestRoundTrip(), Duration{10s});
     }
 
+    /// Nothing was sent then, so that nobody can echo it.
+    void echoFromBeforeTheConnectionMeasuresNothing()
+    {
+        PeerLink host{9, kHostOffset, at(20s)};
+        BundleHeader header;
+        header.sequence = 1;
+        header.echo = ClockEcho{kHostOffset + 20s - 1ns, 0s};
+        QVERIFY(!host.heard(header, at(20s + 5ms)));
+        QVERIFY(!host.longestRoundTrip());
+        header.sequence = 2;
+        header.echo = ClockEcho{kHostOffset + 20s, 0s};
+        QVERIFY(host.heard(header, at(20s + 5ms)));
+    }
+
     void tellsTheNewestRoundTrip()
     {
         PeerLink client{9, 0s, at(0s)};

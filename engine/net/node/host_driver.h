@@ -19,7 +19,7 @@ namespace carina
 class HostDriver : public NodeDriver
 {
 public:
-    /// New participants in a second; twice as many at once.
+    /// New participants of a role in a second; twice as many at once.
     static constexpr double kNewcomers = 40.0;
     /// Facts that are decided and not stored, from which on proposals are refused.
     static constexpr std::size_t kMostUnstored = 4096;
@@ -133,7 +133,7 @@ private:
     std::unique_ptr<HostAccess> m_access;
     PeerAddress m_speaker = 0; // sender of the datagram being handled
     HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};
-    TokenBucket m_newcomers;
+    std::map<Role, TokenBucket> m_newcomers; // so that one role's do not keep out another's
     std::vector<PeerAddress> m_ended; // paths of those who exceeded their budget
     Datagrams m_tokens;               // to be sent once they are on disk
     Datagrams m_tokensHandedOver;     // these are with the writer

@@ -18,9 +18,9 @@ private Q_SLOTS:
     void sessionHolds_data()
     {
         QTest::addColumn<QString>("attack");
-        for (const char* attack : {"leaving", "sharing", "breathing", "impostor", "false-token",
-                                   "client-hellos", "paths", "false-tube", "actions", "names",
-                                   "garbage", "instructing", "together", "new-codes"})
+        for (const char* attack : {"leaving", "sharing", "breathing", "repeating", "impostor",
+                                   "false-token", "client-hellos", "paths", "false-tube", "actions",
+                                   "names", "garbage", "instructing", "together", "new-codes"})
             QTest::newRow(attack) << QString::fromLatin1(attack);
     }
 

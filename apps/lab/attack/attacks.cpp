@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <ranges>
 
 namespace carina::lab
 {
@@ -63,15 +64,16 @@ protected:
     {
         std::vector<WireRecord> proposals;
         for (int i = 0; i < kProposals; ++i)
-            proposals.emplace_back(toRecord(Proposal{
-                ProposalId{m_random()}, kNobody, intruder.station(), body(*intruder.welcome())}));
+            proposals.emplace_back(toRecord(
+                Proposal{ProposalId{m_random()}, kNobody, intruder.station(), body(intruder)}));
         intruder.send(proposals);
     }
 
 private:
     static constexpr int kProposals = 100;
 
-    [[nodiscard]] virtual FactBody body(const Welcome& welcome) = 0;
+    /// @pre it was welcomed
+    [[nodiscard]] virtual FactBody body(const Intruder& intruder) = 0;
 };
 
 class Leaving : public Proposing
@@ -80,22 +82,38 @@ public:
     explicit Leaving(const Target& target) : Proposing{target, Role::Observer} {}
 
 private:
-    FactBody body(const Welcome& welcome) override
+    FactBody body(const Intruder& intruder) override
     {
-        return fact::ParticipantLeft{welcome.participant};
+        return fact::ParticipantLeft{intruder.welcome()->participant};
     }
 };
 
+/// Shares ever more tubes, and hands them over to the host in turn, to make room for the next.
 class Sharing : public Proposing
 {
 public:
     explicit Sharing(const Target& target) : Proposing{target, Role::Trainee} {}
 
 private:
-    FactBody body(const Welcome& welcome) override
+    static constexpr ParticipantId kHost{0};
+
+    FactBody body(const Intruder& intruder) override
     {
-        return fact::ObjectShared{ObjectId{}, welcome.participant, ObjectKind::Tube,
-                                  std::to_string(m_random())};
+        const ParticipantId self = intruder.welcome()->participant;
+        if (m_random() % 2 == 0)
+            if (const auto shared = newestOf(intruder, self))
+                return fact::ObjectHandedOver{*shared, kHost, 1};
+        return fact::ObjectShared{ObjectId{}, self, ObjectKind::Tube, std::to_string(m_random())};
+    }
+    static std::optional<ObjectId> newestOf(const Intruder& intruder, ParticipantId self)
+    {
+        for (const FactRecord& record : intruder.facts() | std::views::reverse) {
+            const auto fact = fromRecord(record);
+            const auto* shared = fact ? std::get_if<fact::ObjectShared>(&fact->body) : nullptr;
+            if (shared && shared->owner == self)
+                return shared->object;
+        }
+        return std::nullopt;
     }
 };
 
@@ -105,7 +123,25 @@ public:
     explicit Breathing(const Target& target) : Proposing{target, Role::Trainee} {}
 
 private:
-    FactBody body(const Welcome&) override { return fact::ManikinBreathed{}; }
+    FactBody body(const Intruder& intruder) override
+    {
+        return fact::ManikinBreathed{intruder.sessionNow()};
+    }
+};
+
+/// Chooses the place where it is, and states the registration that it has, without end.
+class Repeating : public Proposing
+{
+public:
+    explicit Repeating(const Target& target) : Proposing{target, Role::Trainee} {}
+
+private:
+    FactBody body(const Intruder& intruder) override
+    {
+        if (m_random() % 2 == 0)
+            return fact::RegistrationStated{{RegistrationState::Good, {}, millimetres(1.0)}};
+        return fact::PlaceChosen{intruder.welcome()->participant, {}};
+    }
 };
 
 /// Decides without end what an instructor may decide about the patient.
@@ -115,7 +151,7 @@ public:
     explicit Instructing(const Target& target) : Proposing{target, Role::Instructor} {}
 
 private:
-    FactBody body(const Welcome&) override
+    FactBody body(const Intruder&) override
     {
         const double share = 0.01 * double(m_random() % 100);
         switch (m_random() % 4) {
@@ -144,7 +180,7 @@ public:
     explicit NewCodes(const Target& target) : Proposing{target, Role::Instructor} {}
 
 private:
-    FactBody body(const Welcome&) override { return fact::RoleCodeChanged{Role::Observer}; }
+    FactBody body(const Intruder&) override { return fact::RoleCodeChanged{Role::Observer}; }
 };
 
 /// Shares a tube and streams samples of it that are ahead of the session.
@@ -383,13 +419,19 @@ std::span<const AttackKind> attackKinds()
     constexpr double kComings = 20.0;
     // As many as the host takes from an instructor in a second, and a tenth.
     constexpr double kInstructing = 110.0;
+    // Breaths of a manikin in a second, see kShortestBreath.
+    constexpr double kBreathing = 1.2;
+    // Two tubes, and what they are handed over.
+    constexpr double kSharing = 4.0;
     static constexpr std::array kKinds{
         AttackKind{"leaving", "an observer proposes that it leaves, without end", kComings, 0.0,
                    begin<Leaving>},
-        AttackKind{"sharing", "a trainee shares ever more tubes", kComings + 8.0, 0.0,
-                   begin<Sharing>},
+        AttackKind{"sharing", "a trainee shares ever more tubes, and hands them over to the host",
+                   kComings + kSharing, 0.0, begin<Sharing>},
         AttackKind{"breathing", "a trainee proposes breaths of the manikin without end", kComings,
-                   22.0, begin<Breathing>},
+                   kBreathing, begin<Breathing>},
+        AttackKind{"repeating", "a trainee proposes the place and the registration that it has",
+                   kComings + 1.0, 0.0, begin<Repeating>},
         AttackKind{"impostor", "a trainee says Hello with the join of one who is present", kComings,
                    0.0, beginImpostor},
         AttackKind{"false-token",
@@ -410,8 +452,8 @@ std::span<const AttackKind> attackKinds()
         AttackKind{"instructing", "an instructor changes the patient and its breathing without end",
                    kComings + 2.0 * kInstructing, kInstructing, begin<Instructing>},
         AttackKind{"together", "sixteen attackers, in all these ways at once",
-                   16.0 * kComings + 2.0 * kInstructing, 44.0 + 2.0 * kInstructing,
-                   begin<Together>},
+                   16.0 * kComings + 2.0 * (kSharing + kInstructing),
+                   kBreathing + 2.0 * kInstructing, begin<Together>},
         AttackKind{"new-codes", "an instructor gives observers a new code without end", kComings,
                    2.0, begin<NewCodes>}};
     return kKinds;

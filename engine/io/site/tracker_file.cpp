@@ -1,5 +1,6 @@
 #include "engine/io/site/tracker_file.h"
 
+#include "engine/io/files/folder_path.h"
 #include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
 
@@ -12,7 +13,6 @@ namespace
 {
 
 const QString kTrackerSchema = QStringLiteral("carina.tracker/1");
-constexpr FileLimit kDefinitionLimit{"a tool definition", 64 * 1024};
 constexpr int kSlowestRate = 9600;
 constexpr std::array kKindWords{"ndi"};
 constexpr std::array kPoseWords{"TX", "BX", "BX2"};
@@ -20,14 +20,19 @@ constexpr std::array kRoleWords{"head", "jaw", "tube", "stylus", "manikin", "che
 constexpr std::array kRoles{ToolRole::Head,    ToolRole::Jaw,   ToolRole::Tube, ToolRole::Stylus,
                             ToolRole::Manikin, ToolRole::Chest, ToolRole::Other};
 
-Result<NdiToolDefinition> readDefinition(const std::filesystem::path& file)
+/// A definition that lies beside the description, or below.
+Result<NdiToolDefinition> readDefinition(const std::filesystem::path& description,
+                                         const std::string& name)
 {
-    return readWholeFile(file, kDefinitionLimit).and_then([&](const std::string& bytes) {
-        return NdiToolDefinition::read(std::as_bytes(std::span{bytes}))
-            .map_error([&](const Error& error) {
-                return Error{error.code, file.string() + ": " + error.detail};
+    return pathWithin(description.parent_path(), name)
+        .and_then([](const std::filesystem::path& file) {
+            return readWholeFile(file, kDefinitionLimit).and_then([&](const std::string& bytes) {
+                return NdiToolDefinition::read(std::as_bytes(std::span{bytes}))
+                    .map_error([&](const Error& error) {
+                        return Error{error.code, file.string() + ": " + error.detail};
+                    });
             });
-    });
+        });
 }
 
 /// Tools with the files of their definitions, which are read when all fields are right.
@@ -84,7 +89,7 @@ Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file)
         described.tools.push_back(named.tool);
         if (named.definition.empty())
             continue;
-        auto definition = readDefinition(file.parent_path() / named.definition);
+        auto definition = readDefinition(file, named.definition);
         if (!definition)
             return tl::unexpected(definition.error());
         described.tools.back().definition = *std::move(definition);

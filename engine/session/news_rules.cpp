@@ -32,8 +32,8 @@ Result<void> checkNews(const SessionState& state, const Fact& fact)
     if (whose == state.participants().end())
         return {};
     const Participant& participant = whose->second;
-    const bool isSaid = stated ? participant.registration == stated->standing
-                               : participant.turn == chosen->turn;
+    const bool isSaid =
+        stated ? participant.registration == stated->standing : participant.turn == chosen->turn;
     return isSaid ? fail(Errc::OutOfRange, "it changes nothing") : Result<void>{};
 }
 

@@ -48,9 +48,10 @@ Result<void> checkShared(const SessionState& state, const FactBody& body)
     const auto owner = state.participants().find(shared->owner);
     if (owner == state.participants().end())
         return {}; // refused by who may share what
-    return checkRoom(owner->second, countObjects(state, shared->kind, [&](const SharedObject& o) {
-               return o.sharer == shared->owner;
-           })).and_then([shared] { return checkName(shared->name); });
+    return checkRoom(owner->second,
+                     countObjects(state, shared->kind,
+                                  [&](const SharedObject& o) { return o.sharer == shared->owner; }))
+        .and_then([shared] { return checkName(shared->name); });
 }
 
 Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOver& handed)

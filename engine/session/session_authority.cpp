@@ -126,24 +126,21 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         return chosen->participant == author.id;
     if (author.station != station)
         return false;
-    return std::visit(Overloaded{[&](const fact::ObjectShared& f) {
-                                     const auto known = state.objects().find(f.object);
-                                     return f.owner == author.id
-                                            && (known == state.objects().end()
-                                                || known->second.owner == author.id);
-                                 },
-                                 [&](const fact::ObjectHandedOver& f) {
-                                     return mayHandOver(state, author, f);
-                                 },
-                                 [&](const fact::ObjectWanted& f) {
-                                     return state.objects().at(f.object).station == station;
-                                 },
-                                 [](const fact::ManikinBreathed&) { return true; },
-                                 [&](const fact::WorkTaken& f) {
-                                     return mayPassOnWork(state, author, station, f);
-                                 },
-                                 [](const auto&) { return false; }},
-                      body);
+    return std::visit(
+        Overloaded{
+            [&](const fact::ObjectShared& f) {
+                const auto known = state.objects().find(f.object);
+                return f.owner == author.id
+                       && (known == state.objects().end() || known->second.owner == author.id);
+            },
+            [&](const fact::ObjectHandedOver& f) { return mayHandOver(state, author, f); },
+            [&](const fact::ObjectWanted& f) {
+                return state.objects().at(f.object).station == station;
+            },
+            [](const fact::ManikinBreathed&) { return true; },
+            [&](const fact::WorkTaken& f) { return mayPassOnWork(state, author, station, f); },
+            [](const auto&) { return false; }},
+        body);
 }
 
 /// Nobody else creates a session, knows all that was decided by the time of a checkpoint, or sees

@@ -134,9 +134,9 @@ private:
     PeerAddress m_speaker = 0; // sender of the datagram being handled
     HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};
     std::map<Role, TokenBucket> m_newcomers; // so that one role's do not keep out another's
-    std::vector<PeerAddress> m_ended; // paths of those who exceeded their budget
-    Datagrams m_tokens;               // to be sent once they are on disk
-    Datagrams m_tokensHandedOver;     // these are with the writer
+    std::vector<PeerAddress> m_ended;        // paths of those who exceeded their budget
+    Datagrams m_tokens;                      // to be sent once they are on disk
+    Datagrams m_tokensHandedOver;            // these are with the writer
     Datagrams m_tokensStored;
     LocalTime m_nextSecrets = LocalTime::min(); // when they may be written unless awaited
     std::vector<ParticipantId> m_removed;       // to be told

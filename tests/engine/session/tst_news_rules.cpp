@@ -70,9 +70,9 @@ private Q_SLOTS:
         QCOMPARE(heard(kNow - 2s + fastest / 2, kSampleInstructor), QByteArray{"out of range"});
         QCOMPARE(heard(kNow - 3s), QByteArray{"out of range"}); // before the last
         QCOMPARE(heard(kNow - 2s + fastest), QByteArray{"fine"});
-        QCOMPARE(judged(writer, kSampleInstructor, fact::ManikinBreathed{kNow - 2s},
-                        kSecondStation),
-                 QByteArray{"fine"});
+        QCOMPARE(
+            judged(writer, kSampleInstructor, fact::ManikinBreathed{kNow - 2s}, kSecondStation),
+            QByteArray{"fine"});
     }
 
     /// One that has no effect on the breathing is not heard either.
@@ -97,9 +97,9 @@ private Q_SLOTS:
         int entered = 0;
         std::uint64_t number = 5000;
         for (SessionTime now = kNow; now < kNow + 60s; now += 50ms) {
-            const auto fact = authority.judge({ProposalId{++number}, kSampleTrainee, kSampleStation,
-                                               fact::ManikinBreathed{now}},
-                                              now, kNear);
+            const auto fact = authority.judge(
+                {ProposalId{++number}, kSampleTrainee, kSampleStation, fact::ManikinBreathed{now}},
+                now, kNear);
             if (!fact)
                 continue;
             authority.commit(*fact);

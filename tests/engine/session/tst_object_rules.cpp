@@ -62,8 +62,7 @@ private Q_SLOTS:
         Course course{withHost()};
         std::size_t objects = 0;
         for (int i = 0; i < 40; ++i) {
-            if (course.shares(kSampleOtherTrainee, "object " + std::to_string(i),
-                              ObjectKind(i % 4))
+            if (course.shares(kSampleOtherTrainee, "object " + std::to_string(i), ObjectKind(i % 4))
                 != "fine")
                 continue;
             ++objects;
@@ -144,7 +143,10 @@ private Q_SLOTS:
         row("control", "Tube\x1b[2J", "name unclear");
         row("line", "Tube\nTom", "name unclear");
         row("order of writing", "Tube\u202eebut", "name unclear");
-        row("invisible", "Tu\u200b" "be", "name unclear");
+        row("invisible",
+            "Tu\u200b"
+            "be",
+            "name unclear");
         row("blank", " ", "name unclear");
         row("empty", "", "name unclear");
     }

@@ -423,39 +423,42 @@ std::span<const AttackKind> attackKinds()
     constexpr double kBreathing = 1.2;
     // Two tubes, and what they are handed over.
     constexpr double kSharing = 4.0;
+    // Idle ones that the host keeps for a code.
+    constexpr double kIdlePaths = 64.0;
     static constexpr std::array kKinds{
         AttackKind{"leaving", "an observer proposes that it leaves, without end", kComings, 0.0,
-                   begin<Leaving>},
+                   0.0, begin<Leaving>},
         AttackKind{"sharing", "a trainee shares ever more tubes, and hands them over to the host",
-                   kComings + kSharing, 0.0, begin<Sharing>},
+                   kComings + kSharing, 0.0, 0.0, begin<Sharing>},
         AttackKind{"breathing", "a trainee proposes breaths of the manikin without end", kComings,
-                   kBreathing, begin<Breathing>},
+                   kBreathing, 0.0, begin<Breathing>},
         AttackKind{"repeating", "a trainee proposes the place and the registration that it has",
-                   kComings + 1.0, 0.0, begin<Repeating>},
+                   kComings + 1.0, 0.0, 0.0, begin<Repeating>},
         AttackKind{"impostor", "a trainee says Hello with the join of one who is present", kComings,
-                   0.0, beginImpostor},
+                   0.0, 0.0, beginImpostor},
         AttackKind{"false-token",
                    "one says that it is a trainee who is present, whose name and number it knows, "
                    "without the token",
-                   kComings, 0.0, beginFalseToken},
-        AttackKind{"client-hellos", "ClientHellos without a cookie", kComings, 0.0,
+                   kComings, 0.0, 0.0, beginFalseToken},
+        AttackKind{"client-hellos", "ClientHellos without a cookie", kComings, 0.0, 0.0,
                    begin<ClientHellos>},
-        AttackKind{"paths", "an observer opens paths and says no Hello", kComings, 0.0,
+        AttackKind{"paths", "an observer opens paths and says no Hello", kComings, 0.0, kIdlePaths,
                    begin<IdlePaths>},
         AttackKind{"false-tube", "a trainee streams a second tube, 12 ms ahead of the session",
-                   kComings, 0.0, begin<FalseTube>},
-        AttackKind{"actions", "a trainee acts on what is not its own", kComings, 0.0,
+                   kComings, 0.0, 0.0, begin<FalseTube>},
+        AttackKind{"actions", "a trainee acts on what is not its own", kComings, 0.0, 0.0,
                    begin<ForeignActions>},
         AttackKind{"names", "a trainee comes in under ever new names over one path", kComings, 0.0,
-                   begin<Names>},
-        AttackKind{"garbage", "an observer sends bytes at random", kComings, 0.0, begin<Garbage>},
+                   0.0, begin<Names>},
+        AttackKind{"garbage", "an observer sends bytes at random", kComings, 0.0, 0.0,
+                   begin<Garbage>},
         AttackKind{"instructing", "an instructor changes the patient and its breathing without end",
-                   kComings + 2.0 * kInstructing, kInstructing, begin<Instructing>},
+                   kComings + 2.0 * kInstructing, kInstructing, 0.0, begin<Instructing>},
         AttackKind{"together", "sixteen attackers, in all these ways at once",
                    16.0 * kComings + 2.0 * (kSharing + kInstructing),
-                   kBreathing + 2.0 * kInstructing, begin<Together>},
+                   kBreathing + 2.0 * kInstructing, kIdlePaths, begin<Together>},
         AttackKind{"new-codes", "an instructor gives observers a new code without end", kComings,
-                   2.0, begin<NewCodes>}};
+                   2.0, 0.0, begin<NewCodes>}};
     return kKinds;
 }
 

@@ -100,9 +100,9 @@ private Q_SLOTS:
                  {std::pair{kSampleHost, 100}, std::pair{kSampleInstructor, 200}})
                 writer.add(kNow, fact::ObjectShared{ObjectId{std::uint16_t(first + i)}, who,
                                                     ObjectKind::Jaw, "jaw " + std::to_string(i)});
-        for (const std::uint16_t id : {300, 301})
-            writer.add(kNow, fact::ObjectShared{ObjectId{id}, kSampleOtherTrainee, ObjectKind::Tube,
-                                                "spare " + std::to_string(id)});
+        for (const int id : {300, 301})
+            writer.add(kNow, fact::ObjectShared{ObjectId{std::uint16_t(id)}, kSampleOtherTrainee,
+                                                ObjectKind::Tube, "spare " + std::to_string(id)});
         Course course{writer};
         const SharedObject tube = course.authority.state().objects().at(kSampleTube);
         for (const ParticipantId full : {kSampleHost, kSampleInstructor})

@@ -25,8 +25,10 @@ const QString kPictureText = QString::fromLatin1(kPicture);
 /// What no screen may do with it.
 bool isShownAsItIs(const QWidget& screen)
 {
+    // A form makes labels without a name, of fixed words.
     for (const QLabel* label : screen.findChildren<QLabel*>())
-        if (label->textFormat() != Qt::PlainText)
+        if (label->textFormat() != Qt::PlainText
+            && (!label->objectName().isEmpty() || label->text().contains(QLatin1Char('<'))))
             return false;
     for (const QWidget* widget : screen.findChildren<QWidget*>())
         if (widget->toolTip().contains(QStringLiteral("<img")))

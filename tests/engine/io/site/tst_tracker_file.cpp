@@ -155,8 +155,8 @@ private Q_SLOTS:
         std::filesystem::create_symlink(elsewhere.pathOf("tube.rom"), folder.pathOf("link.rom"));
         definition.replace("ELSEWHERE", other.c_str());
         definition.replace("NEIGHBOUR", other.filename().c_str());
-        const std::string tools =
-            R"([{"name": "a", "role": "tube", "definition": ")" + definition.toStdString() + "\"}]";
+        std::string tools = R"([{"name": "a", "role": "tube", "definition": "NAMED"}])";
+        tools.replace(tools.find("NAMED"), 5, definition.toStdString());
         const auto tracker = folder.readWith("", tools);
         QVERIFY(!tracker);
         QCOMPARE(tracker.error().code, Errc::FileUnreadable);

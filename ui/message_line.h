@@ -1,17 +1,17 @@
 #pragma once
 
-#include <QLabel>
+#include "widgets/plain_label.h"
 
 namespace carina
 {
 
 /// A line with the last error or notice, which is also announced once to screen readers.
-class MessageLine : public QLabel
+class MessageLine : public PlainLabel
 {
     Q_OBJECT
 
 public:
-    using QLabel::QLabel;
+    using PlainLabel::PlainLabel;
 
     /// Shows a problem; an empty text clears it.
     void warn(const QString& problem);

@@ -1,5 +1,7 @@
 #include "widgets/step_list.h"
 
+#include "widgets/plain_label.h"
+
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -73,7 +75,7 @@ void StepList::addRow()
     button->setObjectName(QStringLiteral("step%1").arg(step + 1));
     button->setStyleSheet(QStringLiteral("text-align: left"));
     connect(button, &QPushButton::clicked, this, [this, step] { Q_EMIT chosen(step); });
-    auto* why = new QLabel{this};
+    auto* why = new PlainLabel{this};
     why->setWordWrap(true);
     why->setIndent(kIndent);
     layout()->addWidget(button);

@@ -3,6 +3,7 @@
 #include "apps/program/heap_pages.h"
 #include "engine/io/files/whole_file.h"
 #include "models/errors/error_text.h"
+#include "models/text/shown_as_is.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/theme/dark_theme.h"
 
@@ -86,7 +87,7 @@ void fillBox(QMessageBox& box, const Error& error)
 {
     box.setIcon(QMessageBox::Critical);
     box.setWindowTitle(QCoreApplication::applicationName());
-    box.setText(errorText(error));
+    box.setText(shownAsIs(errorText(error)));
     box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     box.addButton(QMessageBox::Close);
 }

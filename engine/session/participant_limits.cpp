@@ -70,4 +70,17 @@ std::size_t mostPresentOf(Role role)
     return 0;
 }
 
+std::size_t mostNamesOf(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return 128;
+    case Role::Trainee:
+        return 768;
+    case Role::Observer:
+        return 128;
+    }
+    return 0;
+}
+
 } // namespace carina

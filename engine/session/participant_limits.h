@@ -17,9 +17,9 @@ namespace carina
 /// for a class behind one router, and no more for one person under many names.
 [[nodiscard]] SharedLimits sharedLimitsOf(Role role);
 
-/// Objects that one participant may have shared.
+/// Objects that one participant may share in the life of a session, and own at once.
 [[nodiscard]] std::size_t mostObjectsOf(Role role);
-/// Objects of one kind that a trainee may have shared: who acts in `carina-lab drift --live` has
+/// Of these, a trainee's of one kind: who acts in `carina-lab drift --live` has
 /// two.
 inline constexpr std::size_t kMostOfAKind = 2;
 
@@ -28,8 +28,9 @@ inline constexpr std::size_t kMostStations = 8;
 /// Over its whole life: what happened at them stays in its log.
 inline constexpr std::size_t kMostStationsEver = 64;
 
-/// Participants that a session takes, over its whole life: their numbers and names stay in its log.
-inline constexpr std::size_t kMostParticipants = 1024;
+/// Names that a session takes of a role, over its whole life: they stay in its log. Those of one
+/// role leave room for the others, so that who has an observer's code keeps nobody else out.
+[[nodiscard]] std::size_t mostNamesOf(Role role);
 /// Of the participants of a role that are present at once.
 [[nodiscard]] std::size_t mostPresentOf(Role role);
 

@@ -3,6 +3,8 @@
 #include "engine/session/conduct_rules.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/plain_name.h"
+#include "engine/session/news_rules.h"
+#include "engine/session/object_rules.h"
 #include "engine/session/participant_limits.h"
 #include "engine/session/people_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
@@ -83,24 +85,6 @@ Result<void> checkObject(const SessionState& state, ObjectId id)
     return {};
 }
 
-/// Compare and set: of several at once the first holds, and the others see that it did.
-Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOver& handed)
-{
-    if (const auto known = checkObject(state, handed.object); !known)
-        return known;
-    const SharedObject& object = state.objects().at(handed.object);
-    const auto owner = state.participants().find(handed.owner);
-    if (const auto known = checkParticipant(state, handed.owner); !known)
-        return known;
-    const bool isElsewhere =
-        owner->second.role == Role::Trainee && owner->second.station != object.station;
-    if (owner->second.role == Role::Observer || isElsewhere)
-        return fail(Errc::NotPermitted, owner->second.name);
-    if (object.epoch != handed.epoch)
-        return fail(Errc::OwnerChanged, object.name);
-    return {};
-}
-
 Result<void> settleIds(const SessionState& state, FactBody& body)
 {
     return std::visit(
@@ -142,24 +126,21 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         return chosen->participant == author.id;
     if (author.station != station)
         return false;
-    return std::visit(Overloaded{[&](const fact::ObjectShared& f) {
-                                     const auto known = state.objects().find(f.object);
-                                     return f.owner == author.id
-                                            && (known == state.objects().end()
-                                                || known->second.owner == author.id);
-                                 },
-                                 [&](const fact::ObjectHandedOver& f) {
-                                     return state.objects().at(f.object).owner == author.id;
-                                 },
-                                 [&](const fact::ObjectWanted& f) {
-                                     return state.objects().at(f.object).station == station;
-                                 },
-                                 [](const fact::ManikinBreathed&) { return true; },
-                                 [&](const fact::WorkTaken& f) {
-                                     return mayPassOnWork(state, author, station, f);
-                                 },
-                                 [](const auto&) { return false; }},
-                      body);
+    return std::visit(
+        Overloaded{
+            [&](const fact::ObjectShared& f) {
+                const auto known = state.objects().find(f.object);
+                return f.owner == author.id
+                       && (known == state.objects().end() || known->second.owner == author.id);
+            },
+            [&](const fact::ObjectHandedOver& f) { return mayHandOver(state, author, f); },
+            [&](const fact::ObjectWanted& f) {
+                return state.objects().at(f.object).station == station;
+            },
+            [](const fact::ManikinBreathed&) { return true; },
+            [&](const fact::WorkTaken& f) { return mayPassOnWork(state, author, station, f); },
+            [](const auto&) { return false; }},
+        body);
 }
 
 /// Nobody else creates a session, knows all that was decided by the time of a checkpoint, or sees
@@ -183,39 +164,23 @@ Result<void> checkNewName(const SessionState& state, const fact::ParticipantJoin
     return checkName(joined.name);
 }
 
-/// As many participants and objects as their roles may have.
+/// As many participants of a role as may be present, and as may ever have been.
 Result<void> checkNumbers(const SessionState& state, const FactBody& body)
 {
-    if (const auto* joined = std::get_if<fact::ParticipantJoined>(&body)) {
-        const auto present =
-            std::ranges::count_if(state.participants(), [joined](const auto& entry) {
-                const Participant& other = entry.second;
-                return other.present && other.role == joined->role
-                       && other.id != joined->participant;
-            });
-        const bool isNew = !state.participants().contains(joined->participant);
-        if (std::size_t(present) >= mostPresentOf(joined->role)
-            || (isNew && state.participants().size() >= kMostParticipants))
-            return fail(Errc::SessionFull);
-        return checkNewName(state, *joined);
-    }
-    const auto* shared = std::get_if<fact::ObjectShared>(&body);
-    if (shared == nullptr || shared->owner == kHost || state.objects().contains(shared->object))
+    const auto* joined = std::get_if<fact::ParticipantJoined>(&body);
+    if (joined == nullptr)
         return {};
-    std::size_t all = 0;
-    std::size_t ofKind = 0;
-    for (const auto& [id, object] : state.objects())
-        if (object.owner == shared->owner) {
-            ++all;
-            ofKind += object.kind == shared->kind ? 1 : 0;
+    std::size_t present = 0;
+    std::size_t names = 0;
+    for (const auto& [id, other] : state.participants())
+        if (other.role == joined->role && id != joined->participant) {
+            ++names;
+            present += other.present ? 1 : 0;
         }
-    const auto owner = state.participants().find(shared->owner);
-    if (owner == state.participants().end())
-        return {}; // refused by who may share what
-    const bool isTrainee = owner->second.role == Role::Trainee;
-    if (all >= mostObjectsOf(owner->second.role) || (isTrainee && ofKind >= kMostOfAKind))
-        return fail(Errc::NotPermitted, "no more objects of this kind");
-    return {};
+    const bool isNew = !state.participants().contains(joined->participant);
+    if (present >= mostPresentOf(joined->role) || (isNew && names >= mostNamesOf(joined->role)))
+        return fail(Errc::SessionFull);
+    return checkNewName(state, *joined);
 }
 
 Result<void> checkPermission(const SessionState& state, ParticipantId authorId, StationId station,
@@ -322,6 +287,8 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
               now,
               now,
               proposal.body};
+    if (takesEffectLater(fact.body))
+        fact.effect = std::max(now + std::max(kShortestLead, slowestPath), m_latestEffect);
     const Result<void> verdict =
         settleIds(m_state, fact.body)
             .and_then([&] { return settledStation(m_state, fact.station, fact.body); })
@@ -335,15 +302,15 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             .and_then([&] { return checkEntry(m_state, fact.body); })
             .and_then([&] { return checkConduct(m_state, fact.body); })
             .and_then([&] { return checkNumbers(m_state, fact.body); })
+            .and_then([&] { return checkShared(m_state, fact.body); })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
             .and_then([&] { return checkStations(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPhase(m_state, fact.body); })
-            .and_then([&] { return checkCheckpoint(now, fact.body); });
+            .and_then([&] { return checkCheckpoint(now, fact.body); })
+            .and_then([&] { return checkNews(m_state, fact); });
     if (!verdict)
         return tl::unexpected(verdict.error());
-    if (takesEffectLater(fact.body))
-        fact.effect = std::max(now + std::max(kShortestLead, slowestPath), m_latestEffect);
     return fact;
 }
 

@@ -45,19 +45,20 @@ public:
     ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined,
     ///        ParticipantLeft and TokenReplaced, trainees may state how their registration stands
     ///        and choose where others see them, and for the station they are at share objects as
-    ///        themselves, hand these over, ask for ownership, report breaths of the manikin, take
-    ///        up work that nobody does and pass on their own, observers may propose nothing and own
-    ///        nothing, and who is muted nothing either.
+    ///        themselves, hand these over to an instructor or to who asked, ask for ownership,
+    ///        report breaths of the manikin, take up work that nobody does and pass on their own,
+    ///        observers may propose nothing and own nothing, and who is muted nothing either.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
-    ///          participant may share, for an object that passes to a trainee of another station,
-    ///          and where the host or the last instructor is to be muted or removed; Muted;
-    ///          SessionFull, NameUnclear, SessionLocked and Banned for a join; NameUnclear,
-    ///          StationCount and StationOccupied for a station; SessionEnded after the end, except
-    ///          for facts about participants, entry and shared objects; OutOfRange for a parameter
-    ///          outside the range of a patient, an unknown participant or object, and a phase that
-    ///          cannot follow the present one; StationUnknown for a station that is not open;
-    ///          OwnerChanged for an object that has changed its owner meanwhile, and for work that
-    ///          another has taken meanwhile.
+    ///          participant may share or own, for an object that passes to a trainee of another
+    ///          station, and where the host or the last instructor is to be muted or removed;
+    ///          Muted; SessionFull, NameUnclear, SessionLocked and Banned for a join; NameUnclear
+    ///          for an object; NameUnclear, StationCount and StationOccupied for a station;
+    ///          SessionEnded after the end, except for facts about participants, entry and shared
+    ///          objects; OutOfRange for a parameter outside the range of a patient, an unknown
+    ///          participant or object, a phase that cannot follow the present one, a breath of the
+    ///          manikin too soon after the last, and a registration or place that is known;
+    ///          StationUnknown for a station that is not open; OwnerChanged for an object that has
+    ///          changed its owner meanwhile, and for work that another has taken meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,
                                      Duration slowestPath) const;
 

@@ -120,8 +120,10 @@ struct SessionState::Applier {
         const auto [place, added] = state.m_objects.try_emplace(
             body.object,
             SharedObject{body.object, body.owner, 1, around.station, body.kind, body.name});
-        if (added)
+        if (added) {
+            place->second.sharer = body.owner;
             return;
+        }
         own(place->second, body.owner);
         place->second.station = around.station;
         place->second.kind = body.kind;

@@ -47,6 +47,7 @@ struct SharedObject {
     std::string name;
     /// Participants that asked for ownership, in the order of asking.
     std::vector<ParticipantId> wantedBy{};
+    ParticipantId sharer{}; ///< who shared it first, whoever owns it now
 };
 
 struct Station {

@@ -1,6 +1,7 @@
 #include "models/network/network_figures_model.h"
 
 #include "engine/sync/connection/loss_window.h"
+#include "models/text/shown_as_is.h"
 
 namespace carina
 {
@@ -237,7 +238,7 @@ QVariant NetworkFiguresModel::data(const QModelIndex& index, int role) const
     if (role == Qt::DisplayRole)
         return isWhat ? row.what : row.howMuch;
     if (role == Qt::ToolTipRole)
-        return row.meaning;
+        return shownAsIs(row.meaning);
     if (role == Qt::AccessibleTextRole)
         return isWhat ? row.what : spoken(row);
     if (role == Qt::TextAlignmentRole && !isWhat)

@@ -187,11 +187,16 @@ std::vector<SharedObjectModel::Named<ParticipantId>> SharedObjectModel::heirs() 
     if (!object || !mayGive(*object))
         return {};
     const auto state = m_session.node().state();
+    const auto mayGetIt = [&](ParticipantId id, const Participant& person) {
+        const bool asks = std::ranges::find(object->wantedBy, id) != object->wantedBy.end();
+        return person.role == Role::Instructor
+               || (person.role == Role::Trainee && person.station == m_station
+                   && (asks || isInstructor()));
+    };
     std::vector<Named<ParticipantId>> all;
     for (const auto& [id, person] : state->participants())
-        if (person.present && person.role != Role::Observer && id != object->owner
-            && id != m_session.node().self()
-            && (person.role == Role::Instructor || person.station == m_station))
+        if (person.present && id != object->owner && id != m_session.node().self()
+            && mayGetIt(id, person))
             all.push_back({id, QString::fromStdString(person.name)});
     const auto turn = [&object](const Named<ParticipantId>& heir) {
         return std::ranges::find(object->wantedBy, heir.id) - object->wantedBy.begin();

@@ -1,5 +1,7 @@
 #include "models/registration/landmark_table_model.h"
 
+#include "models/text/shown_as_is.h"
+
 #include <QFont>
 
 #include <algorithm>
@@ -89,7 +91,7 @@ QVariant LandmarkTableModel::headerData(int section, Qt::Orientation orientation
         return {};
     if (role == Qt::ToolTipRole || role == Qt::WhatsThisRole
         || role == Qt::AccessibleDescriptionRole)
-        return explanation(section);
+        return shownAsIs(explanation(section));
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {

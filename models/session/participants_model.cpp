@@ -1,6 +1,7 @@
 #include "models/session/participants_model.h"
 
 #include "models/site/standing_words.h"
+#include "models/text/shown_as_is.h"
 
 #include <QTimer>
 
@@ -111,9 +112,9 @@ QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
     if (role == kIdRole)
         return uint{row.id.value};
     if (role == Qt::ToolTipRole && index.column() == State && !row.reason.isEmpty())
-        return row.reason;
+        return shownAsIs(row.reason);
     if (role == Qt::ToolTipRole && index.column() == Registration && row.registration)
-        return registrationTip(*row.registration);
+        return shownAsIs(registrationTip(*row.registration));
     if (role == Qt::TextAlignmentRole && index.column() >= Sends && index.column() <= DriftDistance)
         return int{Qt::AlignRight | Qt::AlignVCenter};
     return {};

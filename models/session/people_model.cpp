@@ -113,7 +113,10 @@ void PeopleModel::place(ParticipantId id, std::optional<PatientSide> side,
     if (const auto poses = head ? node.object(head->id) : nullptr)
         seen = poses->newest();
     const auto X_AH = seen ? std::optional{seen->X_FO} : std::nullopt;
-    node.propose(m_station, fact::PlaceChosen{id, side ? turnTo(*side, X_AH) : Angle{}});
+    const Angle turn = side ? turnTo(*side, X_AH) : Angle{};
+    const auto known = state->participants().find(id);
+    if (known == state->participants().end() || known->second.turn != turn)
+        node.propose(m_station, fact::PlaceChosen{id, turn});
 }
 
 } // namespace carina

@@ -10,15 +10,21 @@ namespace carina
 namespace
 {
 
-/// The object of this kind with which a participant works: of several the first that was shared.
+/// The object of this kind with which a participant works: of several the first that they shared
+/// themselves, before any that was handed to them.
 ObjectId toolOfWork(const SessionState& state, StationId station, ParticipantId worker,
                     ObjectKind kind)
 {
-    const auto found = std::ranges::find_if(state.objects(), [&](const auto& entry) {
-        const SharedObject& object = entry.second;
-        return object.owner == worker && object.station == station && object.kind == kind;
-    });
-    return found == state.objects().end() ? ObjectId{} : found->first;
+    const auto first = [&](bool isTheirs) {
+        const auto found = std::ranges::find_if(state.objects(), [&](const auto& entry) {
+            const SharedObject& object = entry.second;
+            return object.owner == worker && object.station == station && object.kind == kind
+                   && (object.sharer == worker) == isTheirs;
+        });
+        return found == state.objects().end() ? ObjectId{} : found->first;
+    };
+    const ObjectId theirs = first(true);
+    return theirs == ObjectId{} ? first(false) : theirs;
 }
 
 /// Whether an object stays with the patient where its owner is drawn elsewhere.

@@ -19,9 +19,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("attack");
         for (const char* attack :
-             {"leaving", "sharing", "breathing", "impostor", "false-token", "client-hellos",
-              "paths", "false-tube", "shown", "crowd", "strangers", "actions", "names", "garbage",
-              "instructing", "together", "new-codes"})
+             {"leaving", "sharing", "breathing", "repeating", "impostor", "false-token",
+              "client-hellos", "paths", "false-tube", "shown", "crowd", "strangers", "actions",
+              "names", "garbage", "instructing", "together", "new-codes"})
             QTest::newRow(attack) << QString::fromLatin1(attack);
     }
 
@@ -35,9 +35,20 @@ private Q_SLOTS:
         QVERIFY(figure[QLatin1StringView{"sent"}].toInt() > kLeastSent);
         QVERIFY2(figure[QLatin1StringView{"holds"}].toBool(),
                  QJsonDocument{figure}.toJson().constData());
+        QVERIFY(figures[QLatin1StringView{"acceptable"}].toBool());
     }
 
-    void oneAfterTheOtherEndNoProgram() { QVERIFY(!attacked({}).isEmpty()); }
+    /// No program ends, and the last of them finds as whole a session as the first.
+    void sessionHoldsThroughAllOfThem()
+    {
+        const QJsonObject figures = attacked({});
+        const QJsonArray attacks = figures[QLatin1StringView{"attacks"}].toArray();
+        QVERIFY(!attacks.isEmpty());
+        for (const auto& each : attacks)
+            QVERIFY2(each[QLatin1StringView{"holds"}].toBool(),
+                     QJsonDocument{each.toObject()}.toJson().constData());
+        QVERIFY(figures[QLatin1StringView{"acceptable"}].toBool());
+    }
 
 private:
     static constexpr int kLeastSent = 100;

@@ -1,17 +1,24 @@
 // seeds DIR: whole messages for the fuzzers to begin with, in a folder below DIR for each.
 
 #include "engine/io/anatomy_set/set_codec.h"
+#include "engine/io/site/site_json.h"
 #include "engine/net/discovery/session_notice.h"
 #include "engine/net/entry/join_link.h"
 #include "engine/net/entry/role_proof.h"
 #include "engine/net/entry/token_message.h"
 #include "engine/net/secure/dtls_record.h"
+#include "engine/session/facts/fact_codec.h"
+#include "engine/sync/strategies/relayed_message.h"
+#include "engine/tracking/ndi/tool_definition.h"
 #include "tests/engine/io/anatomy_set/carried_set_files.h"
 #include "tests/engine/io/mesh/texture_files.h"
 #include "tests/engine/io/site/landmark_samples.h"
+#include "tests/engine/io/site/site_sample.h"
 #include "tests/engine/net/anatomy_transfer/frame_samples.h"
 #include "tests/engine/sync/wire/datagram_samples.h"
 #include "tests/fuzz/set_under_seal.h"
+
+#include <QJsonDocument>
 
 #include <fstream>
 
@@ -109,6 +116,106 @@ std::vector<std::string> landmarks()
             "2" + test::kSlicerMarkups, "2" + test::kSlicerMarkupsRas};
 }
 
+std::vector<std::string> relayed()
+{
+    const ParticipantId from{1};
+    return {textOf(encodeRelayed({from, kAllOthers, goldenEvent()})),
+            textOf(encodeRelayed({from, ParticipantId{2}, DelayProbe{Duration{7}}})),
+            textOf(encodeRelayed({from, ParticipantId{2}, DelayAnswer{Duration{-7}}}))};
+}
+
+/// One of each kind; the first byte chooses who proposes it, and at which station.
+std::vector<std::string> factBodies()
+{
+    const ParticipantId self{2};
+    const LungConditions asthma{{ConditionKind::Asthma, 0.5, ConditionSide::Both}};
+    const FactBody bodies[] = {
+        fact::SessionCreated{"Session", "00ff"},
+        fact::PhaseChanged{SessionPhase::Running},
+        fact::StationAdded{"Station 2"},
+        fact::ParticipantJoined{{}, Role::Observer, "Newcomer"},
+        fact::ParticipantLeft{self},
+        fact::ObjectShared{{}, self, ObjectKind::Stylus, "Stylus"},
+        fact::AnatomyChosen{"ab", "Adult"},
+        fact::BreathingRateSet{perMinute(20.0)},
+        fact::TidalVolumeSet{millilitres(300.0)},
+        fact::InspiratoryFractionSet{0.4},
+        fact::ObjectHandedOver{ObjectId{1}, ParticipantId{1}, 1},
+        fact::ObjectWanted{ObjectId{1}, true},
+        fact::PatientBuildSet{{metres(1.7), 70.0, 40.0, Sex::Female}},
+        fact::LungConditionsSet{asthma},
+        fact::VentilatorSet{},
+        fact::TubePlaced{millimetres(7.0)},
+        fact::ManikinBreathed{SessionTime{std::chrono::seconds{99}}},
+        fact::RespirationCheckpoint{{}, RespiratoryFold{RespiratorySettings{}}.state()},
+        fact::BodyPositionSet{},
+        fact::ParticipantMuted{self, true},
+        fact::ParticipantRemoved{self, true, "too loud"},
+        fact::BanLifted{self},
+        fact::SessionLocked{true},
+        fact::RoleCodeChanged{Role::Observer},
+        fact::TokenReplaced{self},
+        fact::StrategyChosen{},
+        fact::RegistrationStated{{RegistrationState::Good, StaleReason::None, millimetres(1.0)}},
+        fact::StationRenamed{"Room 5"},
+        fact::StationClosed{},
+        fact::ParticipantMoved{self},
+        fact::WorkTaken{ParticipantId{4}, self},
+        fact::PlaceChosen{self, degrees(90.0)}};
+    static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
+    std::vector<std::string> all;
+    for (const FactBody& body : bodies)
+        for (const char author : {'\0', '\1', '\2', '\4'})
+            all.push_back(author + textOf(encodeBody(body)));
+    return all;
+}
+
+/// The first byte says whether the checksum is put right.
+std::vector<std::string> tools()
+{
+    const ToolMarker markers[] = {{{0, 0, 0}, Vec3::UnitZ()}, {{0.05, 0, 0}}, {{0, 0.08, 0}}};
+    const auto tool =
+        NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markers, "Carina", "tube");
+    const std::string bytes = textOf(tool->bytes());
+    return {'\0' + bytes, '\1' + bytes};
+}
+
+std::vector<std::string> trackers()
+{
+    const std::string begin = R"({"schema": "carina.tracker/1", "kind": "ndi", "address": "a", )";
+    const std::string end = R"("tools": [{"name": "Tube", "role": "tube", "definition": "tube.rom"},
+                                         {"name": "Chin", "role": "jaw"}]})";
+    return {begin + end, begin + R"("poses": "BX2", "fastest_rate": 115200, )" + end};
+}
+
+std::vector<std::string> sites()
+{
+    Site onlyBegun;
+    std::vector<std::string> all;
+    for (const Site& site : {test::wholeSite(), onlyBegun})
+        for (const QString& schema : {kSiteSchema, kEarlierSiteSchemas[0]}) {
+            QJsonObject object = jsonSite(site);
+            object.insert(QStringLiteral("schema"), schema);
+            all.push_back(QJsonDocument{object}.toJson(QJsonDocument::Compact).toStdString());
+        }
+    return all;
+}
+
+std::vector<std::string> manikins()
+{
+    const QJsonObject manikin = jsonSite(test::wholeSite())[QStringLiteral("manikin")].toObject();
+    return {QJsonDocument{manikin}.toJson(QJsonDocument::Compact).toStdString()};
+}
+
+std::vector<std::string> trajectories()
+{
+    return {
+        "# timestamp tx ty tz qx qy qz qw\n1305031102.175304 1.3405 0.6266 1.6575 0.6574 0.6126 "
+        "-0.2949 -0.3248\n1305031102.211214 1.3303 0.6256 1.6464 0.6579 0.6161 -0.2932 "
+        "-0.3189\n",
+        "0 0 0 0 0 0 0 1\n\n1e-3 -1 2.5e2 0 0 0 1 0\n"};
+}
+
 bool areWritten(const std::filesystem::path& folder, const std::vector<std::string>& all)
 {
     std::filesystem::create_directories(folder);
@@ -132,6 +239,9 @@ int main(int argc, char** argv)
         areWritten(folder / "datagram", datagrams()) && areWritten(folder / "entry", entries())
         && areWritten(folder / "transfer", frames()) && areWritten(folder / "set", sets())
         && areWritten(folder / "landmark", landmarks())
-        && areWritten(folder / "picture", pictures());
+        && areWritten(folder / "picture", pictures()) && areWritten(folder / "relayed", relayed())
+        && areWritten(folder / "fact_body", factBodies()) && areWritten(folder / "tool", tools())
+        && areWritten(folder / "tracker", trackers()) && areWritten(folder / "site", sites())
+        && areWritten(folder / "manikin", manikins()) && areWritten(folder / "tum", trajectories());
     return written ? 0 : 1;
 }

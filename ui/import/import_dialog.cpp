@@ -2,6 +2,7 @@
 
 #include "models/errors/error_text.h"
 #include "models/patient/set_words.h"
+#include "widgets/plain_label.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -31,9 +32,8 @@ constexpr std::size_t kFaultsNamed = 8;
 
 QLabel* wrapped(const char* name)
 {
-    auto* label = new QLabel;
+    auto* label = new PlainLabel;
     label->setObjectName(QLatin1String{name});
-    label->setTextFormat(Qt::PlainText); // names come from files
     label->setWordWrap(true);
     return label;
 }

@@ -4,6 +4,7 @@
 #include "models/station/people_words.h"
 #include "ui/panels/people_menus.h"
 #include "ui_instructor_window.h"
+#include "widgets/plain_label.h"
 
 #include <QShowEvent>
 #include <QTimer>
@@ -65,10 +66,9 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
       m_patient{patient},
       m_view{&view},
       m_people{people},
-      m_phase{new QLabel{this}},
-      m_status{new QLabel{this}}
+      m_phase{new PlainLabel{this}},
+      m_status{new PlainLabel{this}}
 {
-    m_status->setTextFormat(Qt::PlainText); // a patient's name comes from elsewhere
     m_ui->setupUi(this);
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);

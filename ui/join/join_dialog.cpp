@@ -1,5 +1,7 @@
 #include "ui/join/join_dialog.h"
 
+#include "widgets/plain_label.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -19,7 +21,7 @@ constexpr int kDialogWidth = 520;
 
 QLabel* wrapping(const char* name)
 {
-    auto* label = new QLabel;
+    auto* label = new PlainLabel;
     label->setObjectName(QLatin1String{name});
     label->setWordWrap(true);
     return label;
@@ -94,7 +96,7 @@ QLineEdit* JoinDialog::field(const char* name, const QString& label, const QStri
 
 void JoinDialog::layOut()
 {
-    auto* found = new QLabel{tr("&Sessions found"), this};
+    auto* found = new PlainLabel{tr("&Sessions found"), this};
     found->setBuddy(m_list);
     auto* form = new QFormLayout{m_typed};
     form->setContentsMargins({});

@@ -1,5 +1,6 @@
 #include "ui/panels/actions_panel.h"
 
+#include "models/text/shown_as_is.h"
 #include "ui_actions_panel.h"
 
 #include <QSignalBlocker>
@@ -109,7 +110,7 @@ void ActionsPanel::refreshAction()
     m_ui->axis->setEnabled(m_model->hasAxis());
     m_ui->speed->setRange(-largest, largest);
     m_ui->speed->setSuffix(QLatin1Char(' ') + unit);
-    m_ui->speed->setToolTip(tr("-%1 to %1 %2").arg(largest).arg(unit));
+    m_ui->speed->setToolTip(shownAsIs(tr("-%1 to %1 %2").arg(largest).arg(unit)));
     if (m_ui->speed->value() != m_model->speed())
         m_ui->speed->setValue(m_model->speed());
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.

@@ -1,5 +1,6 @@
 #include "ui/panels/breathing_panel.h"
 
+#include "models/text/shown_as_is.h"
 #include "ui_breathing_panel.h"
 
 #include <QSignalBlocker>
@@ -65,9 +66,9 @@ void BreathingPanel::refresh()
     m_ui->tidalVolume->setMaximum(largest_ml);
     m_ui->tidalVolumeSlider->setMaximum(largest_ml);
     m_ui->tidalVolume->setToolTip(
-        tr("Tidal volume: gas inspired in one breath; for this patient %1 to %2\u00a0ml")
-            .arg(m_ui->tidalVolume->minimum())
-            .arg(largest_ml));
+        shownAsIs(tr("Tidal volume: gas inspired in one breath; for this patient %1 to %2\u00a0ml")
+                      .arg(m_ui->tidalVolume->minimum())
+                      .arg(largest_ml)));
     display(*m_ui->rate, shown(BreathingParameter::Rate));
     display(*m_ui->rateSlider, shown(BreathingParameter::Rate));
     display(*m_ui->tidalVolume, shown(BreathingParameter::TidalVolume));

@@ -2,6 +2,8 @@
 
 #include "engine/core/units.h"
 #include "models/respiration/respiration_words.h"
+#include "models/text/shown_as_is.h"
+#include "widgets/plain_label.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -50,7 +52,7 @@ void display(QComboBox& box, int place)
 
 ConditionPanel::ConditionPanel(QWidget* parent)
     : QWidget{parent},
-      m_obstacle{new QLabel},
+      m_obstacle{new PlainLabel},
       m_controls{new QWidget},
       m_position{new QComboBox},
       m_conditions{new QListWidget},
@@ -62,7 +64,7 @@ ConditionPanel::ConditionPanel(QWidget* parent)
       m_side{new QComboBox},
       m_mode{new QComboBox},
       m_tube{new QDoubleSpinBox},
-      m_travelling{new QLabel},
+      m_travelling{new PlainLabel},
       m_undo{new QPushButton{tr("&Undo last change")}}
 {
     layOut();
@@ -338,7 +340,7 @@ void ConditionPanel::refreshConditions()
     for (int row = 0; row < count; ++row) {
         const QString text = conditionText(conditions[std::size_t(row)]);
         m_conditions->item(row)->setText(text);
-        m_conditions->item(row)->setToolTip(text);
+        m_conditions->item(row)->setToolTip(shownAsIs(text));
     }
     if (m_conditions->currentRow() < 0 && (isMore || !m_isAdding)) {
         m_conditions->setCurrentRow(m_isAdding ? count - 1 : 0);

@@ -1,6 +1,8 @@
 #include "ui/panels/invitation_panel.h"
 
 #include "models/session/join_form.h"
+#include "models/text/shown_as_is.h"
+#include "widgets/plain_label.h"
 #include "widgets/qr_code.h"
 
 #include <QApplication>
@@ -21,7 +23,7 @@ constexpr double kCodeSize = 1.7; ///< as a multiple of the words' size
 
 QLabel* codeLabel(const QString& name)
 {
-    auto* label = new QLabel;
+    auto* label = new PlainLabel;
     QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     font.setPointSizeF(kCodeSize * label->font().pointSizeF());
     font.setBold(true);
@@ -48,13 +50,14 @@ QString questionFor(Role role)
 
 InvitationPanel::InvitationPanel(QWidget* parent)
     : QWidget{parent},
-      m_locked{new QLabel{tr("The session is locked: nobody new comes in. Those who were in it can "
-                             "come back. Codes and links are shown again when it is unlocked, "
-                             "below the table of participants.")}},
+      m_locked{
+          new PlainLabel{tr("The session is locked: nobody new comes in. Those who were in it can "
+                            "come back. Codes and links are shown again when it is unlocked, "
+                            "below the table of participants.")}},
       m_offer{new QWidget},
       m_picture{new QrCode},
-      m_reach{new QLabel},
-      m_certificate{new QLabel},
+      m_reach{new PlainLabel},
+      m_certificate{new PlainLabel},
       m_showPicture{new QPushButton{tr("Show &QR code")}},
       m_copy{new QPushButton{tr("Copy &link")}},
       m_newCode{new QPushButton{tr("Ne&w code…")}}
@@ -138,12 +141,13 @@ void InvitationPanel::askForNewCode(Role role, const QString& why)
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setIcon(QMessageBox::Question);
     question->setWindowTitle(tr("New code"));
-    question->setText(questionFor(role));
+    question->setText(shownAsIs(questionFor(role)));
     const QString effect =
         tr("%1 and its link are void at once. Those who are in the session stay, and those who "
            "were in it can come back.")
             .arg(QString::fromStdString(m_codes.at(role).text()));
-    question->setInformativeText(why.isEmpty() ? effect : why + QLatin1Char(' ') + effect);
+    question->setInformativeText(
+        shownAsIs(why.isEmpty() ? effect : why + QLatin1Char(' ') + effect));
     QPushButton* change = question->addButton(tr("&New code"), QMessageBox::AcceptRole);
     change->setObjectName(QStringLiteral("change"));
     QPushButton* keep = question->addButton(QMessageBox::Cancel);

@@ -2,6 +2,7 @@
 
 #include "ui/panels/strategy_dialog.h"
 #include "widgets/history_plot.h"
+#include "widgets/plain_label.h"
 
 #include <QComboBox>
 #include <QHeaderView>
@@ -25,7 +26,7 @@ NetworkPanel::NetworkPanel(QWidget* parent)
       m_participant{new QComboBox},
       m_plot{new HistoryPlot},
       m_table{new QTableView},
-      m_strategy{new QLabel},
+      m_strategy{new PlainLabel},
       m_research{new QPushButton{tr("For &research…")}}
 {
     layOut();
@@ -54,12 +55,12 @@ NetworkPanel::NetworkPanel(QWidget* parent)
 
 void NetworkPanel::layOut()
 {
-    auto* label = new QLabel{tr("&Network to")};
+    auto* label = new PlainLabel{tr("&Network to")};
     label->setBuddy(m_participant);
     auto* row = new QHBoxLayout;
     row->addWidget(label);
     row->addWidget(m_participant, 1);
-    auto* legend = new QLabel{tr("One-way delay, newest right; band: mean ± σ")};
+    auto* legend = new PlainLabel{tr("One-way delay, newest right; band: mean ± σ")};
     legend->setWordWrap(true);
     legend->setToolTip(tr("One-way delay (latency): half the round-trip time. σ: its standard "
                           "deviation (jitter)"));

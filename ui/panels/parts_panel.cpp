@@ -1,5 +1,6 @@
 #include "ui/panels/parts_panel.h"
 
+#include "models/text/shown_as_is.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QGridLayout>
@@ -202,7 +203,7 @@ void PartsPanel::layOut()
 QPushButton* PartsPanel::styleButton(const QString& text, const QString& toolTip, PartStyle style)
 {
     auto* button = new QPushButton{text};
-    button->setToolTip(toolTip);
+    button->setToolTip(shownAsIs(toolTip));
     connect(button, &QPushButton::clicked, this,
             [this, style] { change(chosen(), [style](PartLook& look) { look.style = style; }); });
     return button;
@@ -212,7 +213,7 @@ PartsPanel::Switch PartsPanel::switchFor(const QString& text, const QString& too
                                          bool PartLook::*which)
 {
     auto* button = new QPushButton{text};
-    button->setToolTip(toolTip);
+    button->setToolTip(shownAsIs(toolTip));
     button->setCheckable(true);
     connect(button, &QPushButton::clicked, this, [this, which](bool on) {
         change(chosen(), [which, on](PartLook& look) { look.*which = on; });

@@ -1,6 +1,7 @@
 #include "ui/panels/remove_dialog.h"
 
 #include "models/session/conduct_model.h"
+#include "widgets/plain_label.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -22,13 +23,12 @@ RemoveDialog::RemoveDialog(const QString& name, QWidget* parent)
     : QDialog{parent},
       m_reason{new QLineEdit},
       m_forGood{new QCheckBox{tr("&Do not let them back in")}},
-      m_missing{new QLabel},
+      m_missing{new PlainLabel},
       m_remove{new QPushButton{tr("&Remove")}}
 {
     setWindowTitle(tr("Remove a participant"));
     setMinimumWidth(kRemoveDialogWidth);
-    auto* question = new QLabel{tr("Remove %1 from the session?").arg(name)};
-    question->setTextFormat(Qt::PlainText); // a name comes from elsewhere
+    auto* question = new PlainLabel{tr("Remove %1 from the session?").arg(name)};
     question->setWordWrap(true);
     m_reason->setObjectName(QStringLiteral("reason"));
     m_reason->setAccessibleName(tr("Reason"));

@@ -1,5 +1,6 @@
 #include "ui/panels/section_panel.h"
 
+#include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QComboBox>
@@ -94,7 +95,7 @@ void SectionPanel::layOut()
     auto* form = new QFormLayout{this};
     form->addRow(tr("&Cut"), m_what);
     form->addRow(tr("F&rom"), m_side);
-    auto* label = new QLabel{tr("Depth")};
+    auto* label = new PlainLabel{tr("Depth")};
     label->setBuddy(m_slider);
     form->addRow(label, depth);
     form->addRow(tr("Detail"), m_detail);

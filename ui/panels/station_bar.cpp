@@ -1,6 +1,8 @@
 #include "ui/panels/station_bar.h"
 
+#include "models/text/shown_as_is.h"
 #include "ui/panels/station_dialog.h"
+#include "widgets/plain_label.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -39,7 +41,7 @@ StationBar::StationBar(QWidget* parent)
     m_forAll->setObjectName(QStringLiteral("forAll"));
     m_forAll->setToolTip(tr("What is changed about breathing and condition is changed at all "
                             "stations, at the same time"));
-    auto* label = new QLabel{tr("Station")};
+    auto* label = new PlainLabel{tr("Station")};
     auto* row = new QHBoxLayout{this};
     row->setContentsMargins(kBarMargin, 0, 0, 0);
     row->addWidget(label);
@@ -99,14 +101,15 @@ void StationBar::refresh()
     const QString full = m_stations->obstacleToAdding();
     m_add->setEnabled(full.isEmpty());
     m_add->setToolTip(full.isEmpty() ? tr("Open another station, with a patient of its own")
-                                     : full);
+                                     : shownAsIs(full));
     m_rename->setEnabled(!open.empty());
     m_rename->setToolTip(tr("Give the station that is shown another name"));
     const bool isAsked = m_closeAsked != kNoStation && m_closeAsked == m_stations->shown();
     const QString occupied = m_stations->obstacleToClosing(m_stations->shown());
     m_close->setText(isAsked ? tr("Really close?") : tr("Close"));
     m_close->setEnabled(occupied.isEmpty());
-    m_close->setToolTip(occupied.isEmpty() ? tr("Close the station that is shown") : occupied);
+    m_close->setToolTip(occupied.isEmpty() ? tr("Close the station that is shown")
+                                           : shownAsIs(occupied));
 }
 
 void StationBar::askForNew()

@@ -1,5 +1,7 @@
 #include "ui/panels/station_dialog.h"
 
+#include "widgets/plain_label.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -22,7 +24,7 @@ StationDialog::StationDialog(const StationsModel& stations, StationId station, Q
       m_station{station},
       m_name{new QLineEdit{stations.nameOf(station)}},
       m_patient{new QComboBox},
-      m_fault{new QLabel},
+      m_fault{new PlainLabel},
       m_accept{new QPushButton{station == kNoStation ? tr("&Add") : tr("&Rename")}}
 {
     setWindowTitle(isNew() ? tr("Add a station") : tr("Rename a station"));
@@ -40,7 +42,6 @@ StationDialog::StationDialog(const StationsModel& stations, StationId station, Q
         tr("adult, child, or figures: age in years, height in cm, man, woman, boy "
            "or girl, and slim or obese"));
     m_fault->setObjectName(QStringLiteral("fault"));
-    m_fault->setTextFormat(Qt::PlainText); // a name comes from elsewhere
     m_fault->setWordWrap(true);
     m_accept->setObjectName(QStringLiteral("accept"));
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};

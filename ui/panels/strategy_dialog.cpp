@@ -1,5 +1,7 @@
 #include "ui/panels/strategy_dialog.h"
 
+#include "widgets/plain_label.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -31,7 +33,7 @@ void setUp(QDoubleSpinBox& rate)
 StrategyDialog::StrategyDialog(const StrategyChoice& choice, QWidget* parent)
     : QDialog{parent},
       m_strategy{new QComboBox},
-      m_sentence{new QLabel},
+      m_sentence{new PlainLabel},
       m_delays{new QSpinBox},
       m_start{new QDoubleSpinBox},
       m_lowest{new QDoubleSpinBox},

@@ -1,5 +1,6 @@
 #include "ui/panels/waveform_panel.h"
 
+#include "widgets/plain_label.h"
 #include "widgets/waveform_plot.h"
 
 #include <QLabel>
@@ -25,7 +26,7 @@ WaveformPanel::WaveformPanel(QWidget* parent)
       m_flow{new WaveformPlot},
       m_pressure{new WaveformPlot},
       m_volume{new WaveformPlot},
-      m_figures{new QLabel}
+      m_figures{new PlainLabel}
 {
     m_flow->setUp(tr("Flow"), tr("L/min"), kSweep_s, kLeastFlow_lPerMin, {});
     m_flow->setAccessibleName(tr("Flow into the patient, litres per minute"));

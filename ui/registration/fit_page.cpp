@@ -2,6 +2,7 @@
 
 #include "ui/registration/error_table.h"
 #include "ui/registration/landmark_list.h"
+#include "widgets/plain_label.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -14,11 +15,11 @@ namespace carina
 FitPage::FitPage(RegistrationModel& registration)
     : RegistrationPage{registration},
       m_list{new LandmarkList{registration, this}},
-      m_legend{new QLabel{this}},
-      m_findings{new QLabel{this}},
+      m_legend{new PlainLabel{this}},
+      m_findings{new PlainLabel{this}},
       m_expected{new ErrorTable{this}},
-      m_localisation{new QLabel{this}},
-      m_swabbed{new QLabel{this}},
+      m_localisation{new PlainLabel{this}},
+      m_swabbed{new PlainLabel{this}},
       m_surface{new QComboBox{this}},
       m_swab{new QPushButton{this}},
       m_cancel{new QPushButton{tr("Cance&l"), this}}

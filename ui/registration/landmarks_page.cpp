@@ -2,6 +2,7 @@
 
 #include "ui/registration/error_table.h"
 #include "ui/registration/landmark_list.h"
+#include "widgets/plain_label.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -27,7 +28,7 @@ LandmarksPage::LandmarksPage(RegistrationModel& registration)
       m_list{new LandmarkList{registration, this}},
       m_snapping{new QCheckBox{tr("&Snap to tips and ridges"), this}},
       m_forecast{new ErrorTable{this}},
-      m_advice{new QLabel{this}}
+      m_advice{new PlainLabel{this}}
 {
     m_sets->setObjectName(QStringLiteral("sets"));
     m_sets->setAccessibleName(tr("Set of landmarks"));

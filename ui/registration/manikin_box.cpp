@@ -1,5 +1,8 @@
 #include "ui/registration/manikin_box.h"
 
+#include "models/text/shown_as_is.h"
+#include "widgets/plain_label.h"
+
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -27,7 +30,7 @@ ManikinBox::ManikinBox(ManikinTask& task, QWidget* parent)
       m_measured{new QSpinBox{this}},
       m_touch{new QPushButton{this}},
       m_skip{new QPushButton{tr("S&kip this place"), this}},
-      m_comparison{new QLabel{this}}
+      m_comparison{new PlainLabel{this}}
 {
     m_makes->setObjectName(QStringLiteral("manikin"));
     m_makes->setAccessibleName(tr("Make of the manikin"));
@@ -57,14 +60,14 @@ void ManikinBox::layOut()
     auto* make = new QHBoxLayout;
     make->addWidget(m_makes, 1);
     make->addWidget(m_import);
-    auto* label = new QLabel{tr("Ma&nikin"), this};
+    auto* label = new PlainLabel{tr("Ma&nikin"), this};
     label->setBuddy(m_makes);
     form->addRow(label, make);
     auto* airway = new QHBoxLayout;
     airway->addWidget(m_measured, 1);
     airway->addWidget(m_touch);
     airway->addWidget(m_skip);
-    auto* length = new QLabel{tr("Tee&th to carina"), this};
+    auto* length = new PlainLabel{tr("Tee&th to carina"), this};
     length->setBuddy(m_measured);
     form->addRow(length, airway);
     form->addRow(m_comparison);
@@ -100,7 +103,8 @@ void ManikinBox::refreshMakes()
     }
     const auto chosen = m_task.chosen();
     m_makes->setCurrentIndex(chosen ? int(*chosen) + 1 : 0);
-    m_makes->setToolTip(chosen ? QString::fromStdString(offered[*chosen].note) : QString{});
+    m_makes->setToolTip(
+        shownAsIs(chosen ? QString::fromStdString(offered[*chosen].note) : QString{}));
 }
 
 void ManikinBox::refresh()
@@ -112,7 +116,7 @@ void ManikinBox::refresh()
     const QString whyNot = m_task.whyNoTouch();
     m_touch->setText(m_task.isTouching() ? tr("&Stop touching") : tr("Tou&ch its airway"));
     m_touch->setEnabled(whyNot.isEmpty());
-    m_touch->setToolTip(whyNot);
+    m_touch->setToolTip(shownAsIs(whyNot));
     m_touch->setAccessibleDescription(whyNot);
     m_skip->setVisible(m_task.isTouching());
     m_comparison->setText(m_task.comparison().join(QLatin1Char('\n')));

@@ -1,6 +1,7 @@
 #include "ui/registration/overview_page.h"
 
 #include "ui/registration/manikin_box.h"
+#include "widgets/plain_label.h"
 
 #include <QFileDialog>
 #include <QFormLayout>
@@ -13,10 +14,10 @@ namespace carina
 
 OverviewPage::OverviewPage(RegistrationModel& registration)
     : RegistrationPage{registration},
-      m_health{new QLabel{this}},
+      m_health{new PlainLabel{this}},
       m_operator{new QLineEdit{this}},
       m_moved{new QPushButton{tr("The manikin was &moved…"), this}},
-      m_whyNotMoved{new QLabel{this}},
+      m_whyNotMoved{new PlainLabel{this}},
       m_report{new QPushButton{tr("&Report as PDF…"), this}},
       m_manikin{new ManikinBox{registration.manikin(), this}}
 {

@@ -2,6 +2,7 @@
 
 #include "engine/core/units.h"
 #include "ui/registration/local_time.h"
+#include "widgets/plain_label.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -14,8 +15,8 @@ namespace carina
 
 StylusPage::StylusPage(RegistrationModel& registration)
     : RegistrationPage{registration},
-      m_tip{new QLabel{this}},
-      m_live{new QLabel{this}},
+      m_tip{new PlainLabel{this}},
+      m_live{new PlainLabel{this}},
       m_spin{new QPushButton{this}}
 {
     m_tip->setWordWrap(true);

@@ -1,6 +1,7 @@
 #include "ui/registration/touch_page.h"
 
 #include "ui/registration/landmark_list.h"
+#include "widgets/plain_label.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -18,10 +19,10 @@ TouchPage::TouchPage(RegistrationModel& registration)
     m_list->showColumns({LandmarkTableModel::Name, LandmarkTableModel::Touched});
     connect(m_list, &LandmarkList::chosen, this,
             [this](std::size_t landmark) { this->registration().touching().choose(landmark); });
-    auto* hint =
-        new QLabel{tr("Hold the tip still for a second, or press Page Down (or a foot switch that "
-                      "sends it). Choose a landmark in the list to touch it again."),
-                   this};
+    auto* hint = new PlainLabel{
+        tr("Hold the tip still for a second, or press Page Down (or a foot switch that "
+           "sends it). Choose a landmark in the list to touch it again."),
+        this};
     hint->setWordWrap(true);
     m_keep->setObjectName(QStringLiteral("keep"));
     connect(m_keep, &QPushButton::clicked, this,

@@ -1,6 +1,8 @@
 #include "ui/registration/verify_page.h"
 
+#include "models/text/shown_as_is.h"
 #include "ui/registration/error_table.h"
+#include "widgets/plain_label.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -20,8 +22,8 @@ enum CheckColumn { PlaceColumn, ErrorColumn, BoundColumn, WithinColumn, CheckCol
 VerifyPage::VerifyPage(RegistrationModel& registration)
     : RegistrationPage{registration},
       m_points{new QTableWidget{0, CheckColumnCount, this}},
-      m_verdict{new QLabel{this}},
-      m_stylus{new QLabel{this}},
+      m_verdict{new PlainLabel{this}},
+      m_stylus{new PlainLabel{this}},
       m_take{new QPushButton{tr("&Take this point"), this}}
 {
     m_points->setObjectName(QStringLiteral("checks"));
@@ -70,7 +72,7 @@ void VerifyPage::fillPoints()
             QFont font = item->font();
             font.setBold(isNext);
             item->setFont(font);
-            item->setToolTip(text); // a long name may not fit
+            item->setToolTip(shownAsIs(text)); // a long name may not fit
             m_points->setItem(row, column, item);
         };
         put(PlaceColumn, point.name);

@@ -8,6 +8,7 @@
 #include "ui/panels/people_menus.h"
 #include "ui/panels/section_panel.h"
 #include "ui/tracker/tracker_panel.h"
+#include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QActionGroup>
@@ -38,7 +39,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_tracker{new QDockWidget{tr("Tracker"), this}},
       m_partsPanel{new PartsPanel},
       m_section{new SectionPanel},
-      m_notices{new QLabel{this}, new QLabel{this}},
+      m_notices{new PlainLabel{this}, new PlainLabel{this}},
       m_headset{headset},
       m_people{people},
       m_chinProbe{chinProbe},
@@ -54,7 +55,6 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     makeTracker(std::move(tracker));
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
-        notice->setTextFormat(Qt::PlainText);      // names and licences come from elsewhere
         notice->setAlignment(Qt::AlignCenter);
         notice->setAutoFillBackground(true);
         notice->setMargin(kNoticeMargin);

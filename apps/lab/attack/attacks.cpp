@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <ranges>
 
 namespace carina::lab
 {
@@ -28,15 +29,16 @@ protected:
     {
         std::vector<WireRecord> proposals;
         for (int i = 0; i < kProposals; ++i)
-            proposals.emplace_back(toRecord(Proposal{
-                ProposalId{m_random()}, kNobody, intruder.station(), body(*intruder.welcome())}));
+            proposals.emplace_back(toRecord(
+                Proposal{ProposalId{m_random()}, kNobody, intruder.station(), body(intruder)}));
         intruder.send(proposals);
     }
 
 private:
     static constexpr int kProposals = 100;
 
-    [[nodiscard]] virtual FactBody body(const Welcome& welcome) = 0;
+    /// @pre it was welcomed
+    [[nodiscard]] virtual FactBody body(const Intruder& intruder) = 0;
 };
 
 class Leaving : public Proposing
@@ -45,22 +47,38 @@ public:
     explicit Leaving(const Target& target) : Proposing{target, Role::Observer} {}
 
 private:
-    FactBody body(const Welcome& welcome) override
+    FactBody body(const Intruder& intruder) override
     {
-        return fact::ParticipantLeft{welcome.participant};
+        return fact::ParticipantLeft{intruder.welcome()->participant};
     }
 };
 
+/// Shares ever more tubes, and hands them over to the host in turn, to make room for the next.
 class Sharing : public Proposing
 {
 public:
     explicit Sharing(const Target& target) : Proposing{target, Role::Trainee} {}
 
 private:
-    FactBody body(const Welcome& welcome) override
+    static constexpr ParticipantId kHost{0};
+
+    FactBody body(const Intruder& intruder) override
     {
-        return fact::ObjectShared{ObjectId{}, welcome.participant, ObjectKind::Tube,
-                                  std::to_string(m_random())};
+        const ParticipantId self = intruder.welcome()->participant;
+        if (m_random() % 2 == 0)
+            if (const auto shared = newestOf(intruder, self))
+                return fact::ObjectHandedOver{*shared, kHost, 1};
+        return fact::ObjectShared{ObjectId{}, self, ObjectKind::Tube, std::to_string(m_random())};
+    }
+    static std::optional<ObjectId> newestOf(const Intruder& intruder, ParticipantId self)
+    {
+        for (const FactRecord& record : intruder.facts() | std::views::reverse) {
+            const auto fact = fromRecord(record);
+            const auto* shared = fact ? std::get_if<fact::ObjectShared>(&fact->body) : nullptr;
+            if (shared && shared->owner == self)
+                return shared->object;
+        }
+        return std::nullopt;
     }
 };
 
@@ -70,7 +88,25 @@ public:
     explicit Breathing(const Target& target) : Proposing{target, Role::Trainee} {}
 
 private:
-    FactBody body(const Welcome&) override { return fact::ManikinBreathed{}; }
+    FactBody body(const Intruder& intruder) override
+    {
+        return fact::ManikinBreathed{intruder.sessionNow()};
+    }
+};
+
+/// Chooses the place where it is, and states the registration that it has, without end.
+class Repeating : public Proposing
+{
+public:
+    explicit Repeating(const Target& target) : Proposing{target, Role::Trainee} {}
+
+private:
+    FactBody body(const Intruder& intruder) override
+    {
+        if (m_random() % 2 == 0)
+            return fact::RegistrationStated{{RegistrationState::Good, {}, millimetres(1.0)}};
+        return fact::PlaceChosen{intruder.welcome()->participant, {}};
+    }
 };
 
 /// Decides without end what an instructor may decide about the patient.
@@ -80,7 +116,7 @@ public:
     explicit Instructing(const Target& target) : Proposing{target, Role::Instructor} {}
 
 private:
-    FactBody body(const Welcome&) override
+    FactBody body(const Intruder&) override
     {
         const double share = 0.01 * double(m_random() % 100);
         switch (m_random() % 4) {
@@ -109,7 +145,7 @@ public:
     explicit NewCodes(const Target& target) : Proposing{target, Role::Instructor} {}
 
 private:
-    FactBody body(const Welcome&) override { return fact::RoleCodeChanged{Role::Observer}; }
+    FactBody body(const Intruder&) override { return fact::RoleCodeChanged{Role::Observer}; }
 };
 
 /// Shares a tube and streams samples of it that are ahead of the session.
@@ -352,44 +388,53 @@ std::span<const AttackKind> attackKinds()
     // second the shares and the pot of trainees of one address, and a tenth (sharedLimitsOf).
     constexpr double kCrowd = 12.0 * (2.0 + 8.0) + 2.0 * 40.0;
     constexpr double kCrowdPerS = 88.0;
+    // Breaths of a manikin in a second, see kShortestBreath.
+    constexpr double kBreathing = 1.2;
+    // Two tubes, and what they are handed over.
+    constexpr double kSharing = 4.0;
+    // Idle ones that the host keeps for a code.
+    constexpr double kIdlePaths = 64.0;
     static constexpr std::array kKinds{
         AttackKind{"leaving", "an observer proposes that it leaves, without end", kComings, 0.0,
-                   begin<Leaving>},
-        AttackKind{"sharing", "a trainee shares ever more tubes", kComings + 8.0, 0.0,
-                   begin<Sharing>},
+                   0.0, begin<Leaving>},
+        AttackKind{"sharing", "a trainee shares ever more tubes, and hands them over to the host",
+                   kComings + kSharing, 0.0, 0.0, begin<Sharing>},
         AttackKind{"breathing", "a trainee proposes breaths of the manikin without end", kComings,
-                   22.0, begin<Breathing>},
+                   kBreathing, 0.0, begin<Breathing>},
+        AttackKind{"repeating", "a trainee proposes the place and the registration that it has",
+                   kComings + 1.0, 0.0, 0.0, begin<Repeating>},
         AttackKind{"impostor", "a trainee says Hello with the join of one who is present", kComings,
-                   0.0, beginImpostor},
+                   0.0, 0.0, beginImpostor},
         AttackKind{"false-token",
                    "one says that it is a trainee who is present, whose name and number it knows, "
                    "without the token",
-                   kComings, 0.0, beginFalseToken},
-        AttackKind{"client-hellos", "ClientHellos without a cookie", kComings, 0.0,
+                   kComings, 0.0, 0.0, beginFalseToken},
+        AttackKind{"client-hellos", "ClientHellos without a cookie", kComings, 0.0, 0.0,
                    begin<ClientHellos>},
-        AttackKind{"paths", "an observer opens paths and says no Hello", kComings, 0.0,
+        AttackKind{"paths", "an observer opens paths and says no Hello", kComings, 0.0, kIdlePaths,
                    begin<IdlePaths>},
         AttackKind{"false-tube", "a trainee streams a second tube, 12 ms ahead of the session",
-                   kComings, 0.0, begin<FalseTube>},
+                   kComings, 0.0, 0.0, begin<FalseTube>},
         AttackKind{"shown", "a trainee tells without end where its tube was shown", kComings + 1.0,
-                   0.0, beginShowing},
+                   0.0, 0.0, beginShowing},
         AttackKind{"crowd", "a trainee asks for tubes under twelve names, each within its budget",
-                   kComings + kCrowd, kCrowdPerS, beginCrowd},
+                   kComings + kCrowd, kCrowdPerS, 0.0, beginCrowd},
         AttackKind{"strangers",
                    "datagrams over paths with an observer's code over which nobody comes in",
-                   kComings, 0.0, beginStrangers},
-        AttackKind{"actions", "a trainee acts on what is not its own", kComings, 0.0,
+                   kComings, 0.0, kIdlePaths, beginStrangers},
+        AttackKind{"actions", "a trainee acts on what is not its own", kComings, 0.0, 0.0,
                    begin<ForeignActions>},
         AttackKind{"names", "a trainee comes in under ever new names over one path", kComings, 0.0,
-                   begin<Names>},
-        AttackKind{"garbage", "an observer sends bytes at random", kComings, 0.0, begin<Garbage>},
+                   0.0, begin<Names>},
+        AttackKind{"garbage", "an observer sends bytes at random", kComings, 0.0, 0.0,
+                   begin<Garbage>},
         AttackKind{"instructing", "an instructor changes the patient and its breathing without end",
-                   kComings + 2.0 * kInstructing, kInstructing, begin<Instructing>},
+                   kComings + 2.0 * kInstructing, kInstructing, 0.0, begin<Instructing>},
         AttackKind{"together", "sixteen attackers, in all these ways at once",
-                   16.0 * kComings + 2.0 * kInstructing + kCrowd,
-                   44.0 + 2.0 * kInstructing + kCrowdPerS, begin<Together>},
+                   16.0 * kComings + 2.0 * (kSharing + kInstructing) + kCrowd,
+                   2.0 * kBreathing + 2.0 * kInstructing + kCrowdPerS, kIdlePaths, begin<Together>},
         AttackKind{"new-codes", "an instructor gives observers a new code without end", kComings,
-                   2.0, begin<NewCodes>}};
+                   2.0, 0.0, begin<NewCodes>}};
     return kKinds;
 }
 

@@ -40,6 +40,7 @@ struct AttackKind {
     const char* what; ///< for the help: what is done, and with whose code
     double mostFacts; ///< that may come of it, whatever its length
     double factsPerS; ///< and beside these, in a second
+    double mostPaths; ///< that it leaves at the host for a while
     std::unique_ptr<Attack> (*begin)(const Target& target);
 };
 

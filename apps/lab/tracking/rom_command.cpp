@@ -10,8 +10,6 @@ namespace carina::lab
 namespace
 {
 
-constexpr FileLimit kRomLimit{"a tool definition", 64 * 1024};
-
 namespace rom_key
 {
 constexpr Key kFile{"file", "FILE as given"};
@@ -56,7 +54,7 @@ Result<QJsonObject> describe(const Words& words)
     if (words.files().size() != 1)
         return words.refuse(QStringLiteral("needs FILE."));
     const QString file = words.files()[0];
-    return readWholeFile(file.toStdString(), kRomLimit)
+    return readWholeFile(file.toStdString(), kDefinitionLimit)
         .and_then([&](const std::string& bytes) {
             return NdiToolDefinition::read(std::as_bytes(std::span{bytes}))
                 .map_error([&](const Error& error) {

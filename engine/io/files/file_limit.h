@@ -28,6 +28,8 @@ inline constexpr FileLimit kMaterialLimit{"a material", 16 * kMebibyte};
 /// JSON files: sites, manikins, catalogues of landmarks, corrections; and lists of landmarks,
 /// manifests and notes beside surfaces.
 inline constexpr FileLimit kDescriptionLimit{"a description", 16 * kMebibyte};
+/// What a tracker has to know of a tool: .rom files, of 752 bytes.
+inline constexpr FileLimit kDefinitionLimit{"a tool definition", kMebibyte / 16};
 /// Certificates, private keys, join codes and tokens.
 inline constexpr FileLimit kCredentialLimit{"a certificate, key or code", kMebibyte};
 /// Tables and recordings that are measured with: CSV, configurations, waveforms, traces.

@@ -1,5 +1,6 @@
 #include "engine/io/site/tracker_file.h"
 
+#include "engine/io/files/folder_path.h"
 #include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
 
@@ -12,7 +13,6 @@ namespace
 {
 
 const QString kTrackerSchema = QStringLiteral("carina.tracker/1");
-constexpr FileLimit kDefinitionLimit{"a tool definition", 64 * 1024};
 constexpr int kSlowestRate = 9600;
 constexpr std::array kKindWords{"ndi"};
 constexpr std::array kPoseWords{"TX", "BX", "BX2"};
@@ -83,7 +83,8 @@ Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file)
         described.tools.push_back(named.tool);
         if (named.definition.empty())
             continue;
-        auto definition = readToolDefinition(file.parent_path() / named.definition);
+        auto definition =
+            pathWithin(file.parent_path(), named.definition).and_then(&readToolDefinition);
         if (!definition)
             return tl::unexpected(definition.error());
         described.tools.back().definition = *std::move(definition);

@@ -90,7 +90,8 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
         return tl::unexpected(who ? proposal.error() : who.error());
     const auto& participants = m_ledger.decided().state().participants();
     const auto known = participants.find(who->participant);
-    if (known == participants.end() && !m_newcomers.take(1.0, kNewcomers, now)) {
+    const Role role = std::get<fact::ParticipantJoined>(proposal->body).role; // by identify
+    if (known == participants.end() && !m_newcomers[role].take(1.0, kNewcomers, now)) {
         m_paths.idleFrom(from, now);
         return std::nullopt;
     }

@@ -5,6 +5,7 @@
 #include "engine/net/node/host_paths.h"
 
 #include <functional>
+#include <map>
 
 namespace carina
 {
@@ -17,7 +18,7 @@ namespace carina
 class HostEntry
 {
 public:
-    /// New participants in a second; twice as many at once.
+    /// New participants of a role in a second; twice as many at once.
     static constexpr double kNewcomers = 40.0;
 
     /// Enters what is decided on a join. @returns the number of its fact
@@ -52,7 +53,7 @@ private:
     const FactLedger& m_ledger;
     HostAccess& m_access;
     HostPaths& m_paths;
-    TokenBucket m_newcomers;
+    std::map<Role, TokenBucket> m_newcomers; // so that one role's do not keep out another's
 };
 
 } // namespace carina

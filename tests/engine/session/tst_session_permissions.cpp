@@ -22,6 +22,8 @@ private Q_SLOTS:
     void refusesANameThatLooksLikeAnothers();
     void limitsObjectsByRole();
     void takesAsManyAsItsRolesHave();
+    void namesOfOneRoleKeepOutNoOther_data();
+    void namesOfOneRoleKeepOutNoOther();
     void knowsTheStationItIsAbout_data();
     void knowsTheStationItIsAbout();
     void hearsOfAManikinFromThoseWhoAreAtIt();
@@ -89,7 +91,7 @@ void TestSessionPermissions::permitsByRole_data()
     row("chooses the strategy", "yynnnn", [](auto) { return fact::StrategyChosen{}; });
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
     row("places the tube", "yynnnn", [](auto) { return fact::TubePlaced{}; });
-    row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{}; });
+    row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{kNow}; });
     row("states how its registration stands", "yyynnn",
         [](auto) { return fact::RegistrationStated{}; });
     row("leaves a checkpoint", "ynnnnn", [](auto) { return sampleCheckpoint(); });
@@ -121,8 +123,11 @@ void TestSessionPermissions::permitsByRole_data()
     row("takes the tube, or keeps its own", "nyynnn", [](auto id) {
         return fact::ObjectHandedOver{kSampleTube, id, 1};
     });
-    row("gives the tube away", "yyynnn", [](auto) {
+    row("gives the tube to the other trainee, who did not ask", "yynnnn", [](auto) {
         return fact::ObjectHandedOver{kSampleTube, kSampleOtherTrainee, 1};
+    });
+    row("gives the tube to the instructor", "yyynnn", [](auto) {
+        return fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1};
     });
     row("gives the tube to an observer", "nnnnnn", [](auto) {
         return fact::ObjectHandedOver{kSampleTube, kSampleObserver, 1};
@@ -318,12 +323,39 @@ void TestSessionPermissions::takesAsManyAsItsRolesHave()
     QCOMPARE(joining(writer, Role::Trainee), QByteArray{"fine"});
     writer.add(kNow, fact::ParticipantLeft{ParticipantId{101}});
     QCOMPARE(joining(writer, Role::Observer), QByteArray{"fine"});
-    for (std::size_t i = 0; writer.log().size() < 2 * kMostParticipants; ++i) {
+}
+
+/// Who has an observer's code could shut the session to every newcomer, by 1024 names.
+void TestSessionPermissions::namesOfOneRoleKeepOutNoOther_data()
+{
+    QTest::addColumn<Role>("role");
+    QTest::newRow("observers") << Role::Observer;
+    QTest::newRow("trainees") << Role::Trainee;
+    QTest::newRow("instructors") << Role::Instructor;
+}
+
+void TestSessionPermissions::namesOfOneRoleKeepOutNoOther()
+{
+    QFETCH(const Role, role);
+    LogWriter writer = sampleSession();
+    const auto names = [&] {
+        const SessionState state = stateOf(writer);
+        return std::size_t(std::ranges::count_if(
+            state.participants(), [&](const auto& entry) { return entry.second.role == role; }));
+    };
+    for (std::size_t i = names(); i < mostNamesOf(role); ++i) {
         const ParticipantId id{std::uint16_t(1000 + i)};
-        writer.add(kNow, fact::ParticipantJoined{id, Role::Trainee, "t" + std::to_string(i)});
+        writer.add(kNow, fact::ParticipantJoined{id, role, "n" + std::to_string(i)});
         writer.add(kNow, fact::ParticipantLeft{id});
     }
-    QCOMPARE(joining(writer, Role::Trainee), QByteArray{"session full"});
+    QCOMPARE(names(), mostNamesOf(role));
+    const SessionAuthority authority{writer.log()};
+    const auto joining = [&](Role as, const char* name) {
+        return verdict(judgeBy(authority, kNobody, fact::ParticipantJoined{{}, as, name}));
+    };
+    for (const Role as : {Role::Instructor, Role::Trainee, Role::Observer})
+        QCOMPARE(joining(as, "One more"), QByteArray{as == role ? "session full" : "fine"});
+    QCOMPARE(joining(Role::Trainee, "Tom"), QByteArray{"fine"}); // comes back
 }
 
 void TestSessionPermissions::knowsTheStationItIsAbout_data()
@@ -341,7 +373,7 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
         "station unknown");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "station unknown");
     row("work", fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}, "fine", "out of range");
-    row("place", fact::PlaceChosen{kSampleTrainee, {}}, "fine", "station unknown");
+    row("place", fact::PlaceChosen{kSampleTrainee, degrees(90.0)}, "fine", "station unknown");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "station unknown");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "station unknown");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "station unknown");

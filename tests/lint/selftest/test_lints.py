@@ -10,6 +10,7 @@ import format as format_lint
 import layers
 import links
 import pages
+import rich_text
 import size
 import words
 
@@ -54,6 +55,52 @@ class Tree(unittest.TestCase):
         file = (root or self.root) / path
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
+
+
+class RichText(Tree):
+    DESIGNER = ('<ui version="4.0"><widget class="QWidget" name="panel">'
+                '<widget class="QLabel" name="owner"><property name="textFormat">'
+                '<enum>Qt::PlainText</enum></property></widget></widget></ui>')
+    SCREEN = ("auto* name = new PlainLabel{row.name};\n"
+              'name->setToolTip(tr("Who takes part (by name), "\n"and \\"where\\""));\n'
+              'name->setToolTip(isFull ? tr("No more") : shownAsIs(row.name));\n'
+              "QMessageBox box;\nbox.setText(shownAsIs(errorText(error)));\n"
+              "if (role == Qt::ToolTipRole && !row.reason.isEmpty())\n"
+              "    return shownAsIs(row.reason);\n")
+
+    def setUp(self):
+        super().setUp()
+        self.write("ui/panel.ui", self.DESIGNER)
+        self.write("ui/panel.cpp", self.SCREEN)
+
+    def one_fault(self, path, before, after):
+        text = (self.root / path).read_text(encoding="utf-8")
+        self.assertIn(before, text)
+        self.write(path, text.replace(before, after))
+        faults = rich_text.faults_of(self.root)
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn(path, faults[0])
+
+    def test_a_right_tree_has_no_fault(self):
+        self.assertEqual(rich_text.faults_of(self.root), [])
+
+    def test_refuses_a_label_of_qt(self):
+        self.one_fault("ui/panel.cpp", "new PlainLabel", "new QLabel")
+
+    def test_refuses_a_label_of_designer_without_a_format(self):
+        self.one_fault("ui/panel.ui", "Qt::PlainText", "Qt::AutoText")
+
+    def test_refuses_a_name_in_a_tooltip(self):
+        self.one_fault("ui/panel.cpp", "shownAsIs(row.name)", "row.name")
+
+    def test_refuses_an_argument_in_a_tooltip(self):
+        self.one_fault("ui/panel.cpp", 'where\\""))', 'where\\"").arg(row.name))')
+
+    def test_refuses_an_error_in_a_message_box(self):
+        self.one_fault("ui/panel.cpp", "shownAsIs(errorText(error))", "errorText(error)")
+
+    def test_refuses_a_reason_in_the_tooltip_of_a_model(self):
+        self.one_fault("ui/panel.cpp", "return shownAsIs(row.reason)", "return row.reason")
 
 
 class Layers(Tree):

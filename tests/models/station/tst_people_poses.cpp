@@ -37,7 +37,7 @@ FakeSessionNode session(ParticipantId self = FakeSessionNode::kInstructor)
          {std::pair{kTom, ObjectKind::Head}, std::pair{kTom, ObjectKind::Hand},
           std::pair{kTess, ObjectKind::Tube}, std::pair{kTess, ObjectKind::Head},
           std::pair{kTess, ObjectKind::Hand}})
-        node.decide(fact::ObjectShared{{}, owner, kind, ""});
+        node.decide(fact::ObjectShared{{}, owner, kind, "object"});
     for (const ObjectId object : {kTomsTube, kTomsHead, kTomsHand, kTessTube, kTessHead, kTessHand})
         node.sees(object, at(object.value), kNow);
     return node;
@@ -118,6 +118,24 @@ private Q_SLOTS:
         QCOMPARE(tube(), kTessTube);
         node.decide(fact::ParticipantLeft{kTess});
         QCOMPARE(tube(), ObjectId{});
+    }
+
+    /// A tube that was shared before, and is then handed to who is at work, took theirs away.
+    void worksWithTheirOwnTubeAndNotWithOneHandedToThem()
+    {
+        FakeSessionNode node = session();
+        const auto tube = [&] {
+            const auto people = peoplePoses(node, FakeSessionNode::kStation, {}, kNow);
+            return atWork(people, ObjectKind::Tube)->object;
+        };
+        node.decide(fact::WorkTaken{kTess, kTom});
+        node.decide(fact::ObjectWanted{kTomsTube}, kTess);
+        node.decide(fact::ObjectHandedOver{kTomsTube, kTess, 1}, kTom);
+        QVERIFY(node.state()->objects().at(kTomsTube).owner == kTess);
+        QCOMPARE(tube(), kTessTube);
+        // Who has no tube of their own works with what they were given.
+        node.decide(fact::ObjectHandedOver{kTessTube, FakeSessionNode::kInstructor, 1}, kTess);
+        QCOMPARE(tube(), kTomsTube);
     }
 
     /// 90 degrees about +y take the patient's head end, +z, to the patient's left, +x.

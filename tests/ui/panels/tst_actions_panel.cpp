@@ -150,8 +150,9 @@ void TestActionsPanel::givesItToWhomIsChosen()
 {
     Desk desk{FakeSessionNode::kTrainee};
     desk.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tess"});
+    desk.node.decide(fact::ObjectWanted{kPatient}, ParticipantId{4});
     desk.deliver();
-    desk.choose("heir", 1); // after Ina
+    desk.choose("heir", 0); // before Ina, who did not ask
     desk.button("handOver").click();
     desk.deliver();
     QCOMPARE(desk.words("owner"), QStringLiteral("◆ Tess"));
@@ -163,11 +164,13 @@ void TestActionsPanel::keepsTheChosenHeirWhileOthersCome()
     Desk desk{FakeSessionNode::kTrainee};
     desk.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tess"});
     desk.deliver();
-    desk.choose("heir", 1);
+    desk.choose("heir", 0);
     desk.node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ivo"});
+    desk.node.decide(fact::ObjectWanted{kPatient}, ParticipantId{4});
     desk.deliver();
     QCOMPARE(desk.find<QComboBox>("heir").count(), 3);
-    QCOMPARE(desk.find<QComboBox>("heir").currentText(), QStringLiteral("Tess"));
+    QCOMPARE(desk.find<QComboBox>("heir").itemText(0), QStringLiteral("Tess"));
+    QCOMPARE(desk.find<QComboBox>("heir").currentText(), QStringLiteral("Ina"));
 }
 
 void TestActionsPanel::asksAndTakesTheWishBack()

@@ -1,5 +1,7 @@
 #include "widgets/scene/labels/picture_label.h"
 
+#include "widgets/plain_label.h"
+
 #include <QLabel>
 #include <QWindow>
 
@@ -15,10 +17,9 @@ constexpr const char* kLabelStyle = "QLabel { color: #ffffff; background: #10181
 
 QLabel* pictureLabel(QWidget& over, const QString& word)
 {
-    auto* label = new QLabel{word, &over};
+    auto* label = new PlainLabel{word, &over};
     label->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    label->setTextFormat(Qt::PlainText); // names come from files
     label->setStyleSheet(QString::fromLatin1(kLabelStyle));
     label->setAutoFillBackground(true);
     label->setMargin(kLabelMargin);

@@ -41,11 +41,12 @@ public:
                     + more + R"("tools": )" + tools + "}");
     }
 
-private:
     [[nodiscard]] std::string pathOf(const char* name) const
     {
         return m_folder.filePath(QString::fromLatin1(name)).toStdString();
     }
+
+private:
     void write(const char* name, const std::string& bytes) const
     {
         std::ofstream{pathOf(name), std::ios::binary} << bytes;
@@ -186,6 +187,48 @@ private Q_SLOTS:
         const auto tracker = Folder{}.read(R"({"schema": "carina.site/1"})");
         QVERIFY(!tracker);
         QCOMPARE(tracker.error().code, Errc::UnknownFormat);
+    }
+
+    /// A description names only what lies beside it: no file of somebody else's, not even by a
+    /// link.
+    void takesNoDefinitionFromElsewhere_data()
+    {
+        QTest::addColumn<QByteArray>("definition");
+        QTest::newRow("a path from the root") << QByteArray{"ELSEWHERE/tube.rom"};
+        QTest::newRow("upwards") << QByteArray{"../NEIGHBOUR/tube.rom"};
+        QTest::newRow("a link") << QByteArray{"link.rom"};
+    }
+
+    void takesNoDefinitionFromElsewhere()
+    {
+        QFETCH(QByteArray, definition);
+        const Folder elsewhere;
+        const Folder folder;
+        const std::filesystem::path other =
+            std::filesystem::path{elsewhere.pathOf("tube.rom")}.parent_path();
+        std::filesystem::create_symlink(elsewhere.pathOf("tube.rom"), folder.pathOf("link.rom"));
+        definition.replace("ELSEWHERE", other.c_str());
+        definition.replace("NEIGHBOUR", other.filename().c_str());
+        std::string tools = R"([{"name": "a", "role": "tube", "definition": "NAMED"}])";
+        tools.replace(tools.find("NAMED"), 5, definition.toStdString());
+        const auto tracker = folder.readWith("", tools);
+        QVERIFY(!tracker);
+        QCOMPARE(tracker.error().code, Errc::FileUnreadable);
+        QVERIFY(tracker.error().detail.find("tube.rom") != std::string::npos
+                || tracker.error().detail.find("link.rom") != std::string::npos);
+    }
+
+    /// As it is started with a description in the present folder.
+    void findsADefinitionBesideADescriptionWithoutAFolder()
+    {
+        const Folder folder;
+        QVERIFY(folder.readWith(""));
+        const std::filesystem::path before = std::filesystem::current_path();
+        std::filesystem::current_path(
+            std::filesystem::path{folder.pathOf("tracker.json")}.parent_path());
+        const auto tracker = readTrackerFile("tracker.json");
+        std::filesystem::current_path(before);
+        QVERIFY2(tracker, tracker ? "" : tracker.error().detail.c_str());
     }
 };
 

@@ -1,0 +1,54 @@
+#include "engine/net/node/host_entry.h"
+#include "tests/engine/net/node/driver_world.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+
+namespace carina::newcomers_test
+{
+namespace
+{
+
+std::ptrdiff_t present(const NodeBoard& board, Role role)
+{
+    return std::ranges::count_if(board.state()->participants(), [role](const auto& entry) {
+        const Participant& participant = entry.second;
+        return participant.present && participant.role == role && participant.id.value != 0;
+    });
+}
+
+} // namespace
+
+/// How fast a host admits those who are new.
+class TestNewcomers : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Who had one role's code kept everybody out for as long as it sent new names.
+    void aCrowdOfOneRoleKeepsOutNoOther()
+    {
+        constexpr int kCrowd = 120;
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        QVERIFY(world.host);
+        for (int i = 0; i < kCrowd; ++i)
+            world.add("Guest " + std::to_string(i), Role::Trainee);
+        world.run(20ms);
+        const auto inAtOnce = std::ptrdiff_t(2.0 * HostEntry::kNewcomers);
+        QVERIFY(present(world.board, Role::Trainee) >= inAtOnce);
+        QVERIFY(present(world.board, Role::Trainee) < kCrowd);
+        world.add("Ina", Role::Instructor);
+        world.add("Olga", Role::Observer);
+        world.run(20ms);
+        QCOMPARE(present(world.board, Role::Instructor), std::ptrdiff_t{1});
+        QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t{1});
+        QVERIFY(present(world.board, Role::Trainee) < kCrowd);
+    }
+};
+
+CARINA_TEST(TestNewcomers)
+
+} // namespace carina::newcomers_test
+
+#include "tst_newcomers.moc"

@@ -1,0 +1,116 @@
+#include "engine/session/facts/fact_rules.h"
+#include "engine/session/news_rules.h"
+#include "tests/engine/session/facts/judging.h"
+#include "tests/support/test_class.h"
+
+#include <QTest>
+
+namespace carina::test::news_rules_test
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+constexpr StationId kSecondStation{1};
+
+QByteArray judged(const LogWriter& writer, ParticipantId author, const FactBody& body,
+                  StationId station = kSampleStation)
+{
+    return verdict(judgeBy(SessionAuthority{writer.log()}, author, body, station));
+}
+
+} // namespace
+
+class TestNewsRules : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aRegistrationIsStatedOnceForEachStay()
+    {
+        const fact::RegistrationStated good{{RegistrationState::Good, {}, millimetres(2.0)}};
+        const fact::RegistrationStated worse{{RegistrationState::Good, {}, millimetres(2.5)}};
+        LogWriter writer = sampleSession();
+        QCOMPARE(judged(writer, kSampleTrainee, good), QByteArray{"fine"});
+        writer.add(kNow, good, kSampleStation, kSampleTrainee);
+        QCOMPARE(judged(writer, kSampleTrainee, good), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleOtherTrainee, good), QByteArray{"fine"});
+        QCOMPARE(judged(writer, kSampleTrainee, worse), QByteArray{"fine"});
+        writer.add(kNow, fact::ParticipantJoined{kSampleTrainee, Role::Trainee, "Tom"});
+        QCOMPARE(judged(writer, kSampleTrainee, good), QByteArray{"fine"});
+    }
+
+    void aPlaceIsChosenWhereItIsAnother()
+    {
+        const fact::PlaceChosen beside{kSampleTrainee, degrees(90.0)};
+        LogWriter writer = sampleSession();
+        QCOMPARE(judged(writer, kSampleTrainee, fact::PlaceChosen{kSampleTrainee, {}}),
+                 QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleTrainee, beside), QByteArray{"fine"});
+        writer.add(kNow, beside);
+        for (const ParticipantId who : {kSampleTrainee, kSampleInstructor})
+            QCOMPARE(judged(writer, who, beside), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleTrainee, fact::PlaceChosen{kSampleTrainee, {}}),
+                 QByteArray{"fine"});
+    }
+
+    /// Whoever hears it: two programs at one manikin hear the same breath.
+    void aManikinBreathesNoFasterThanItCanBeSet()
+    {
+        LogWriter writer = sampleSession();
+        writer.add(kNow, fact::StationAdded{"Station 2"}, kSecondStation);
+        writer.add(kNow, fact::ManikinBreathed{kNow - 2s});
+        const auto heard = [&](SessionTime began, ParticipantId who = kSampleTrainee) {
+            return judged(writer, who, fact::ManikinBreathed{began});
+        };
+        const Duration fastest = fromSeconds(60.0 / inPerMinute(kFastestBreathing));
+        QCOMPARE(heard(kNow - 2s), QByteArray{"out of range"});
+        QCOMPARE(heard(kNow - 2s + fastest / 2), QByteArray{"out of range"});
+        QCOMPARE(heard(kNow - 2s + fastest / 2, kSampleInstructor), QByteArray{"out of range"});
+        QCOMPARE(heard(kNow - 3s), QByteArray{"out of range"}); // before the last
+        QCOMPARE(heard(kNow - 2s + fastest), QByteArray{"fine"});
+        QCOMPARE(
+            judged(writer, kSampleInstructor, fact::ManikinBreathed{kNow - 2s}, kSecondStation),
+            QByteArray{"fine"});
+    }
+
+    /// One that has no effect on the breathing is not heard either.
+    void aBreathIsOfThePresent()
+    {
+        const LogWriter writer = sampleSession();
+        const auto heard = [&](SessionTime began) {
+            return judged(writer, kSampleTrainee, fact::ManikinBreathed{began});
+        };
+        QCOMPARE(heard(SessionTime{}), QByteArray{"out of range"});
+        QCOMPARE(heard(kNow + kShortestLead - kLongestNews), QByteArray{"fine"});
+        QCOMPARE(heard(kNow + kShortestLead - kLongestNews - 1ns), QByteArray{"out of range"});
+        QCOMPARE(heard(kNow + kShortestLead), QByteArray{"fine"});
+        QCOMPARE(heard(kNow + kShortestLead + 1ns), QByteArray{"out of range"});
+    }
+
+    /// As many in a minute as the fastest breathing has, and a tenth, however many are proposed.
+    void aFloodOfBreathsIsOneForEachBreath()
+    {
+        LogWriter writer = sampleSession();
+        SessionAuthority authority{writer.log()};
+        int entered = 0;
+        std::uint64_t number = 5000;
+        for (SessionTime now = kNow; now < kNow + 60s; now += 50ms) {
+            const auto fact = authority.judge(
+                {ProposalId{++number}, kSampleTrainee, kSampleStation, fact::ManikinBreathed{now}},
+                now, kNear);
+            if (!fact)
+                continue;
+            authority.commit(*fact);
+            ++entered;
+        }
+        QVERIFY2(entered >= 60 && entered <= 67, qPrintable(QString::number(entered)));
+    }
+};
+
+CARINA_TEST(TestNewsRules)
+
+} // namespace carina::test::news_rules_test
+
+#include "tst_news_rules.moc"

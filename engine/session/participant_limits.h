@@ -13,11 +13,15 @@ namespace carina
 /// acknowledges. docs/security.md has the table.
 [[nodiscard]] PeerLimits limitsOf(Role role);
 
-/// Objects that one participant may have shared.
+/// Objects that one participant may have shared, without what was lifted out.
 [[nodiscard]] std::size_t mostObjectsOf(Role role);
 /// Objects of one kind that a trainee may have shared: who acts in `carina-lab drift --live` has
 /// two.
 inline constexpr std::size_t kMostOfAKind = 2;
+/// Objects of a station that can be lifted out.
+inline constexpr std::size_t kMostLiftables = 12;
+/// Groups of organs that a trainee may hold.
+inline constexpr std::size_t kMostGroupsHeld = 4;
 
 /// Open stations of a session.
 inline constexpr std::size_t kMostStations = 8;

@@ -3,6 +3,7 @@
 #include "engine/session/conduct_rules.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/plain_name.h"
+#include "engine/session/object_rules.h"
 #include "engine/session/participant_limits.h"
 #include "engine/session/people_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
@@ -76,32 +77,16 @@ Result<void> checkParticipant(const SessionState& state, ParticipantId id)
     return {};
 }
 
-Result<void> checkObject(const SessionState& state, ObjectId id)
+/// What stays at its station is another object at each; who has it does not matter for what can be
+/// lifted out.
+bool isSameObject(const SharedObject& known, StationId station, const fact::ObjectShared& shared)
 {
-    if (!state.objects().contains(id))
-        return fail(Errc::OutOfRange, "object " + std::to_string(id.value));
-    return {};
+    return known.kind == shared.kind && known.name == shared.name
+           && (isLiftable(known.kind) || known.owner == shared.owner)
+           && (isCarried(known.kind) || known.station == station);
 }
 
-/// Compare and set: of several at once the first holds, and the others see that it did.
-Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOver& handed)
-{
-    if (const auto known = checkObject(state, handed.object); !known)
-        return known;
-    const SharedObject& object = state.objects().at(handed.object);
-    const auto owner = state.participants().find(handed.owner);
-    if (const auto known = checkParticipant(state, handed.owner); !known)
-        return known;
-    const bool isElsewhere =
-        owner->second.role == Role::Trainee && owner->second.station != object.station;
-    if (owner->second.role == Role::Observer || isElsewhere)
-        return fail(Errc::NotPermitted, owner->second.name);
-    if (object.epoch != handed.epoch)
-        return fail(Errc::OwnerChanged, object.name);
-    return {};
-}
-
-Result<void> settleIds(const SessionState& state, FactBody& body)
+Result<void> settleIds(const SessionState& state, StationId station, FactBody& body)
 {
     return std::visit(
         Overloaded{
@@ -115,12 +100,11 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
             [&](fact::ObjectShared& shared) {
                 return settleId(shared.object, state.objects(), "object",
                                 [&](const SharedObject& known) {
-                                    return known.kind == shared.kind && known.name == shared.name
-                                           && known.owner == shared.owner;
+                                    return isSameObject(known, station, shared);
                                 });
             },
             [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, handed); },
-            [&](fact::ObjectWanted& wanted) { return checkObject(state, wanted.object); },
+            [&](fact::ObjectWanted& wanted) { return checkWish(state, wanted); },
             [&](fact::ParticipantMoved& moved) {
                 return checkParticipant(state, moved.participant);
             },
@@ -129,8 +113,9 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
 }
 
 /// What a trainee may do: state how their registration stands, choose where others see them, and
-/// for the station they are at share what is their own, ask for what is not, say when the manikin
-/// breathes, and pass on the work that they do. An observer may do nothing.
+/// for the station they are at share what is their own, ask for what is not, lift out what is in
+/// its place, say when the manikin breathes, and pass on the work that they do. An observer may do
+/// nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
@@ -142,30 +127,29 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         return chosen->participant == author.id;
     if (author.station != station)
         return false;
-    return std::visit(Overloaded{[&](const fact::ObjectShared& f) {
-                                     const auto known = state.objects().find(f.object);
-                                     return f.owner == author.id
-                                            && (known == state.objects().end()
-                                                || known->second.owner == author.id);
-                                 },
-                                 [&](const fact::ObjectHandedOver& f) {
-                                     return state.objects().at(f.object).owner == author.id;
-                                 },
-                                 [&](const fact::ObjectWanted& f) {
-                                     return state.objects().at(f.object).station == station;
-                                 },
-                                 [](const fact::ManikinBreathed&) { return true; },
-                                 [&](const fact::WorkTaken& f) {
-                                     return mayPassOnWork(state, author, station, f);
-                                 },
-                                 [](const auto&) { return false; }},
-                      body);
+    return std::visit(
+        Overloaded{
+            [&](const fact::ObjectShared& f) {
+                const auto known = state.objects().find(f.object);
+                return f.owner == author.id
+                       && (known == state.objects().end() || known->second.owner == author.id);
+            },
+            [&](const fact::ObjectHandedOver& f) { return mayPassOn(state, author, f); },
+            [&](const fact::ObjectWanted& f) {
+                return state.objects().at(f.object).station == station;
+            },
+            [](const fact::ManikinBreathed&) { return true; },
+            [&](const fact::WorkTaken& f) { return mayPassOnWork(state, author, station, f); },
+            [](const auto&) { return false; }},
+        body);
 }
 
-/// Nobody else creates a session, knows all that was decided by the time of a checkpoint, or sees
-/// who comes and goes, and by which token.
+/// Nobody else creates a session, says what can be lifted out, knows all that was decided by the
+/// time of a checkpoint, or sees who comes and goes, and by which token.
 bool isOfTheHostAlone(const FactBody& body)
 {
+    if (const auto* shared = std::get_if<fact::ObjectShared>(&body))
+        return isLiftable(shared->kind);
     return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint, fact::ParticipantJoined,
                    fact::ParticipantLeft, fact::TokenReplaced>(body);
 }
@@ -184,7 +168,7 @@ Result<void> checkNewName(const SessionState& state, const fact::ParticipantJoin
 }
 
 /// As many participants and objects as their roles may have.
-Result<void> checkNumbers(const SessionState& state, const FactBody& body)
+Result<void> checkNumbers(const SessionState& state, StationId station, const FactBody& body)
 {
     if (const auto* joined = std::get_if<fact::ParticipantJoined>(&body)) {
         const auto present =
@@ -200,22 +184,7 @@ Result<void> checkNumbers(const SessionState& state, const FactBody& body)
         return checkNewName(state, *joined);
     }
     const auto* shared = std::get_if<fact::ObjectShared>(&body);
-    if (shared == nullptr || shared->owner == kHost || state.objects().contains(shared->object))
-        return {};
-    std::size_t all = 0;
-    std::size_t ofKind = 0;
-    for (const auto& [id, object] : state.objects())
-        if (object.owner == shared->owner) {
-            ++all;
-            ofKind += object.kind == shared->kind ? 1 : 0;
-        }
-    const auto owner = state.participants().find(shared->owner);
-    if (owner == state.participants().end())
-        return {}; // refused by who may share what
-    const bool isTrainee = owner->second.role == Role::Trainee;
-    if (all >= mostObjectsOf(owner->second.role) || (isTrainee && ofKind >= kMostOfAKind))
-        return fail(Errc::NotPermitted, "no more objects of this kind");
-    return {};
+    return shared ? checkShared(state, station, *shared) : Result<void>{};
 }
 
 Result<void> checkPermission(const SessionState& state, ParticipantId authorId, StationId station,
@@ -323,7 +292,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
               now,
               proposal.body};
     const Result<void> verdict =
-        settleIds(m_state, fact.body)
+        settleIds(m_state, fact.station, fact.body)
             .and_then([&] { return settledStation(m_state, fact.station, fact.body); })
             .map([&](StationId station) { fact.station = station; })
             .and_then([&] { return checkNamed(m_state, fact.body); })
@@ -334,7 +303,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             .and_then([&] { return checkBody(fact.body); })
             .and_then([&] { return checkEntry(m_state, fact.body); })
             .and_then([&] { return checkConduct(m_state, fact.body); })
-            .and_then([&] { return checkNumbers(m_state, fact.body); })
+            .and_then([&] { return checkNumbers(m_state, fact.station, fact.body); })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
             .and_then([&] { return checkStations(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })

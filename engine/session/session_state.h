@@ -47,6 +47,9 @@ struct SharedObject {
     std::string name;
     /// Participants that asked for ownership, in the order of asking.
     std::vector<ParticipantId> wantedBy{};
+    /// Of what can be lifted out: the last epoch in which it was in its place. Actions until then
+    /// are void.
+    std::optional<std::uint16_t> inPlace{};
 };
 
 struct Station {

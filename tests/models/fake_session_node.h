@@ -193,7 +193,7 @@ private:
     /// As the host does it: what goes on goes on in the name of a new owner.
     void share(const SharedObject& object)
     {
-        if (!m_actions.share(object.id, {object.owner, object.epoch}))
+        if (!m_actions.share(object.id, {object.owner, object.epoch, object.inPlace}))
             return;
         if (const EventCpo* last = m_actions.table().newest(object.id))
             m_actions.take(*m_actions.continued(*last), m_now, local());

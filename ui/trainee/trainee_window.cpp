@@ -39,6 +39,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_notices{new QLabel{this}, new QLabel{this}},
       m_headset{headset},
       m_people{people},
+      m_objects{actions.object()},
       m_chinProbe{chinProbe},
       m_standing{std::move(standing)},
       m_stationScene{*m_scene, *patient.patient(), view}
@@ -73,6 +74,7 @@ void TraineeWindow::show(const PatientModel& patient, const StationView& view,
     chinProbe.setMovesManikin(m_chinProbe.movesManikin());
     m_chinProbe = chinProbe;
     m_stationScene.show(patient, view);
+    m_objects.setGroups(patient.groups());
     m_partsPanel->setScene(*m_scene);
     m_section->setScene(*m_scene);
 }
@@ -80,8 +82,9 @@ void TraineeWindow::show(const PatientModel& patient, const StationView& view,
 void TraineeWindow::makeActions(ObjectActionModel& actions)
 {
     auto* panel = new ActionsPanel;
+    m_objects.setGroups(m_stationScene.patient().groups());
     panel->setModel(actions);
-    addPanel(m_actions, panel, tr("&Actions on the patient"));
+    addPanel(m_actions, panel, tr("&Actions on patient and organs"));
 }
 
 void TraineeWindow::makeParts()

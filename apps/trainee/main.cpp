@@ -1,3 +1,4 @@
+#include "apps/program/control_script.h"
 #include "apps/program/entry_option.h"
 #include "apps/program/join_question.h"
 #include "apps/program/journal.h"
@@ -77,6 +78,7 @@ void addOptions(QCommandLineParser& parser)
     program::addSiteOption(parser);
     program::addTrackerOption(parser);
     program::addMeasureOptions(parser);
+    program::addScriptOption(parser);
     program::addJournalOption(parser);
 }
 
@@ -314,6 +316,7 @@ Result<int> run(const QCommandLineParser& parser)
         if (*journal)
             (*journal)->setStation(now);
     });
+    const auto script = program::scriptFromOptions(parser, window);
     return show(window, parser, *options, station);
 }
 

@@ -88,7 +88,11 @@ public:
         announce();
     }
     /// What it is to the host from now on.
-    void becomes(ParticipantId self) { m_self = self; }
+    void becomes(ParticipantId self)
+    {
+        m_self = self;
+        m_actions.setSelf(self);
+    }
     void isRefused(const Error& why) { m_refusal = why; }
     void announce() const
     {

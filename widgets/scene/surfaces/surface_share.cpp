@@ -33,7 +33,7 @@ struct Column {
     const char* name;
     std::size_t offset;
 };
-constexpr std::array kColumns{Column{"vertexPosition", offsetof(SurfaceVertex, position)},
+constexpr std::array kVertexColumns{Column{"vertexPosition", offsetof(SurfaceVertex, position)},
                               Column{"vertexNormal", offsetof(SurfaceVertex, normal)},
                               Column{"vertexColor", offsetof(SurfaceVertex, color)},
                               Column{"vertexPart", offsetof(SurfaceVertex, part)}};
@@ -54,7 +54,7 @@ SurfaceColumns surfaceColumns(const std::vector<SurfaceVertex>& vertices, Qt3DCo
     SurfaceColumns columns;
     auto* buffer = new Qt3DCore::QBuffer{owner};
     buffer->setData(bytesOf(vertices));
-    for (const Column& column : kColumns) {
+    for (const Column& column : kVertexColumns) {
         auto* attribute = new Qt3DCore::QAttribute{owner};
         attribute->setName(QString::fromLatin1(column.name));
         attribute->setAttributeType(Qt3DCore::QAttribute::VertexAttribute);

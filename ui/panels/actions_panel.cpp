@@ -96,8 +96,6 @@ void ActionsPanel::refreshObject()
     offer(*m_ui->heir, heirs);
     m_ui->owner->setText(object.ownerText());
     m_ui->wish->setText(object.wishText());
-    for (QPushButton* button : {m_ui->lift, m_ui->putBack})
-        button->setVisible(object.isLiftable());
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
     m_ui->putBack->setEnabled(object.canPutBack());
     m_ui->lift->setEnabled(object.canLift());

@@ -34,9 +34,9 @@ struct Column {
     std::size_t offset;
 };
 constexpr std::array kVertexColumns{Column{"vertexPosition", offsetof(SurfaceVertex, position)},
-                              Column{"vertexNormal", offsetof(SurfaceVertex, normal)},
-                              Column{"vertexColor", offsetof(SurfaceVertex, color)},
-                              Column{"vertexPart", offsetof(SurfaceVertex, part)}};
+                                    Column{"vertexNormal", offsetof(SurfaceVertex, normal)},
+                                    Column{"vertexColor", offsetof(SurfaceVertex, color)},
+                                    Column{"vertexPart", offsetof(SurfaceVertex, part)}};
 
 Qt3DCore::QAttribute* cornerList(Qt3DCore::QBuffer* corners)
 {

@@ -1,6 +1,6 @@
-#include "apps/instructor/control_script.h"
 #include "apps/instructor/scripted_console.h"
 #include "apps/instructor/shown_station.h"
+#include "apps/program/control_script.h"
 #include "apps/program/entry_option.h"
 #include "apps/program/journal.h"
 #include "apps/program/measurement.h"
@@ -13,6 +13,7 @@
 #include "engine/net/entry/session_identity.h"
 #include "engine/session/station_rules.h"
 #include "engine/sync/strategies/strategy.h"
+#include "models/objects/liftables.h"
 #include "models/patient/new_patient.h"
 #include "models/patient/shared_patient.h"
 #include "models/respiration/checkpoint_keeper.h"
@@ -33,7 +34,6 @@ const QString kCertificate = QStringLiteral("certificate");
 const QString kStrategy = QStringLiteral("strategy");
 const QString kAddStation = QStringLiteral("add-station");
 const QString kPrivateKey = QStringLiteral("private-key");
-const QString kScript = QStringLiteral("script");
 
 QString words(const char* text) { return QApplication::translate("Instructor", text); }
 
@@ -70,11 +70,7 @@ void addOptions(QCommandLineParser& parser)
                       words("Write the codes to join with into this file, for scripts."),
                       QStringLiteral("FILE")});
     parser.addOption({QStringLiteral("start"), words("Start a session that is ready to start.")});
-    parser.addOption(
-        {kScript,
-         words("Work the controls as the lines of this file say, which may be appended "
-               "later: press CONTROL, choose TABLE ROW, type FIELD TEXT."),
-         QStringLiteral("FILE")});
+    program::addScriptOption(parser);
     parser.addOption({kStrategy,
                       words("Keep what is acted on alike by this strategy: %1. Without this option "
                             "as before, in a new session by %2.")
@@ -113,7 +109,8 @@ QString latestSessionFile(const QDir& folder)
 }
 
 /// Tells the session which patient lies at its first station and how it breathes at rest, unless it
-/// has one and no other is asked for, and makes it something to act on.
+/// has one and no other is asked for, and makes it something to act on; and what can be lifted out
+/// at the stations.
 void introduceFirst(SessionNode& node, const program::ChosenPatient& patient, bool isAskedFor)
 {
     const StationId first = firstOpenStation(*node.state());
@@ -122,6 +119,9 @@ void introduceFirst(SessionNode& node, const program::ChosenPatient& patient, bo
         introducePatient(node, first, patient.model->contentHash(), patient.model->name(),
                          patient.dimensions);
     sharePatient(node, first, words("Virtual patient").toStdString());
+    for (const auto& [id, station] : node.state()->stations())
+        if (!station.closed)
+            shareLiftables(node, id); // which a session from before they existed lacks
 }
 
 /// A station of `--add-station`.
@@ -328,9 +328,7 @@ Result<int> run(const QCommandLineParser& parser)
     openStations(**node, stations, *wanted);
     if (parser.isSet(QStringLiteral("start")) && session.canStart())
         session.start();
-    std::optional<ControlScript> script;
-    if (parser.isSet(kScript))
-        script.emplace(window, parser.value(kScript));
+    const auto script = program::scriptFromOptions(parser, window);
     return options->folder.isEmpty() ? QApplication::exec()
                                      : measure(window, **node, breathing, *options);
 }

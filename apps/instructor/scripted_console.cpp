@@ -1,6 +1,6 @@
 #include "apps/instructor/scripted_console.h"
 
-#include "apps/instructor/control_script.h"
+#include "apps/program/control_script.h"
 
 #include <QAction>
 #include <QDoubleSpinBox>
@@ -53,7 +53,7 @@ void ScriptedConsole::waitForCompany()
 
 void ScriptedConsole::press(const char* button)
 {
-    fetched(m_window.findChild<QPushButton*>(QLatin1String{button}))->click();
+    program::fetched(m_window.findChild<QPushButton*>(QLatin1String{button}))->click();
 }
 
 void ScriptedConsole::note(const char* key)
@@ -75,14 +75,14 @@ void ScriptedConsole::turnPatient()
     QTimer::singleShot(kTurn_ms + kStill_ms, this, [this] {
         note("until_ns");
         press("reset");
-        fetched(m_window.findChild<QSpinBox*>(QStringLiteral("rate")));
+        program::fetched(m_window.findChild<QSpinBox*>(QStringLiteral("rate")));
     });
 }
 
 void ScriptedConsole::work()
 {
     const auto turnUp = [this](const char* name, int step) {
-        auto* control = fetched(m_window.findChild<QSpinBox*>(QLatin1String{name}));
+        auto* control = program::fetched(m_window.findChild<QSpinBox*>(QLatin1String{name}));
         control->setValue(control->value() + step);
     };
     turnUp("rate", kRateStep_per_min);

@@ -65,21 +65,52 @@ void addPatient(QJsonObject& line, const StationMoment& moment, const SharedObje
     line[QStringLiteral("patient_size")] = acted.scale;
 }
 
+QJsonArray turnOf(const RigidTransform& X)
+{
+    const Quat& q = X.rotation();
+    return {q.x(), q.y(), q.z(), q.w()};
+}
+
+QJsonArray liftedOf(const SceneFrame& frame, const StationMoment& moment)
+{
+    QJsonArray all;
+    for (const LiftedInFrame& lifted : liftedIn(frame, moment))
+        all.append(QJsonObject{
+            {QStringLiteral("object"), lifted.object.value},
+            {QStringLiteral("owner"), lifted.owner.value},
+            {QStringLiteral("group"),
+             QString::fromLatin1(lifted.group ? groupName(*lifted.group) : "")},
+            {QStringLiteral("xyz_mm"), placeInMillimetres(lifted.place.X_AF.translation())},
+            {QStringLiteral("q_xyzw"), turnOf(lifted.place.X_AF)},
+            {QStringLiteral("size"), lifted.place.scale}});
+    return all;
+}
+
 QJsonObject frameOf(const DrawnFrame& drawn, const StationMoment& moment)
 {
     QJsonArray objects;
     for (const ObjectInFrame& object : objectsIn(drawn.frame, moment)) {
-        const Quat& q = object.X_AO.rotation();
         objects.append(
             QJsonObject{{QStringLiteral("object"), object.object.value},
                         {QStringLiteral("owner"), object.owner.value},
                         {QStringLiteral("kind"), int(object.kind)},
                         {QStringLiteral("own"), object.isOwn},
                         {QStringLiteral("xyz_mm"), placeInMillimetres(object.X_AO.translation())},
-                        {QStringLiteral("q_xyzw"), QJsonArray{q.x(), q.y(), q.z(), q.w()}}});
+                        {QStringLiteral("q_xyzw"), turnOf(object.X_AO)}});
     }
     return {{QStringLiteral("session_ns"), qint64(moment.time.time_since_epoch().count())},
-            {QStringLiteral("objects"), objects}};
+            {QStringLiteral("objects"), objects},
+            {QStringLiteral("lifted"), liftedOf(drawn.frame, moment)}};
+}
+
+/// Who has what can be lifted out at a station.
+QJsonObject holders(const SessionState& state, StationId station)
+{
+    QJsonObject all;
+    for (const auto& [id, object] : state.objects())
+        if (object.station == station && isLiftable(object.kind) && object.owner != kNobody)
+            all[QString::fromStdString(object.name)] = object.owner.value;
+    return all;
 }
 
 } // namespace
@@ -135,6 +166,7 @@ void Journal::writeLine()
         {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)},
         {QStringLiteral("frames"), std::exchange(*m_frames, QJsonArray{})}};
     line[QStringLiteral("registrations")] = registrations(*state);
+    line[QStringLiteral("holders")] = holders(*state, m_station);
     if (m_notice)
         line[QStringLiteral("notice")] = m_notice();
     addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));

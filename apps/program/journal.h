@@ -23,8 +23,10 @@ namespace carina::program
 /// patient_q_xyzw and patient_size: its pose and scale in the anatomy frame. frames has each frame
 /// since the line before: session_ns, and of each object of a person that it drew, and of each
 /// tracked one of this program's participant (own), object and owner (their numbers), kind (of
-/// ObjectKind), xyz_mm and q_xyzw in the anatomy frame (objectsIn); notice, where the
-/// program shows one.
+/// ObjectKind), xyz_mm and q_xyzw in the anatomy frame (objectsIn); and lifted: of all that it drew
+/// lifted out, object, owner, group (a name of groupName, or empty for the second tube), xyz_mm,
+/// q_xyzw and size in the anatomy frame (liftedIn). holders has the owner of each object that can
+/// be lifted out, by the object's name, while somebody has it; notice, where the program shows one.
 class Journal
 {
 public:

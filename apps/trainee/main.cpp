@@ -1,3 +1,4 @@
+#include "apps/program/control_script.h"
 #include "apps/program/entry_option.h"
 #include "apps/program/join_question.h"
 #include "apps/program/journal.h"
@@ -68,6 +69,7 @@ void addOptions(QCommandLineParser& parser)
         QApplication::translate("Trainee", "All but the simulated one need --site. Without "
                                            "a tracker this program shows the session only."));
     program::addMeasureOptions(parser);
+    program::addScriptOption(parser);
     program::addJournalOption(parser);
 }
 
@@ -280,6 +282,7 @@ Result<int> run(const QCommandLineParser& parser)
         if (*journal)
             (*journal)->setStation(now);
     });
+    const auto script = program::scriptFromOptions(parser, window);
     return show(window, parser, *options, station);
 }
 

@@ -17,11 +17,16 @@ namespace carina
 /// for a class behind one router, and no more for one person under many names.
 [[nodiscard]] SharedLimits sharedLimitsOf(Role role);
 
-/// Objects that one participant may share in the life of a session, and own at once.
+/// Objects that one participant may share in the life of a session, and own at once, without
+/// what was lifted out.
 [[nodiscard]] std::size_t mostObjectsOf(Role role);
 /// Of these, a trainee's of one kind: who acts in `carina-lab drift --live` has
 /// two.
 inline constexpr std::size_t kMostOfAKind = 2;
+/// Objects of a station that can be lifted out.
+inline constexpr std::size_t kMostLiftables = 12;
+/// Groups of organs that a trainee may hold.
+inline constexpr std::size_t kMostGroupsHeld = 4;
 
 /// Open stations of a session.
 inline constexpr std::size_t kMostStations = 8;

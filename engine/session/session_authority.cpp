@@ -78,14 +78,16 @@ Result<void> checkParticipant(const SessionState& state, ParticipantId id)
     return {};
 }
 
-Result<void> checkObject(const SessionState& state, ObjectId id)
+/// What stays at its station is another object at each; who has it does not matter for what can be
+/// lifted out.
+bool isSameObject(const SharedObject& known, StationId station, const fact::ObjectShared& shared)
 {
-    if (!state.objects().contains(id))
-        return fail(Errc::OutOfRange, "object " + std::to_string(id.value));
-    return {};
+    return known.kind == shared.kind && known.name == shared.name
+           && (isLiftable(known.kind) || known.owner == shared.owner)
+           && (isCarried(known.kind) || known.station == station);
 }
 
-Result<void> settleIds(const SessionState& state, FactBody& body)
+Result<void> settleIds(const SessionState& state, StationId station, FactBody& body)
 {
     return std::visit(
         Overloaded{
@@ -99,12 +101,11 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
             [&](fact::ObjectShared& shared) {
                 return settleId(shared.object, state.objects(), "object",
                                 [&](const SharedObject& known) {
-                                    return known.kind == shared.kind && known.name == shared.name
-                                           && known.owner == shared.owner;
+                                    return isSameObject(known, station, shared);
                                 });
             },
             [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, handed); },
-            [&](fact::ObjectWanted& wanted) { return checkObject(state, wanted.object); },
+            [&](fact::ObjectWanted& wanted) { return checkWish(state, wanted); },
             [&](fact::ParticipantMoved& moved) {
                 return checkParticipant(state, moved.participant);
             },
@@ -113,8 +114,9 @@ Result<void> settleIds(const SessionState& state, FactBody& body)
 }
 
 /// What a trainee may do: state how their registration stands, choose where others see them, and
-/// for the station they are at share what is their own, ask for what is not, say when the manikin
-/// breathes, and pass on the work that they do. An observer may do nothing.
+/// for the station they are at share what is their own, ask for what is not, lift out what is in
+/// its place, say when the manikin breathes, and pass on the work that they do. An observer may do
+/// nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
@@ -133,7 +135,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
                 return f.owner == author.id
                        && (known == state.objects().end() || known->second.owner == author.id);
             },
-            [&](const fact::ObjectHandedOver& f) { return mayHandOver(state, author, f); },
+            [&](const fact::ObjectHandedOver& f) { return mayPassOn(state, author, f); },
             [&](const fact::ObjectWanted& f) {
                 return state.objects().at(f.object).station == station;
             },
@@ -143,10 +145,12 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         body);
 }
 
-/// Nobody else creates a session, knows all that was decided by the time of a checkpoint, or sees
-/// who comes and goes, and by which token.
+/// Nobody else creates a session, says what can be lifted out, knows all that was decided by the
+/// time of a checkpoint, or sees who comes and goes, and by which token.
 bool isOfTheHostAlone(const FactBody& body)
 {
+    if (const auto* shared = std::get_if<fact::ObjectShared>(&body))
+        return isLiftable(shared->kind);
     return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint, fact::ParticipantJoined,
                    fact::ParticipantLeft, fact::TokenReplaced>(body);
 }
@@ -290,7 +294,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
     if (takesEffectLater(fact.body))
         fact.effect = std::max(now + std::max(kShortestLead, slowestPath), m_latestEffect);
     const Result<void> verdict =
-        settleIds(m_state, fact.body)
+        settleIds(m_state, fact.station, fact.body)
             .and_then([&] { return settledStation(m_state, fact.station, fact.body); })
             .map([&](StationId station) { fact.station = station; })
             .and_then([&] { return checkNamed(m_state, fact.body); })
@@ -302,7 +306,10 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             .and_then([&] { return checkEntry(m_state, fact.body); })
             .and_then([&] { return checkConduct(m_state, fact.body); })
             .and_then([&] { return checkNumbers(m_state, fact.body); })
-            .and_then([&] { return checkShared(m_state, fact.body); })
+            .and_then([&] {
+                const auto* shared = std::get_if<fact::ObjectShared>(&fact.body);
+                return shared ? checkShared(m_state, fact.station, *shared) : Result<void>{};
+            })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
             .and_then([&] { return checkStations(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })

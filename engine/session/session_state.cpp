@@ -120,14 +120,18 @@ struct SessionState::Applier {
         const auto [place, added] = state.m_objects.try_emplace(
             body.object,
             SharedObject{body.object, body.owner, 1, around.station, body.kind, body.name});
+        SharedObject& object = place->second;
         if (added) {
-            place->second.sharer = body.owner;
-            return;
+            object.sharer = body.owner;
+            if (body.owner == kNobody)
+                object.inPlace = object.epoch;
         }
-        own(place->second, body.owner);
-        place->second.station = around.station;
-        place->second.kind = body.kind;
-        place->second.name = body.name;
+        if (added || isLiftable(body.kind))
+            return; // what was lifted stays with who has it
+        own(object, body.owner);
+        object.station = around.station;
+        object.kind = body.kind;
+        object.name = body.name;
     }
     void operator()(const fact::ObjectHandedOver& body) const
     {
@@ -138,7 +142,8 @@ struct SessionState::Applier {
     void operator()(const fact::ObjectWanted& body) const
     {
         const auto object = state.m_objects.find(body.object);
-        if (object == state.m_objects.end() || object->second.owner == around.author)
+        if (object == state.m_objects.end() || object->second.owner == around.author
+            || object->second.owner == kNobody)
             return;
         std::vector<ParticipantId>& asking = object->second.wantedBy;
         if (!body.wanted)
@@ -231,8 +236,11 @@ struct SessionState::Applier {
     {
         if (Participant* participant = known(id))
             participant->present = false;
-        for (auto& [object, shared] : state.m_objects)
-            std::erase(shared.wantedBy, id);
+        for (auto& [number, object] : state.m_objects) {
+            std::erase(object.wantedBy, id);
+            if (object.owner == id && isLiftable(object.kind))
+                own(object, kNobody);
+        }
     }
     [[nodiscard]] Participant* known(ParticipantId id) const
     {
@@ -244,9 +252,13 @@ struct SessionState::Applier {
         if (std::exchange(object.owner, owner) != owner)
             ++object.epoch;
         std::erase(object.wantedBy, owner);
+        if (owner != kNobody)
+            return;
+        object.inPlace = object.epoch;
+        object.wantedBy.clear();
     }
     /// What a participant carries is at their station. Elsewhere only instructors own or ask for
-    /// anything.
+    /// anything: what a trainee lifted out there is put back.
     void bringAlong(ParticipantId id) const
     {
         const Participant& carrier = state.m_participants.at(id);
@@ -259,7 +271,7 @@ struct SessionState::Applier {
                 continue;
             std::erase(object.wantedBy, id);
             if (object.owner == id)
-                own(object, kHostOfSession);
+                own(object, isLiftable(object.kind) ? kNobody : kHostOfSession);
         }
     }
     /// Calls `change` with each open station that the fact is about.

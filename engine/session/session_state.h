@@ -48,6 +48,9 @@ struct SharedObject {
     /// Participants that asked for ownership, in the order of asking.
     std::vector<ParticipantId> wantedBy{};
     ParticipantId sharer{}; ///< who shared it first, whoever owns it now
+    /// Of what can be lifted out: the last epoch in which it was in its place. Actions until then
+    /// are void.
+    std::optional<std::uint16_t> inPlace{};
 };
 
 struct Station {

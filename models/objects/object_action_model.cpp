@@ -1,5 +1,6 @@
 #include "models/objects/object_action_model.h"
 
+#include "engine/sync/wire/sequence.h"
 #include "models/patient/shared_patient.h"
 
 #include <QTimer>
@@ -71,7 +72,11 @@ bool isSameMotion(const ShownObject& shown, const ObjectAction& action)
 ObjectActionModel::ObjectActionModel(SharedObjectModel& object, QObject* parent)
     : QObject{parent}, m_object{object}
 {
-    connect(&m_object, &SharedObjectModel::changed, this, &ObjectActionModel::changed);
+    connect(&m_object, &SharedObjectModel::changed, this, [this] {
+        forgetOthers();
+        resetPatient();
+        Q_EMIT changed();
+    });
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &ObjectActionModel::look);
     timer->start(kMotionInterval_ms);
@@ -116,10 +121,15 @@ ObjectAction ObjectActionModel::chosenAction() const
 
 std::optional<ShownObject> ObjectActionModel::shown() const
 {
-    const SessionNode& node = m_object.session().node();
     const auto object = m_object.chosen();
+    return object ? shownOf(object->id) : std::nullopt;
+}
+
+std::optional<ShownObject> ObjectActionModel::shownOf(ObjectId object) const
+{
+    const SessionNode& node = m_object.session().node();
     const auto now = node.now();
-    return object && now ? node.shown(object->id, *now) : std::nullopt;
+    return now ? node.shown(object, *now) : std::nullopt;
 }
 
 bool ObjectActionModel::canStart() const
@@ -140,8 +150,10 @@ bool ObjectActionModel::canReset() const { return canStop() || (m_object.isOwn()
 
 void ObjectActionModel::start()
 {
-    if (canStart())
-        act(chosenAction());
+    if (!canStart())
+        return;
+    remember(m_object.chosen()->id);
+    act(chosenAction());
 }
 
 void ObjectActionModel::stop()
@@ -152,8 +164,114 @@ void ObjectActionModel::stop()
 
 void ObjectActionModel::reset()
 {
-    if (canReset())
-        act({.anew = true});
+    if (!canReset())
+        return;
+    remember(m_object.chosen()->id);
+    act({.anew = true});
+}
+
+void ObjectActionModel::remember(ObjectId object)
+{
+    const auto shown = shownOf(object);
+    std::vector<ActedPose>& steps = m_steps[object];
+    steps.push_back(shown ? shown->acted : ActedPose{});
+    if (steps.size() > kMostSteps)
+        steps.erase(steps.begin());
+}
+
+/// What others did since cannot be undone by a pose from before.
+void ObjectActionModel::forgetOthers()
+{
+    const auto state = m_object.session().node().state();
+    const ParticipantId self = m_object.session().node().self();
+    std::erase_if(m_steps, [&](const auto& entry) {
+        const auto object = state->objects().find(entry.first);
+        return object == state->objects().end()
+               || (object->second.owner != self && object->second.owner != kNobody);
+    });
+}
+
+bool ObjectActionModel::canUndo() const
+{
+    const auto object = m_object.chosen();
+    return object && m_object.isOwn() && m_object.session().node().now()
+           && m_steps.contains(object->id);
+}
+
+void ObjectActionModel::undo()
+{
+    if (!canUndo())
+        return;
+    const auto steps = m_steps.find(m_object.chosen()->id);
+    const ActedPose before = steps->second.back();
+    steps->second.pop_back();
+    if (steps->second.empty())
+        m_steps.erase(steps);
+    act({.from = before, .anew = true});
+}
+
+void ObjectActionModel::putBack()
+{
+    if (!m_object.canPutBack())
+        return;
+    const ObjectId object = m_object.chosen()->id;
+    if (m_object.isOwn())
+        remember(object);
+    m_object.putBack(object);
+    look();
+}
+
+const SharedObject* ObjectActionModel::strayPatient(const SessionState& state) const
+{
+    const SharedObject* patient = sharedPatient(state, m_object.station());
+    const auto shown = patient ? shownOf(patient->id) : std::nullopt;
+    const bool isStray = shown && (shown->rate != 0.0 || !isInItsPlace(shown->acted));
+    const bool isOwn = patient && patient->owner == m_object.session().node().self();
+    const bool may = isStray && m_object.obstacle().isEmpty() && (isOwn || m_object.isInstructor());
+    return may ? patient : nullptr;
+}
+
+bool ObjectActionModel::canPutAllBack() const
+{
+    const auto state = m_object.session().node().state();
+    return !m_object.toPutBack().empty() || strayPatient(*state);
+}
+
+void ObjectActionModel::putAllBack()
+{
+    SessionNode& node = m_object.session().node();
+    const auto state = node.state();
+    for (const ObjectId object : m_object.toPutBack()) {
+        if (state->objects().at(object).owner == node.self())
+            remember(object);
+        m_object.putBack(object);
+    }
+    if (const SharedObject* patient = strayPatient(*state)) {
+        const bool isOwn = patient->owner == node.self();
+        m_toReset = Reset{patient->id, std::uint16_t(patient->epoch + (isOwn ? 0 : 1))};
+        if (!isOwn)
+            node.propose(m_object.station(),
+                         fact::ObjectHandedOver{patient->id, node.self(), patient->epoch});
+        resetPatient();
+    }
+    look();
+}
+
+/// Once it is this person's.
+void ObjectActionModel::resetPatient()
+{
+    SessionNode& node = m_object.session().node();
+    const auto state = node.state();
+    const auto patient =
+        m_toReset ? state->objects().find(m_toReset->object) : state->objects().end();
+    if (patient == state->objects().end() || isAfter(m_toReset->epoch, patient->second.epoch))
+        return;
+    const bool isInTime = m_toReset->epoch == patient->second.epoch;
+    m_toReset.reset();
+    if (!isInTime || patient->second.owner != node.self())
+        return; // another took it meanwhile
+    remember(patient->first);
+    node.act(patient->first, {.anew = true});
 }
 
 void ObjectActionModel::act(const ObjectAction& action)

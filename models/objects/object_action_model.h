@@ -3,13 +3,17 @@
 #include "models/objects/shared_object_model.h"
 
 #include <array>
+#include <map>
+#include <optional>
+#include <vector>
 
 namespace carina
 {
 
 /// The actions of a person on the chosen shared object: rotate it about or translate it along an
-/// axis of the anatomy frame A, or scale it, at constant speed until stopped; and reset it to its
-/// original pose. Motion started by other participants is shown as well.
+/// axis of the anatomy frame A, or scale it, at constant speed until stopped; reset it to its
+/// original pose, or put it back; and undo these, the last first, as long as nobody else has had
+/// it since. Motion started by other participants is shown as well.
 class ObjectActionModel : public QObject
 {
     Q_OBJECT
@@ -41,6 +45,10 @@ public:
     [[nodiscard]] bool canStart() const; ///< false while this same action is already running
     [[nodiscard]] bool canStop() const;
     [[nodiscard]] bool canReset() const;
+    /// Whether undo() would return it to where it was before this person's last step.
+    [[nodiscard]] bool canUndo() const;
+    /// Whether there is something that putAllBack() would put back.
+    [[nodiscard]] bool canPutAllBack() const;
 
     /// The present motion, after its state mark: "● Turns about z at 100.0 °/s".
     [[nodiscard]] QString motionText() const;
@@ -52,6 +60,11 @@ public Q_SLOTS:
     void start();
     void stop();
     void reset();
+    void undo();
+    void putBack();
+    /// Everything that this person may put back at the station, and the patient: an instructor
+    /// takes it over for that, a trainee moves only their own.
+    void putAllBack();
 
 Q_SIGNALS:
     /// Anything of the above, or of the object, changed.
@@ -60,7 +73,15 @@ Q_SIGNALS:
 private:
     using Shown = std::array<QString, 2>;
 
+    static constexpr std::size_t kMostSteps = 50; ///< that can be undone, for each object
+
     [[nodiscard]] std::optional<ShownObject> shown() const;
+    [[nodiscard]] std::optional<ShownObject> shownOf(ObjectId object) const;
+    /// The patient, where it is not in its place and this person may put it back.
+    [[nodiscard]] const SharedObject* strayPatient(const SessionState& state) const;
+    void remember(ObjectId object);
+    void forgetOthers();
+    void resetPatient();
     [[nodiscard]] ObjectAction chosenAction() const;
     void act(const ObjectAction& action);
     void look();
@@ -70,6 +91,13 @@ private:
     Axis m_axis = Axis::Z;
     std::array<double, 3> m_speeds{30.0, 10.0, 10.0}; ///< by ActionKind, each in its unit
     Shown m_told;                                     ///< at the latest changed()
+    /// Where each object was before this person's steps, the last step last.
+    std::map<ObjectId, std::vector<ActedPose>> m_steps;
+    struct Reset {
+        ObjectId object;
+        std::uint16_t epoch = 0; ///< of the ownership in which it is to be reset
+    };
+    std::optional<Reset> m_toReset; ///< a patient, once it is taken over
 };
 
 } // namespace carina

@@ -1,5 +1,8 @@
 #include "models/objects/shared_object_model.h"
 
+#include "engine/session/participant_limits.h"
+#include "models/objects/object_words.h"
+
 #include <algorithm>
 #include <ranges>
 
@@ -7,9 +10,6 @@ namespace carina
 {
 namespace
 {
-
-/// Everything else is tracked, and moves by hand alone.
-bool isMovedByActions(const SharedObject& object) { return object.kind == ObjectKind::Patient; }
 
 QString nameOf(const SessionState& state, ParticipantId id)
 {
@@ -43,9 +43,24 @@ std::vector<SharedObjectModel::Named<ObjectId>> SharedObjectModel::objects() con
     std::vector<Named<ObjectId>> all;
     const auto state = m_session.node().state();
     for (const auto& [id, object] : state->objects())
-        if (object.station == m_station && isMovedByActions(object))
-            all.push_back({id, QString::fromStdString(object.name)});
+        if (isOffered(object))
+            all.push_back({id, objectWord(object)});
     return all;
+}
+
+bool SharedObjectModel::isOffered(const SharedObject& object) const
+{
+    if (object.station != m_station || !isActedOn(object.kind))
+        return false;
+    const auto group =
+        object.kind == ObjectKind::OrganGroup ? groupFromName(object.name) : std::nullopt;
+    return !group || std::ranges::find(m_groups, *group) != m_groups.end();
+}
+
+void SharedObjectModel::setGroups(std::vector<OrganGroup> groups)
+{
+    if (std::exchange(m_groups, std::move(groups)) != m_groups)
+        Q_EMIT changed();
 }
 
 std::optional<SharedObject> SharedObjectModel::chosen() const
@@ -109,13 +124,15 @@ QString SharedObjectModel::ownerText() const
         return {};
     const auto state = m_session.node().state();
     const QString owner = nameOf(*state, object->owner);
-    QString text = isOwn()                            ? tr("● you")
+    QString text = object->owner == kNobody           ? tr("○ nobody: in its place")
+                   : isOwn()                          ? tr("● you")
                    : isPresent(*state, object->owner) ? tr("◆ %1").arg(owner)
                                                       : tr("○ %1, has left").arg(owner);
     const auto travelling = underWay(object->id);
     if (const auto* handed =
             travelling ? std::get_if<fact::ObjectHandedOver>(&*travelling) : nullptr)
-        text += tr(" → %1").arg(nameOf(*state, handed->owner));
+        text += tr(" → %1").arg(handed->owner == kNobody ? tr("back to its place")
+                                                         : nameOf(*state, handed->owner));
     return text;
 }
 
@@ -125,6 +142,8 @@ QString SharedObjectModel::wishText() const
     if (!object)
         return {};
     const auto state = m_session.node().state();
+    if (const QString full = handsFull(*object); !full.isEmpty())
+        return full;
     QStringList names;
     for (const ParticipantId id : object->wantedBy)
         names << (id == m_session.node().self() ? tr("you") : nameOf(*state, id));
@@ -152,7 +171,8 @@ bool SharedObjectModel::isAsking() const
 bool SharedObjectModel::canAsk() const
 {
     const auto object = chosen();
-    return object && obstacle().isEmpty() && !isOwn() && !underWay(object->id);
+    return object && obstacle().isEmpty() && !isOwn() && object->owner != kNobody
+           && !underWay(object->id);
 }
 
 void SharedObjectModel::ask()
@@ -172,7 +192,7 @@ bool SharedObjectModel::mayGive(const SharedObject& object) const
 bool SharedObjectModel::canTakeOver() const
 {
     const auto object = chosen();
-    return object && !isOwn() && mayGive(*object);
+    return object && !isOwn() && object->owner != kNobody && mayGive(*object);
 }
 
 void SharedObjectModel::takeOver()
@@ -181,10 +201,81 @@ void SharedObjectModel::takeOver()
         handOver(m_session.node().self());
 }
 
+bool SharedObjectModel::isLiftable() const
+{
+    const auto object = chosen();
+    return object && carina::isLiftable(object->kind);
+}
+
+/// That a trainee holds as many groups as they may; empty where this does not matter.
+QString SharedObjectModel::handsFull(const SharedObject& object) const
+{
+    const auto state = m_session.node().state();
+    const Participant* person = self(*state);
+    if (!person || person->role != Role::Trainee || object.kind != ObjectKind::OrganGroup
+        || object.owner != kNobody)
+        return {};
+    const auto held = std::ranges::count_if(state->objects(), [person](const auto& entry) {
+        return entry.second.owner == person->id && entry.second.kind == ObjectKind::OrganGroup;
+    });
+    return std::size_t(held) < kMostGroupsHeld
+               ? QString{}
+               : tr("You hold %1 groups of organs, as many as you may. Put one back first.")
+                     .arg(held);
+}
+
+bool SharedObjectModel::canLift() const
+{
+    const auto object = chosen();
+    return object && isLiftable() && object->owner == kNobody && obstacle().isEmpty()
+           && !underWay(object->id) && handsFull(*object).isEmpty();
+}
+
+void SharedObjectModel::lift()
+{
+    if (canLift())
+        handTo(*chosen(), m_session.node().self());
+}
+
+bool SharedObjectModel::canPutBack() const
+{
+    const auto object = chosen();
+    return object && mayPutBack(*object);
+}
+
+bool SharedObjectModel::mayPutBack(const SharedObject& object) const
+{
+    return carina::isLiftable(object.kind) && object.owner != kNobody && obstacle().isEmpty()
+           && mayGive(object);
+}
+
+void SharedObjectModel::putBack(ObjectId object)
+{
+    const auto state = m_session.node().state();
+    const auto found = state->objects().find(object);
+    if (found != state->objects().end() && mayPutBack(found->second))
+        handTo(found->second, kNobody);
+}
+
+std::vector<ObjectId> SharedObjectModel::toPutBack() const
+{
+    const auto state = m_session.node().state();
+    std::vector<ObjectId> all;
+    for (const auto& [id, object] : state->objects())
+        if (object.station == m_station && mayPutBack(object))
+            all.push_back(id);
+    return all;
+}
+
+void SharedObjectModel::handTo(const SharedObject& object, ParticipantId owner)
+{
+    m_session.node().propose(m_station, fact::ObjectHandedOver{object.id, owner, object.epoch});
+}
+
 std::vector<SharedObjectModel::Named<ParticipantId>> SharedObjectModel::heirs() const
 {
     const auto object = chosen();
-    if (!object || !mayGive(*object))
+    if (!object || object->owner == kNobody || !mayGive(*object))
         return {};
     const auto state = m_session.node().state();
     const auto mayGetIt = [&](ParticipantId id, const Participant& person) {
@@ -208,8 +299,7 @@ std::vector<SharedObjectModel::Named<ParticipantId>> SharedObjectModel::heirs() 
 void SharedObjectModel::handOver(ParticipantId heir)
 {
     if (const auto object = chosen(); object && mayGive(*object))
-        m_session.node().propose(m_station,
-                                 fact::ObjectHandedOver{object->id, heir, object->epoch});
+        handTo(*object, heir);
 }
 
 } // namespace carina

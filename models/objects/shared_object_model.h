@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/anatomy/organ_group.h"
 #include "models/session/session_model.h"
 
 #include <optional>
@@ -13,7 +14,8 @@ namespace carina
 /// transferred.
 ///
 /// The owner may hand an object over, an instructor may take it or give it to any participant, and
-/// a trainee may ask for it. Operations that the host would refuse are not offered.
+/// a trainee may ask for it. Groups of organs and the second tube are lifted out of their place,
+/// where nobody owns them, and put back. Operations that the host would refuse are not offered.
 class SharedObjectModel : public QObject
 {
     Q_OBJECT
@@ -32,7 +34,11 @@ public:
     /// The objects of another station from now on.
     void setStation(StationId station);
 
+    /// Offers only these groups of organs from now on: those of the patient that is drawn.
+    void setGroups(std::vector<OrganGroup> groups);
+
     [[nodiscard]] SessionModel& session() const { return m_session; }
+    [[nodiscard]] StationId station() const { return m_station; }
 
     /// The objects that can be moved by actions, in the order in which they were shared.
     [[nodiscard]] std::vector<Named<ObjectId>> objects() const;
@@ -46,7 +52,8 @@ public:
     [[nodiscard]] bool isOwn() const;
     /// The owner's name after its state mark: "◆ Tom".
     [[nodiscard]] QString ownerText() const;
-    /// Who asks for it: "Asking for it: Tom"; empty if nobody does.
+    /// Who asks for it: "Asking for it: Tom", or that this person's hands are full; empty if
+    /// neither.
     [[nodiscard]] QString wishText() const;
 
     [[nodiscard]] bool isAsking() const;
@@ -58,9 +65,18 @@ public:
 
     void handOver(ParticipantId heir);
 
+    [[nodiscard]] bool isLiftable() const; ///< the chosen one
+    [[nodiscard]] bool canLift() const;
+    [[nodiscard]] bool canPutBack() const;
+    void putBack(ObjectId object);
+    /// What this person may put back at the station: an instructor all that is lifted out, a
+    /// trainee what they hold.
+    [[nodiscard]] std::vector<ObjectId> toPutBack() const;
+
 public Q_SLOTS:
     void ask(); ///< or withdraws the request
     void takeOver();
+    void lift();
 
 Q_SIGNALS:
     /// Anything of the above changed.
@@ -71,9 +87,14 @@ private:
     /// The fact about the object that was proposed and not yet confirmed.
     [[nodiscard]] std::optional<FactBody> underWay(ObjectId object) const;
     [[nodiscard]] bool mayGive(const SharedObject& object) const;
+    [[nodiscard]] bool isOffered(const SharedObject& object) const;
+    [[nodiscard]] bool mayPutBack(const SharedObject& object) const;
+    [[nodiscard]] QString handsFull(const SharedObject& object) const;
+    void handTo(const SharedObject& object, ParticipantId owner);
 
     SessionModel& m_session;
     StationId m_station;
+    std::vector<OrganGroup> m_groups{kOrganGroups.begin(), kOrganGroups.end()};
     std::optional<ObjectId> m_wanted; ///< the object chosen last
 };
 

@@ -3,6 +3,7 @@
 #include "engine/anatomy/patient/patient_build.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/session/respiration/introduced_patient.h"
+#include "models/objects/liftables.h"
 #include "models/patient/shared_patient.h"
 
 #include <QCoreApplication>
@@ -24,6 +25,7 @@ void layNewPatient(SessionNode& node, StationId station, const PatientParameters
         introducePatient(node, station, madeHash(parameters), nameOf(parameters), *dimensions);
     sharePatient(node, station,
                  QCoreApplication::translate("Patient", "Virtual patient").toStdString());
+    shareLiftables(node, station);
 }
 
 } // namespace carina

@@ -10,8 +10,8 @@ namespace carina
 void introducePatient(SessionNode& node, StationId station, const std::string& contentHash,
                       const std::string& name, const PatientDimensions& dimensions);
 
-/// Lays a patient that is made from its parameters: introduces it, and shares it as an object to
-/// act on.
+/// Lays a patient that is made from its parameters: introduces it, and shares it and its groups of
+/// organs as objects to act on.
 void layNewPatient(SessionNode& node, StationId station, const PatientParameters& parameters);
 
 } // namespace carina

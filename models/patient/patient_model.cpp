@@ -115,6 +115,20 @@ Box PatientModel::reach() const
     return reach;
 }
 
+std::vector<OrganGroup> PatientModel::groups() const
+{
+    std::vector<OrganGroup> groups;
+    for (const auto& [group, bounds] : m_groups)
+        groups.push_back(group);
+    return groups;
+}
+
+std::optional<Vec3> PatientModel::centreOf(OrganGroup group) const
+{
+    const auto found = m_groups.find(group);
+    return found == m_groups.end() ? std::nullopt : std::optional{found->second.centre()};
+}
+
 double PatientModel::top() const
 {
     Box all;
@@ -138,10 +152,14 @@ void PatientModel::addAnatomy(std::vector<AnatomyPart> parts)
     for (const BreathingPart& breathing : m_lungs->parts())
         for (const TriangleMesh& level : breathing.levels)
             m_surfaces[breathing.index].levels.emplace_back(m_lungs, &level);
+    for (const PatientSurface& surface : m_surfaces)
+        m_groups[groupOf(surface.description.role)].include(boundsOf(*surface.levels.front()));
 }
 
 void PatientModel::addTube()
 {
+    for (const TubePiece& piece : m_tube.pieces)
+        m_tubeBounds.include(boundsOf(piece.mesh));
     for (TubePiece& piece : m_tube.pieces)
         m_surfaces.push_back({.name = piece.name,
                               .description = {.name = piece.name, .conceptId = {}, .levels = {}},

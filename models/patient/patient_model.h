@@ -1,10 +1,12 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
+#include "engine/anatomy/organ_group.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/geometry/deformation/throat_field.h"
 #include "engine/lungs/mechanics/lung_pair.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +54,13 @@ public:
     /// The finest mesh of a surface with the mouth closed, as for landmarks touched on a manikin.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
+    /// The groups of organs that it has.
+    [[nodiscard]] std::vector<OrganGroup> groups() const;
+    /// The centre in A of a group's bounds at rest, about which it is turned and scaled when it is
+    /// lifted out; std::nullopt for a group that the patient does not have.
+    [[nodiscard]] std::optional<Vec3> centreOf(OrganGroup group) const;
+    /// The centre in E of the tube's bounds.
+    [[nodiscard]] Vec3 tubeCentre() const { return m_tubeBounds.centre(); }
     /// The box in A of the lungs as drawn at end-inspiration in severe COPD, extended up to the top
     /// of the head, for a view that shows both whole. Empty for a patient without lungs.
     [[nodiscard]] Box reach() const;
@@ -72,6 +81,8 @@ private:
     ThroatField m_throat;
     RigidTransform m_heldJaw; ///< X_AJ in the surfaces
     TubeShape m_tube;
+    std::map<OrganGroup, Box> m_groups; ///< the bounds of each, in A
+    Box m_tubeBounds;                   ///< in E
 };
 
 } // namespace carina

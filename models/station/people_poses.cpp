@@ -36,6 +36,8 @@ bool staysWithPatient(ObjectKind kind, bool ownerIsAtWork)
         return ownerIsAtWork;
     case ObjectKind::Jaw:
     case ObjectKind::Patient:
+    case ObjectKind::OrganGroup:
+    case ObjectKind::SpareTube:
         return true;
     case ObjectKind::Head:
     case ObjectKind::Stylus:
@@ -64,7 +66,7 @@ std::vector<PersonPose> peoplePoses(const SessionNode& node, StationId station,
                            toolOfWork(*state, station, worker, ObjectKind::Jaw)};
     std::vector<PersonPose> people;
     for (const auto& [id, object] : state->objects()) {
-        if (object.station != station || object.kind == ObjectKind::Patient)
+        if (object.station != station || isActedOn(object.kind))
             continue;
         const auto owner = state->participants().find(object.owner);
         if (owner == state->participants().end() || !owner->second.present)

@@ -27,6 +27,8 @@ QString nameBeside(const PersonPose& person, ParticipantId worker)
     case ObjectKind::Stylus:
     case ObjectKind::Patient:
     case ObjectKind::Hand:
+    case ObjectKind::OrganGroup:
+    case ObjectKind::SpareTube:
         break;
     }
     return {};

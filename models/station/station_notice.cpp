@@ -1,6 +1,7 @@
 #include "models/station/station_notice.h"
 
 #include "models/errors/error_text.h"
+#include "models/objects/object_words.h"
 #include "models/site/standing_words.h"
 
 #include <QCoreApplication>
@@ -122,6 +123,7 @@ QString stationNotice(const SessionNode& node, const StationMoment& moment, View
     if (isAway(moment))
         lines.append(noticeWords(QT_TRANSLATE_NOOP(
             "StationNotice", "The virtual patient was moved away from its place")));
+    lines.append(liftedText(moment.lifted));
     lines.removeAll(QString{});
     return lines.join(QLatin1Char{'\n'});
 }

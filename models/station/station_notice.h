@@ -12,7 +12,8 @@ namespace carina
 /// The notice shown at a station, as translated lines; empty if there is no problem. The first line
 /// is the most important of: refusal by the host, no host, session not running, headset (if there
 /// is one) or tube at work out of the tracker's view. A line is added while the registration cannot
-/// be relied on, and one while the patient is displaced from its original pose.
+/// be relied on, one while the patient is displaced from its original pose, and one that names what
+/// is lifted out of it.
 ///
 /// A muted participant reads that it is muted, and one whose token was replaced why, for a minute.
 /// Once the host has removed this program, only its reason is shown.

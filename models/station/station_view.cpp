@@ -23,6 +23,8 @@ std::optional<ToolRole> toolOf(ObjectKind kind)
         return ToolRole::Hand;
     case ObjectKind::Stylus:
     case ObjectKind::Patient:
+    case ObjectKind::OrganGroup:
+    case ObjectKind::SpareTube:
         break;
     }
     return std::nullopt;
@@ -76,6 +78,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     addPeople(moment, *state);
     if (const SharedObject* patient = sharedPatient(*state, m_station))
         moment.patient = m_node.shown(patient->id, t);
+    moment.lifted = liftedObjects(m_node, m_station, t);
     return moment;
 }
 

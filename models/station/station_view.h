@@ -4,6 +4,7 @@
 #include "engine/net/node/session_node.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "engine/session/station_tracking.h"
+#include "models/station/lifted_objects.h"
 #include "models/station/people_poses.h"
 
 #include <optional>
@@ -27,6 +28,7 @@ struct StationMoment {
     ParticipantId worker = kNobody;     ///< who is at work
     std::vector<PersonPose> people;     ///< what all who are there share, this program's included
     std::optional<ShownObject> patient; ///< X_AV; empty before any action on the patient
+    std::vector<LiftedObject> lifted;   ///< what is not in its place
     std::optional<Duration> sampleAge;  ///< of the tube's newest sample at `time`
 };
 

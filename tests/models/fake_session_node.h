@@ -88,7 +88,11 @@ public:
         announce();
     }
     /// What it is to the host from now on.
-    void becomes(ParticipantId self) { m_self = self; }
+    void becomes(ParticipantId self)
+    {
+        m_self = self;
+        m_actions.setSelf(self);
+    }
     void isRefused(const Error& why) { m_refusal = why; }
     void announce() const
     {
@@ -193,7 +197,7 @@ private:
     /// As the host does it: what goes on goes on in the name of a new owner.
     void share(const SharedObject& object)
     {
-        if (!m_actions.share(object.id, {object.owner, object.epoch}))
+        if (!m_actions.share(object.id, {object.owner, object.epoch, object.inPlace}))
             return;
         if (const EventCpo* last = m_actions.table().newest(object.id))
             m_actions.take(*m_actions.continued(*last), m_now, local());

@@ -1,6 +1,7 @@
 #include "ui/instructor/instructor_window.h"
 
 #include "models/errors/error_text.h"
+#include "models/objects/object_words.h"
 #include "models/station/people_words.h"
 #include "ui/panels/people_menus.h"
 #include "ui_instructor_window.h"
@@ -66,6 +67,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
       m_patient{patient},
       m_view{&view},
       m_people{people},
+      m_objects{actions.object()},
       m_phase{new PlainLabel{this}},
       m_status{new PlainLabel{this}}
 {
@@ -83,6 +85,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
             role, tr("Who was removed knows the code, and can join by it under another name."));
     });
     m_ui->actions->setModel(actions);
+    m_objects.setGroups(patient.patient()->groups());
     layDocks();
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, *patient.patient(), view);
@@ -114,6 +117,7 @@ void InstructorWindow::show(const PatientModel& patient, StationView& view)
     m_view = &view;
     view.exaggerate(m_ui->exaggeration->value());
     m_stationScene->show(patient, view);
+    m_objects.setGroups(patient.groups());
     m_ui->parts->setScene(*m_ui->scene);
     m_ui->section->setScene(*m_ui->scene);
 }
@@ -277,6 +281,8 @@ void InstructorWindow::refreshStatus()
         told += patient;
     if (isAway(moment))
         told += tr("▲ patient not in its original place");
+    if (const QString lifted = liftedText(moment.lifted); !lifted.isEmpty())
+        told += lifted;
     if (moment.exaggeration != 1.0)
         told += tr("▲ motion enlarged");
     if (inMillilitres(moment.notDrawn) >= 1.0)

@@ -72,6 +72,7 @@ private:
     const SessionPatient& m_patient;
     StationView* m_view;
     PeopleModel& m_people;
+    SharedObjectModel& m_objects;
     std::unique_ptr<StationScene> m_stationScene;
     QLabel* m_phase;
     QLabel* m_status;

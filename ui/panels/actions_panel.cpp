@@ -55,6 +55,8 @@ void ActionsPanel::connectObject()
     connect(m_ui->object, &QComboBox::activated, this, [this, &object] {
         object.choose(ObjectId{std::uint16_t(m_ui->object->currentData().toUInt())});
     });
+    connect(m_ui->lift, &QPushButton::clicked, &object, &SharedObjectModel::lift);
+    connect(m_ui->putBack, &QPushButton::clicked, m_model, &ObjectActionModel::putBack);
     connect(m_ui->ask, &QPushButton::clicked, &object, &SharedObjectModel::ask);
     connect(m_ui->takeOver, &QPushButton::clicked, &object, &SharedObjectModel::takeOver);
     connect(m_ui->handOver, &QPushButton::clicked, this, [this, &object] {
@@ -72,7 +74,9 @@ void ActionsPanel::connectAction()
     connect(m_ui->speed, &QDoubleSpinBox::valueChanged, m_model, &ObjectActionModel::setSpeed);
     connect(m_ui->begin, &QPushButton::clicked, m_model, &ObjectActionModel::start);
     connect(m_ui->stop, &QPushButton::clicked, m_model, &ObjectActionModel::stop);
+    connect(m_ui->undoAction, &QPushButton::clicked, m_model, &ObjectActionModel::undo);
     connect(m_ui->reset, &QPushButton::clicked, m_model, &ObjectActionModel::reset);
+    connect(m_ui->putAllBack, &QPushButton::clicked, m_model, &ObjectActionModel::putAllBack);
 }
 
 void ActionsPanel::refresh()
@@ -93,6 +97,9 @@ void ActionsPanel::refreshObject()
     offer(*m_ui->heir, heirs);
     m_ui->owner->setText(object.ownerText());
     m_ui->wish->setText(object.wishText());
+    // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
+    m_ui->putBack->setEnabled(object.canPutBack());
+    m_ui->lift->setEnabled(object.canLift());
     m_ui->ask->setText(object.isAsking() ? tr("Do not &ask any more") : tr("&Ask for it"));
     m_ui->ask->setEnabled(object.canAsk());
     m_ui->takeOver->setVisible(object.isInstructor());
@@ -114,6 +121,8 @@ void ActionsPanel::refreshAction()
     if (m_ui->speed->value() != m_model->speed())
         m_ui->speed->setValue(m_model->speed());
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
+    m_ui->putAllBack->setEnabled(m_model->canPutAllBack());
+    m_ui->undoAction->setEnabled(m_model->canUndo());
     m_ui->reset->setEnabled(m_model->canReset());
     m_ui->stop->setEnabled(m_model->canStop());
     m_ui->begin->setEnabled(m_model->canStart());

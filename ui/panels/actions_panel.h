@@ -16,7 +16,8 @@ class ActionsPanel;
 namespace carina
 {
 
-/// The owner of a shared object, and the actions on it: rotate, translate or scale until stopped.
+/// The owner of a shared object, lifting it out and putting it back, and the actions on it: rotate,
+/// translate or scale until stopped, undo, back to its place.
 /// For a person without permission the panel states the reason.
 class ActionsPanel : public QWidget
 {

@@ -21,6 +21,18 @@ namespace
 
 constexpr int kCloseAsked_ms = 4000;
 constexpr int kBarMargin = 8; ///< pixels, as beside the views beneath
+constexpr int kBarSpacing = 4;
+
+/// Makes a button as wide as it ever gets, so that nothing beside it moves under the pointer when
+/// its words change.
+void reserveWidth(QToolButton& button, const QString& longest)
+{
+    const QString now = button.text();
+    button.setText(longest);
+    button.ensurePolished();
+    button.setMinimumWidth(button.sizeHint().width());
+    button.setText(now);
+}
 
 } // namespace
 
@@ -30,7 +42,7 @@ StationBar::StationBar(QWidget* parent)
       m_add{button("add", tr("Add…"))},
       m_rename{button("rename", tr("Rename…"))},
       m_close{button("close", tr("Close"))},
-      m_forAll{new QCheckBox{tr("&All stations")}}
+      m_forAll{new QCheckBox{tr("&All")}}
 {
     m_tabs->setObjectName(QStringLiteral("stations"));
     m_tabs->setAccessibleName(tr("Station that is shown"));
@@ -39,11 +51,13 @@ StationBar::StationBar(QWidget* parent)
     m_tabs->setDrawBase(false);
     m_tabs->setUsesScrollButtons(true);
     m_forAll->setObjectName(QStringLiteral("forAll"));
+    m_forAll->setAccessibleName(tr("All stations"));
     m_forAll->setToolTip(tr("What is changed about breathing and condition is changed at all "
                             "stations, at the same time"));
     auto* label = new PlainLabel{tr("Station")};
     auto* row = new QHBoxLayout{this};
     row->setContentsMargins(kBarMargin, 0, 0, 0);
+    row->setSpacing(kBarSpacing);
     row->addWidget(label);
     row->addWidget(m_tabs, 1);
     row->addWidget(m_forAll);
@@ -63,6 +77,7 @@ QToolButton* StationBar::button(const char* name, const QString& text)
 void StationBar::setModel(StationsModel& stations)
 {
     m_stations = &stations;
+    reserveWidth(*m_close, tr("Really?"));
     connect(&stations, &StationsModel::changed, this, &StationBar::refresh);
     connect(&stations, &StationsModel::shownChanged, this, &StationBar::refresh);
     connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
@@ -106,7 +121,7 @@ void StationBar::refresh()
     m_rename->setToolTip(tr("Give the station that is shown another name"));
     const bool isAsked = m_closeAsked != kNoStation && m_closeAsked == m_stations->shown();
     const QString occupied = m_stations->obstacleToClosing(m_stations->shown());
-    m_close->setText(isAsked ? tr("Really close?") : tr("Close"));
+    m_close->setText(isAsked ? tr("Really?") : tr("Close"));
     m_close->setEnabled(occupied.isEmpty());
     m_close->setToolTip(occupied.isEmpty() ? tr("Close the station that is shown")
                                            : shownAsIs(occupied));

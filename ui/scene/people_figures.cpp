@@ -37,6 +37,8 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
         return !person.isOwn || (!person.isAtWork && moment.worker != kNobody);
     case ObjectKind::Jaw:
     case ObjectKind::Patient:
+    case ObjectKind::OrganGroup:
+    case ObjectKind::SpareTube:
         break;
     }
     return false;
@@ -76,6 +78,8 @@ public:
             break;
         case ObjectKind::Jaw:
         case ObjectKind::Patient:
+        case ObjectKind::OrganGroup:
+        case ObjectKind::SpareTube:
             break;
         }
         return std::move(m_figure);
@@ -95,12 +99,8 @@ private:
 
     void addTube()
     {
-        for (ScenePart part : sceneParts(m_patient))
-            if (part.body == kTubeBody) {
-                part.id = m_nextId++;
-                part.body = m_figure.body;
-                m_figure.parts.push_back(std::move(part));
-            }
+        m_figure.parts = tubeParts(m_patient, m_figure.body, m_nextId);
+        m_nextId += std::uint16_t(m_figure.parts.size());
     }
 
     const PatientModel& m_patient;

@@ -80,12 +80,28 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                                             : bodyRegionOf(surface.description.role),
                          .region = regionOf(surface.description.role),
                          .body = bodyName(surface.body),
+                         .liftedWith = surface.body == SurfaceBody::Tube
+                                           ? ""
+                                           : groupName(groupOf(surface.description.role)),
                          .framed = isFramed(surface),
                          .levels = surface.levels,
                          .deviations = surface.description.deviations,
                          .colors = surface.description.colors,
                          .sharesLevel = lungSide(surface.description.role).has_value()});
     }
+    return parts;
+}
+
+std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string& body,
+                                 std::uint16_t firstId)
+{
+    std::vector<ScenePart> parts;
+    for (ScenePart part : sceneParts(patient))
+        if (part.body == kTubeBody) {
+            part.id = static_cast<std::uint16_t>(firstId + parts.size());
+            part.body = body;
+            parts.push_back(std::move(part));
+        }
     return parts;
 }
 

@@ -5,6 +5,8 @@
 #include "widgets/scene/surfaces/scene_part.h"
 #include "widgets/scene/view/scene_frame.h"
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace carina
@@ -17,6 +19,10 @@ inline constexpr const char* kTubeBody = "tube";
 
 /// The surfaces of a patient as parts of a scene, in their order; a part's id is its index + 1.
 [[nodiscard]] std::vector<ScenePart> sceneParts(const PatientModel& patient);
+
+/// Parts of another tube like that of the patient, as a body of this name, with ids from this on.
+[[nodiscard]] std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string& body,
+                                               std::uint16_t firstId);
 
 /// The deformation of a patient's throat by the jaw at a moment; while the chin probe is not seen,
 /// the mouth is drawn as in the surfaces.

@@ -3,6 +3,9 @@
 #include "ui/scene/scene_parts.h"
 #include "widgets/scene/view/scene_view.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace carina
 {
 
@@ -21,9 +24,10 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
 SceneFrame StationScene::frameOf(int level, LocalTime lit)
 {
     m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
-    showPeople();
+    showFigures();
     SceneFrame frame =
         sceneFrame(m_moment, m_patient->lungs().field(), throatAt(m_moment, *m_patient));
+    addLifted(frame, m_moment, *m_patient);
     const auto eyesOf = m_output == ViewOutput::Screen ? m_throughEyesOf : std::nullopt;
     addPeople(frame, m_moment, eyesOf);
     if (eyesOf) {
@@ -36,13 +40,17 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     return frame;
 }
 
-void StationScene::showPeople()
+void StationScene::showFigures()
 {
     std::vector<DrawnPerson> people = drawnPeople(m_moment);
-    if (people == m_people)
+    std::vector<DrawnLift> lifts = drawnLifts(m_moment, *m_patient);
+    if (people == m_people && lifts == m_lifts)
         return;
     m_people = std::move(people);
-    m_scene.setFigures(peopleFigures(m_people, *m_patient));
+    m_lifts = std::move(lifts);
+    std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient);
+    std::ranges::move(liftedFigures(m_lifts, *m_patient), std::back_inserter(figures));
+    m_scene.setFigures(figures);
 }
 
 void StationScene::show(const PatientModel& patient, const StationView& view)
@@ -51,6 +59,7 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
     m_view = &view;
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_people.clear(); // whose tubes are those of the patient before
+    m_lifts.clear();
     m_scene.setFigures({});
 }
 

@@ -3,6 +3,7 @@
 #include "models/patient/patient_model.h"
 #include "models/station/headset_view.h"
 #include "models/station/station_view.h"
+#include "ui/scene/lifted_figures.h"
 #include "ui/scene/people_figures.h"
 #include "widgets/scene/view/scene_frame.h"
 
@@ -49,13 +50,15 @@ public:
 
 private:
     [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
-    /// Has the scene make figures of the people of the moment, if others are there than before.
-    void showPeople();
+    /// Has the scene make figures of the people of the moment, and of what is lifted out, if these
+    /// are others than before.
+    void showFigures();
 
     SceneView& m_scene;
     const PatientModel* m_patient;
     const StationView* m_view;
     std::vector<DrawnPerson> m_people; ///< whose figures the scene has
+    std::vector<DrawnLift> m_lifts;    ///< likewise
     std::vector<Listener> m_listeners;
     HeadsetView m_standardHeadset; ///< for views through the eyes of others
     std::optional<ParticipantId> m_throughEyesOf;

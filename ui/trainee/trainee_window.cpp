@@ -42,6 +42,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_notices{new PlainLabel{this}, new PlainLabel{this}},
       m_headset{headset},
       m_people{people},
+      m_objects{actions.object()},
       m_chinProbe{chinProbe},
       m_standing{std::move(standing)},
       m_stationScene{*m_scene, *patient.patient(), view}
@@ -76,6 +77,7 @@ void TraineeWindow::show(const PatientModel& patient, const StationView& view,
     chinProbe.setMovesManikin(m_chinProbe.movesManikin());
     m_chinProbe = chinProbe;
     m_stationScene.show(patient, view);
+    m_objects.setGroups(patient.groups());
     m_partsPanel->setScene(*m_scene);
     m_section->setScene(*m_scene);
 }
@@ -83,8 +85,9 @@ void TraineeWindow::show(const PatientModel& patient, const StationView& view,
 void TraineeWindow::makeActions(ObjectActionModel& actions)
 {
     auto* panel = new ActionsPanel;
+    m_objects.setGroups(m_stationScene.patient().groups());
     panel->setModel(actions);
-    addPanel(m_actions, panel, tr("&Actions on the patient"));
+    addPanel(m_actions, panel, tr("&Actions on patient and organs"));
 }
 
 void TraineeWindow::makeParts()

@@ -90,6 +90,7 @@ private:
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
     HeadsetView m_headset;
     PeopleModel& m_people;
+    SharedObjectModel& m_objects;
     ChinProbeModel m_chinProbe;
     Standing m_standing;
     StationScene m_stationScene;

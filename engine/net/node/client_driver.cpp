@@ -216,7 +216,7 @@ bool ClientDriver::apply(const FactRecord& record, LocalTime now)
     noteStrategy(fact->body, now);
     if (const auto object = objectOf(fact->body); object && m_state.objects().contains(*object))
         share(m_state.objects().at(*object));
-    if (changesPlace(fact->body))
+    if (mayChangeOwners(fact->body))
         for (const auto& [id, object] : m_state.objects())
             share(object);
     return true;
@@ -256,8 +256,8 @@ void ClientDriver::noteStrategy(const FactBody& body, LocalTime now)
 
 void ClientDriver::share(const SharedObject& object)
 {
-    m_core.share(object.id, {object.owner, object.epoch});
-    if (object.owner == m_core.self())
+    m_core.share(object.id, {object.owner, object.epoch, object.inPlace});
+    if (object.owner == m_core.self() || object.owner == kNobody)
         m_board.objects.remove(object.id);
     else
         m_board.objects.add(object.id, object.owner, object.station);

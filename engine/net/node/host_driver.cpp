@@ -215,7 +215,7 @@ void HostDriver::stored(std::size_t count, LocalTime now)
             m_core->setStrategy(chosen->choice, now);
         if (const auto object = objectOf(fact.body))
             share(m_ledger.stored().state().objects().at(*object));
-        if (changesPlace(fact.body))
+        if (mayChangeOwners(fact.body))
             for (const auto& [id, object] : m_ledger.stored().state().objects())
                 share(object);
         m_shownState.reset();
@@ -236,8 +236,8 @@ void HostDriver::giveUp(const Error& why, LocalTime now)
 
 void HostDriver::share(const SharedObject& object)
 {
-    m_core->share(object.id, {object.owner, object.epoch});
-    if (object.owner == kSelf)
+    m_core->share(object.id, {object.owner, object.epoch, object.inPlace});
+    if (object.owner == kSelf || object.owner == kNobody)
         m_board.objects.remove(object.id);
     else
         m_board.objects.add(object.id, object.owner, object.station);

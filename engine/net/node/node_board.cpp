@@ -66,7 +66,11 @@ std::map<ParticipantId, double> NodeBoard::actionFrequencies(SessionTime now) co
 {
     ApplicationAnalysis analysis = objects.analysis();
     analysis.add(actions()->analysis());
-    const std::size_t shared = std::max<std::size_t>(1, state()->objects().size());
+    const auto snapshot = state();
+    const auto owned = std::ranges::count_if(snapshot->objects(), [](const auto& entry) {
+        return entry.second.owner != kNobody; // the others are in their places
+    });
+    const auto shared = std::max<std::size_t>(1, std::size_t(owned));
     std::map<ParticipantId, double> frequencies;
     for (const ParticipantId k : analysis.participants())
         if (const auto frequency = analysis.actionFrequency(k, shared, now))

@@ -77,7 +77,12 @@ struct BodyCheck {
         return checkTexts({&f.name});
     }
     Result<void> operator()(const fact::ParticipantLeft&) const { return {}; }
-    Result<void> operator()(const fact::ObjectShared& f) const { return checkTexts({&f.name}); }
+    Result<void> operator()(const fact::ObjectShared& f) const
+    {
+        if (isLiftable(f.kind) != (f.owner == kNobody))
+            return fail(Errc::OutOfRange, "the owner of a new object");
+        return checkTexts({&f.name});
+    }
     Result<void> operator()(const fact::ObjectHandedOver&) const { return {}; }
     Result<void> operator()(const fact::ObjectWanted&) const { return {}; }
     Result<void> operator()(const fact::AnatomyChosen& f) const

@@ -25,6 +25,8 @@ enum class ObjectKind : std::uint8_t {
     Stylus,
     Patient, ///< the virtual patient as drawn; not tracked, moved by actions
     Hand,
+    OrganGroup, ///< a group of the patient's organs, whose name is groupName(): lifted out of it
+    SpareTube,  ///< a second tube beside the patient: taken out
 };
 
 /// The kinds of facts: what may be decided or happen in a session. Station, author and effect time
@@ -74,16 +76,17 @@ struct ObjectShared {
 
     friend bool operator==(const ObjectShared&, const ObjectShared&) = default;
 };
-/// A shared object passes from its owner to another participant.
+/// A shared object passes from its owner to another participant. One that can be lifted out is
+/// lifted by passing from nobody to a participant, and put back by passing to nobody.
 struct ObjectHandedOver {
     ObjectId object;
-    ParticipantId owner;     ///< the new one
+    ParticipantId owner;     ///< the new one; kNobody puts it back
     std::uint16_t epoch = 0; ///< of the ownership that ends: void where another has taken its place
 
     friend bool operator==(const ObjectHandedOver&, const ObjectHandedOver&) = default;
 };
 /// The author asks for ownership of a shared object, or withdraws the request. A request stands
-/// until the author owns the object or leaves.
+/// until the author owns the object or leaves, or the object is put back.
 struct ObjectWanted {
     ObjectId object;
     bool wanted = true;
@@ -128,8 +131,8 @@ struct StationRenamed {
 struct StationClosed {
     friend bool operator==(const StationClosed&, const StationClosed&) = default;
 };
-/// A participant is at the station of the fact from now on, with the tools they share; what they
-/// owned at the former station and cannot carry passes to the host.
+/// A participant is at the station of the fact from now on, with the tools they share. Of what they
+/// owned at the former station, what was lifted out is put back, and the rest passes to the host.
 struct ParticipantMoved {
     ParticipantId participant;
 
@@ -175,9 +178,28 @@ using FactBody =
            || std::holds_alternative<fact::ParticipantMoved>(body);
 }
 
+/// Whether a fact may change the owner of objects that it does not name.
+[[nodiscard]] inline bool mayChangeOwners(const FactBody& body)
+{
+    return changesPlace(body) || changesPresence(body);
+}
+
+/// Whether objects of this kind have a place at their station, where nobody owns them until
+/// somebody lifts them out.
+[[nodiscard]] constexpr bool isLiftable(ObjectKind kind)
+{
+    return kind == ObjectKind::OrganGroup || kind == ObjectKind::SpareTube;
+}
+
+/// Whether objects of this kind are moved by actions; all others are tracked.
+[[nodiscard]] constexpr bool isActedOn(ObjectKind kind)
+{
+    return kind == ObjectKind::Patient || isLiftable(kind);
+}
+
 /// Whether objects of this kind are tools or parts of a person, which go where the person goes; the
 /// others stay at their station.
-[[nodiscard]] constexpr bool isCarried(ObjectKind kind) { return kind != ObjectKind::Patient; }
+[[nodiscard]] constexpr bool isCarried(ObjectKind kind) { return !isActedOn(kind); }
 
 /// The object whose ownership a fact changes; nothing for other facts.
 [[nodiscard]] inline std::optional<ObjectId> objectOf(const FactBody& body)

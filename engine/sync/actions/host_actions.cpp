@@ -75,8 +75,14 @@ void HostActions::share(ObjectId object, const Ownership& ownership)
     m_own.forget(object);
     m_strategy.forget(object);
     m_actions.show(m_strategy.view());
-    if (const EventCpo* last = m_actions.table().newest(object))
+    if (const EventCpo* last = m_actions.table().newest(object)) {
         restore(*last);
+        return;
+    }
+    // Nothing was done with it, or it was put back: what is void is neither sent nor stored.
+    m_changed.erase(object);
+    for (auto& [address, peer] : m_peers)
+        peer.events.forget(object);
 }
 
 Result<void> HostActions::act(ObjectId object, const ObjectAction& action, SessionTime session,

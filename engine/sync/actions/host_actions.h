@@ -41,7 +41,8 @@ public:
     void leave(PeerAddress address, LocalTime now);
 
     /// Sets the ownership of an object, taken from the facts. Where the owner changed, the action
-    /// in force continues under the new ownership (SharedActions::continued).
+    /// in force continues under the new ownership (SharedActions::continued); where the object was
+    /// put back, it ends.
     void share(ObjectId object, const Ownership& ownership);
     /// Begins an action on an object of the host. @returns what SharedActions::begun does.
     [[nodiscard]] Result<void> act(ObjectId object, const ObjectAction& action, SessionTime session,
@@ -60,7 +61,7 @@ public:
               bool mayAct, LocalTime now);
     void acknowledge(PeerAddress from, const EventAck& ack);
     /// Restores an action that was in force before a restart of the host; it continues under the
-    /// present ownership. Ignored for an object that is not shared.
+    /// present ownership. Ignored for an object that is not shared, or was put back since.
     void restore(const EventCpo& event);
     /// The newest action of every object on which it changed since the last call: to be stored, and
     /// given to restore() after a restart.

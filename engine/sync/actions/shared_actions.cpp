@@ -1,6 +1,7 @@
 #include "engine/sync/actions/shared_actions.h"
 
 #include "engine/sync/strategies/strategy_choice.h"
+#include "engine/sync/wire/sequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,17 @@ bool SharedActions::share(ObjectId object, const Ownership& ownership)
 {
     ++m_revision;
     const auto [place, isNew] = m_owners.try_emplace(object, ownership);
-    return isNew || std::exchange(place->second, ownership) != ownership;
+    const bool changed = isNew || std::exchange(place->second, ownership) != ownership;
+    if (const EventCpo* newest = m_table.newest(object); newest && isVoid(*newest))
+        forget(object);
+    return changed;
+}
+
+bool SharedActions::isVoid(const EventCpo& event) const
+{
+    const auto found = m_owners.find(event.object);
+    return found != m_owners.end() && found->second.inPlace
+           && !isAfter(event.epoch, *found->second.inPlace);
 }
 
 std::optional<ParticipantId> SharedActions::ownerOf(ObjectId object) const
@@ -66,10 +77,14 @@ std::optional<ParticipantId> SharedActions::ownerOf(ObjectId object) const
 bool SharedActions::isOwners(ParticipantId who, const EventCpo& event) const
 {
     const auto found = m_owners.find(event.object);
-    return found != m_owners.end() && found->second == Ownership{who, event.epoch};
+    return found != m_owners.end() && found->second.owner == who
+           && found->second.epoch == event.epoch;
 }
 
-bool SharedActions::isOwn(ObjectId object) const { return ownerOf(object) == m_self; }
+bool SharedActions::isOwn(ObjectId object) const
+{
+    return m_self != kNobody && ownerOf(object) == m_self;
+}
 
 Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& action, SessionTime t,
                                       LocalTime drawn) const
@@ -96,7 +111,7 @@ Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& actio
 std::optional<EventCpo> SharedActions::continued(EventCpo event) const
 {
     const auto found = m_owners.find(event.object);
-    if (found == m_owners.end())
+    if (found == m_owners.end() || isVoid(event))
         return std::nullopt;
     if (std::exchange(event.epoch, found->second.epoch) != found->second.epoch)
         event.action = kContinued;
@@ -106,6 +121,8 @@ std::optional<EventCpo> SharedActions::continued(EventCpo event) const
 EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<SessionTime> session,
                                         LocalTime now)
 {
+    if (isVoid(event))
+        return EventTable::Verdict::Refused;
     ++m_revision;
     const EventCpo* last = m_table.newest(event.object);
     const std::optional<EventCpo> before = last ? std::optional{*last} : std::nullopt;

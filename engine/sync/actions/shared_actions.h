@@ -15,6 +15,9 @@ namespace carina
 struct Ownership {
     ParticipantId owner;
     std::uint16_t epoch = 0; ///< incremented with each change of owner; wraps
+    /// Of an object that is lifted out of its place: the last epoch in which it was there. Actions
+    /// until then are void.
+    std::optional<std::uint16_t> inPlace{};
 
     friend bool operator==(const Ownership&, const Ownership&) = default;
 };
@@ -47,7 +50,8 @@ public:
     [[nodiscard]] ParticipantId self() const { return m_self; }
     void clear();
 
-    /// Sets the ownership of an object, taken from the facts. @returns whether it changed.
+    /// Sets the ownership of an object, taken from the facts, and forgets an action that is void by
+    /// it. @returns whether it changed.
     bool share(ObjectId object, const Ownership& ownership);
     /// Nothing for an object that is not shared.
     [[nodiscard]] std::optional<ParticipantId> ownerOf(ObjectId object) const;
@@ -67,10 +71,11 @@ public:
                                          LocalTime drawn) const;
     /// An action as it continues under the present ownership: unchanged where it was taken under
     /// it, else with the new epoch and the counter 0. Later actions of the previous owner that
-    /// never arrived are thereby void everywhere. Nothing for an object that is not shared.
+    /// never arrived are thereby void everywhere. Nothing for an object that is not shared, and for
+    /// an action from before the object was put back.
     [[nodiscard]] std::optional<EventCpo> continued(EventCpo event) const;
 
-    /// As EventTable::take.
+    /// As EventTable::take; refuses what is void.
     EventTable::Verdict take(const EventCpo& event, std::optional<SessionTime> session,
                              LocalTime now);
     void forget(ObjectId object);
@@ -90,6 +95,9 @@ public:
     [[nodiscard]] const ApplicationAnalysis& analysis() const { return m_analysis; }
 
 private:
+    /// Whether an action is from before its object was put back into its place.
+    [[nodiscard]] bool isVoid(const EventCpo& event) const;
+
     std::uint64_t m_revision = 0;
     ParticipantId m_self = kNobody;
     EventTable m_table;

@@ -1,3 +1,4 @@
+#include "models/objects/liftables.h"
 #include "models/objects/object_action_model.h"
 #include "models/patient/shared_patient.h"
 #include "tests/engine/net/node/nodes.h"
@@ -13,6 +14,7 @@ class TestActionsEverywhere : public QObject
 
 private Q_SLOTS:
     void areTheSameForALateJoinerAndAfterARestart();
+    void whatIsPutBackStaysInItsPlaceAfterARestart();
 };
 
 namespace
@@ -68,6 +70,45 @@ void TestActionsEverywhere::areTheSameForALateJoinerAndAfterARestart()
     QVERIFY(!host->model.isInPlace());
     sharePatient(*host->node, kStation, "Adult");
     QCOMPARE(host->object.objects().size(), std::size_t{1});
+}
+
+/// What was lifted out is as it was, and once it is put back nothing of its motion comes again.
+void TestActionsEverywhere::whatIsPutBackStaysInItsPlaceAfterARestart()
+{
+    MemoryDisk disk;
+    auto host = std::make_unique<Console>(carina::host(disk));
+    const std::uint16_t port = host->node->port();
+    shareLiftables(*host->node, kStation);
+    Console anna{join(*host->node, "Anna")};
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna.node) && anna.object.objects().size() > 1, kSoonMs);
+    const ObjectId lungs = anna.object.objects().at(1).id;
+    anna.object.choose(lungs);
+    anna.object.lift();
+    QTRY_VERIFY_WITH_TIMEOUT(anna.object.isOwn(), kSoonMs);
+    anna.model.setSpeed(180.0);
+    anna.model.start();
+    QTRY_VERIFY_WITH_TIMEOUT(anna.model.canStop() && !anna.model.isInPlace(), kSoonMs);
+    anna.model.stop();
+    host->object.choose(lungs);
+    QTRY_COMPARE_WITH_TIMEOUT(host->model.placeText(), anna.model.placeText(), kSoonMs);
+
+    const auto restart = [&] {
+        host.reset();
+        host = std::make_unique<Console>(carina::host(disk, port));
+        host->object.choose(lungs);
+    };
+    restart();
+    QTRY_COMPARE_WITH_TIMEOUT(host->model.placeText(), anna.model.placeText(), kSoonMs);
+    anna.model.putBack();
+    const auto isBack = [](const Console& console) {
+        return console.object.chosen()->owner == kNobody && console.model.isInPlace();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isBack(anna) && isBack(*host), kSoonMs);
+    restart();
+    QVERIFY(isBack(*host));
+    host->object.lift();
+    QTRY_VERIFY_WITH_TIMEOUT(host->object.isOwn(), kSoonMs);
+    QVERIFY(host->model.isInPlace());
 }
 
 CARINA_TEST(TestActionsEverywhere)

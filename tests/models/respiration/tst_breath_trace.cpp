@@ -3,6 +3,8 @@
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
+#include <QSignalSpy>
+
 #include <cmath>
 
 namespace carina::breath_trace_test

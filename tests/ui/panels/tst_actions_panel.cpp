@@ -27,6 +27,8 @@ private Q_SLOTS:
     void asksAndTakesTheWishBack();
     void letsOnlyAnInstructorTakeOver();
     void showsAnObserverASentenceInstead();
+    void liftsMovesUndoesAndPutsBackByItsControls();
+    void liftsByKeyboardAlone();
     void namesEveryControlForAScreenReader();
 };
 
@@ -61,6 +63,12 @@ struct Desk {
     void deliver()
     {
         node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    /// The lungs can be lifted out, too.
+    void shareLungs()
+    {
+        node.decide(fact::ObjectShared{{}, kNobody, ObjectKind::OrganGroup, "lungs"});
         QCoreApplication::sendPostedEvents();
     }
     void choose(const char* box, int place)
@@ -204,6 +212,55 @@ void TestActionsPanel::showsAnObserverASentenceInstead()
     for (const QWidget* control : desk.find<QWidget>("controls").findChildren<QWidget*>())
         QVERIFY(!control->isVisible());
     QVERIFY(!Desk{FakeSessionNode::kTrainee}.find<QLabel>("obstacle").isVisible());
+}
+
+void TestActionsPanel::liftsMovesUndoesAndPutsBackByItsControls()
+{
+    Desk desk{FakeSessionNode::kTrainee};
+    QVERIFY(!desk.button("lift").isEnabled()); // the patient has no place to be lifted out of
+    desk.shareLungs();
+    desk.choose("object", 1);
+    QVERIFY(desk.button("lift").isEnabled());
+    QVERIFY(!desk.button("putBack").isEnabled() && !desk.button("begin").isEnabled());
+    desk.button("lift").click();
+    desk.deliver();
+    QCOMPARE(desk.words("owner"), QStringLiteral("● you"));
+    QVERIFY(!desk.button("lift").isEnabled() && desk.button("putBack").isEnabled());
+    desk.find<QDoubleSpinBox>("speed").setValue(45.0);
+    desk.button("begin").click();
+    desk.node.advance(seconds{2});
+    desk.button("stop").click();
+    QVERIFY(desk.words("place").contains(QStringLiteral("turned 90.0°")));
+    QVERIFY(desk.button("undoAction").isEnabled());
+    desk.button("undoAction").click();
+    QCOMPARE(desk.words("place"), QStringLiteral("In its original place"));
+    QVERIFY(!desk.button("undoAction").isEnabled());
+    desk.button("putBack").click();
+    desk.deliver();
+    QCOMPARE(desk.words("owner"), QStringLiteral("○ nobody: in its place"));
+    desk.button("lift").click();
+    desk.deliver();
+    QVERIFY(desk.button("putAllBack").isEnabled());
+    desk.button("putAllBack").click();
+    desk.deliver();
+    QVERIFY(!desk.button("putAllBack").isEnabled());
+    QCOMPARE(desk.words("owner"), QStringLiteral("○ nobody: in its place"));
+}
+
+void TestActionsPanel::liftsByKeyboardAlone()
+{
+    Desk desk{FakeSessionNode::kTrainee};
+    desk.shareLungs();
+    desk.choose("object", 1);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    QCOMPARE(QApplication::focusWidget(), &desk.button("lift"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    desk.deliver();
+    QCOMPARE(QApplication::focusWidget(), &desk.button("putBack"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    desk.deliver();
+    QCOMPARE(desk.words("owner"), QStringLiteral("○ nobody: in its place"));
+    QVERIFY(QApplication::focusWidget() && QApplication::focusWidget()->isEnabled());
 }
 
 void TestActionsPanel::namesEveryControlForAScreenReader()

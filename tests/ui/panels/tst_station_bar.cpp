@@ -149,7 +149,7 @@ void TestStationBar::closesOnTheSecondPressOnly()
     bar.stations.show(kRoom);
     QVERIFY(close.isEnabled());
     Bar::press(close);
-    QCOMPARE(close.text(), QStringLiteral("Really close?"));
+    QCOMPARE(close.text(), QStringLiteral("Really?"));
     QVERIFY(bar.node.state()->isOpen(kRoom));
     Bar::press(close);
     QVERIFY(!bar.node.state()->isOpen(kRoom));

@@ -291,12 +291,8 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F, const SceneF
         p += frame.chest.field.at(p, frame.chest.of(part.region)).d_A;
     if (const auto tissue = tissueOf(part.region))
         p += jawPull(frame.throat.field.frame(), *tissue, jawShift(frame.throat.X_AJ), p).d;
-    if (part.body.empty())
-        return p;
-    const auto body = frame.bodies.find(part.body);
-    if (body == frame.bodies.end())
-        return std::nullopt;
-    return body->second.X_AF * (body->second.scale * p);
+    const auto place = placeOf(frame, part.body, part.liftedWith);
+    return place ? std::optional{place->at(p)} : std::nullopt;
 }
 
 std::optional<Vec3> drawnAt(const ScenePart& part, const SurfacePlace& place,

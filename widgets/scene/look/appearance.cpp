@@ -1,5 +1,7 @@
 #include "widgets/scene/look/appearance.h"
 
+#include "engine/anatomy/organ_group.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -83,33 +85,21 @@ Appearance appearanceOf(const AnatomyPart& part)
 
 BodyRegion bodyRegionOf(PartRole role)
 {
-    if (lungSide(role))
-        return BodyRegion::Lungs;
-    switch (role) {
-    case PartRole::Trachea:
-    case PartRole::RightMainBronchus:
-    case PartRole::LeftMainBronchus:
-    case PartRole::BronchialTree:
-    case PartRole::Larynx:
-    case PartRole::Epiglottis:
-    case PartRole::Tongue:
-    case PartRole::Pharynx:
+    switch (groupOf(role)) {
+    case OrganGroup::Airway:
         return BodyRegion::Airway;
-    case PartRole::Mandible:
-    case PartRole::Tooth:
-    case PartRole::Skull:
-    case PartRole::Spine:
-    case PartRole::Rib:
+    case OrganGroup::Lungs:
+        return BodyRegion::Lungs;
+    case OrganGroup::Skeleton:
         return BodyRegion::Skeleton;
-    case PartRole::Heart:
-    case PartRole::Vessel:
+    case OrganGroup::Vessels:
         return BodyRegion::Vessels;
-    case PartRole::Diaphragm:
-    case PartRole::Muscle:
+    case OrganGroup::Muscles:
         return BodyRegion::Muscles;
-    default:
-        return BodyRegion::Other;
+    case OrganGroup::Other:
+        break;
     }
+    return BodyRegion::Other;
 }
 
 } // namespace carina

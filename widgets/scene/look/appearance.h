@@ -19,9 +19,7 @@ struct Appearance {
 /// dichromacies.
 [[nodiscard]] Appearance appearanceOf(const AnatomyPart& part);
 
-/// The region under which a part of this role is listed: mouth, pharynx and bronchi belong to the
-/// airway, teeth to the skeleton, the heart to the vessels, the diaphragm to the muscles; Other for
-/// oesophagus, skin and whatever was not recognised.
+/// The region under which a part of this role is listed: that of its OrganGroup.
 [[nodiscard]] BodyRegion bodyRegionOf(PartRole role);
 
 } // namespace carina

@@ -6,31 +6,17 @@
 
 namespace carina
 {
-namespace
-{
-
-/// Where a part is drawn; nothing where it is not.
-std::optional<PlacedBody> placeOf(const ScenePart& part, const SceneFrame& frame)
-{
-    if (part.body.empty())
-        return PlacedBody{};
-    const auto body = frame.bodies.find(part.body);
-    return body == frame.bodies.end() ? std::nullopt : std::optional{body->second};
-}
-
-} // namespace
-
 std::optional<ErrorRange> errorRange(const Mat4& quadric_A, std::span<const ScenePart> parts,
                                      const SceneFrame& frame)
 {
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (const ScenePart& part : parts) {
-        const std::optional<PlacedBody> place = placeOf(part, frame);
+        const std::optional<PlacedBody> place = placeOf(frame, part.body, part.liftedWith);
         if (!place || !part.framed || part.group == MaterialGroup::Tool)
             continue;
         for (const Vec3f& p_F : part.levels.back()->positions) {
-            const Vec3 p_A = place->X_AF * Vec3{place->scale * p_F.cast<double>()};
+            const Vec3 p_A = place->at(p_F.cast<double>());
             const double squared =
                 std::max(0.0, p_A.homogeneous().dot(quadric_A * p_A.homogeneous()));
             least = std::min(least, squared);

@@ -40,7 +40,8 @@ void appendPart(MergedSurface& surface, const ScenePart& part, std::size_t place
     for (std::size_t level = 0; level < part.levels.size(); ++level) {
         const TriangleMesh& mesh = *part.levels[level];
         surface.pieces.push_back({place, static_cast<int>(level), surface.triangles.size(),
-                                  mesh.triangles.size(), part.group == MaterialGroup::Airway});
+                                  mesh.triangles.size(), part.group == MaterialGroup::Airway,
+                                  part.liftedWith});
         appendMesh(surface, part, level);
     }
 }

@@ -38,7 +38,8 @@ struct SurfacePiece {
     int level = 0;
     std::size_t firstTriangle = 0;
     std::size_t triangles = 0;
-    bool seenInto = false; ///< its inner face is drawn, too, even if only front faces are drawn
+    bool seenInto = false;    ///< its inner face is drawn, too, even if only front faces are drawn
+    std::string liftedWith{}; ///< as of the part
 };
 
 /// Several parts, in all their levels of detail, in one pair of buffers.

@@ -67,6 +67,8 @@ struct ScenePart {
     /// Empty for a part fixed in A, with meshes in A; else the name of the moving body that it is
     /// fixed to, such as "tube" or "jaw", with meshes in that body's frame.
     std::string body;
+    /// The name of the group with which it is lifted out (SceneFrame::lifted); empty: it never is.
+    std::string liftedWith{};
     /// Whether view presets show it whole. Not for a body that is sometimes absent.
     bool framed = true;
 

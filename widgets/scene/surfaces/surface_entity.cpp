@@ -2,73 +2,19 @@
 
 #include "widgets/scene/look/chest_uniforms.h"
 
-#include <Qt3DCore/QAttribute>
-#include <Qt3DCore/QBuffer>
 #include <Qt3DCore/QEntity>
-#include <Qt3DCore/QGeometry>
-#include <Qt3DCore/QTransform>
 #include <Qt3DRender/QEffect>
-#include <Qt3DRender/QGeometryRenderer>
 #include <Qt3DRender/QMaterial>
 #include <Qt3DRender/QParameter>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
+#include <utility>
 
 namespace carina
 {
 
 namespace
 {
-
-static_assert(sizeof(SurfaceVertex) == 12 * sizeof(float));
-static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
-
-/// A turn by less than a third of a degree leaves the order of what is blended as it is.
-constexpr float kSmallTurn = 0.006F; // radians
-
-template <class T> QByteArray bytesOf(const std::vector<T>& values)
-{
-    return {reinterpret_cast<const char*>(values.data()),
-            static_cast<qsizetype>(values.size() * sizeof(T))};
-}
-
-struct Column {
-    const char* name;
-    std::size_t offset;
-};
-constexpr std::array kColumns{Column{"vertexPosition", offsetof(SurfaceVertex, position)},
-                              Column{"vertexNormal", offsetof(SurfaceVertex, normal)},
-                              Column{"vertexColor", offsetof(SurfaceVertex, color)},
-                              Column{"vertexPart", offsetof(SurfaceVertex, part)}};
-
-void addVertices(Qt3DCore::QGeometry* geometry, const std::vector<SurfaceVertex>& vertices)
-{
-    auto* buffer = new Qt3DCore::QBuffer;
-    buffer->setData(bytesOf(vertices));
-    for (const Column& column : kColumns) {
-        auto* attribute = new Qt3DCore::QAttribute;
-        attribute->setName(QString::fromLatin1(column.name));
-        attribute->setAttributeType(Qt3DCore::QAttribute::VertexAttribute);
-        attribute->setVertexBaseType(Qt3DCore::QAttribute::Float);
-        attribute->setVertexSize(3);
-        attribute->setBuffer(buffer);
-        attribute->setByteOffset(static_cast<uint>(column.offset));
-        attribute->setByteStride(sizeof(SurfaceVertex));
-        attribute->setCount(static_cast<uint>(vertices.size()));
-        geometry->addAttribute(attribute);
-    }
-}
-
-Qt3DCore::QAttribute* cornerList(Qt3DCore::QBuffer* corners)
-{
-    auto* attribute = new Qt3DCore::QAttribute;
-    attribute->setAttributeType(Qt3DCore::QAttribute::IndexAttribute);
-    attribute->setVertexBaseType(Qt3DCore::QAttribute::UnsignedInt);
-    attribute->setBuffer(corners);
-    return attribute;
-}
 
 std::vector<Qt3DRender::QParameter*> motionParameters(bool hasManyRegions)
 {
@@ -81,18 +27,6 @@ std::vector<Qt3DRender::QParameter*> motionParameters(bool hasManyRegions)
     return parameters;
 }
 
-/// Explicit bounds spare Qt 3D a scan of all positions. Nothing is culled by them.
-void setBounds(Qt3DRender::QGeometryRenderer* renderer, const std::vector<SurfaceVertex>& vertices)
-{
-    Box bounds;
-    for (const SurfaceVertex& vertex : vertices)
-        bounds.include(Vec3(vertex.position.cast<double>()));
-    const Vec3f low = bounds.min.cast<float>();
-    const Vec3f high = bounds.max.cast<float>();
-    renderer->setMinPoint({low.x(), low.y(), low.z()});
-    renderer->setMaxPoint({high.x(), high.y(), high.z()});
-}
-
 } // namespace
 
 SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
@@ -101,10 +35,8 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_pieces(std::move(surface.pieces)),
       m_triangles(std::move(surface.triangles)),
       m_entity(std::make_unique<Qt3DCore::QEntity>(parent)),
-      m_renderer(new Qt3DRender::QGeometryRenderer),
-      m_corners(new Qt3DCore::QBuffer),
-      m_cornerList(cornerList(m_corners)),
-      m_X_AF(new Qt3DCore::QTransform),
+      m_material(new Qt3DRender::QMaterial(m_entity.get())),
+      m_columns(surfaceColumns(surface.vertices, m_entity.get())),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
       m_motions(motionParameters(!m_key.region)),
       m_throat(new Qt3DRender::QParameter(QStringLiteral("throat"), throatUniform({}))),
@@ -113,23 +45,15 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
     if (m_key.layer == DrawLayer::Blended)
         for (const SurfaceVertex& vertex : surface.vertices)
             m_positions.push_back(vertex.position);
-    auto* geometry = new Qt3DCore::QGeometry;
-    addVertices(geometry, surface.vertices);
-    geometry->addAttribute(m_cornerList);
-    m_renderer->setGeometry(geometry);
-    m_renderer->setPrimitiveType(Qt3DRender::QGeometryRenderer::Triangles);
-    setBounds(m_renderer, surface.vertices);
     setMotion({});
-    auto* material = new Qt3DRender::QMaterial;
-    material->setEffect(effect);
-    material->addParameter(m_chest);
+    m_material->setEffect(effect);
+    m_material->addParameter(m_chest);
     for (Qt3DRender::QParameter* motion : m_motions)
-        material->addParameter(motion);
-    material->addParameter(m_throat);
-    material->addParameter(m_jaw);
-    m_entity->addComponent(m_renderer);
-    m_entity->addComponent(m_X_AF);
-    m_entity->addComponent(material);
+        m_material->addParameter(motion);
+    m_material->addParameter(m_throat);
+    m_material->addParameter(m_jaw);
+    m_shares.push_back(
+        std::make_unique<SurfaceShare>(std::string{}, m_columns, m_material, m_entity.get()));
 }
 
 SurfaceEntity::~SurfaceEntity() = default;
@@ -144,20 +68,32 @@ void SurfaceEntity::setMotion(const BreathingChest& chest)
         m_motions[region]->setValue(motionUniform(chest.motion[region]));
 }
 
+/// Gives each group that is lifted out, and of which parts are here, a share of its own.
+void SurfaceEntity::liftShares(const SceneFrame& frame)
+{
+    const auto isOf = [](const auto& entry) {
+        return [&entry](const auto& share) { return share->liftedWith() == entry.first; };
+    };
+    const auto isHere = [](const auto& entry) {
+        return [&entry](const SurfacePiece& piece) { return piece.liftedWith == entry.first; };
+    };
+    for (const auto& entry : frame.lifted)
+        if (std::ranges::none_of(m_shares, isOf(entry))
+            && std::ranges::any_of(m_pieces, isHere(entry)))
+            m_shares.push_back(
+                std::make_unique<SurfaceShare>(entry.first, m_columns, m_material, m_entity.get()));
+}
+
 void SurfaceEntity::apply(const SceneFrame& frame)
 {
-    m_isPlaced = true;
-    if (!m_key.body.empty()) {
-        const auto body = frame.bodies.find(m_key.body);
-        m_isPlaced = body != frame.bodies.end();
-        if (m_isPlaced) {
-            m_R_AF = body->second.X_AF.rotation();
-            const Vec3f p = body->second.X_AF.translation().cast<float>();
-            m_X_AF->setRotation({static_cast<float>(m_R_AF.w()), static_cast<float>(m_R_AF.x()),
-                                 static_cast<float>(m_R_AF.y()), static_cast<float>(m_R_AF.z())});
-            m_X_AF->setTranslation({p.x(), p.y(), p.z()});
-            m_X_AF->setScale(static_cast<float>(body->second.scale));
-        }
+    liftShares(frame);
+    for (const auto& share : m_shares) {
+        const bool isInUse =
+            share->liftedWith().empty() || frame.lifted.contains(share->liftedWith());
+        if (isInUse != share->isInUse())
+            m_levels.clear(); // all of it is chosen anew
+        share->setInUse(isInUse);
+        share->place(placeOf(frame, m_key.body, share->liftedWith()));
     }
     m_chest->setValue(chestUniform(frame.chest.field));
     setMotion(frame.chest);
@@ -165,25 +101,39 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     m_jaw->setValue(jawUniform(frame.throat.X_AJ));
 }
 
+/// The pieces that a share draws; what is not lifted out is drawn in its place.
+std::vector<SurfacePiece> SurfaceEntity::piecesOf(const SurfaceShare& share) const
+{
+    const auto drawnBy = [this](const SurfacePiece& piece) {
+        const auto lifted = std::ranges::find_if(m_shares, [&piece](const auto& other) {
+            return other->isInUse() && other->liftedWith() == piece.liftedWith;
+        });
+        return lifted == m_shares.end() ? m_shares.front().get() : lifted->get();
+    };
+    std::vector<SurfacePiece> pieces;
+    std::ranges::copy_if(m_pieces, std::back_inserter(pieces),
+                         [&](const SurfacePiece& piece) { return drawnBy(piece) == &share; });
+    return pieces;
+}
+
 void SurfaceEntity::show(std::span<const int> levels, const Vec3& forward_A)
 {
     const bool isBlended = m_key.layer == DrawLayer::Blended;
     const bool isNew = !std::ranges::equal(levels, m_levels);
-    const Vec3f forward_F = (m_R_AF.conjugate() * forward_A).cast<float>();
-    const bool turned = (forward_F - m_forward_F).norm() > kSmallTurn;
-    if (isNew) {
-        m_levels.assign(levels.begin(), levels.end());
-        std::vector<Triangle> chosen = trianglesAt(levels, m_pieces, m_triangles, m_isCut);
-        if (isBlended)
-            m_order = DrawOrder{std::move(chosen), m_positions};
-        else
-            drawTriangles(chosen);
+    m_levels.assign(levels.begin(), levels.end());
+    for (const auto& share : m_shares) {
+        if (isNew) {
+            std::vector<Triangle> chosen =
+                trianglesAt(levels, piecesOf(*share), m_triangles, m_isCut);
+            if (isBlended)
+                share->drawSorted(std::move(chosen), m_positions, forward_A);
+            else
+                share->draw(chosen);
+        } else if (isBlended) {
+            share->sort(forward_A);
+        }
+        share->show();
     }
-    if (isBlended && (isNew || turned)) {
-        m_forward_F = forward_F;
-        drawTriangles(m_order.backToFront(forward_F));
-    }
-    m_entity->setEnabled(m_isPlaced && m_renderer->vertexCount() > 0);
 }
 
 void SurfaceEntity::setCut(bool cut)
@@ -191,14 +141,6 @@ void SurfaceEntity::setCut(bool cut)
     if (cut != m_isCut)
         m_levels.clear(); // all of it is chosen anew
     m_isCut = cut;
-}
-
-void SurfaceEntity::drawTriangles(const std::vector<Triangle>& triangles)
-{
-    const auto count = static_cast<int>(3 * triangles.size());
-    m_corners->setData(bytesOf(triangles));
-    m_cornerList->setCount(static_cast<uint>(count));
-    m_renderer->setVertexCount(count);
 }
 
 } // namespace carina

@@ -1,22 +1,17 @@
 #pragma once
 
-#include "widgets/scene/look/draw_order.h"
 #include "widgets/scene/surfaces/merged_surface.h"
+#include "widgets/scene/surfaces/surface_share.h"
 #include "widgets/scene/view/scene_frame.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
-namespace Qt3DCore
-{
-class QAttribute;
-class QBuffer;
-class QEntity;
-class QTransform;
-} // namespace Qt3DCore
 namespace Qt3DRender
 {
 class QEffect;
-class QGeometryRenderer;
+class QMaterial;
 class QParameter;
 } // namespace Qt3DRender
 
@@ -24,8 +19,8 @@ namespace carina
 {
 
 /// One merged surface in Qt 3D's scene: its buffers, the pose of its body and its deformation. The
-/// vertex buffer holds all levels of detail and does not change; the index buffer holds the
-/// triangles to draw, in drawing order, and is rewritten when these change.
+/// vertex buffer holds all levels of detail and does not change. It is drawn in shares: what is in
+/// its place, and each group of parts that is lifted out.
 class SurfaceEntity
 {
 public:
@@ -45,8 +40,9 @@ public:
     void setCut(bool cut);
 
 private:
-    void drawTriangles(const std::vector<Triangle>& triangles);
     void setMotion(const BreathingChest& chest);
+    void liftShares(const SceneFrame& frame);
+    [[nodiscard]] std::vector<SurfacePiece> piecesOf(const SurfaceShare& share) const;
 
     SurfaceKey m_key;
     std::vector<SurfacePiece> m_pieces;
@@ -54,22 +50,18 @@ private:
     std::vector<Vec3f> m_positions; ///< of a blended surface
     std::vector<int> m_levels;      ///< drawn now
     bool m_isCut = false;
-    DrawOrder m_order; ///< of a blended surface, in those levels
-    Vec3f m_forward_F = Vec3f::Zero();
-    Quat m_R_AF = Quat::Identity();
 
-    std::unique_ptr<Qt3DCore::QEntity> m_entity;
-    Qt3DRender::QGeometryRenderer* m_renderer;
-    Qt3DCore::QBuffer* m_corners;
-    Qt3DCore::QAttribute* m_cornerList;
-    Qt3DCore::QTransform* m_X_AF;
+    std::unique_ptr<Qt3DCore::QEntity> m_entity; ///< parent of the shares'
+    Qt3DRender::QMaterial* m_material;
+    SurfaceColumns m_columns;
     Qt3DRender::QParameter* m_chest;
     /// Of its region, or of each region, by ChestRegion. One parameter for each matrix: Qt 6.4
     /// leaks a list each time it is set.
     std::vector<Qt3DRender::QParameter*> m_motions;
     Qt3DRender::QParameter* m_throat;
     Qt3DRender::QParameter* m_jaw;
-    bool m_isPlaced = true;
+    /// What is in its place, first, and the groups that were ever lifted out.
+    std::vector<std::unique_ptr<SurfaceShare>> m_shares;
 };
 
 } // namespace carina

@@ -19,7 +19,8 @@ namespace carina
 
 inline constexpr std::size_t kMostEyes = 2; ///< eyes per frame
 
-/// Pose and scale of a body F: its point p_F is drawn at X_AF * (scale p_F).
+/// Pose and scale of a body F: its point p_F is drawn at X_AF * (scale p_F). Also a motion in A,
+/// which takes what is at p_A to X_AF * (scale p_A).
 struct PlacedBody {
     RigidTransform X_AF;
     double scale = 1.0;
@@ -28,6 +29,15 @@ struct PlacedBody {
     PlacedBody(const RigidTransform& place, double size = 1.0) // NOLINT: most have their own size
         : X_AF{place}, scale{size}
     {
+    }
+
+    [[nodiscard]] Vec3 at(const Vec3& p_F) const { return X_AF * Vec3{scale * p_F}; }
+    /// The motion of what is placed: first `placed`, then `motion`.
+    friend PlacedBody operator*(const PlacedBody& motion, const PlacedBody& placed)
+    {
+        return {RigidTransform{motion.X_AF.rotation() * placed.X_AF.rotation(),
+                               motion.at(placed.X_AF.translation())},
+                motion.scale * placed.scale};
     }
 };
 
@@ -54,11 +64,33 @@ struct SceneFrame {
     /// is never an identity.
     std::map<std::string, PlacedBody> bodies;
 
+    /// The groups of parts that are lifted out, by ScenePart::liftedWith: the motion in A of each
+    /// from where its bodies have it. Deformations take place before.
+    std::map<std::string, PlacedBody> lifted;
+
     /// The pictures of at most kMostEyes eyes, in areas of the window that do not overlap. An empty
     /// list, as while a headset is lost, draws the background only; std::nullopt uses the view's
     /// own camera.
     std::optional<std::vector<EyePicture>> eyes;
 };
+
+/// The place of a body in a frame, or of its parts that are lifted out with a group, while they
+/// are; std::nullopt where the body is not drawn.
+/// @param body       empty: what is fixed in A
+/// @param liftedWith empty: what is in its place
+[[nodiscard]] inline std::optional<PlacedBody>
+placeOf(const SceneFrame& frame, const std::string& body, const std::string& liftedWith)
+{
+    PlacedBody place;
+    if (!body.empty()) {
+        const auto found = frame.bodies.find(body);
+        if (found == frame.bodies.end())
+            return std::nullopt;
+        place = found->second;
+    }
+    const auto motion = frame.lifted.find(liftedWith);
+    return motion == frame.lifted.end() ? place : motion->second * place;
+}
 
 /// One frame that was drawn.
 struct DrawnFrame {

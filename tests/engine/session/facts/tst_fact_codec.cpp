@@ -94,6 +94,11 @@ std::vector<Golden> goldenFacts()
          "20 0201 000000000000d03f"},
         {"hand shared", fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Hand, ""},
          "06 0100 0200 05 00"},
+        {"group of organs shared",
+         fact::ObjectShared{ObjectId{1}, kNobody, ObjectKind::OrganGroup, "ab"},
+         "06 0100 ffff 06 026162"},
+        {"put back", fact::ObjectHandedOver{ObjectId{0x0102}, kNobody, 0x0506},
+         "0b 0201 ffff 0605"},
     };
 }
 
@@ -148,7 +153,7 @@ void TestFactCodec::refusesBadBytes_data()
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
-    row("object kind 6", "06 0100 0100 06 00", "fact of kind 6: enumerator");
+    row("object kind 8", "06 0100 0100 08 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");

@@ -1,3 +1,4 @@
+#include "engine/sync/actions/client_actions.h"
 #include "engine/sync/actions/host_actions.h"
 #include "tests/support/test_class.h"
 
@@ -15,6 +16,16 @@ constexpr PeerAddress kOwner = 101;
 constexpr PeerAddress kFirst = 102;
 constexpr PeerAddress kSecond = 103;
 
+EventCpo actionOf(std::uint16_t epoch, std::uint32_t number)
+{
+    EventCpo event;
+    event.object = kObject;
+    event.epoch = epoch;
+    event.action = number;
+    event.start = kSession;
+    return event;
+}
+
 /// A host with an object of the first of three peers, whose action everybody has acknowledged.
 HostActions hostOfThree()
 {
@@ -22,12 +33,7 @@ HostActions hostOfThree()
     host.share(kObject, {ParticipantId{1}, 1});
     for (const PeerAddress address : {kOwner, kFirst, kSecond})
         host.join(address, ParticipantId{static_cast<std::uint16_t>(address - 100)}, kStart);
-    EventCpo event;
-    event.object = kObject;
-    event.epoch = 1;
-    event.action = 1;
-    event.start = kSession;
-    host.take(kOwner, event, kSession, kStart);
+    host.take(kOwner, actionOf(1, 1), kSession, kStart);
     for (const PeerAddress address : {kOwner, kFirst, kSecond}) {
         (void)host.takeDue(address, kStart);
         host.acknowledge(address, {kObject, 1, 1});
@@ -63,10 +69,7 @@ private Q_SLOTS:
     void passesAnActionOnToAllAtOnce()
     {
         HostActions host = hostOfThree();
-        EventCpo event;
-        event.object = kObject;
-        event.epoch = 1;
-        event.action = 2;
+        EventCpo event = actionOf(1, 2);
         event.start = kSession + 1s;
         host.take(kOwner, event, kSession + 1s, kStart + 1s);
         for (const PeerAddress address : {kFirst, kSecond})
@@ -101,6 +104,74 @@ private Q_SLOTS:
         QVERIFY(passed <= std::size_t(12.0 * kFastestProbes));
         QCOMPARE(send(1, kStart + 10s), 1U);
         QCOMPARE(send(99, kStart + 10s), 0U); // who is not there
+    }
+
+    /// Nobody has it any more: the action is neither shown, nor sent, nor stored.
+    void endsTheActionOnWhatIsPutBack()
+    {
+        HostActions host = hostOfThree();
+        (void)host.takeChanged();
+        const EventCpo event = actionOf(1, 2);
+        host.take(kOwner, event, kSession, kStart);
+        host.share(kObject, {kNobody, 2, std::uint16_t{2}});
+        QVERIFY(!host.shared().shown(kObject, kSession, kStart, kStart));
+        (void)host.takeDue(kOwner, kStart); // the acknowledgement
+        for (const PeerAddress address : {kOwner, kFirst, kSecond})
+            QVERIFY(host.takeDue(address, kStart + 1s).empty());
+        QVERIFY(host.takeChanged().empty());
+        // Not even by a heartbeat or a repeat of who had it.
+        host.take(kOwner, event, kSession, kStart);
+        host.take(kOwner, EventBeat{kObject, 1, 2}, kSession, kStart);
+        QVERIFY(!host.shared().shown(kObject, kSession, kStart, kStart));
+    }
+
+    /// What was stored before it was put back is not what the next one lifts.
+    void restoresNoActionFromBeforeItWasPutBack()
+    {
+        HostActions host;
+        host.share(kObject, {ParticipantId{2}, 3, std::uint16_t{2}});
+        host.restore(actionOf(1, 7));
+        host.advance(kSession, kStart);
+        QVERIFY(!host.shared().shown(kObject, kSession, kStart, kStart));
+        // One from since then goes on for who has it now.
+        host.share(kObject, {ParticipantId{1}, 4, std::uint16_t{2}});
+        host.restore(actionOf(3, 7));
+        host.advance(kSession, kStart);
+        QVERIFY(host.shared().shown(kObject, kSession, kStart, kStart));
+    }
+
+    /// A client may know an action before it knows that the object was put back and lifted again.
+    void aClientKeepsTheActionOfWhoLiftedItNext()
+    {
+        ClientActions client;
+        client.setSelf(ParticipantId{5});
+        client.share(kObject, {ParticipantId{1}, 1, std::uint16_t{0}});
+        client.take(actionOf(1, 1), kSession, kStart);
+        client.take(actionOf(3, 1), kSession, kStart);
+        client.share(kObject, {kNobody, 2, std::uint16_t{2}});
+        QCOMPARE(client.shared().table().newest(kObject)->epoch, std::uint16_t{3});
+        client.share(kObject, {ParticipantId{2}, 3, std::uint16_t{2}});
+        QCOMPARE(client.shared().table().newest(kObject)->epoch, std::uint16_t{3});
+        // And takes none that comes late.
+        client.share(kObject, {kNobody, 4, std::uint16_t{4}});
+        client.take(actionOf(3, 2), kSession, kStart);
+        QVERIFY(!client.shared().table().newest(kObject));
+    }
+
+    void whoLiftsItAgainBeginsInItsPlace()
+    {
+        ClientActions client;
+        client.setSelf(ParticipantId{1});
+        client.share(kObject, {ParticipantId{1}, 1, std::uint16_t{0}});
+        const ActedPose away{RigidTransform::translation(Vec3::UnitX()), 2.0};
+        QVERIFY(client.act(kObject, {.from = away, .anew = true}, kSession, kStart));
+        client.share(kObject, {kNobody, 2, std::uint16_t{2}});
+        QVERIFY(!client.act(kObject, {}, kSession, kStart)); // it is nobody's
+        client.share(kObject, {ParticipantId{1}, 3, std::uint16_t{2}});
+        QVERIFY(client.act(kObject, {}, kSession, kStart));
+        const auto shown = client.shared().shown(kObject, kSession, kStart, kStart);
+        QVERIFY(shown->acted.X_AO.translation().isZero());
+        QCOMPARE(shown->acted.scale, 1.0);
     }
 };
 

@@ -1,19 +1,28 @@
 #pragma once
 
+#include <QCommandLineParser>
 #include <QDockWidget>
 #include <QFile>
 #include <QTimer>
 #include <QWidget>
 
-namespace carina
+#include <memory>
+
+namespace carina::program
 {
 
-/// Fetches the panel that a control is in from behind others, as a person has to.
+inline void fetch(QDockWidget& dock)
+{
+    dock.show();
+    dock.raise();
+}
+
+/// Fetches the panel that a control is in from behind others, or opens it, as a person has to.
 template <class Control> Control* fetched(Control* control)
 {
     for (QWidget* outer = control; outer; outer = outer->parentWidget())
         if (auto* dock = qobject_cast<QDockWidget*>(outer))
-            dock->raise();
+            fetch(*dock);
     return control;
 }
 
@@ -22,7 +31,8 @@ template <class Control> Control* fetched(Control* control)
 /// is none that can be used, the script waits.
 ///
 /// - `press CONTROL` presses a button, a check box or a command of the tool bar.
-/// - `choose TABLE TEXT` chooses the row of a table whose first cell has this text.
+/// - `choose LIST TEXT` chooses the row of a table whose first cell has this text, or the entry of
+///   a combo box.
 /// - `type FIELD TEXT` replaces the text of a field, or the number of a spin box.
 class ControlScript
 {
@@ -40,4 +50,11 @@ private:
     QTimer m_timer;
 };
 
-} // namespace carina
+/// Adds `--script FILE`.
+void addScriptOption(QCommandLineParser& parser);
+
+/// The script of `--script`; null without it. @pre window outlives it
+[[nodiscard]] std::unique_ptr<ControlScript> scriptFromOptions(const QCommandLineParser& parser,
+                                                               QWidget& window);
+
+} // namespace carina::program

@@ -1,17 +1,19 @@
-#include "apps/instructor/control_script.h"
+#include "apps/program/control_script.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QTableView>
 
-namespace carina
+namespace carina::program
 {
 namespace
 {
 
+const QString kScript = QStringLiteral("script");
 constexpr int kScriptInterval_ms = 200; ///< of the lines: what one opens is there for the next
 
 template <class Control> Control* usable(const QWidget& in, const QString& name)
@@ -35,8 +37,21 @@ bool press(const QWidget& in, const QString& name)
     return action != nullptr;
 }
 
+/// Chooses the entry as a person does, of whom the box tells by a signal of its own.
+bool chooseEntry(QComboBox& box, const QString& text)
+{
+    const int entry = box.findText(text);
+    if (entry < 0)
+        return false;
+    box.setCurrentIndex(entry);
+    Q_EMIT box.activated(entry);
+    return true;
+}
+
 bool choose(const QWidget& in, const QString& name, const QString& text)
 {
+    if (auto* box = usable<QComboBox>(in, name))
+        return chooseEntry(*box, text);
     auto* table = usable<QTableView>(in, name);
     if (!table || !table->model())
         return false;
@@ -90,4 +105,20 @@ bool ControlScript::perform(const QString& line) const
     return verb == QLatin1String{"type"} && type(in, name, text);
 }
 
-} // namespace carina
+void addScriptOption(QCommandLineParser& parser)
+{
+    parser.addOption({kScript,
+                      QCoreApplication::translate(
+                          "Program", "Work the controls as the lines of this file say, which may "
+                                     "be appended later: press CONTROL, choose LIST ENTRY, type "
+                                     "FIELD TEXT."),
+                      QStringLiteral("FILE")});
+}
+
+std::unique_ptr<ControlScript> scriptFromOptions(const QCommandLineParser& parser, QWidget& window)
+{
+    return parser.isSet(kScript) ? std::make_unique<ControlScript>(window, parser.value(kScript))
+                                 : nullptr;
+}
+
+} // namespace carina::program

@@ -11,6 +11,7 @@
 #include "tests/engine/io/site/landmark_samples.h"
 #include "tests/engine/net/anatomy_transfer/frame_samples.h"
 #include "tests/engine/sync/wire/datagram_samples.h"
+#include "tests/engine/tracking/igtl/igtl_samples.h"
 #include "tests/fuzz/set_under_seal.h"
 
 #include <fstream>
@@ -109,6 +110,17 @@ std::vector<std::string> landmarks()
             "2" + test::kSlicerMarkups, "2" + test::kSlicerMarkupsRas};
 }
 
+/// In front of the messages two bytes, which say how they are read.
+std::vector<std::string> igtl()
+{
+    std::vector<std::string> all{std::string{"\1\1"}};
+    for (const IgtlMessage& message : test::igtlSamples()) {
+        all.push_back("\1\1" + textOf(encodeIgtl(message)));
+        all.front() += textOf(encodeIgtl(message));
+    }
+    return all;
+}
+
 bool areWritten(const std::filesystem::path& folder, const std::vector<std::string>& all)
 {
     std::filesystem::create_directories(folder);
@@ -131,7 +143,7 @@ int main(int argc, char** argv)
     const bool written =
         areWritten(folder / "datagram", datagrams()) && areWritten(folder / "entry", entries())
         && areWritten(folder / "transfer", frames()) && areWritten(folder / "set", sets())
-        && areWritten(folder / "landmark", landmarks())
+        && areWritten(folder / "igtl", igtl()) && areWritten(folder / "landmark", landmarks())
         && areWritten(folder / "picture", pictures());
     return written ? 0 : 1;
 }

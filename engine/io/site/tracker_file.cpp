@@ -133,15 +133,21 @@ Result<void> writeTrackerFile(const std::filesystem::path& file,
                 return wrote;
             entry[QStringLiteral("definition")] = QString::fromStdString(name);
         }
+        if (!tool.device.empty())
+            entry[QStringLiteral("device")] = QString::fromStdString(tool.device);
         tools.append(entry);
     }
+    const bool isNdi = description.kind == TrackerKind::Ndi;
+    const char* poses = isNdi ? kPoseWords[std::size_t(description.poses)]
+                              : kIgtlPoseWords[std::size_t(description.igtlPoses)];
     return writeJsonFile(
         file,
         {{QStringLiteral("schema"), kTrackerSchema},
-         {QStringLiteral("kind"), QString::fromLatin1(kKindWords[0])},
+         {QStringLiteral("kind"), QString::fromLatin1(kKindWords[std::size_t(description.kind)])},
          {QStringLiteral("address"), QString::fromStdString(description.address)},
-         {QStringLiteral("poses"), QString::fromLatin1(kPoseWords[std::size_t(description.poses)])},
-         {QStringLiteral("fastest_rate"), description.fastestRate},
+         {QStringLiteral("poses"), QString::fromLatin1(poses)},
+         {isNdi ? QStringLiteral("fastest_rate") : QStringLiteral("rate"),
+          isNdi ? description.fastestRate : description.rate_hz},
          {QStringLiteral("tools"), tools}});
 }
 

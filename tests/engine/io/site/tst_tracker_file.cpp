@@ -152,6 +152,14 @@ private Q_SLOTS:
         QCOMPARE(tracker->rate_hz, 30);
         QCOMPARE(tracker->tools[0].device, std::string{"TubeToTracker"});
         QVERIFY(tracker->tools[1].device.empty());
+        const QTemporaryDir elsewhere;
+        const auto file = elsewhere.filePath(QStringLiteral("plus.json")).toStdString();
+        QVERIFY(writeTrackerFile(file, *tracker));
+        const auto again = readTrackerFile(file);
+        QVERIFY2(again, again ? "" : again.error().detail.c_str());
+        QVERIFY(again->kind == tracker->kind && again->igtlPoses == tracker->igtlPoses);
+        QCOMPARE(again->rate_hz, 30);
+        QCOMPARE(again->tools[0].device, tracker->tools[0].device);
     }
 
     void keepsTheFieldsOfItsKindsApart_data()

@@ -4,6 +4,7 @@
 #include "apps/program/entry_option.h"
 #include "apps/program/journal.h"
 #include "apps/program/measurement.h"
+#include "apps/program/openigtlink_option.h"
 #include "apps/program/patient_option.h"
 #include "apps/program/program.h"
 #include "engine/anatomy/patient/patient_name.h"
@@ -81,6 +82,7 @@ void addOptions(QCommandLineParser& parser)
                             "for --patient after a colon, such as \"Room 5: adult\". May be given "
                             "several times."),
                       QStringLiteral("NAME")});
+    program::addOpenIgtLinkOption(parser);
     program::addPatientOptions(parser);
     program::addMeasureOptions(parser);
     program::addJournalOption(parser);
@@ -325,6 +327,11 @@ Result<int> run(const QCommandLineParser& parser)
         breathing.setForAll(all);
         respiration.setForAll(all);
     });
+    const auto giver = program::openIgtLinkOption(parser, window, [&shown] {
+        return OfferGiver::Shown{shown.view(), *shown.patient().patient()};
+    });
+    if (!giver)
+        return tl::unexpected(giver.error());
     openStations(**node, stations, *wanted);
     if (parser.isSet(QStringLiteral("start")) && session.canStart())
         session.start();

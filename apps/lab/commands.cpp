@@ -7,18 +7,18 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(),                     //
-                                breatheCommand(), mechanicsCommand(), //
-                                deformCommand(),                      //
-                                fitCommand(),     icpCommand(),       pivotCommand(),
+    static const std::array all{anatomyCommand(),                         //
+                                breatheCommand(),     mechanicsCommand(), //
+                                deformCommand(),                          //
+                                fitCommand(),         icpCommand(),       pivotCommand(),
                                 treCommand(), //
-                                ndiCommand(),     polarisCommand(),   polarisRateCommand(),
-                                predictCommand(), romCommand(),       trackCommand(),
-                                driftCommand(),   driftNodeCommand(),
+                                igtlCommand(),        ndiCommand(),       polarisCommand(),
+                                polarisRateCommand(), predictCommand(),   romCommand(),
+                                trackCommand(),       driftCommand(),     driftNodeCommand(),
                                 figuresCommand(), //
-                                attackCommand(),  carryCommand(),     handshakeCommand(),
+                                attackCommand(),      carryCommand(),     handshakeCommand(),
                                 soakCommand(), //
-                                renderCommand(),  summaryCommand()};
+                                renderCommand(),      summaryCommand()};
     return all;
 }
 

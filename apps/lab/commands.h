@@ -35,6 +35,7 @@ namespace carina::lab
 
 [[nodiscard]] Command summaryCommand();
 
+[[nodiscard]] Command igtlCommand();
 [[nodiscard]] Command ndiCommand();
 [[nodiscard]] Command polarisCommand();
 [[nodiscard]] Command polarisRateCommand();

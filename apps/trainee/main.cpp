@@ -3,6 +3,7 @@
 #include "apps/program/join_question.h"
 #include "apps/program/journal.h"
 #include "apps/program/measurement.h"
+#include "apps/program/openigtlink_option.h"
 #include "apps/program/patient_option.h"
 #include "apps/program/program.h"
 #include "apps/program/site_option.h"
@@ -68,6 +69,7 @@ void addOptions(QCommandLineParser& parser)
         parser,
         QApplication::translate("Trainee", "All but the simulated one need --site. Without "
                                            "a tracker this program shows the session only."));
+    program::addOpenIgtLinkOption(parser);
     program::addMeasureOptions(parser);
     program::addScriptOption(parser);
     program::addJournalOption(parser);
@@ -283,6 +285,11 @@ Result<int> run(const QCommandLineParser& parser)
             (*journal)->setStation(now);
     });
     const auto script = program::scriptFromOptions(parser, window);
+    const auto giver = program::openIgtLinkOption(parser, window, [&station] {
+        return OfferGiver::Shown{station.view(), station.patient()};
+    });
+    if (!giver)
+        return tl::unexpected(giver.error());
     return show(window, parser, *options, station);
 }
 

@@ -58,6 +58,7 @@ public:
     [[nodiscard]] SessionNode& node() { return *m_node; }
     // @pre lay() succeeded. Results are valid until the next lay().
     [[nodiscard]] const StationView& view() const { return *m_laid->view; }
+    [[nodiscard]] const PatientModel& patient() const { return *m_laid->patient; }
     [[nodiscard]] ChinProbeModel chinProbe() const
     {
         return ChinProbeModel{m_laid->tracking.get()};

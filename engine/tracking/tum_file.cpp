@@ -13,7 +13,7 @@ namespace carina
 namespace
 {
 
-constexpr double kUnitLength = 0.01; // files are rounded to a few digits
+constexpr double kQuaternionLength = 0.01; // files are rounded to a few digits
 
 using Row = std::array<double, 8>;
 
@@ -77,7 +77,7 @@ private:
         if (!m_samples.empty() && time < m_samples.back().time)
             return refused(Errc::FileMalformed, "its time is before that of the pose before");
         const Quat q_FO{row[7], row[4], row[5], row[6]};
-        if (std::abs(q_FO.norm() - 1.0) > kUnitLength)
+        if (std::abs(q_FO.norm() - 1.0) > kQuaternionLength)
             return refused(Errc::NotARotation, "the length of its quaternion is not 1");
         m_start = start;
         if (m_samples.empty() || time > m_samples.back().time)

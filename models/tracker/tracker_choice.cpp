@@ -2,7 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/io/files/file_limit.h"
-#include "engine/net/devices/ndi_tracker.h"
+#include "engine/net/devices/described_tracker.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -48,7 +48,9 @@ QString trackerName(const TrackerChoice& choice)
         return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Recording of %1"))
             .arg(QFileInfo{QString::fromStdString(recording->file)}.fileName());
     if (const auto* described = std::get_if<TrackerDescription>(&choice.device))
-        return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "NDI tracker at %1"))
+        return choiceWords(described->kind == TrackerKind::OpenIgtLink
+                               ? QT_TRANSLATE_NOOP("TrackerChoice", "OpenIGTLink server at %1")
+                               : QT_TRANSLATE_NOOP("TrackerChoice", "NDI tracker at %1"))
             .arg(QString::fromStdString(described->address));
     return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Simulated tracker"));
 }
@@ -65,8 +67,7 @@ Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSe
                                                  recording->playing);
     const auto* described = std::get_if<TrackerDescription>(&choice.device);
     CARINA_EXPECTS(described != nullptr);
-    return NdiTracker::make(*described, std::move(clock))
-        .map([](std::unique_ptr<NdiTracker> made) -> std::unique_ptr<Tracker> { return made; });
+    return describedTracker(*described, std::move(clock));
 }
 
 } // namespace carina

@@ -51,7 +51,7 @@ struct TrackerChoice {
 
 /// The tracker itself, not started.
 /// @pre the choice is not the simulated tracker.
-/// @returns the errors of NdiTracker::make.
+/// @returns the errors of describedTracker.
 [[nodiscard]] Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice,
                                                            ReadSessionClock clock);
 

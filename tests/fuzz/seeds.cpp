@@ -16,6 +16,7 @@
 #include "tests/engine/io/site/site_sample.h"
 #include "tests/engine/net/anatomy_transfer/frame_samples.h"
 #include "tests/engine/sync/wire/datagram_samples.h"
+#include "tests/engine/tracking/igtl/igtl_samples.h"
 #include "tests/fuzz/set_under_seal.h"
 
 #include <QJsonDocument>
@@ -216,6 +217,17 @@ std::vector<std::string> trajectories()
         "0 0 0 0 0 0 0 1\n\n1e-3 -1 2.5e2 0 0 0 1 0\n"};
 }
 
+/// In front of the messages two bytes, which say how they are read.
+std::vector<std::string> igtl()
+{
+    std::vector<std::string> all{std::string{"\1\1"}};
+    for (const IgtlMessage& message : test::igtlSamples()) {
+        all.push_back("\1\1" + textOf(encodeIgtl(message)));
+        all.front() += textOf(encodeIgtl(message));
+    }
+    return all;
+}
+
 bool areWritten(const std::filesystem::path& folder, const std::vector<std::string>& all)
 {
     std::filesystem::create_directories(folder);
@@ -238,7 +250,7 @@ int main(int argc, char** argv)
     const bool written =
         areWritten(folder / "datagram", datagrams()) && areWritten(folder / "entry", entries())
         && areWritten(folder / "transfer", frames()) && areWritten(folder / "set", sets())
-        && areWritten(folder / "landmark", landmarks())
+        && areWritten(folder / "igtl", igtl()) && areWritten(folder / "landmark", landmarks())
         && areWritten(folder / "picture", pictures()) && areWritten(folder / "relayed", relayed())
         && areWritten(folder / "fact_body", factBodies()) && areWritten(folder / "tool", tools())
         && areWritten(folder / "tracker", trackers()) && areWritten(folder / "site", sites())

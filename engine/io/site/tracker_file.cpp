@@ -14,8 +14,10 @@ namespace
 
 const QString kTrackerSchema = QStringLiteral("carina.tracker/1");
 constexpr int kSlowestRate = 9600;
-constexpr std::array kKindWords{"ndi"};
+constexpr std::array kKindWords{"ndi", "openigtlink"};
 constexpr std::array kPoseWords{"TX", "BX", "BX2"};
+constexpr std::array kIgtlPoseWords{"TRANSFORM", "TDATA", "QTDATA"};
+constexpr int kHighestRate_hz = 1000;
 constexpr std::array kRoleWords{"head",  "jaw",  "tube",         "stylus", "manikin",
                                 "chest", "hand", "laryngoscope", "other"};
 constexpr std::array kRoles{ToolRole::Head,   ToolRole::Jaw,          ToolRole::Tube,
@@ -35,14 +37,15 @@ struct NamedTool {
     std::string definition;
 };
 
-std::vector<NamedTool> readTools(JsonFields& fields)
+std::vector<NamedTool> readTools(JsonFields& fields, TrackerKind kind)
 {
+    const char* own = kind == TrackerKind::Ndi ? "definition" : "device";
     std::vector<NamedTool> tools;
     for (JsonFields& entry : fields.objects("tools")) {
-        entry.allowOnly({"name", "role", "definition"});
+        entry.allowOnly({"name", "role", own});
         NamedTool named{{entry.text("name"), kRoles[entry.oneOf("role", kRoleWords)], {}}, {}};
-        if (entry.has("definition"))
-            named.definition = entry.text("definition");
+        if (entry.has(own))
+            (kind == TrackerKind::Ndi ? named.definition : named.tool.device) = entry.text(own);
         for (const NamedTool& other : tools) {
             if (other.tool.name == named.tool.name)
                 entry.refuse("name", "\"" + named.tool.name + "\" is there twice");
@@ -56,6 +59,30 @@ std::vector<NamedTool> readTools(JsonFields& fields)
     return tools;
 }
 
+void readNdi(JsonFields& fields, TrackerDescription& described)
+{
+    fields.allowOnly({"schema", "kind", "address", "poses", "fastest_rate", "tools"});
+    if (fields.has("poses"))
+        described.poses = static_cast<NdiPoseReply>(fields.oneOf("poses", kPoseWords));
+    if (fields.has("fastest_rate")) {
+        described.fastestRate = fields.count("fastest_rate");
+        if (described.fastestRate < kSlowestRate)
+            fields.refuse("fastest_rate", "it is at least 9600");
+    }
+}
+
+void readOpenIgtLink(JsonFields& fields, TrackerDescription& described)
+{
+    fields.allowOnly({"schema", "kind", "address", "poses", "rate", "tools"});
+    if (fields.has("poses"))
+        described.igtlPoses = static_cast<IgtlPoses>(fields.oneOf("poses", kIgtlPoseWords));
+    if (fields.has("rate")) {
+        described.rate_hz = fields.count("rate");
+        if (described.rate_hz < 1 || described.rate_hz > kHighestRate_hz)
+            fields.refuse("rate", "it is from 1 to 1000");
+    }
+}
+
 } // namespace
 
 Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file)
@@ -65,18 +92,14 @@ Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file)
         return tl::unexpected(object.error());
     std::optional<Error> fault;
     JsonFields fields{*object, fault};
-    fields.allowOnly({"schema", "kind", "address", "poses", "fastest_rate", "tools"});
-    static_cast<void>(fields.oneOf("kind", kKindWords));
     TrackerDescription described;
+    described.kind = static_cast<TrackerKind>(fields.oneOf("kind", kKindWords));
     described.address = fields.text("address");
-    if (fields.has("poses"))
-        described.poses = static_cast<NdiPoseReply>(fields.oneOf("poses", kPoseWords));
-    if (fields.has("fastest_rate")) {
-        described.fastestRate = fields.count("fastest_rate");
-        if (described.fastestRate < kSlowestRate)
-            fields.refuse("fastest_rate", "it is at least 9600");
-    }
-    const std::vector<NamedTool> tools = readTools(fields);
+    if (described.kind == TrackerKind::Ndi)
+        readNdi(fields, described);
+    else
+        readOpenIgtLink(fields, described);
+    const std::vector<NamedTool> tools = readTools(fields, described.kind);
     if (fault)
         return fail(fault->code, file.string() + ": " + fault->detail);
     for (const NamedTool& named : tools) {
@@ -111,15 +134,21 @@ Result<void> writeTrackerFile(const std::filesystem::path& file,
                 return wrote;
             entry[QStringLiteral("definition")] = QString::fromStdString(name);
         }
+        if (!tool.device.empty())
+            entry[QStringLiteral("device")] = QString::fromStdString(tool.device);
         tools.append(entry);
     }
+    const bool isNdi = description.kind == TrackerKind::Ndi;
+    const char* poses = isNdi ? kPoseWords[std::size_t(description.poses)]
+                              : kIgtlPoseWords[std::size_t(description.igtlPoses)];
     return writeJsonFile(
         file,
         {{QStringLiteral("schema"), kTrackerSchema},
-         {QStringLiteral("kind"), QString::fromLatin1(kKindWords[0])},
+         {QStringLiteral("kind"), QString::fromLatin1(kKindWords[std::size_t(description.kind)])},
          {QStringLiteral("address"), QString::fromStdString(description.address)},
-         {QStringLiteral("poses"), QString::fromLatin1(kPoseWords[std::size_t(description.poses)])},
-         {QStringLiteral("fastest_rate"), description.fastestRate},
+         {QStringLiteral("poses"), QString::fromLatin1(poses)},
+         {isNdi ? QStringLiteral("fastest_rate") : QStringLiteral("rate"),
+          isNdi ? description.fastestRate : description.rate_hz},
          {QStringLiteral("tools"), tools}});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/tracking/igtl/igtl_client.h"
 #include "engine/tracking/ndi/ndi_client.h"
 #include "engine/tracking/tracker.h"
 
@@ -16,6 +17,13 @@ struct DescribedTool {
     std::string name;
     ToolRole role = ToolRole::Other;
     std::optional<NdiToolDefinition> definition{}; ///< nothing for one that is plugged in
+    std::string device{}; ///< by which a server of OpenIGTLink knows it; empty: its name
+};
+
+/// How the poses of a tracker come.
+enum class TrackerKind : std::uint8_t {
+    Ndi,         ///< from a device of NDI
+    OpenIgtLink, ///< from a server of OpenIGTLink, such as PLUS
 };
 
 /// A tracker of a site, as its technician describes it.
@@ -24,12 +32,16 @@ struct TrackerDescription {
     NdiPoseReply poses = NdiPoseReply::Bx;
     int fastestRate = 921600; ///< that the serial port holds, bits a second
     std::vector<DescribedTool> tools{};
+    TrackerKind kind = TrackerKind::Ndi;
+    // Of OpenIGTLink only:
+    IgtlPoses igtlPoses = IgtlPoses::Transform;
+    int rate_hz = 60; ///< of TDATA and QTDATA
 };
 
 /// Reads the description of a tracker, a JSON object with
 ///
 ///     schema        "carina.tracker/1"
-///     kind          "ndi": a Polaris of any generation
+///     kind          "ndi": a Polaris of any generation; or "openigtlink", see below
 ///     address       a serial port, or host:port
 ///     poses         "TX", "BX" or "BX2"; BX without it
 ///     fastest_rate  of the serial port, bits a second; 921600 without it
@@ -37,6 +49,15 @@ struct TrackerDescription {
 ///                   "hand", "laryngoscope" or "other"), none but "other" twice; and of a wireless
 ///                   tool definition, its .rom file, beside this one unless it is absolute. Wired
 ///                   tools are those of the ports in ascending order
+///
+/// or, of kind "openigtlink", with
+///
+///     address       host:port of the server
+///     poses         "TRANSFORM": the server sends by itself, as it is without this; "TDATA" or
+///                   "QTDATA": it is asked for them
+///     rate          that TDATA or QTDATA are asked for at, a second; 60 without it
+///     tools         name and role as above, and device, by which the server knows the tool;
+///                   without it by its name
 ///
 /// @returns the errors of readJsonFile; FileMalformed for a fault; those of reading a definition.
 ///          The detail names file and field.

@@ -1,5 +1,7 @@
 #include "engine/net/devices/device_port.h"
 
+#include "engine/net/devices/keep_alive.h"
+
 #include <QSerialPort>
 #include <QTcpSocket>
 #include <QTimer>
@@ -66,6 +68,7 @@ public:
     {
         QObject::connect(&m_socket, &QTcpSocket::connected, &m_socket, [this] {
             m_socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);
+            keepAlive(m_socket);
             m_callbacks.opened();
         });
         QObject::connect(&m_socket, &QIODevice::readyRead, &m_socket, m_callbacks.arrived);

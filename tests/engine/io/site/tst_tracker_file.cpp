@@ -140,6 +140,55 @@ private Q_SLOTS:
         QCOMPARE(written.error().code, Errc::FileUnwritable);
     }
 
+    void readsAServerOfOpenIgtLink()
+    {
+        const Folder folder;
+        const auto tracker = folder.read(R"({"schema": "carina.tracker/1", "kind": "openigtlink",
+            "address": "127.0.0.1:18944", "poses": "QTDATA", "rate": 30, "tools": [
+            {"name": "Tube", "role": "tube", "device": "TubeToTracker"},
+            {"name": "Chin", "role": "jaw"}]})");
+        QVERIFY2(tracker, tracker ? "" : tracker.error().detail.c_str());
+        QVERIFY(tracker->kind == TrackerKind::OpenIgtLink);
+        QVERIFY(tracker->igtlPoses == IgtlPoses::Qtdata);
+        QCOMPARE(tracker->rate_hz, 30);
+        QCOMPARE(tracker->tools[0].device, std::string{"TubeToTracker"});
+        QVERIFY(tracker->tools[1].device.empty());
+        const QTemporaryDir elsewhere;
+        const auto file = elsewhere.filePath(QStringLiteral("plus.json")).toStdString();
+        QVERIFY(writeTrackerFile(file, *tracker));
+        const auto again = readTrackerFile(file);
+        QVERIFY2(again, again ? "" : again.error().detail.c_str());
+        QVERIFY(again->kind == tracker->kind && again->igtlPoses == tracker->igtlPoses);
+        QCOMPARE(again->rate_hz, 30);
+        QCOMPARE(again->tools[0].device, tracker->tools[0].device);
+    }
+
+    void keepsTheFieldsOfItsKindsApart_data()
+    {
+        QTest::addColumn<QByteArray>("fields");
+        QTest::addColumn<QByteArray>("named");
+        QTest::newRow("a serial rate")
+            << QByteArray{R"("fastest_rate": 9600,)"} << QByteArray{"fastest_rate"};
+        QTest::newRow("a command") << QByteArray{R"("poses": "BX",)"} << QByteArray{"poses"};
+        QTest::newRow("no rate") << QByteArray{R"("rate": 0,)"} << QByteArray{"rate"};
+        QTest::newRow("a high rate") << QByteArray{R"("rate": 1001,)"} << QByteArray{"rate"};
+        QTest::newRow("a definition") << QByteArray{} << QByteArray{"definition"};
+    }
+
+    void keepsTheFieldsOfItsKindsApart()
+    {
+        QFETCH(const QByteArray, fields);
+        QFETCH(const QByteArray, named);
+        const std::string tool = fields.isEmpty() ? R"(, "definition": "tube.rom")" : "";
+        const auto tracker = Folder{}.read(
+            R"({"schema": "carina.tracker/1", "kind": "openigtlink", "address": "localhost:18944",)"
+            + fields.toStdString() + R"("tools": [{"name": "Tube", "role": "tube")" + tool + "}]}");
+        QVERIFY(!tracker);
+        QCOMPARE(tracker.error().code, Errc::FileMalformed);
+        QVERIFY2(QByteArray::fromStdString(tracker.error().detail).contains(named),
+                 tracker.error().detail.c_str());
+    }
+
     void namesWhatIsWrong_data()
     {
         QTest::addColumn<QByteArray>("more");

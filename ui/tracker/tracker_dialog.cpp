@@ -2,6 +2,7 @@
 
 #include "models/errors/error_text.h"
 #include "ui/tracker/tracker_tools.h"
+#include "widgets/plain_label.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -10,7 +11,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
@@ -27,7 +27,7 @@ constexpr int kIndent = 24;
 
 QLabel* wrappingLabel(const char* name)
 {
-    auto* label = new QLabel;
+    auto* label = new PlainLabel;
     label->setObjectName(QLatin1String{name});
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
@@ -84,7 +84,7 @@ void TrackerDialog::layOut()
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout{this};
-    column->addWidget(new QLabel{tr("Where are the poses of the tools to come from?")});
+    column->addWidget(new PlainLabel{tr("Where are the poses of the tools to come from?")});
     column->addStretch();
     column->addWidget(m_missing);
     column->addWidget(buttons);

@@ -1,9 +1,10 @@
 #include "ui/tracker/tracker_panel.h"
 
+#include "widgets/plain_label.h"
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QHeaderView>
-#include <QLabel>
 #include <QTableWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -27,7 +28,7 @@ QString none() { return QStringLiteral("–"); }
 TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
     : QWidget{parent},
       m_sight{std::move(sight)},
-      m_trouble{new QLabel},
+      m_trouble{new PlainLabel},
       m_table{new QTableWidget{0, kToolColumns}},
       m_sound{new QCheckBox{tr("S&ound when a tool is lost")}}
 {

@@ -1,6 +1,7 @@
 #include "ui/tracker/tracker_tools.h"
 
 #include "models/station/tool_status.h"
+#include "models/text/shown_as_is.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -102,7 +103,7 @@ void TrackerTools::add(FormTool tool)
         new QTableWidgetItem{tool.definition.isEmpty() ? tr("plugged into the tracker")
                                                        : QFileInfo{tool.definition}.fileName()};
     definition->setData(Qt::UserRole, tool.definition);
-    definition->setToolTip(tool.definition);
+    definition->setToolTip(shownAsIs(tool.definition));
     m_table->setItem(row, kDefinitionColumn, definition);
     m_table->resizeColumnToContents(kRoleColumn);
     m_table->selectRow(row);

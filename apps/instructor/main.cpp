@@ -121,7 +121,8 @@ void introduceFirst(SessionNode& node, const program::ChosenPatient& patient, bo
         introducePatient(node, first, patient.model->contentHash(), patient.model->name(),
                          patient.dimensions);
     sharePatient(node, first, words("Virtual patient").toStdString());
-    for (const auto& [id, station] : node.state()->stations())
+    const auto state = node.state();
+    for (const auto& [id, station] : state->stations())
         if (!station.closed)
             shareLiftables(node, id); // which a session from before they existed lacks
 }

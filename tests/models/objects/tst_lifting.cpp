@@ -111,7 +111,8 @@ void TestLifting::sharesEachGroupAndATubeOnceAtEachStation()
     for (const StationId station : {kStation, StationId{1}, kStation})
         shareLiftables(node, station);
     std::map<StationId, std::multiset<std::string>> names;
-    for (const auto& [id, object] : node.state()->objects())
+    const auto state = node.state();
+    for (const auto& [id, object] : state->objects())
         if (isLiftable(object.kind)) {
             QVERIFY(object.owner == kNobody);
             names[object.station].insert(object.name);

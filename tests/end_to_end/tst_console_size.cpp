@@ -20,8 +20,7 @@ class TestConsoleSize : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// Also with several stations, one of them with a long name, and with the sample of a session
-    /// that runs.
+    /// Also with two stations, one of them with a long name.
     void fits1280By800()
     {
         QTemporaryDir folder;
@@ -31,7 +30,6 @@ private Q_SLOTS:
                          QStringLiteral("child"), QStringLiteral("--data"), folder.path(),
                          QStringLiteral("--add-station"),
                          QStringLiteral("The room at the end of the long corridor: adult"),
-                         QStringLiteral("--add-station"), QStringLiteral("Room 5: adult"),
                          QStringLiteral("--size"), QStringLiteral("1280x800"),
                          QStringLiteral("--measure"), folder.path(), QStringLiteral("--seconds"),
                          QStringLiteral("5")},

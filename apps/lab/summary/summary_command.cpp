@@ -347,7 +347,7 @@ Use summaryOfDemo()
 Command summaryCommand()
 {
     return {.name = "summary",
-            .theme = "demo",
+            .theme = "rendering",
             .summary = "describes what a headless demo measured",
             .uses = {summaryOfDemo()},
             .mostFiles = 1,

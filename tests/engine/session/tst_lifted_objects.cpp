@@ -185,7 +185,10 @@ void TestLiftedObjects::aTraineePutsBackOrHandsOverWhatTheyHold()
     QCOMPARE(judged(writer, kSampleTrainee, pass(writer, kNobody)), QByteArray{"owner changed"});
     writer.add(kNow, pass(writer, kSampleTrainee));
     QCOMPARE(judged(writer, kSampleTrainee, pass(writer, kNobody)), QByteArray{"fine"});
-    QCOMPARE(judged(writer, kSampleTrainee, pass(writer, kSampleOtherTrainee)), QByteArray{"fine"});
+    // To an instructor, or to who asked.
+    QCOMPARE(judged(writer, kSampleTrainee, pass(writer, kSampleInstructor)), QByteArray{"fine"});
+    QCOMPARE(judged(writer, kSampleTrainee, pass(writer, kSampleOtherTrainee)),
+             QByteArray{"not permitted"});
     QCOMPARE(judged(writer, kSampleOtherTrainee, pass(writer, kNobody)),
              QByteArray{"not permitted"});
     QCOMPARE(judged(writer, kSampleInstructor, pass(writer, kNobody)), QByteArray{"fine"});

@@ -47,7 +47,7 @@ private Q_SLOTS:
         QVERIFY2(participant > 1.9 * kState && participant < 4.0 * kState,
                  qPrintable(QString::number(participant)));
         QVERIFY2(host > 2.9 * kState + sizeof(FactRecord), qPrintable(QString::number(host)));
-        QVERIFY2(host < 512.0, qPrintable(QString::number(host))); // bytes
+        QVERIFY2(host < 640.0, qPrintable(QString::number(host))); // bytes
     }
 
     /// A session that runs for days has one every ten seconds.

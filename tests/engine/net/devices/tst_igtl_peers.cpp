@@ -133,8 +133,8 @@ private Q_SLOTS:
         const auto row = [](const char* program, const QList<QByteArray>& words) {
             QTest::newRow(program) << QByteArray{program} << words;
         };
-        row("ReceiveClient", {"Receiving TRANSFORM", "123.25", "-30.5", "Receiving POINT", "Carina",
-                              "Size : "}); // the last of POLYDATA, which it does not know
+        row("ReceiveClient", {"Receiving TRANSFORM", "123.25", "-30.5", "Receiving POINT",
+                              "Name      : Carina", "Receiving : POLYDATA"}); // which it skips
         row("TrackingDataClient", {"Receiving TDATA", "Name       : Tube", "123.25", "-30.5"});
         row("QuaternionTrackingDataClient", {"Name       : Tube", "123.25", "-30.5"});
         row("PolyDataClient", {"Receiving POLYDATA", "point[2] = (7.25, 8.25, 9.25)", "cell[0]"});

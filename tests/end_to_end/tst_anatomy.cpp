@@ -66,6 +66,7 @@ private Q_SLOTS:
         if (!m_set)
             QSKIP("anatomy/bodyparts3d is not here");
         m_folder = std::make_unique<QTemporaryDir>();
+        m_name = QString::fromLatin1(QTest::currentTestFunction()); // each folder has its own token
     }
     void cleanup() { m_trainee.reset(); }
     void cleanupTestCase() { m_instructor.reset(); }
@@ -116,10 +117,10 @@ private:
     {
         m_trainee = std::make_unique<Program>(
             QStringLiteral(CARINA_TRAINEE),
-            QStringList{QStringLiteral("--port"), port, QStringLiteral("--as"),
-                        QStringLiteral("Trainee"), QStringLiteral("--tracker"),
-                        QStringLiteral("simulated"), QStringLiteral("--data"), m_folder->path(),
-                        QStringLiteral("--code-file"), codes()}
+            QStringList{QStringLiteral("--port"), port, QStringLiteral("--as"), m_name,
+                        QStringLiteral("--tracker"), QStringLiteral("simulated"),
+                        QStringLiteral("--data"), m_folder->path(), QStringLiteral("--code-file"),
+                        codes()}
                 + more,
             m_folder->filePath(QStringLiteral("trainee.jsonl")));
         const CacheAt here{cache()};
@@ -135,6 +136,7 @@ private:
 
     std::optional<std::filesystem::path> m_set;
     QString m_port;
+    QString m_name; ///< of the trainee
     std::unique_ptr<QTemporaryDir> m_hostFolder;
     std::unique_ptr<Program> m_instructor;
     std::unique_ptr<QTemporaryDir> m_folder;

@@ -59,14 +59,6 @@ Quat ActionScript::q_AO(Duration t) const
     return rotationFromVector(m_settings.angularSpeed * seconds * pose.axis_A) * pose.q_AO;
 }
 
-Vec3 ActionScript::p_AO(Duration t) const
-{
-    const int action = actionAt(t);
-    const Pose& pose = m_poses[static_cast<std::size_t>(action)];
-    const double seconds = std::max(0.0, toSeconds(t - startOf(action)));
-    return pose.p_AO + m_settings.speed * seconds * pose.axis_A;
-}
-
 double ActionScript::changeOfAxis(int action) const
 {
     const auto index = static_cast<std::size_t>(action);

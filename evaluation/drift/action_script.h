@@ -40,8 +40,6 @@ public:
     /// Orientation of the object kTurned in A; constant before the first action. Of q and -q it is
     /// the product of all rotations so far, as a program has it that multiplies them.
     [[nodiscard]] Quat q_AO(Duration t) const;
-    /// Position of the object kMoved in A, metres.
-    [[nodiscard]] Vec3 p_AO(Duration t) const;
     /// |w_k - w_(k-1)|, rad/s: the change at the start of action k, unknown to other participants
     /// then.
     [[nodiscard]] double changeOfAngularVelocity(int action) const;

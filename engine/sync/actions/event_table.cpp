@@ -34,12 +34,6 @@ EventTable::Verdict EventTable::take(const EventCpo& event, std::optional<Sessio
     return Verdict::Known;
 }
 
-std::optional<ActedPose> EventTable::at(ObjectId object, SessionTime t) const
-{
-    const EventCpo* event = inForce(object, t);
-    return event ? std::optional{evaluate(*event, t)} : std::nullopt;
-}
-
 const EventCpo* EventTable::inForce(ObjectId object, SessionTime t) const
 {
     const auto found = m_entries.find(object);

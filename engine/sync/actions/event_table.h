@@ -28,10 +28,8 @@ public:
     /// Stores an action that arrived. @param session present session time, where it is known
     Verdict take(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
 
-    /// The object at session time t. The newest actions may start in the future: until then the one
-    /// before them is evaluated. Nothing for an unknown object.
-    [[nodiscard]] std::optional<ActedPose> at(ObjectId object, SessionTime t) const;
-    /// The action that at() evaluates; nullptr for an unknown object.
+    /// The action in force on an object at session time t. The newest actions may start in the
+    /// future: until then it is the one before them. nullptr for an unknown object.
     [[nodiscard]] const EventCpo* inForce(ObjectId object, SessionTime t) const;
     [[nodiscard]] bool isStale(ObjectId object, LocalTime t) const;
     /// The newest action on an object; nullptr for an unknown object.

@@ -25,6 +25,20 @@ ActionScript scriptOf(int actions, std::uint32_t seed = 1,
 
 double degreesBetween(const Quat& a, const Quat& b) { return inDegrees(angleBetween(a, b)); }
 
+/// Where the moved object is, from the directions and speeds of all moves until then.
+Vec3 movedTo(const ActionScript& script, Duration t)
+{
+    Vec3 p = Vec3::Zero();
+    for (int action = 0; action < script.actions() && ActionScript::startOf(action) < t; ++action) {
+        const EventCpo move = script.translation(action);
+        const bool isLast = action + 1 == script.actions();
+        const Duration until = isLast ? t : std::min(t, ActionScript::startOf(action + 1));
+        p += toSeconds(until - ActionScript::startOf(action)) * double{move.rate}
+             * move.axis_A.cast<double>();
+    }
+    return p;
+}
+
 } // namespace
 
 class ActionScriptTest : public QObject
@@ -46,8 +60,8 @@ private Q_SLOTS:
             QVERIFY(rotationVector(whole).normalized().isApprox(axis, 1e-9));
             QVERIFY(std::abs(axis.lpNorm<Eigen::Infinity>() - 1.0) < 1e-9);
             // The other object moves along the same axis.
-            const Vec3 moved = script.p_AO(start + 600ms) - script.p_AO(start);
-            QVERIFY(moved.isApprox(0.25 * 0.6 * axis, 1e-9));
+            const Vec3 moved = movedTo(script, start + 600ms) - movedTo(script, start);
+            QVERIFY(moved.isApprox(0.25 * 0.6 * axis, 1e-6));
         }
     }
 
@@ -57,7 +71,7 @@ private Q_SLOTS:
         for (int action = 1; action <= 20; ++action) {
             const Duration end = ActionScript::startOf(action);
             QVERIFY(degreesBetween(script.q_AO(end - 1ns), script.q_AO(end)) < 1e-6);
-            QVERIFY((script.p_AO(end) - script.p_AO(end - 1ns)).norm() < 1e-8);
+            QVERIFY((movedTo(script, end) - movedTo(script, end - 1ns)).norm() < 1e-7);
         }
     }
 
@@ -65,7 +79,7 @@ private Q_SLOTS:
     {
         const ActionScript script = scriptOf(3);
         QVERIFY(degreesBetween(script.q_AO(-5s), Quat::Identity()) == 0.0);
-        QVERIFY(script.p_AO(-5s).norm() == 0.0);
+        QVERIFY(movedTo(script, -5s).norm() == 0.0);
         QCOMPARE(script.rotation(-1).rate, 0.0F);
         QCOMPARE(script.rotation(-1).action, 0U);
         QCOMPARE(script.translation(-1).rate, 0.0F);
@@ -83,7 +97,8 @@ private Q_SLOTS:
             QCOMPARE(turn.action, static_cast<std::uint32_t>(action + 1));
             const Duration t = ActionScript::startOf(action) + 1s;
             QVERIFY(degreesBetween(evaluateAfter(turn, 1s).X_AO.rotation(), script.q_AO(t)) < 1e-4);
-            QVERIFY((evaluateAfter(move, 1s).X_AO.translation() - script.p_AO(t)).norm() < 1e-6);
+            QVERIFY((evaluateAfter(move, 1s).X_AO.translation() - movedTo(script, t)).norm()
+                    < 1e-6);
         }
     }
 

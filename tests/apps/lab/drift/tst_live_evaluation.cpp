@@ -30,6 +30,14 @@ const ActionScript& script()
     return it;
 }
 
+/// Where the moved object is then, by the event in force.
+Vec3 movedTo(Duration t)
+{
+    const int action = std::clamp(int(t / ActionScript::kActionTime), 0, script().actions() - 1);
+    const Duration since = std::max(t - ActionScript::startOf(action), Duration{0});
+    return evaluateAfter(script().translation(action), since).X_AO.translation();
+}
+
 /// The poses so long after the first action's start; still after the last.
 LiveSample truthAt(Duration t)
 {
@@ -38,7 +46,7 @@ LiveSample truthAt(Duration t)
     return {.machine = kBegin + t,
             .session = SessionTime{(kBegin + t).time_since_epoch() + kSession},
             .X_AO_turned = RigidTransform{script().q_AO(known), Vec3::Zero()},
-            .X_AO_moved = RigidTransform::translation(script().p_AO(known))};
+            .X_AO_moved = RigidTransform::translation(movedTo(known))};
 }
 
 /// What somebody shows who hears of each action late.

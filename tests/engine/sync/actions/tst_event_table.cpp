@@ -28,7 +28,7 @@ EventCpo moving(std::uint32_t action, double from, SessionTime start)
 
 double xAt(const EventTable& table, SessionTime t)
 {
-    return table.at(kObject, t)->X_AO.translation().x();
+    return evaluate(*table.inForce(kObject, t), t).X_AO.translation().x();
 }
 
 } // namespace
@@ -41,7 +41,7 @@ private Q_SLOTS:
     void knowsNothingOfAnObjectNeverHeardOf()
     {
         const EventTable table;
-        QVERIFY(!table.at(kObject, kSession));
+        QVERIFY(table.inForce(kObject, kSession) == nullptr);
         QVERIFY(!table.isStale(kObject, kNow));
         QVERIFY(table.newest(kObject) == nullptr);
     }

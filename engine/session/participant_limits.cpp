@@ -9,6 +9,7 @@ PeerLimits limitsOf(Role role)
     case Role::Instructor:
         return {.datagrams = 2000.0,
                 .bytes = 1e6,
+                .comings = 2.0,
                 .proposals = 100.0,
                 .events = 400.0,
                 .samples = 4000.0,
@@ -16,6 +17,7 @@ PeerLimits limitsOf(Role role)
     case Role::Trainee:
         return {.datagrams = 2000.0,
                 .bytes = 5e5,
+                .comings = 2.0,
                 .proposals = 20.0,
                 .events = 400.0,
                 .samples = 1000.0,
@@ -23,6 +25,7 @@ PeerLimits limitsOf(Role role)
     case Role::Observer:
         return {.datagrams = 2000.0,
                 .bytes = 2e5,
+                .comings = 1.0,
                 .proposals = 2.0,
                 .events = 0.0,
                 .samples = 0.0,

@@ -21,7 +21,7 @@ PeerBudget& HostBudgets::comesIn(ParticipantId participant,
         m_budgets.emplace(participant, PeerBudget{limits(participant)}).first->second;
     budget.shareWith(std::move(shared));
     // It is charged only now, for nobody knew before whose it is; a new budget has enough.
-    static_cast<void>(budget.takesProposal(now, PeerBudget::kComing));
+    static_cast<void>(budget.takesComing(now));
     return budget;
 }
 

@@ -22,13 +22,14 @@ bool PeerBudget::takesDatagram(std::size_t bytes, LocalTime now)
            && (!m_shared || m_shared->takesDatagram(m_share, bytes, now));
 }
 
-PeerBudget::Verdict PeerBudget::takesProposal(LocalTime now, double facts)
+PeerBudget::Verdict PeerBudget::takesFacts(TokenBucket& bucket, double amount, double perSecond,
+                                           double facts, LocalTime now)
 {
-    if (!counted(m_proposals, facts, m_limits.proposals, now))
+    if (!counted(bucket, amount, perSecond, now))
         return Verdict::Refused;
     if (!m_shared || m_shared->takesProposals(m_share, facts, now))
         return Verdict::Taken;
-    m_proposals.putBack(facts, m_limits.proposals);
+    bucket.putBack(amount, perSecond);
     return Verdict::Later;
 }
 

@@ -11,6 +11,7 @@ namespace carina
 struct PeerLimits {
     double datagrams = 0.0;
     double bytes = 0.0;
+    double comings = 0.0;   ///< times to come in, beyond the first; each makes two facts
     double proposals = 0.0; ///< each may become a fact on disk
     double events = 0.0;    ///< starts, changes and beats of actions on objects
     double samples = 0.0;   ///< of streams
@@ -31,8 +32,8 @@ public:
     /// Proposals per second of which it is looked whether they were decided before. A program sends
     /// all that it waits for again with each new one, and ten times a second.
     static constexpr double kHeardProposals = 2000.0;
-    /// What coming in counts as: its fact, and the one that will say that the participant has left.
-    static constexpr double kComing = 2.0;
+    /// Facts of a coming: it joined, and later it left. Shared with others as proposals are.
+    static constexpr double kFactsOfComing = 2.0;
 
     explicit PeerBudget(const PeerLimits& limits) : m_limits{limits} {}
 
@@ -53,8 +54,15 @@ public:
     {
         return m_heard.take(1.0, kHeardProposals, now);
     }
-    /// @param facts that will come of it: kComing for a join
-    [[nodiscard]] Verdict takesProposal(LocalTime now, double facts = 1.0);
+    [[nodiscard]] Verdict takesProposal(LocalTime now)
+    {
+        return takesFacts(m_proposals, 1.0, m_limits.proposals, 1.0, now);
+    }
+    /// Uses up no proposal of its own: who has just come in can propose.
+    [[nodiscard]] Verdict takesComing(LocalTime now)
+    {
+        return takesFacts(m_comings, 1.0, m_limits.comings, kFactsOfComing, now);
+    }
     [[nodiscard]] bool takesEvent(LocalTime now);
     [[nodiscard]] bool takesSamples(std::size_t count, LocalTime now);
     /// Messages beyond the limit are lost, as the strategies must bear, and are no excess: how many
@@ -75,10 +83,14 @@ public:
 
 private:
     [[nodiscard]] bool counted(TokenBucket& bucket, double amount, double perSecond, LocalTime now);
+    /// @param facts that will come of it, of those it shares with others
+    [[nodiscard]] Verdict takesFacts(TokenBucket& bucket, double amount, double perSecond,
+                                     double facts, LocalTime now);
 
     PeerLimits m_limits;
     TokenBucket m_datagrams;
     TokenBucket m_bytes;
+    TokenBucket m_comings;
     TokenBucket m_proposals;
     TokenBucket m_events;
     TokenBucket m_samples;

@@ -349,7 +349,7 @@ Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& 
     if (who->participant == kHost || isTaken(from, *who, hello.join.id, now))
         return fail(Errc::NameTaken);
     if (PeerBudget* budget = m_budgets.known(who->participant)) {
-        switch (budget->takesProposal(now, PeerBudget::kComing)) {
+        switch (budget->takesComing(now)) {
         case PeerBudget::Verdict::Taken:
             break;
         case PeerBudget::Verdict::Later:

@@ -44,7 +44,7 @@ struct TestSession {
     std::vector<std::pair<ParticipantId, LocalTime>> departures;
     std::set<ParticipantId> observers; ///< who may not act
     bool areProven = true;             ///< whether each proves by a secret who it is
-    PeerLimits limits{1e4, 1e7, 1e4, 1e4, 1e4, 1e4};
+    PeerLimits limits{1e4, 1e7, 1e4, 1e4, 1e4, 1e4, 1e4};
     Ownership ownership{kNobody, 1};      ///< of the one object
     StationId station;                    ///< where everybody is
     std::shared_ptr<SharedBudget> shared; ///< by all, if there is one

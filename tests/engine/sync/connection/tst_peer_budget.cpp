@@ -10,8 +10,12 @@ namespace
 using namespace std::chrono_literals;
 
 constexpr LocalTime kStart{100s};
-constexpr PeerLimits kLimits{
-    .datagrams = 100.0, .bytes = 1e4, .proposals = 10.0, .events = 20.0, .samples = 60.0};
+constexpr PeerLimits kLimits{.datagrams = 100.0,
+                             .bytes = 1e4,
+                             .comings = 1.0,
+                             .proposals = 10.0,
+                             .events = 20.0,
+                             .samples = 60.0};
 
 } // namespace
 
@@ -150,20 +154,50 @@ private Q_SLOTS:
     /// holds when it comes in, all at the same time.
     void aClassOfThirtyTwoBehindOneAddressIsNotHurt()
     {
-        constexpr PeerLimits kTrainee{.datagrams = 2000.0, .bytes = 5e5, .proposals = 20.0};
+        constexpr PeerLimits kTrainee{
+            .datagrams = 2000.0, .bytes = 5e5, .comings = 2.0, .proposals = 20.0};
         const auto shared = std::make_shared<SharedBudget>(
             SharedLimits{.datagrams = 16000.0, .bytes = 4e6, .proposals = 40.0});
         shared->setMembers(32);
         std::vector<PeerBudget> pupils(32, PeerBudget{kTrainee});
         for (PeerBudget& pupil : pupils) {
             pupil.shareWith(shared);
-            QCOMPARE(pupil.takesProposal(kStart, PeerBudget::kComing), PeerBudget::Verdict::Taken);
+            QCOMPARE(pupil.takesComing(kStart), PeerBudget::Verdict::Taken);
             for (int object = 0; object < 4; ++object)
                 QCOMPARE(pupil.takesProposal(kStart), PeerBudget::Verdict::Taken);
         }
         for (int i = 0; i < 10 * 130; ++i)
             for (PeerBudget& pupil : pupils)
                 QVERIFY(pupil.takesDatagram(200, kStart + i * (1'000'000'000ns / 130)));
+    }
+
+    /// An observer's first proposal is refused for what it is, not for having come in.
+    void comingInUsesUpNoProposal()
+    {
+        PeerBudget budget{PeerLimits{.comings = 1.0, .proposals = 2.0}};
+        budget.shareWith(std::make_shared<SharedBudget>(SharedLimits{.proposals = 40.0}));
+        QCOMPARE(budget.takesComing(kStart), PeerBudget::Verdict::Taken);
+        QCOMPARE(budget.takesComing(kStart), PeerBudget::Verdict::Taken);
+        QCOMPARE(budget.takesComing(kStart), PeerBudget::Verdict::Refused);
+        for (int i = 0; i < 4; ++i)
+            QCOMPARE(budget.takesProposal(kStart), PeerBudget::Verdict::Taken);
+        QCOMPARE(budget.takesProposal(kStart), PeerBudget::Verdict::Refused);
+        QCOMPARE(budget.takesComing(kStart + 1s), PeerBudget::Verdict::Taken);
+    }
+
+    /// Each coming makes two facts, which all from one place share.
+    void comingsOfManyNamesAreBoundedTogether()
+    {
+        const auto shared = std::make_shared<SharedBudget>(SharedLimits{.proposals = 4.0});
+        shared->setMembers(12);
+        std::vector<PeerBudget> names(12, PeerBudget{PeerLimits{.comings = 100.0}});
+        int comings = 0;
+        for (PeerBudget& name : names) {
+            name.shareWith(shared);
+            while (name.takesComing(kStart) == PeerBudget::Verdict::Taken)
+                ++comings;
+        }
+        QCOMPARE(comings, (12 * int(SharedBudget::kSavedProposals) + 8) / 2);
     }
 
     /// Neither a new connection nor a new run of the program brings a new budget.

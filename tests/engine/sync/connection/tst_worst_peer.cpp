@@ -72,7 +72,7 @@ private Q_SLOTS:
     {
         constexpr int kSeconds = 20;
         SessionWorld world{52};
-        world.session.limits.proposals = 2.0;
+        world.session.limits.comings = 1.0;
         world.startHost();
         world.addSite(kCalm);
         for (int i = 0; i < kSeconds * 10; ++i) {

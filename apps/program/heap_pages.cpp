@@ -7,10 +7,11 @@
 namespace carina::program
 {
 
-void returnLargeBlocks()
+void useOneHeap()
 {
     constexpr int kLarge = 128 << 10;
     mallopt(M_MMAP_THRESHOLD, kLarge);
+    mallopt(M_ARENA_MAX, 1);
 }
 
 void returnFreePages() { malloc_trim(0); }

@@ -7,14 +7,14 @@
 namespace carina::program
 {
 
-/// Gives blocks from 128 KiB on, such as the surfaces of a patient, pages of their own, which go
-/// back to the system when they are freed. By default glibc begins so, and stops with the first
-/// that is freed; what is left between them in the heap stays with the program.
-void returnLargeBlocks();
+/// One heap for all threads: by default glibc has one for each few, and what a thread leaves free
+/// in its own the others do not use. Blocks from 128 KiB on, such as the surfaces of a patient, get
+/// pages of their own, which go back to the system when they are freed; by default that stops with
+/// the first that is freed. To be called before the first thread starts.
+void useOneHeap();
 
 /// Gives the pages that hold no block back to the system. glibc by itself gives back only those at
-/// the end of a heap, and it has a heap for each few threads. Takes milliseconds, in which other
-/// threads may wait for the heap.
+/// the end of the heap. Takes milliseconds, in which other threads may wait for the heap.
 void returnFreePages();
 
 /// Calls returnFreePages now and then, on a thread of its own.

@@ -103,7 +103,7 @@ Result<int> checkedRun(const Program& program, QCommandLineParser& parser)
 
 int runProgram(const Program& program, int argc, char** argv)
 {
-    returnLargeBlocks();
+    useOneHeap();
     const HeapPages pages;
     QCoreApplication::setApplicationName(program.name);
     QCoreApplication::setOrganizationName(QStringLiteral("carina"));

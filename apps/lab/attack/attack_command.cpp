@@ -60,7 +60,11 @@ constexpr Key kJoin{"join_s",
                     1};
 constexpr Key kFacts{"facts", "by which the log is longer afterwards", 1};
 constexpr Key kMostFacts{"most_facts", "that may come of it", 1};
-constexpr Key kMemory{"memory_kb", "by which console and trainee hold more memory 3 s later", 1};
+constexpr Key kMemory{
+    "memory_kb",
+    "by which the least that console and trainee hold in the 3 to 25 s after it is more than "
+    "before it",
+    1};
 constexpr Key kMostMemory{"most_memory_kb",
                           "that may come of it: what programs that draw vary by, and the facts and "
                           "idle paths that the attack leaves",

@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QThread>
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -19,6 +21,10 @@ constexpr Duration kNewcomerAfter = 2s; ///< the beginning of an attack
 constexpr Duration kNewcomerWaits = 10s;
 constexpr int kOfFive = 5;     ///< guests, one is an observer
 constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
+/// In which each program has given back the free pages of its heap (program::HeapPages).
+constexpr Duration kPagesGoBack = 22s;
+constexpr Duration kMemoryLook = 500ms; ///< between two looks at memory
+constexpr double kSettled_kb = 1024.0;  ///< by which memory varies in any case
 
 /// Derives each key once, so that the time of a join is that of joining.
 DeriveKey derivingOnce()
@@ -127,13 +133,23 @@ private:
         return memory;
     }
 
+    /// The least that each program holds, while the event loop works for a time.
+    [[nodiscard]] std::vector<double> leastMemoryIn(Duration length) const
+    {
+        std::vector<double> least = memory_kb();
+        for (const LocalTime end = monotonicNow() + length; monotonicNow() < end;) {
+            workFor(std::min<Duration>(kMemoryLook, end - monotonicNow()), [] {});
+            std::ranges::transform(least, memory_kb(), least.begin(), std::ranges::min);
+        }
+        return least;
+    }
+
     AttackFigures attack(const AttackKind& kind)
     {
         AttackFigures figures{.kind = &kind};
         const std::int64_t factsBefore = facts();
-        const std::vector<double> memoryBefore = memory_kb();
         static_cast<void>(m_witness->take());
-        workFor(m_settings.length, [] {});
+        const std::vector<double> memoryBefore = leastMemoryIn(m_settings.length);
         figures.before = m_witness->take();
 
         auto attack = kind.begin({m_session->port(), m_session->codes(), m_derive,
@@ -149,10 +165,22 @@ private:
 
         workFor(kCalm, [] {});
         figures.facts = facts() - factsBefore;
-        const std::vector<double> memoryAfter = memory_kb();
-        for (std::size_t i = 0; i < memoryAfter.size(); ++i)
-            figures.memory_kb.push_back(memoryAfter[i] - memoryBefore[i]);
+        figures.memory_kb = memoryAbove_kb(memoryBefore);
         return figures;
+    }
+
+    /// The least that the programs hold more than before, until the free pages of their heaps have
+    /// gone back to the system, which each does from time to time.
+    std::vector<double> memoryAbove_kb(const std::vector<double>& before)
+    {
+        std::vector<double> above(before.size(), std::numeric_limits<double>::infinity());
+        const LocalTime until = monotonicNow() + kPagesGoBack;
+        while (std::ranges::max(above) > kSettled_kb && monotonicNow() < until) {
+            const std::vector<double> after = leastMemoryIn(kMemoryLook);
+            for (std::size_t i = 0; i < above.size(); ++i)
+                above[i] = std::min(above[i], after[i] - before[i]);
+        }
+        return above;
     }
 
     /// @returns how long it took to come in

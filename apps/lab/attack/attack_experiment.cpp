@@ -24,7 +24,7 @@ constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
 /// In which each program has given back the free pages of its heap (program::HeapPages).
 constexpr Duration kPagesGoBack = 22s;
 constexpr Duration kMemoryLook = 500ms; ///< between two looks at memory
-constexpr double kSettled_kb = 1024.0;  ///< by which memory varies in any case
+constexpr double kSettled_kb = 2048.0;  ///< by which memory varies in any case
 
 /// Derives each key once, so that the time of a join is that of joining.
 DeriveKey derivingOnce()

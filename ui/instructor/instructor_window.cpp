@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -18,8 +19,8 @@ namespace
 
 constexpr int kRefreshInterval_ms = 250;
 constexpr int kEndAsked_ms = 4000;
-constexpr int kWideWindow = 1600; ///< pixels; there is room for wider waveforms
-constexpr int kWideWaveforms = 560;
+constexpr int kLargeWindow = 1000; ///< pixels high; there is room for waveforms and invitation
+constexpr int kLargeWaveforms = 480;
 constexpr int kLowParticipants = 200; ///< pixels; of the rest, the picture has most
 
 /// Told by shape besides the word.
@@ -122,6 +123,7 @@ void InstructorWindow::layDocks()
     tabifyDockWidget(m_ui->conditionDock, m_ui->actionsDock);
     tabifyDockWidget(m_ui->actionsDock, m_ui->partsDock);
     m_ui->breathingDock->raise();
+    tabifyDockWidget(m_ui->waveformDock, m_ui->invitationDock);
     tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
     m_ui->invitationDock->raise(); // nobody else is here yet
     // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into it.
@@ -133,8 +135,17 @@ void InstructorWindow::layDocks()
 void InstructorWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
-    if (!event->spontaneous() && width() >= kWideWindow)
-        resizeDocks({m_ui->waveformDock}, {kWideWaveforms}, Qt::Horizontal);
+    if (event->spontaneous() || std::exchange(m_isLaidOut, true) || height() < kLargeWindow)
+        return;
+    // Beneath the waveforms, not behind them: one that is in front of another cannot be split off.
+    for (QDockWidget* dock : {m_ui->invitationDock, m_ui->networkDock}) {
+        removeDockWidget(dock);
+        addDockWidget(Qt::RightDockWidgetArea, dock, Qt::Vertical);
+        dock->show();
+    }
+    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
+    m_ui->invitationDock->raise();
+    resizeDocks({m_ui->waveformDock}, {kLargeWaveforms}, Qt::Horizontal);
 }
 
 void InstructorWindow::fillSessionBar()
@@ -166,6 +177,8 @@ void InstructorWindow::fillSessionBar()
     raises(m_ui->showParts, m_ui->partsDock);
     raises(m_ui->showInvitation, m_ui->invitationDock);
     raises(m_ui->showNetwork, m_ui->networkDock);
+    addAction(m_ui->showWaveforms); // by its key, as the bar is full
+    raises(m_ui->showWaveforms, m_ui->waveformDock);
 }
 
 void InstructorWindow::endOnSecondPress()
@@ -185,6 +198,8 @@ void InstructorWindow::endOnSecondPress()
 void InstructorWindow::refresh()
 {
     const SessionPhase phase = m_session.phase();
+    if (std::exchange(m_shownPhase, phase) != phase && phase == SessionPhase::Running)
+        m_ui->waveformDock->raise(); // the patient begins to breathe
     m_phase->setText(tr("%1   %2 %3 %4")
                          .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
                               m_session.runningTimeText()));

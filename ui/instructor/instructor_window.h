@@ -67,6 +67,8 @@ private:
     SharedObjectModel& m_objects;
     QLabel* m_phase;
     QLabel* m_status;
+    SessionPhase m_shownPhase = SessionPhase::Prepared;
+    bool m_isLaidOut = false;
     bool m_endAsked = false;
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;

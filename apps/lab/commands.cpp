@@ -17,7 +17,7 @@ std::span<const Command> commands()
                                 trackCommand(),       driftCommand(),     driftNodeCommand(),
                                 figuresCommand(), //
                                 attackCommand(),      carryCommand(),     handshakeCommand(),
-                                soakCommand(), //
+                                sceneCommand(),       soakCommand(), //
                                 renderCommand(),      summaryCommand()};
     return all;
 }

@@ -31,6 +31,7 @@ namespace carina::lab
 
 [[nodiscard]] Command renderCommand();
 
+[[nodiscard]] Command sceneCommand();
 [[nodiscard]] Command soakCommand();
 
 [[nodiscard]] Command summaryCommand();

@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QSaveFile>
+#include <QScreen>
 #include <QTableView>
 
 namespace carina::program
@@ -73,6 +75,13 @@ bool type(const QWidget& in, const QString& name, const QString& text)
     return box && box->setProperty("value", text.toDouble());
 }
 
+bool picture(const QWidget& window, const QString& file)
+{
+    QSaveFile whole{file}; // never half of it under that name
+    return whole.open(QIODevice::WriteOnly)
+           && window.screen()->grabWindow(window.winId()).save(&whole, "PNG") && whole.commit();
+}
+
 } // namespace
 
 ControlScript::ControlScript(QWidget& window, const QString& file) : m_window{window}, m_file{file}
@@ -102,6 +111,8 @@ bool ControlScript::perform(const QString& line) const
         return press(in, name);
     if (verb == QLatin1String{"choose"})
         return choose(in, name, text);
+    if (verb == QLatin1String{"picture"})
+        return picture(m_window, line.section(QLatin1Char(' '), 1));
     return verb == QLatin1String{"type"} && type(in, name, text);
 }
 
@@ -111,7 +122,7 @@ void addScriptOption(QCommandLineParser& parser)
                       QCoreApplication::translate(
                           "Program", "Work the controls as the lines of this file say, which may "
                                      "be appended later: press CONTROL, choose LIST ENTRY, type "
-                                     "FIELD TEXT."),
+                                     "FIELD TEXT, picture FILE."),
                       QStringLiteral("FILE")});
 }
 

@@ -2,11 +2,9 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/files/whole_file.h"
+#include "evaluation/network/netlab_process.h"
 #include "evaluation/network/virtual_star.h"
 
-#include <QCoreApplication>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTimer>
 
 #include <cmath>
@@ -16,48 +14,7 @@ namespace carina
 namespace
 {
 
-constexpr int kStart_ms = 15000;
-constexpr int kEnd_ms = 5000;
 constexpr int kDraws = 200;
-/// netlab's first host.
-constexpr const char* kHostAddress = "10.77.0.1";
-
-QString nanoseconds(Duration time) { return QString::number(time.count()) + QStringLiteral("ns"); }
-
-QString jitterOf(const PathProfile& leg)
-{
-    switch (leg.jitter) {
-    case PathProfile::Jitter::Exponential:
-        return QStringLiteral("exp:") + nanoseconds(leg.jitterScale);
-    case PathProfile::Jitter::Pareto:
-        return QStringLiteral("pareto:") + nanoseconds(leg.jitterScale);
-    case PathProfile::Jitter::Uniform:
-        return QStringLiteral("uniform:") + nanoseconds(leg.jitterScale);
-    case PathProfile::Jitter::None:
-        break;
-    }
-    return QStringLiteral("none");
-}
-
-QString wordsOf(const PathProfile& leg, bool hasStepped, const std::filesystem::path& trace)
-{
-    const Duration delay = leg.delay + (hasStepped ? leg.stepBy : Duration{});
-    QStringList words{
-        QStringLiteral("order=free"),
-        QStringLiteral("delay=") + nanoseconds(delay),
-        QStringLiteral("jitter=") + jitterOf(leg),
-        QStringLiteral("loss=%1").arg(leg.loss),
-        QStringLiteral("dup=%1").arg(leg.duplication),
-        QStringLiteral("reorder=%1:%2").arg(leg.reordering).arg(nanoseconds(leg.heldUp))};
-    if (leg.burst)
-        words << QStringLiteral("ge=%1:%2").arg(leg.burst->enter).arg(leg.burst->leave);
-    if (leg.bitsPerSecond > 0.0)
-        words << QStringLiteral("rate=%1").arg(leg.bitsPerSecond)
-              << QStringLiteral("queue=%1").arg(leg.queueBytes);
-    if (leg.trace)
-        words << QStringLiteral("trace=") + QString::fromStdString(trace.string());
-    return words.join(QLatin1Char{' '});
-}
 
 /// p2,p3 and so on.
 QString viewers(std::size_t participants)
@@ -84,24 +41,14 @@ class NetlabNetwork : public LiveNetwork
 public:
     NetlabNetwork(QString program, std::size_t participants, DriftScenario scenario,
                   std::uint32_t seed)
-        : m_program{std::move(program)},
+        : m_lab{std::move(program)},
           m_participants{participants},
           m_scenario{std::move(scenario)},
           m_seed{seed}
     {
     }
-    ~NetlabNetwork() override
-    {
-        // The lab lasts as long as its command, and that as long as its input.
-        m_lab.closeWriteChannel();
-        if (m_lab.state() != QProcess::NotRunning && !m_lab.waitForFinished(kEnd_ms))
-            m_lab.terminate();
-        m_lab.waitForFinished(kEnd_ms);
-    }
-
     Result<void> start()
     {
-        const std::filesystem::path folder{m_folder.path().toStdString()};
         const Legs legs = legsOf(1, m_scenario);
         if (legs.toHost.trace)
             if (const auto kept = writePrivateFile(traceFile(), traceText(*legs.toHost.trace));
@@ -111,24 +58,7 @@ public:
                               + viewers(m_participants).replace(QLatin1Char{','}, QLatin1Char{' '}),
                           QStringLiteral("seed %1").arg(m_seed)};
         lines << links(false);
-        const std::filesystem::path file = folder / "lab.conf";
-        if (const auto kept =
-                writePrivateFile(file, lines.join(QLatin1Char{'\n'}).toStdString() + '\n');
-            !kept)
-            return kept;
-        m_lab.setProcessChannelMode(QProcess::MergedChannels);
-        m_lab.start(m_program,
-                    {QStringLiteral("run"), QString::fromStdString(file.string()),
-                     QStringLiteral("-n"), m_name, QStringLiteral("--rt"), QStringLiteral("--spin"),
-                     QStringLiteral("60us"), QStringLiteral("--"), QStringLiteral("cat")});
-        QByteArray said;
-        while (m_lab.waitForReadyRead(kStart_ms)) {
-            said += m_lab.readAll();
-            if (said.contains(" up: "))
-                return {};
-        }
-        return fail(Errc::NotPermitted,
-                    "drift: netlab has not started. " + said.trimmed().toStdString());
+        return m_lab.start(lines);
     }
 
     QString name() const override { return QStringLiteral("netlab"); }
@@ -137,13 +67,12 @@ public:
     QStringList inPlace(std::size_t who, const QStringList& program) const override
     {
         const QString place = who == 0 ? QStringLiteral("host") : QStringLiteral("p%1").arg(who);
-        return QStringList{m_program, QStringLiteral("exec"), QStringLiteral("-n"), m_name, place}
-               + program;
+        return m_lab.inPlace(place, program);
     }
 
     Place placeOfHost(std::size_t, std::uint16_t hostPort) override
     {
-        return {kHostAddress, hostPort};
+        return {NetlabProcess::kFirstAddress, hostPort};
     }
 
     void beginAt(LocalTime machine) override
@@ -177,10 +106,7 @@ public:
     }
 
 private:
-    std::filesystem::path traceFile() const
-    {
-        return std::filesystem::path{m_folder.path().toStdString()} / "trace";
-    }
+    std::filesystem::path traceFile() const { return m_lab.folder() / "trace"; }
     QStringList links(bool hasStepped) const
     {
         return netlabLinks(m_scenario, m_participants, hasStepped, traceFile());
@@ -189,26 +115,17 @@ private:
     void later(Duration after, const QStringList& statements)
     {
         const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(after);
-        QTimer::singleShot(ms, Qt::PreciseTimer, &m_lab, [this, statements] {
-            for (const QString& statement : statements) {
-                QProcess control;
-                control.setProgram(m_program);
-                control.setArguments(
-                    QStringList{QStringLiteral("ctl"), QStringLiteral("-n"), m_name}
-                    + statement.split(QLatin1Char{' '}));
-                control.setStandardOutputFile(QProcess::nullDevice()); // ours is for the figures
-                control.startDetached();
-            }
+        QTimer::singleShot(ms, Qt::PreciseTimer, &m_context, [this, statements] {
+            for (const QString& statement : statements)
+                m_lab.tell(statement);
         });
     }
 
-    QString m_program;
+    NetlabProcess m_lab;
     std::size_t m_participants;
     DriftScenario m_scenario;
     std::uint32_t m_seed;
-    QString m_name = QStringLiteral("carina%1").arg(QCoreApplication::applicationPid());
-    QTemporaryDir m_folder;
-    QProcess m_lab;
+    QObject m_context; // what is due later is not due after this
 };
 
 } // namespace
@@ -219,9 +136,9 @@ QStringList netlabLinks(const DriftScenario& scenario, std::size_t participants,
     QStringList statements;
     const auto add = [&](const QString& who, const LiveNetwork::Legs& legs) {
         statements
-            << QStringLiteral("link %1>host %2").arg(who, wordsOf(legs.toHost, hasStepped, trace))
+            << QStringLiteral("link %1>host %2").arg(who, netlabWay(legs.toHost, hasStepped, trace))
             << QStringLiteral("link host>%1 %2")
-                   .arg(who, wordsOf(legs.fromHost, hasStepped, trace));
+                   .arg(who, netlabWay(legs.fromHost, hasStepped, trace));
     };
     add(QStringLiteral("p1"), LiveNetwork::legsOf(1, scenario));
     add(viewers(participants), LiveNetwork::legsOf(2, scenario));

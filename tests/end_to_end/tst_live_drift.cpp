@@ -18,13 +18,16 @@ class TestLiveDrift : public QObject
 
 private Q_SLOTS:
     /// A viewer that begins an action when it arrives is late by 8 ms or more, 0.8 degrees at 100
-    /// deg/s, whatever the machine.
+    /// deg/s, whatever the machine; one that interpolates by a period of 1/60 s more.
     void programsRunTheStrategyOfTheSession_data()
     {
         QTest::addColumn<QString>("strategy");
         QTest::addColumn<double>("leastDrift_deg");
         QTest::addColumn<double>("leastResponse_ms");
         QTest::newRow("event") << QStringLiteral("event") << 0.6 << 0.0;
+        QTest::newRow("none") << QStringLiteral("none") << 0.6 << 0.0;
+        QTest::newRow("dead reckoning") << QStringLiteral("dead-reckoning") << 0.6 << 0.0;
+        QTest::newRow("interpolation") << QStringLiteral("interpolation") << 1.5 << 0.0;
         QTest::newRow("local lag") << QStringLiteral("local-lag") << 0.0 << 8.0;
     }
     void programsRunTheStrategyOfTheSession()

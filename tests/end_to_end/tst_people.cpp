@@ -1,5 +1,6 @@
-#include "engine/geometry/rotation.h"
+#include "engine/core/units.h"
 #include "engine/session/facts/facts.h"
+#include "evaluation/scene/drawn_scene.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/test_class.h"
 
@@ -7,9 +8,6 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
 
 namespace carina::people_test
 {
@@ -28,72 +26,6 @@ constexpr double kMedian_mm = 3.0;
 constexpr double kMedian_deg = 1.0;
 constexpr double kWorst95_mm = 20.0;
 constexpr double kWorst95_deg = 6.0;
-
-struct Pose {
-    Vec3 p_mm = Vec3::Zero();
-    Quat q = Quat::Identity();
-};
-
-struct Object {
-    int owner = 0;
-    int kind = 0;
-    bool isOwn = false;
-    Pose pose;
-};
-
-/// The objects in each frame of a program, by session time in seconds.
-using Frames = std::map<double, std::map<int, Object>>;
-
-Object objectOf(const QJsonObject& json)
-{
-    const QJsonArray p = json[QStringLiteral("xyz_mm")].toArray();
-    const QJsonArray q = json[QStringLiteral("q_xyzw")].toArray();
-    return {json[QStringLiteral("owner")].toInt(),
-            json[QStringLiteral("kind")].toInt(),
-            json[QStringLiteral("own")].toBool(),
-            {{p[0].toDouble(), p[1].toDouble(), p[2].toDouble()},
-             {q[3].toDouble(), q[0].toDouble(), q[1].toDouble(), q[2].toDouble()}}};
-}
-
-Frames framesIn(const QString& journal)
-{
-    Frames frames;
-    QFile file{journal};
-    if (!file.open(QIODevice::ReadOnly))
-        return frames;
-    for (const QByteArray& line : file.readAll().split('\n'))
-        for (const QJsonValue& frame :
-             QJsonDocument::fromJson(line).object()[QStringLiteral("frames")].toArray()) {
-            auto& objects = frames[1e-9 * double(frame[QStringLiteral("session_ns")].toInteger())];
-            for (const QJsonValue& object : frame[QStringLiteral("objects")].toArray())
-                objects[object[QStringLiteral("object")].toInt()] = objectOf(object.toObject());
-        }
-    return frames;
-}
-
-/// Where its owner's program has an object at a time, between two of that program's frames.
-std::optional<Pose> ownersPose(const Frames& owners, int object, double t)
-{
-    const auto after = owners.lower_bound(t);
-    if (after == owners.end() || after == owners.begin())
-        return std::nullopt;
-    const auto before = std::prev(after);
-    const auto a = before->second.find(object);
-    const auto b = after->second.find(object);
-    if (a == before->second.end() || b == after->second.end()
-        || after->first - before->first > kLongestGap || !a->second.isOwn)
-        return std::nullopt;
-    const double share = (t - before->first) / (after->first - before->first);
-    const Vec3& p = a->second.pose.p_mm;
-    return Pose{p + share * (b->second.pose.p_mm - p),
-                a->second.pose.q.slerp(share, b->second.pose.q)};
-}
-
-double quantile(std::vector<double>& values, double share)
-{
-    std::ranges::sort(values);
-    return values[std::min(values.size() - 1, std::size_t(share * double(values.size())))];
-}
 
 } // namespace
 
@@ -134,73 +66,44 @@ private Q_SLOTS:
         QTest::qWait(kWatched_ms);
         m_until = now();
         m_programs.clear();
-        for (const QString& journal : m_journals)
-            m_frames.push_back(framesIn(journal));
+        std::vector<DrawnScene> drawn;
+        for (std::size_t who = 0; who < m_journals.size(); ++who)
+            drawn.push_back({.participant = int(who),
+                             .hasTools = who > 0,
+                             .frames = drawnFramesIn(m_journals[who])});
+        m_compared = compareScenes(drawn, m_from, m_until, kLongestGap);
     }
 
-    /// Everybody draws heads, hands and tubes of all others, and the own head never.
+    /// Everybody draws heads, hands and tubes of all others: the console those of three, and each
+    /// of these those of two.
     void everyProgramDrawsEverybodyElse()
     {
-        for (std::size_t program = 0; program < m_frames.size(); ++program) {
-            std::map<std::pair<int, int>, int> drawn; // by owner and kind
-            int frames = 0;
-            for (const auto& [t, objects] : watched(program)) {
-                ++frames;
-                for (const auto& [id, object] : objects)
-                    if (!object.isOwn)
-                        ++drawn[{object.owner, object.kind}];
-            }
-            for (int owner = 1; owner <= kTrainees; ++owner)
-                for (const ObjectKind kind :
-                     {ObjectKind::Head, ObjectKind::Hand, ObjectKind::Tube}) {
-                    const bool isOwn = owner == int(program);
-                    const int times = drawn[{owner, int(kind)}];
-                    QVERIFY2(isOwn ? times == 0 : times > frames / 2,
-                             qPrintable(QStringLiteral("%1 of %2 frames").arg(times).arg(frames)));
-                }
-        }
+        constexpr int kKinds = 3;
+        QCOMPARE(m_compared.pairs, kKinds * (kTrainees + kTrainees * (kTrainees - 1)));
+        QVERIFY2(m_compared.leastShare > 0.5, qPrintable(QString::number(m_compared.leastShare)));
     }
 
     void everyObjectIsWhereItsOwnersProgramHasIt()
     {
-        std::vector<double> off_mm;
-        std::vector<double> off_deg;
-        for (std::size_t program = 0; program < m_frames.size(); ++program)
-            for (const auto& [t, objects] : watched(program))
-                for (const auto& [id, object] : objects) {
-                    if (object.isOwn || object.kind == int(ObjectKind::Jaw))
-                        continue;
-                    const auto owners = ownersPose(m_frames[std::size_t(object.owner)], id, t);
-                    if (!owners)
-                        continue;
-                    off_mm.push_back((object.pose.p_mm - owners->p_mm).norm());
-                    off_deg.push_back(inDegrees(angleBetween(object.pose.q, owners->q)));
-                }
-        QVERIFY(off_mm.size() > std::size_t{1000});
+        const SceneDifference& off = m_compared.near;
+        QVERIFY(off.distances.size() > std::size_t{1000});
+        const double median_mm = inMillimetres(metres(quantileOf(off.distances, 0.5)));
+        const double median_deg = inDegrees(radians(quantileOf(off.angles, 0.5)));
+        const double worst95_mm = inMillimetres(metres(quantileOf(off.distances, 0.95)));
+        const double worst95_deg = inDegrees(radians(quantileOf(off.angles, 0.95)));
         const QString told = QStringLiteral("%1 compared: %2 mm, %3 deg (median), %4 mm, %5 deg "
                                             "(95 %)")
-                                 .arg(off_mm.size())
-                                 .arg(quantile(off_mm, 0.5))
-                                 .arg(quantile(off_deg, 0.5))
-                                 .arg(quantile(off_mm, 0.95))
-                                 .arg(quantile(off_deg, 0.95));
+                                 .arg(off.distances.size())
+                                 .arg(median_mm)
+                                 .arg(median_deg)
+                                 .arg(worst95_mm)
+                                 .arg(worst95_deg);
         qInfo("%s", qPrintable(told));
-        QVERIFY(quantile(off_mm, 0.5) < kMedian_mm && quantile(off_deg, 0.5) < kMedian_deg);
-        QVERIFY(quantile(off_mm, 0.95) < kWorst95_mm && quantile(off_deg, 0.95) < kWorst95_deg);
+        QVERIFY(median_mm < kMedian_mm && median_deg < kMedian_deg);
+        QVERIFY(worst95_mm < kWorst95_mm && worst95_deg < kWorst95_deg);
     }
 
-    void noObjectEverChangesItsOwner()
-    {
-        std::map<int, std::pair<int, int>> known; // owner and kind, by object, in all programs
-        int changes = 0;
-        for (std::size_t program = 0; program < m_frames.size(); ++program)
-            for (const auto& [t, objects] : watched(program))
-                for (const auto& [id, object] : objects) {
-                    const std::pair now{object.owner, object.kind};
-                    changes += known.try_emplace(id, now).first->second == now ? 0 : 1;
-                }
-        QCOMPARE(changes, 0);
-    }
+    void noObjectEverChangesItsOwner() { QCOMPARE(m_compared.ownerChanges, 0); }
 
 private:
     static constexpr int kTrainees = 3; ///< with the numbers 1 to 3; the console is 0
@@ -224,17 +127,10 @@ private:
         return tubes == kTrainees;
     }
 
-    /// The frames of the minute.
-    [[nodiscard]] Frames watched(std::size_t program) const
-    {
-        const Frames& all = m_frames[program];
-        return {all.lower_bound(m_from), all.upper_bound(m_until)};
-    }
-
     QTemporaryDir m_folder;
     std::vector<QString> m_journals;
     std::vector<std::unique_ptr<Program>> m_programs;
-    std::vector<Frames> m_frames;
+    SceneComparison m_compared;
     double m_from = 0.0;
     double m_until = 0.0;
 };

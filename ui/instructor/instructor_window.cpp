@@ -2,15 +2,15 @@
 
 #include "models/errors/error_text.h"
 #include "models/objects/object_words.h"
-#include "models/station/people_words.h"
-#include "ui/panels/people_menus.h"
 #include "ui_instructor_window.h"
 #include "widgets/plain_label.h"
+#include "widgets/scene/view/scene_view.h"
 
 #include <QShowEvent>
 #include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -19,9 +19,9 @@ namespace
 
 constexpr int kRefreshInterval_ms = 250;
 constexpr int kEndAsked_ms = 4000;
-constexpr int kWideWindow = 1600; ///< pixels; there is room for all columns of the participants
-constexpr int kAllColumns = 600;
-constexpr int kBelowShare = 2; ///< of the height, against that of the participants
+constexpr int kLargeWindow = 1000; ///< pixels high; there is room for waveforms and invitation
+constexpr int kLargeWaveforms = 480;
+constexpr int kLowParticipants = 200; ///< pixels; of the rest, the picture has most
 
 /// Told by shape besides the word.
 QString phaseShape(SessionPhase phase)
@@ -61,12 +61,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
                                    SessionPatient& patient, StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
-      m_respiration{respiration},
       m_participants{participants},
-      m_stations{stations},
       m_patient{patient},
-      m_view{&view},
-      m_people{people},
       m_objects{actions.object()},
       m_phase{new PlainLabel{this}},
       m_status{new PlainLabel{this}}
@@ -76,7 +72,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->condition->setModel(respiration);
     m_ui->waveforms->setTrace(trace);
     m_ui->participants->setModel(participants, conduct, stations, people);
-    m_ui->stations->setModel(stations);
+    m_ui->pane->setModels(session, respiration, stations, people);
+    m_ui->pane->show(*patient.patient(), view);
     m_ui->network->setModel(network);
     refreshInvitation();
     connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &conduct, &ConductModel::changeCode);
@@ -87,10 +84,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->actions->setModel(actions);
     m_objects.setGroups(patient.patient()->groups());
     layDocks();
-    m_ui->scene->setBackground(palette().color(QPalette::Base));
-    m_stationScene = std::make_unique<StationScene>(*m_ui->scene, *patient.patient(), view);
-    m_ui->parts->setScene(*m_ui->scene);
-    m_ui->section->setScene(*m_ui->scene);
+    m_ui->parts->setScene(m_ui->pane->scene());
+    m_ui->section->setScene(m_ui->pane->scene());
     m_ui->partsPage->setFocusProxy(m_ui->parts);
     // What it says never widens the window: what matters stands in front.
     m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -98,8 +93,6 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_status->setToolTip(
         tr("Oldest sample: time since the oldest pose now drawn was measured (latency)"));
     fillSessionBar();
-    connectViews();
-    addEyes();
 
     connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};
@@ -112,37 +105,47 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
 
 InstructorWindow::~InstructorWindow() = default;
 
+StationScene& InstructorWindow::stationScene() { return m_ui->pane->stationScene(); }
+
 void InstructorWindow::show(const PatientModel& patient, StationView& view)
 {
-    m_view = &view;
-    view.exaggerate(m_ui->exaggeration->value());
-    m_stationScene->show(patient, view);
+    m_ui->pane->show(patient, view);
     m_objects.setGroups(patient.groups());
-    m_ui->parts->setScene(*m_ui->scene);
-    m_ui->section->setScene(*m_ui->scene);
+    m_ui->parts->setScene(m_ui->pane->scene());
+    m_ui->section->setScene(m_ui->pane->scene());
 }
 
 void InstructorWindow::layDocks()
 {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea); // the table needs all the width
     tabifyDockWidget(m_ui->breathingDock, m_ui->conditionDock);
     tabifyDockWidget(m_ui->conditionDock, m_ui->actionsDock);
     tabifyDockWidget(m_ui->actionsDock, m_ui->partsDock);
     m_ui->breathingDock->raise();
+    tabifyDockWidget(m_ui->waveformDock, m_ui->invitationDock);
     tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
     m_ui->invitationDock->raise(); // nobody else is here yet
     // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into it.
     for (QDockWidget* dock : findChildren<QDockWidget*>())
         connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
-    resizeDocks({m_ui->participantsDock, m_ui->invitationDock}, {1, kBelowShare}, Qt::Vertical);
+    resizeDocks({m_ui->participantsDock}, {kLowParticipants}, Qt::Vertical);
 }
 
 void InstructorWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
-    if (!event->spontaneous() && width() >= kWideWindow)
-        resizeDocks({m_ui->participantsDock}, {kAllColumns}, Qt::Horizontal);
+    if (event->spontaneous() || std::exchange(m_isLaidOut, true) || height() < kLargeWindow)
+        return;
+    // Beneath the waveforms, not behind them: one that is in front of another cannot be split off.
+    for (QDockWidget* dock : {m_ui->invitationDock, m_ui->networkDock}) {
+        removeDockWidget(dock);
+        addDockWidget(Qt::RightDockWidgetArea, dock, Qt::Vertical);
+        dock->show();
+    }
+    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
+    m_ui->invitationDock->raise();
+    resizeDocks({m_ui->waveformDock}, {kLargeWaveforms}, Qt::Horizontal);
 }
 
 void InstructorWindow::fillSessionBar()
@@ -174,43 +177,8 @@ void InstructorWindow::fillSessionBar()
     raises(m_ui->showParts, m_ui->partsDock);
     raises(m_ui->showInvitation, m_ui->invitationDock);
     raises(m_ui->showNetwork, m_ui->networkDock);
-}
-
-void InstructorWindow::connectViews()
-{
-    const auto shows = [this](ViewPreset preset) {
-        return [this, preset] { m_ui->scene->showFrom(preset); };
-    };
-    connect(m_ui->front, &QToolButton::clicked, this, shows(ViewPreset::Front));
-    connect(m_ui->side, &QToolButton::clicked, this, shows(ViewPreset::Right));
-    connect(m_ui->head, &QToolButton::clicked, this, shows(ViewPreset::Trainee));
-    connect(m_ui->exaggeration, &QDoubleSpinBox::valueChanged, this,
-            [this](double factor) { m_view->exaggerate(factor); });
-}
-
-void InstructorWindow::addEyes()
-{
-    auto* menu = new EyesMenu{m_people, tr("Through the eyes of"), this};
-    m_ui->eyes->setMenu(menu);
-    connect(menu, &EyesMenu::chosen, this, [this](std::optional<ParticipantId> participant) {
-        m_stationScene->seeThrough(participant);
-        refreshPeople();
-    });
-    // A view of the own camera is also chosen by where it stands.
-    for (QToolButton* preset : {m_ui->front, m_ui->side, m_ui->head})
-        connect(preset, &QToolButton::clicked, menu, [this, menu] {
-            menu->setChosen(std::nullopt);
-            m_stationScene->seeThrough(std::nullopt);
-            refreshPeople();
-        });
-}
-
-void InstructorWindow::refreshPeople()
-{
-    QStringList told{m_people.workText()};
-    if (const auto& eyes = m_stationScene->throughEyesOf())
-        told += throughEyesText(*m_session.node().state(), m_stationScene->moment(), *eyes);
-    m_ui->peopleState->setText(told.join(QStringLiteral("      ")));
+    addAction(m_ui->showWaveforms); // by its key, as the bar is full
+    raises(m_ui->showWaveforms, m_ui->waveformDock);
 }
 
 void InstructorWindow::endOnSecondPress()
@@ -230,11 +198,12 @@ void InstructorWindow::endOnSecondPress()
 void InstructorWindow::refresh()
 {
     const SessionPhase phase = m_session.phase();
+    if (std::exchange(m_shownPhase, phase) != phase && phase == SessionPhase::Running)
+        m_ui->waveformDock->raise(); // the patient begins to breathe
     m_phase->setText(tr("%1   %2 %3 %4")
                          .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
                               m_session.runningTimeText()));
     m_phase->setMinimumWidth(std::max(m_phase->minimumWidth(), m_phase->sizeHint().width()));
-    m_ui->patientState->setText(patientText());
     m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
     m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
     m_ui->start->setEnabled(m_session.canStart());
@@ -242,17 +211,8 @@ void InstructorWindow::refresh()
     m_ui->end->setEnabled(m_session.canEnd());
     m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
     refreshInvitation();
-    refreshPeople();
+    m_ui->pane->refresh();
     refreshStatus();
-}
-
-QString InstructorWindow::patientText() const
-{
-    QString text = tr("● Condition: %1").arg(m_respiration.inForceText());
-    if (m_stations.isForAll())
-        text = tr("▲ Changes of breathing and condition are for all %1 stations.   %2")
-                   .arg(QString::number(m_stations.open().size()), text);
-    return text;
 }
 
 void InstructorWindow::refreshInvitation()
@@ -273,7 +233,8 @@ void InstructorWindow::refreshStatus()
         return;
     }
     // What is out of the ordinary stands in front.
-    const StationMoment& moment = m_stationScene->moment();
+    StationScene& scene = stationScene();
+    const StationMoment& moment = scene.moment();
     QStringList told = m_participants.replacedTokens(moment.time);
     if (const auto doubtful = m_participants.doubtfulRegistrations(); !doubtful.isEmpty())
         told += tr("▲ %n registration(s) not to be relied on", nullptr, int(doubtful.size()));
@@ -288,10 +249,11 @@ void InstructorWindow::refreshStatus()
     if (inMillilitres(moment.notDrawn) >= 1.0)
         told +=
             tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));
-    told += tr("Patient: %1").arg(QString::fromStdString(m_stationScene->patient().name()));
+    told += tr("Patient: %1").arg(QString::fromStdString(scene.patient().name()));
     const auto oldest = m_participants.oldestSample_ms();
     told += oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked");
-    told += tr("%1 frames per second").arg(qRound(m_ui->scene->statistics().framesPerSecond));
+    told +=
+        tr("%1 frames per second").arg(qRound(m_ui->pane->scene().statistics().framesPerSecond));
     told += m_shownLocked ? tr("Locked: nobody new comes in")
                           : tr("Trainees join at port %1").arg(m_session.node().port());
     m_status->setText(told.join(QStringLiteral("      ")));

@@ -47,7 +47,7 @@ public:
     void show(const PatientModel& patient, StationView& view);
     using QMainWindow::show;
 
-    [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }
+    [[nodiscard]] StationScene& stationScene();
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -55,10 +55,6 @@ protected:
 private:
     void fillSessionBar();
     void layDocks();
-    void connectViews();
-    void addEyes();
-    void refreshPeople();
-    [[nodiscard]] QString patientText() const;
     void refreshInvitation();
     void endOnSecondPress();
     void refresh();
@@ -66,16 +62,13 @@ private:
 
     std::unique_ptr<Ui::InstructorWindow> m_ui;
     SessionModel& m_session;
-    const RespirationModel& m_respiration;
     ParticipantsModel& m_participants;
-    const StationsModel& m_stations;
     const SessionPatient& m_patient;
-    StationView* m_view;
-    PeopleModel& m_people;
     SharedObjectModel& m_objects;
-    std::unique_ptr<StationScene> m_stationScene;
     QLabel* m_phase;
     QLabel* m_status;
+    SessionPhase m_shownPhase = SessionPhase::Prepared;
+    bool m_isLaidOut = false;
     bool m_endAsked = false;
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;

@@ -44,11 +44,11 @@ PlaceMenu::PlaceMenu(PeopleModel& people, Whom whom, Head ownHead, const QString
                      QWidget* parent)
     : QMenu{title, parent}, m_people{people}, m_whom{std::move(whom)}, m_ownHead{std::move(ownHead)}
 {
-    add(tr("As &tracked"), std::nullopt);
-    add(tr("At the patient's &head"), PatientSide::Head);
-    add(tr("At the patient's &right"), PatientSide::Right);
-    add(tr("At the patient's &left"), PatientSide::Left);
-    add(tr("At the patient's &feet"), PatientSide::Feet);
+    add(tr("As &tracked"), std::nullopt, "asTracked");
+    add(tr("At the patient's &head"), PatientSide::Head, "atHead");
+    add(tr("At the patient's &right"), PatientSide::Right, "atRight");
+    add(tr("At the patient's &left"), PatientSide::Left, "atLeft");
+    add(tr("At the patient's &feet"), PatientSide::Feet, "atFeet");
     connect(this, &QMenu::aboutToShow, this, [this] {
         const auto chosen = m_whom();
         const auto person = chosen ? m_people.person(*chosen) : std::nullopt;
@@ -57,12 +57,13 @@ PlaceMenu::PlaceMenu(PeopleModel& people, Whom whom, Head ownHead, const QString
     });
 }
 
-void PlaceMenu::add(const QString& text, std::optional<PatientSide> side)
+void PlaceMenu::add(const QString& text, std::optional<PatientSide> side, const char* name)
 {
-    addAction(text, this, [this, side] {
+    QAction* action = addAction(text, this, [this, side] {
         if (const auto whom = m_whom())
             m_people.place(*whom, side, m_ownHead());
     });
+    action->setObjectName(QLatin1StringView{name});
 }
 
 WorkMenu::WorkMenu(PeopleModel& people, const QString& title, QWidget* parent)

@@ -49,7 +49,8 @@ public:
               QWidget* parent = nullptr);
 
 private:
-    void add(const QString& text, std::optional<PatientSide> side);
+    /// @param name by which a script finds it
+    void add(const QString& text, std::optional<PatientSide> side, const char* name);
 
     PeopleModel& m_people;
     Whom m_whom;

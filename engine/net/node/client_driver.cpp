@@ -284,6 +284,22 @@ std::optional<ClockReport> ClientDriver::clockReport(LocalTime now) const
                        clock.external()};
 }
 
+std::shared_ptr<const std::vector<FactBody>> ClientDriver::pending()
+{
+    const auto& waiting = m_core.waiting();
+    if (std::ranges::equal(waiting, m_shownWaiting, {}, &ProposalRecord::id))
+        return m_shownPending;
+    m_shownWaiting.clear();
+    std::vector<FactBody> bodies;
+    for (const ProposalRecord& record : waiting) {
+        m_shownWaiting.push_back(record.id);
+        if (auto body = decodeBody(record.body))
+            bodies.push_back(*std::move(body));
+    }
+    m_shownPending = std::make_shared<std::vector<FactBody>>(std::move(bodies));
+    return m_shownPending;
+}
+
 void ClientDriver::show(LocalTime now)
 {
     if (m_hasNewState && (m_core.isCaughtUp() || now >= m_nextShown)) {
@@ -297,9 +313,7 @@ void ClientDriver::show(LocalTime now)
     view.state = m_shownState;
     m_board.showActions(view, m_core.actions());
     view.drifts = m_views.drifts();
-    for (const ProposalRecord& record : m_core.waiting())
-        if (auto body = decodeBody(record.body))
-            view.pending.push_back(*std::move(body));
+    view.pending = pending();
     view.clockReport = clockReport(now);
     view.links = std::make_shared<std::vector<NodeBoard::Link>>(
         1, linkReport(kHostParticipant, linkState(m_core.state()), m_core.link()));

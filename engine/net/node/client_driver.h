@@ -47,6 +47,8 @@ private:
     [[nodiscard]] std::optional<RigidTransform> shownPose(ObjectId object, SessionTime t) const;
     void noteStrategy(const FactBody& body, LocalTime now);
     [[nodiscard]] std::optional<ClockReport> clockReport(LocalTime now) const;
+    /// The proposals that wait, as shown last where they are the same.
+    [[nodiscard]] std::shared_ptr<const std::vector<FactBody>> pending();
     void show(LocalTime now);
 
     ClientCredentials m_credentials;
@@ -70,6 +72,9 @@ private:
     std::shared_ptr<const SessionState> m_shownState;
     bool m_hasNewState = true; // not shown yet
     LocalTime m_nextShown = LocalTime::min();
+    std::vector<ProposalId> m_shownWaiting; // of m_shownPending
+    std::shared_ptr<const std::vector<FactBody>> m_shownPending =
+        NodeBoard::none<std::vector<FactBody>>();
 };
 
 } // namespace carina

@@ -21,7 +21,7 @@ bool sameLinks(const std::vector<NodeBoard::Link>& a, const std::vector<NodeBoar
 
 void NodeBoard::showActions(View& view, const SharedActions& actions) const
 {
-    view.actions = this->actions();
+    view.actions = part(&View::actions);
     if (view.actions->revision() != actions.revision())
         view.actions = std::make_shared<SharedActions>(actions);
 }
@@ -43,7 +43,7 @@ void NodeBoard::showPaths(View& view, LocalTime now,
 std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
 {
     std::vector<ObjectReport> reports = objects.reports(now);
-    const auto shared = actions();
+    const auto shared = part(&View::actions);
     for (const auto& [id, meter] : shared->meters()) {
         const ActionFigures& figures = meter.figures();
         auto report = std::ranges::find(reports, id, &ObjectReport::object);
@@ -53,7 +53,7 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
         report->limitMm = inMillimetres(figures.limit.position);
         report->delay = figures.delay;
     }
-    const auto drifts = view().drifts;
+    const auto drifts = part(&View::drifts);
     for (ObjectReport& report : reports)
         if (const auto drift = drifts->find(report.object); drift != drifts->end()) {
             report.driftDeg = inDegrees(drift->second.drift.rotation);
@@ -65,7 +65,7 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
 std::map<ParticipantId, double> NodeBoard::actionFrequencies(SessionTime now) const
 {
     ApplicationAnalysis analysis = objects.analysis();
-    analysis.add(actions()->analysis());
+    analysis.add(part(&View::actions)->analysis());
     const auto snapshot = state();
     const auto owned = std::ranges::count_if(snapshot->objects(), [](const auto& entry) {
         return entry.second.owner != kNobody; // the others are in their places

@@ -20,42 +20,36 @@ public:
         LinkReport report; ///< without sinceLastDatagram
         LocalTime lastHeard{};
     };
+    /// What a part of a view is that has nothing yet; one for all views, so that a turn of the node
+    /// makes none. Shared with the threads that read it.
+    template <class Part> [[nodiscard]] static const std::shared_ptr<const Part>& none()
+    {
+        static const std::shared_ptr<const Part> one = std::make_shared<Part>();
+        return one;
+    }
+    /// Made anew in each turn of the node: what is large in it is shared with the view before.
     struct View {
         ParticipantId self = kNobody;
         std::optional<ClockMapping> clock;
         std::optional<ClockReport> clockReport;
-        std::shared_ptr<const SessionState> state = std::make_shared<SessionState>();
-        std::shared_ptr<const SharedActions> actions = std::make_shared<SharedActions>();
-        std::shared_ptr<const ShownViews::Drifts> drifts = std::make_shared<ShownViews::Drifts>();
-        std::vector<FactBody> pending;
-        std::shared_ptr<const std::vector<Link>> links = std::make_shared<std::vector<Link>>();
-        std::shared_ptr<const std::vector<PathReport>> paths =
-            std::make_shared<std::vector<PathReport>>();
+        std::shared_ptr<const SessionState> state = none<SessionState>();
+        std::shared_ptr<const SharedActions> actions = none<SharedActions>();
+        std::shared_ptr<const ShownViews::Drifts> drifts = none<ShownViews::Drifts>();
+        std::shared_ptr<const std::vector<FactBody>> pending = none<std::vector<FactBody>>();
+        std::shared_ptr<const std::vector<Link>> links = none<std::vector<Link>>();
+        std::shared_ptr<const std::vector<PathReport>> paths = none<std::vector<PathReport>>();
         LocalTime nextPaths = LocalTime::min(); ///< when they are to be measured again
         std::optional<Error> refusal;
     };
 
-    [[nodiscard]] View view() const
+    /// One part of the view, such as `part(&NodeBoard::View::clock)`.
+    template <class Part> [[nodiscard]] Part part(Part View::*member) const
     {
         const std::scoped_lock lock{m_mutex};
-        return m_view;
+        return m_view.*member;
     }
-    /// Parts of the view, for callers that read at every frame.
-    [[nodiscard]] std::optional<ClockMapping> clock() const
-    {
-        const std::scoped_lock lock{m_mutex};
-        return m_view.clock;
-    }
-    [[nodiscard]] std::shared_ptr<const SessionState> state() const
-    {
-        const std::scoped_lock lock{m_mutex};
-        return m_view.state;
-    }
-    [[nodiscard]] std::shared_ptr<const SharedActions> actions() const
-    {
-        const std::scoped_lock lock{m_mutex};
-        return m_view.actions;
-    }
+    [[nodiscard]] std::optional<ClockMapping> clock() const { return part(&View::clock); }
+    [[nodiscard]] std::shared_ptr<const SessionState> state() const { return part(&View::state); }
     /// Reports on all objects with samples or actions, at session time `now`.
     [[nodiscard]] std::vector<ObjectReport> objectReports(SessionTime now) const;
     /// v_k of all who act, at session time `now`.

@@ -52,7 +52,7 @@ void ThreadedNode::runThere(const std::function<void()>& task)
     QMetaObject::invokeMethod(m_loop.get(), task, Qt::BlockingQueuedConnection);
 }
 
-ParticipantId ThreadedNode::self() const { return m_board.view().self; }
+ParticipantId ThreadedNode::self() const { return m_board.part(&NodeBoard::View::self); }
 
 std::optional<SessionTime> ThreadedNode::now() const { return sessionTime(monotonicNow()); }
 
@@ -62,7 +62,10 @@ std::optional<SessionTime> ThreadedNode::sessionTime(LocalTime t) const
     return clock ? std::optional{clock->at(t)} : std::nullopt;
 }
 
-std::optional<ClockReport> ThreadedNode::clock() const { return m_board.view().clockReport; }
+std::optional<ClockReport> ThreadedNode::clock() const
+{
+    return m_board.part(&NodeBoard::View::clockReport);
+}
 
 std::shared_ptr<const SessionState> ThreadedNode::state() const { return m_board.state(); }
 
@@ -77,7 +80,10 @@ void ThreadedNode::propose(StationId station, FactBody body)
         Qt::QueuedConnection);
 }
 
-std::vector<FactBody> ThreadedNode::pending() const { return m_board.view().pending; }
+std::vector<FactBody> ThreadedNode::pending() const
+{
+    return *m_board.part(&NodeBoard::View::pending);
+}
 
 void ThreadedNode::publish(ObjectKind kind, std::string name, PoseSource newest)
 {
@@ -109,13 +115,14 @@ void ThreadedNode::act(ObjectId object, const ObjectAction& action)
 std::optional<ShownObject> ThreadedNode::shown(ObjectId object, SessionTime t) const
 {
     const auto clock = m_board.clock();
-    return clock ? m_board.actions()->shown(object, t, clock->localAt(t), monotonicNow())
+    return clock ? m_board.part(&NodeBoard::View::actions)
+                       ->shown(object, t, clock->localAt(t), monotonicNow())
                  : std::nullopt;
 }
 
 std::optional<EventCpo> ThreadedNode::action(ObjectId object) const
 {
-    const auto actions = m_board.actions();
+    const auto actions = m_board.part(&NodeBoard::View::actions);
     const EventCpo* newest = actions->table().newest(object);
     return newest ? std::optional{*newest} : std::nullopt;
 }
@@ -124,7 +131,7 @@ std::vector<LinkReport> ThreadedNode::links() const
 {
     const LocalTime now = monotonicNow();
     std::vector<LinkReport> reports;
-    const auto links = m_board.view().links;
+    const auto links = m_board.part(&NodeBoard::View::links);
     for (const NodeBoard::Link& link : *links) {
         reports.push_back(link.report);
         reports.back().sinceLastDatagram = now - link.lastHeard;
@@ -134,10 +141,13 @@ std::vector<LinkReport> ThreadedNode::links() const
 
 std::shared_ptr<const std::vector<PathReport>> ThreadedNode::paths() const
 {
-    return m_board.view().paths;
+    return m_board.part(&NodeBoard::View::paths);
 }
 
-std::optional<Error> ThreadedNode::refusal() const { return m_board.view().refusal; }
+std::optional<Error> ThreadedNode::refusal() const
+{
+    return m_board.part(&NodeBoard::View::refusal);
+}
 
 std::vector<ObjectReport> ThreadedNode::objectReports() const
 {

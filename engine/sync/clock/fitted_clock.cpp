@@ -78,7 +78,7 @@ FittedClock::Fit FittedClock::fit() const
     for (const Probe& probe : m_window)
         line.add({.x = toSeconds(probe.at - m_lastProbe),
                   .y = toSeconds(probe.offset - m_window.front().offset),
-                  .weight = std::exp(-2.0 * toSeconds(probe.roundTrip - shortest) / scale)});
+                  .weight = std::exp(-kSteepness * toSeconds(probe.roundTrip - shortest) / scale)});
     const WeightedLine::Fit fitted = line.fit(kSkewPrior);
     return {fitted.atZero, std::clamp(fitted.slope, -kLargestSkew, kLargestSkew), fitted.error};
 }

@@ -53,9 +53,11 @@ struct ExternalVerdict {
 /// Queues only lengthen a path, so that probes with short round trips are more accurate. The fit is
 /// the line
 ///
-///     offset(t) = a + b (t - t_mean)      with weights  exp(-2 (rtt - rtt_min) / s)
+///     offset(t) = a + b (t - t_mean)      with weights  exp(-kSteepness (rtt - rtt_min) / s)
 ///
-/// with s the mean of rtt - rtt_min, over the last kWindow probes within kWindowTime. A prior of
+/// with s the mean of rtt - rtt_min, over the last kWindow probes within kWindowTime. Where queues
+/// are exponential, the offset of a probe is off by up to (rtt - rtt_min) / 2, evenly distributed:
+/// a steeper weight leaves fewer probes with smaller errors. A prior of
 /// standard deviation kSkewPrior keeps the skew b near 0 as far as the scatter of the probes leaves
 /// it undetermined, as in a short window. The clock is slewed towards the line at 500 ppm. Once
 /// live it is set only where it is off by more than kLargestSlew.
@@ -79,8 +81,9 @@ public:
     enum class State : std::uint8_t { Acquiring, Locked, Holdover };
 
     static constexpr std::size_t kProbesToSet = 10; ///< probes after which the clock is set
-    static constexpr std::size_t kWindow = 300;
-    static constexpr Duration kWindowTime = std::chrono::seconds{30};
+    static constexpr std::size_t kWindow = 450;
+    static constexpr Duration kWindowTime = std::chrono::seconds{45};
+    static constexpr double kSteepness = 4.0;
     static constexpr Duration kLargestSlew = std::chrono::milliseconds{50};
     static constexpr int kOutsideInARow = 3;
     static constexpr int kSigmasToFlush = 4;

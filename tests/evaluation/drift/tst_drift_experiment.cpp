@@ -137,6 +137,15 @@ private Q_SLOTS:
         QVERIFY2(deg(figures.atEvent) <= 0.002, shown(figures));
     }
 
+    /// All have an action when it begins. What is left is the difference of two clocks.
+    void localLagOverAMetroPathIsBelowAFifthOfTheLimit()
+    {
+        const DriftFigures figures = figuresOf("local-lag", "metro", 20);
+        QVERIFY2(figures.timeAverage <= 0.2 * figures.limit, shown(figures));
+        QVERIFY2(deg(figures.timeAverage) <= 2.0 * 100.0 * *figures.clockError, shown(figures));
+        QVERIFY(figures.response > 0.010 && figures.response <= 0.016);
+    }
+
     void sessionClockDoesNotGrowWithParticipants()
     {
         const double two = figuresOf("session-clock", "wan", 3, 2).timeAverage;

@@ -79,8 +79,9 @@ private Q_SLOTS:
         QVERIFY(!pair.board.clock());
         pair.run(200ms);
         QCOMPARE(pair.board.state()->name(), std::string{"Course"});
-        QCOMPARE(pair.board.view().self, ParticipantId{5});
-        QCOMPARE(pair.board.view().links->at(0).report.state, LinkState::Connected);
+        QCOMPARE(pair.board.part(&NodeBoard::View::self), ParticipantId{5});
+        QCOMPARE(pair.board.part(&NodeBoard::View::links)->at(0).report.state,
+                 LinkState::Connected);
         QCOMPARE(pair.board.clock()->at(pair.now), pair.host.sessionTime(pair.now));
     }
 
@@ -91,9 +92,9 @@ private Q_SLOTS:
         log[1].body = {std::byte{0xFF}};
         Pair pair{log};
         pair.run(200ms);
-        QCOMPARE(pair.board.view().refusal->code, Errc::PacketMalformed);
+        QCOMPARE(pair.board.part(&NodeBoard::View::refusal)->code, Errc::PacketMalformed);
         QCOMPARE(pair.board.state()->lastApplied(), FactNumber{1});
-        QCOMPARE(pair.board.view().links->at(0).report.state, LinkState::Ended);
+        QCOMPARE(pair.board.part(&NodeBoard::View::links)->at(0).report.state, LinkState::Ended);
         QVERIFY(pair.host.peers().empty()); // it said goodbye
     }
 
@@ -106,7 +107,7 @@ private Q_SLOTS:
         for (const auto& [to, bytes] : pair.host.take().datagrams)
             pair.client.receive(kHost + 1, bytes, pair.now);
         QVERIFY(pair.client.advance(pair.now).empty());
-        QCOMPARE(pair.board.view().self, kNobody);
+        QCOMPARE(pair.board.part(&NodeBoard::View::self), kNobody);
     }
 
     void refusedProposalIsShownUntilTheNext()
@@ -116,14 +117,14 @@ private Q_SLOTS:
         const FactBody rate = fact::BreathingRateSet{perMinute(20.0)};
         pair.client.propose(StationId{}, rate, pair.now);
         static_cast<void>(pair.client.advance(pair.now)); // on its way
-        QCOMPARE(pair.board.view().pending.size(), std::size_t{1});
-        QVERIFY(pair.board.view().pending[0] == rate);
+        QCOMPARE(pair.board.part(&NodeBoard::View::pending)->size(), std::size_t{1});
+        QVERIFY(pair.board.part(&NodeBoard::View::pending)->at(0) == rate);
         pair.run(200ms);
-        QVERIFY(pair.board.view().pending.empty());
-        QCOMPARE(pair.board.view().refusal, (Error{Errc::NotPermitted, {}}));
+        QVERIFY(pair.board.part(&NodeBoard::View::pending)->empty());
+        QCOMPARE(pair.board.part(&NodeBoard::View::refusal), (Error{Errc::NotPermitted, {}}));
         pair.client.propose(StationId{}, rate, pair.now);
         static_cast<void>(pair.client.advance(pair.now));
-        QVERIFY(!pair.board.view().refusal);
+        QVERIFY(!pair.board.part(&NodeBoard::View::refusal));
     }
 
     void asksForATokenUntilItHasOne()
@@ -148,7 +149,7 @@ private Q_SLOTS:
         pair.run(500ms);
         pair.client.publish(ObjectKind::Tube, "Tube", [] { return std::nullopt; });
         static_cast<void>(pair.client.advance(pair.now));
-        QVERIFY(pair.board.view().pending.empty());
+        QVERIFY(pair.board.part(&NodeBoard::View::pending)->empty());
     }
 
     void wakesForTheNextTickWhenItPublishes()
@@ -163,7 +164,7 @@ private Q_SLOTS:
         // The object is proposed at once; the tick comes 60 times a second.
         QVERIFY(pair.client.nextWake() > pair.now);
         QVERIFY(pair.client.nextWake() <= pair.now + 17ms);
-        QCOMPARE(pair.board.view().pending.size(), std::size_t{1});
+        QCOMPARE(pair.board.part(&NodeBoard::View::pending)->size(), std::size_t{1});
     }
 };
 

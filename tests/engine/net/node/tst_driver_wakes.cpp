@@ -36,7 +36,7 @@ std::optional<ObjectId> onlyObject(const NodeBoard& board)
 /// How old the newest comparison of a view is; nothing where there is none.
 std::optional<Duration> ageOfComparison(const NodeBoard& board, LocalTime now)
 {
-    const auto drifts = board.view().drifts;
+    const auto drifts = board.part(&NodeBoard::View::drifts);
     if (drifts->empty())
         return std::nullopt;
     return board.clock()->at(now) - drifts->begin()->second.at;
@@ -94,7 +94,8 @@ private Q_SLOTS:
         NodeDriver& owner = isHosts ? static_cast<NodeDriver&>(*world.host)
                                     : static_cast<NodeDriver&>(*guest.driver);
         world.runByWakes(500ms);
-        const ParticipantId self = isHosts ? ParticipantId{0} : guest.board.view().self;
+        const ParticipantId self =
+            isHosts ? ParticipantId{0} : guest.board.part(&NodeBoard::View::self);
         owner.propose(kStation, fact::ObjectShared{{}, self, ObjectKind::Tube, "Tube"}, world.now);
         world.runByWakes(500ms);
         const auto object = onlyObject(viewer);
@@ -147,11 +148,11 @@ private Q_SLOTS:
         HeldStore::Disk disk;
         DriverWorld world{disk};
         world.runByWakes(1s);
-        QVERIFY(!world.board.view().refusal);
+        QVERIFY(!world.board.part(&NodeBoard::View::refusal));
         disk.moved = disk.folder.filePath(QStringLiteral("elsewhere")).toStdString();
         world.runByWakes(500ms + kTurns);
-        QVERIFY(world.board.view().refusal);
-        QCOMPARE(world.board.view().refusal->code, Errc::StoreReplaced);
+        QVERIFY(world.board.part(&NodeBoard::View::refusal));
+        QCOMPARE(world.board.part(&NodeBoard::View::refusal)->code, Errc::StoreReplaced);
     }
 };
 

@@ -92,7 +92,7 @@ private Q_SLOTS:
         QVERIFY(world.host);
         const auto& guest = world.add("Anna", Role::Observer);
         world.run(200ms);
-        QVERIFY(guest.board.view().self != kNobody);
+        QVERIFY(guest.board.part(&NodeBoard::View::self) != kNobody);
         for (int i = 0; i < 40'000; ++i)
             world.host->receive(guest.address, encodeTokenRequest(), world.now);
         static_cast<void>(world.host->advance(world.now));

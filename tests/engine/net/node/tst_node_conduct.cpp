@@ -109,15 +109,16 @@ private Q_SLOTS:
             }
         };
         talk(500ms);
-        const ParticipantId id = boards[1].view().self;
+        const ParticipantId id = boards[1].part(&NodeBoard::View::self);
         QVERIFY(id != kNobody);
         (*host)->propose(kStation, fact::ParticipantRemoved{id, false, "too loud"}, now);
         (*host)->waitForDisk(now);
         static_cast<void>((*host)->advance(now)); // lost
         QVERIFY((*host)->takeEnded().empty());
         talk(1s);
-        QCOMPARE(boards[1].view().links->at(0).report.state, LinkState::Ended);
-        QCOMPARE(*boards[1].view().refusal, (Error{Errc::Removed, "Dr Hall: too loud"}));
+        QCOMPARE(boards[1].part(&NodeBoard::View::links)->at(0).report.state, LinkState::Ended);
+        QCOMPARE(*boards[1].part(&NodeBoard::View::refusal),
+                 (Error{Errc::Removed, "Dr Hall: too loud"}));
         QVERIFY(!boards[0].state()->participants().at(id).present);
         talk(HostPaths::kHelloWithin);
         QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{kGuest});

@@ -30,8 +30,13 @@ struct Derivations {
     }
 };
 
+struct Greeted {
+    ParticipantId self;
+    std::optional<Error> refusal;
+};
+
 /// Says Hello in a role over a path that proved something; what comes of it.
-NodeBoard::View greet(HostDriver& host, const Credential& proved, Role role)
+Greeted greet(HostDriver& host, const Credential& proved, Role role)
 {
     constexpr PeerAddress kGuest = 7;
     constexpr PeerAddress kPathToHost = 1;
@@ -48,7 +53,7 @@ NodeBoard::View greet(HostDriver& host, const Credential& proved, Role role)
             guest.receive(kPathToHost, bytes, now);
     }
     host.disconnected(kGuest, now);
-    return board.view();
+    return {board.part(&NodeBoard::View::self), board.part(&NodeBoard::View::refusal)};
 }
 
 /// A datagram in which a trainee of this name says Hello with this id.
@@ -189,7 +194,7 @@ private Q_SLOTS:
         (*host)->waitForDisk(now);
         static_cast<void>((*host)->advance(now));
         std::vector<std::string> names;
-        for (const auto& [id, participant] : board.view().state->participants())
+        for (const auto& [id, participant] : board.part(&NodeBoard::View::state)->participants())
             names.push_back(participant.name);
         QCOMPARE(names, (std::vector<std::string>{"Dr Hall", "Anna", "Mallory"}));
     }

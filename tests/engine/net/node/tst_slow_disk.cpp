@@ -104,10 +104,10 @@ private Q_SLOTS:
         QVERIFY2(oldest < 2 * StreamTick::kPeriod + 2ms,
                  qPrintable(QString::number(toSeconds(oldest))));
         for (const auto* guest : {&anna, &ben}) {
-            const NodeBoard::Link link = guest->board.view().links->at(0);
+            const NodeBoard::Link link = guest->board.part(&NodeBoard::View::links)->at(0);
             QCOMPARE(link.report.state, LinkState::Connected);
             QVERIFY(world.now - link.lastHeard <= kKeepAlive);
-            QVERIFY(guest->board.view().paths->at(0).roundTrip <= 2ms);
+            QVERIFY(guest->board.part(&NodeBoard::View::paths)->at(0).roundTrip <= 2ms);
             QCOMPARE(guest->board.state()->lastApplied(), before);
         }
         QCOMPARE(world.board.state()->lastApplied(), before);
@@ -145,12 +145,12 @@ private Q_SLOTS:
         disk.hold();
         const auto& anna = world.add("Anna");
         world.run(1s);
-        QCOMPARE(anna.board.view().self, kNobody);
-        QVERIFY(!anna.board.view().refusal);
+        QCOMPARE(anna.board.part(&NodeBoard::View::self), kNobody);
+        QVERIFY(!anna.board.part(&NodeBoard::View::refusal));
         QCOMPARE(guestsOf(world.board), std::ptrdiff_t{0});
         disk.letGo();
         world.run(20ms);
-        QCOMPARE(anna.board.view().self, ParticipantId{1});
+        QCOMPARE(anna.board.part(&NodeBoard::View::self), ParticipantId{1});
         QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
         const auto joins = std::ranges::count(disk.facts, kNobody, &FactRecord::author);
         QCOMPARE(joins, std::ptrdiff_t{1}); // however often the Hello was repeated
@@ -171,7 +171,7 @@ private Q_SLOTS:
         disk.letGo();
         world.run(1s); // she asks for a token, too
         QVERIFY(world.host->access().codes().at(Role::Trainee) != before);
-        QCOMPARE(anna.board.view().self, ParticipantId{1});
+        QCOMPARE(anna.board.part(&NodeBoard::View::self), ParticipantId{1});
         QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
     }
 
@@ -184,7 +184,7 @@ private Q_SLOTS:
         for (int i = 0; i < 50; ++i)
             world.host->propose(kStation, fact::RoleCodeChanged{Role::Trainee}, world.now);
         world.run(1ms);
-        QCOMPARE(world.board.view().refusal->code, Errc::TooMuchSent);
+        QCOMPARE(world.board.part(&NodeBoard::View::refusal)->code, Errc::TooMuchSent);
         QVERIFY(disk.facts.size() < 10);
     }
 
@@ -221,17 +221,18 @@ private Q_SLOTS:
         disk.letGo();
         world.host->waitForDisk(world.now);
         world.run(20ms);
-        QCOMPARE(second.board.view().refusal->code, Errc::StoreFailed);
-        QCOMPARE(late.board.view().refusal->code, Errc::StoreFailed);
-        QCOMPARE(world.board.view().refusal->code, Errc::StoreFailed);
-        QVERIFY(second.board.view().pending.empty());
+        QCOMPARE(second.board.part(&NodeBoard::View::refusal)->code, Errc::StoreFailed);
+        QCOMPARE(late.board.part(&NodeBoard::View::refusal)->code, Errc::StoreFailed);
+        QCOMPARE(world.board.part(&NodeBoard::View::refusal)->code, Errc::StoreFailed);
+        QVERIFY(second.board.part(&NodeBoard::View::pending)->empty());
         QCOMPARE(world.board.state()->lastApplied(), before);
 
         disk.full = false;
         second.driver->propose(kStation, kRate, world.now);
         world.run(500ms);
         QCOMPARE(rateOf(second.board), 25.0);
-        QVERIFY(!second.board.view().refusal && !late.board.view().refusal);
+        QVERIFY(!second.board.part(&NodeBoard::View::refusal)
+                && !late.board.part(&NodeBoard::View::refusal));
         QCOMPARE(guestsOf(world.board), std::ptrdiff_t{2}); // she asked again
         QCOMPARE(disk.facts.size(), std::size_t(before.value + 2));
     }
@@ -246,8 +247,9 @@ private Q_SLOTS:
         for (int i = 0; i < kCrowd; ++i)
             crowd.push_back(&world.add("Trainee number " + std::to_string(i)));
         const auto refused = [&] {
-            return std::ranges::any_of(
-                crowd, [](const auto* guest) { return guest->board.view().refusal.has_value(); });
+            return std::ranges::any_of(crowd, [](const auto* guest) {
+                return guest->board.part(&NodeBoard::View::refusal).has_value();
+            });
         };
         world.run(100ms);
         QVERIFY(!refused());

@@ -3,7 +3,7 @@
 // Carina's fit also refuses unusable points and gives the residual of each. Prints one JSON object.
 
 #include "bench/interleaved.h"
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/rigid_fit.h"
 
 #ifdef CARINA_HAS_OPENCV
 #include <opencv2/calib3d.hpp>

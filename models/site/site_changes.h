@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/geometry/fit/rigid_fit.h"
 #include "engine/io/site/site.h"
-#include "engine/registration/fit/rigid_fit.h"
 #include "models/registration/stylus_watch.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/registration/fit/weighted_fit.h"
+#include "engine/geometry/fit/weighted_fit.h"
 #include "engine/registration/landmarks/landmark_order.h"
 
 #include <QJsonObject>

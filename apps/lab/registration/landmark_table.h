@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/lab/command/words.h"
+#include "engine/geometry/fit/weighted_fit.h"
 #include "engine/registration/error/target_error.h"
-#include "engine/registration/fit/weighted_fit.h"
 
 #include <QString>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/display/display_geometry.h"
+#include "engine/geometry/fit/motion_covariance.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/io/site/site_manikin.h"
-#include "engine/registration/fit/motion_covariance.h"
 #include "engine/registration/landmarks/landmark_catalogue.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "engine/registration/calibration/pivot_calibration.h"
 
-#include "engine/registration/fit/consensus.h"
+#include "engine/geometry/fit/consensus.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
 #include "engine/registration/calibration/pivot_collector.h"
 
+#include "engine/geometry/fit/point_check.h"
 #include "engine/geometry/rotation.h"
-#include "engine/registration/fit/point_check.h"
 
 #include <Eigen/Cholesky>
 

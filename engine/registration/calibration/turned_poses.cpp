@@ -1,6 +1,6 @@
 #include "engine/registration/calibration/turned_poses.h"
 
-#include "engine/registration/fit/point_check.h"
+#include "engine/geometry/fit/point_check.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/registration/fit/motion_covariance.h"
+#include "engine/geometry/fit/motion_covariance.h"
 
 namespace carina
 {

@@ -9,12 +9,13 @@ namespace carina
 
 Result<RegistrationError> registrationError(std::span<const Vec3> p_AQ, std::span<const Mat3> R_AS,
                                             const Mat3& tip_S, Length fre,
-                                            std::span<const LocalisationError> earlier)
+                                            std::span<const LocalisationError> earlier,
+                                            Length least)
 {
     if (p_AQ.size() < 3)
         return fail(Errc::TooFewLandmarks, std::to_string(p_AQ.size()));
     RegistrationError error{.own = localisationError(fre, p_AQ.size())};
-    error.own.rms = std::max(error.own.rms, kLeastFle);
+    error.own.rms = std::max(error.own.rms, least);
     error.touch = pooled(error.own, earlier);
     const std::vector<LandmarkError> landmarks = equalErrors(p_AQ, error.touch.fle.rms);
     const Result<Mat6> touches = fitCovariance(landmarks);

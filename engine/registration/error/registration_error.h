@@ -11,7 +11,7 @@ namespace carina
 
 /// The error of a registration, estimated from its own residuals and those of earlier ones.
 struct RegistrationError {
-    LocalisationError own;            ///< FLE from its residuals alone, at least kLeastFle
+    LocalisationError own;            ///< FLE from its residuals alone, at least `least`
     PooledLocalisation touch{};       ///< FLE with the earlier ones
     Mat6 covariance_A = Mat6::Zero(); ///< of X_AM: see Mat6 (motion_covariance.h)
 };
@@ -30,12 +30,15 @@ inline constexpr Length kLeastFle = millimetres(0.1);
 /// @param R_AS  orientation of the stylus at each landmark
 /// @param tip_S covariance of p_SQ, m^2; zero where it is not known
 /// @param fre   RMS residual of the fit
+/// @param least lower limit of the estimated FLE, such as the error with which the tracker sees the
+///              tip of the stylus
 /// @param earlier the FLE of earlier registrations by the same person, each from its residuals
 /// @pre as many R_AS as landmarks, unless tip_S is zero.
 /// @returns what fitCovariance returns.
 [[nodiscard]] Result<RegistrationError>
 registrationError(std::span<const Vec3> p_AQ, std::span<const Mat3> R_AS, const Mat3& tip_S,
-                  Length fre, std::span<const LocalisationError> earlier = {});
+                  Length fre, std::span<const LocalisationError> earlier = {},
+                  Length least = kLeastFle);
 
 /// The covariance of a registration by landmarks after its refinement on a surface: that of the
 /// swab for the motions that the swab constrains, and that of the landmarks for the loose ones.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/rigid_fit.h"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include "engine/registration/fit/site_frame.h"
 
-#include "engine/registration/fit/point_check.h"
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/point_check.h"
+#include "engine/geometry/fit/rigid_fit.h"
 
 namespace carina
 {

@@ -1,8 +1,9 @@
 #include "engine/registration/fit/surface_refinement.h"
 
+#include "engine/geometry/fit/motion_covariance.h"
+#include "engine/geometry/fit/point_check.h"
 #include "engine/geometry/rotation.h"
 #include "engine/registration/calibration/turned_poses.h"
-#include "engine/registration/fit/point_check.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -13,9 +14,6 @@ namespace carina
 {
 namespace
 {
-
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kDeviationsPerMedian = 1.4826; // of |d| for a normal d
 constexpr double kLeastLimit = 0.3e-3;          // metres

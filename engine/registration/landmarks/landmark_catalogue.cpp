@@ -1,6 +1,6 @@
 #include "engine/registration/landmarks/landmark_catalogue.h"
 
-#include "engine/registration/fit/point_check.h"
+#include "engine/geometry/fit/point_check.h"
 
 #include <set>
 #include <utility>

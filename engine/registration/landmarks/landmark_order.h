@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/units.h"
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/rigid_fit.h"
 
 #include <cstdint>
 

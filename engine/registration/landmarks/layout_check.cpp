@@ -1,6 +1,6 @@
 #include "engine/registration/landmarks/layout_check.h"
 
-#include "engine/registration/fit/point_check.h"
+#include "engine/geometry/fit/point_check.h"
 
 namespace carina
 {

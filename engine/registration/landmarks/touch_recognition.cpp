@@ -1,9 +1,9 @@
 #include "engine/registration/landmarks/touch_recognition.h"
 
 #include "engine/core/expects.h"
+#include "engine/geometry/fit/point_check.h"
 #include "engine/registration/error/error_bound.h"
 #include "engine/registration/fit/manikin_scale.h"
-#include "engine/registration/fit/point_check.h"
 #include "engine/registration/fit/pose_misfit.h"
 #include "engine/registration/landmarks/landmark_order.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/registration/fit/motion_covariance.h"
+#include "engine/geometry/fit/motion_covariance.h"
 #include "engine/registration/landmarks/dwell_detector.h"
 
 #include <deque>

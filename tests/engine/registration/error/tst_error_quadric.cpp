@@ -1,7 +1,7 @@
 #include "engine/registration/error/error_quadric.h"
 
 #include "engine/registration/error/target_error.h"
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/support/test_class.h"
 
 #include <Eigen/Cholesky>
@@ -18,8 +18,6 @@ namespace
 constexpr int kTrials = 40'000;
 constexpr double kAgree = 0.02; ///< of the mean square: three deviations of so many trials
 constexpr double kSame = 1e-12; ///< relative
-
-using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 double squaredAt(const Mat4& quadric, const Vec3& p)
 {

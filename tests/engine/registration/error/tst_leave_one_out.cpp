@@ -1,6 +1,6 @@
 #include "engine/registration/error/leave_one_out.h"
 
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "engine/registration/fit/manikin_fit.h"
 #include "engine/registration/landmarks/dwell_detector.h"
 
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "engine/registration/error/registration_error.h"
 
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/engine/registration/fit/swabbed_shapes.h"
 #include "tests/support/test_class.h"
 
@@ -203,6 +203,17 @@ private Q_SLOTS:
             registrationError(test::firstLandmarks(4), heldAt(4, true), Mat3::Zero(), metres(0.0));
         QCOMPARE(error->touch.fle.rms.si, kLeastFle.si);
         QVERIFY(error->covariance_A.trace() > 0.0);
+    }
+
+    void believesInNoHandBetterThanItsTracker()
+    {
+        const Length tracker = millimetres(0.7);
+        const auto error = registrationError(test::firstLandmarks(4), heldAt(4, true), Mat3::Zero(),
+                                             millimetres(0.2), {}, tracker);
+        QCOMPARE(error->own.rms.si, tracker.si);
+        const auto worse = registrationError(test::firstLandmarks(4), heldAt(4, true), Mat3::Zero(),
+                                             millimetres(2.0), {}, tracker);
+        QVERIFY(worse->own.rms > millimetres(2.0)); // as without
     }
 
     void refusesWhatCannotBeFitted()

@@ -1,7 +1,7 @@
+#include "engine/geometry/fit/weighted_fit.h"
 #include "engine/registration/error/target_error.h"
-#include "engine/registration/fit/weighted_fit.h"
 
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/rigid_fit.h"
 #include "engine/registration/landmarks/dwell_detector.h"
 
 #include "tests/support/test_class.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/registration/landmarks/touch_recognition.h"
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/engine/registration/landmarks/catalogue_places.h"
 
 #include <algorithm>

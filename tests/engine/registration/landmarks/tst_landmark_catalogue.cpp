@@ -1,6 +1,6 @@
 #include "engine/registration/landmarks/landmark_catalogue.h"
 
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/rigid_fit.h"
 #include "engine/registration/fit/site_frame.h"
 #include "tests/support/test_class.h"
 

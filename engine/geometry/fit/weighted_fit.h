@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/registration/fit/motion_covariance.h"
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/motion_covariance.h"
+#include "engine/geometry/fit/rigid_fit.h"
 
 namespace carina
 {

@@ -1,4 +1,4 @@
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/rigid_fit.h"
 
 #include "engine/geometry/rotation.h"
 #include "tests/support/test_class.h"

@@ -1,7 +1,7 @@
-#include "engine/registration/fit/weighted_fit.h"
+#include "engine/geometry/fit/weighted_fit.h"
 
+#include "engine/geometry/fit/point_check.h"
 #include "engine/geometry/rotation.h"
-#include "engine/registration/fit/point_check.h"
 
 #include <Eigen/Cholesky>
 
@@ -11,8 +11,6 @@ namespace carina
 {
 namespace
 {
-
-using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// The normal equations of one step about a place: (w, v) = inverse * gradient.
 struct StepEquations {

@@ -1,4 +1,4 @@
-#include "engine/registration/fit/consensus.h"
+#include "engine/geometry/fit/consensus.h"
 #include "tests/support/test_class.h"
 
 namespace carina::consensus_test

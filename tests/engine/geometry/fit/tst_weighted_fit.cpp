@@ -1,6 +1,6 @@
-#include "engine/registration/fit/weighted_fit.h"
+#include "engine/geometry/fit/weighted_fit.h"
 
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/registration/fit/motion_covariance.h"
+#include "engine/geometry/fit/motion_covariance.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -24,6 +24,11 @@ Mat3 crossMatrix(const Vec3& a)
     Mat3 matrix;
     matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
     return matrix;
+}
+
+Vec3 pointShift(const Vec6& motion_F, const Vec3& p_FQ)
+{
+    return motion_F.head<3>().cross(p_FQ) + motion_F.tail<3>();
 }
 
 Mat3 pointCovariance(const Mat6& covariance_F, const Vec3& p_FQ)

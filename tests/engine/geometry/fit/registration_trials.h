@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/geometry/rotation.h"
-#include "tests/engine/registration/fit/horn.h"
+#include "tests/engine/geometry/fit/horn.h"
 
 #include <Eigen/Cholesky>
 

@@ -1,6 +1,6 @@
-#include "engine/registration/fit/point_check.h"
+#include "engine/geometry/fit/point_check.h"
 
-#include "engine/registration/fit/rigid_fit.h"
+#include "engine/geometry/fit/rigid_fit.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,6 +1,6 @@
-#include "engine/registration/fit/motion_covariance.h"
+#include "engine/geometry/fit/motion_covariance.h"
 
-#include "tests/engine/registration/error/registration_trials.h"
+#include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/support/test_class.h"
 
 #include <Eigen/Cholesky>
@@ -12,8 +12,6 @@ namespace
 
 constexpr int kTrials = 20'000;
 constexpr double kAgree = 0.03; // of the whole variance
-
-using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 Mat6 someCovariance(test::Hand& hand, double turns, double shifts)
 {

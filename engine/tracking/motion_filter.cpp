@@ -3,6 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/prediction.h"
 
 namespace carina
 {
@@ -39,6 +40,13 @@ Vec3 AccelerationFilter::correct(const Vec3& innovation)
     m_rate += gain[1] * innovation;
     m_acceleration += gain[2] * innovation;
     return gain[0] * innovation;
+}
+
+ErrorGrowth::Polynomial AccelerationFilter::growth() const
+{
+    const Mat3& p = m_covariance;
+    return {p(0, 0), 2.0 * p(0, 1), p(1, 1) + p(0, 2),
+            p(1, 2), p(2, 2) / 4.0, m_noise.jerk * m_noise.jerk / 20.0};
 }
 
 MotionFilter::Noise MotionFilter::handsAndHeads()
@@ -97,16 +105,19 @@ std::optional<Motion> MotionFilter::motion() const
 {
     if (m_samples < kSamplesNeeded)
         return std::nullopt;
-    return Motion{.v_FO = m_positionFilter.rate(), .w_FO = m_rotationFilter.rate()};
+    return Motion{.v_FO = m_positionFilter.rate(),
+                  .w_FO = m_rotationFilter.rate(),
+                  .a_FO = m_positionFilter.acceleration(),
+                  .alpha_FO = m_rotationFilter.acceleration(),
+                  .growth = ErrorGrowth{.position = m_positionFilter.growth(),
+                                        .rotation = m_rotationFilter.growth()}};
 }
 
 RigidTransform MotionFilter::predicted(SessionTime t) const
 {
     CARINA_EXPECTS(m_samples >= kSamplesNeeded);
-    const double dt = toSeconds(t - m_time);
-    AccelerationFilter rotation = m_rotationFilter;
-    AccelerationFilter position = m_positionFilter;
-    return {rotationFromVector(rotation.predict(dt)) * m_q_FO, m_p_FO + position.predict(dt)};
+    Motion motion = *this->motion();
+    return movedOn({m_q_FO, m_p_FO}, motion, toSeconds(t - m_time));
 }
 
 } // namespace carina

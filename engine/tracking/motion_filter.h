@@ -32,6 +32,8 @@ public:
 
     [[nodiscard]] const Vec3& rate() const { return m_rate; }
     [[nodiscard]] const Vec3& acceleration() const { return m_acceleration; }
+    /// The variance of x per axis when it is predicted without further measurements.
+    [[nodiscard]] ErrorGrowth::Polynomial growth() const;
 
 private:
     Noise m_noise;
@@ -40,9 +42,10 @@ private:
     Mat3 m_covariance;
 };
 
-/// Estimates the velocity of a tracked object O in F from its tracker's samples. Poses are
-/// predicted with it: on this machine to the time at which a frame is lit, and on other machines,
-/// to which the velocity is sent with the pose.
+/// Estimates velocity and acceleration of a tracked object O in F from its tracker's samples. Poses
+/// are predicted with it: on this machine to the time at which a frame is lit, and on other
+/// machines, to which the velocity is sent with the pose. The estimated uncertainty is right where
+/// the noise is.
 ///
 /// Position and rotation have one AccelerationFilter each; the innovation of the rotation is the
 /// rotation vector of q_measured q_predicted^-1, in axes of F.
@@ -69,9 +72,10 @@ public:
     /// Adds a sample. @returns the sample with the estimated motion; a lost one unchanged.
     [[nodiscard]] PoseSample moving(PoseSample sample);
 
-    /// The motion at the newest sample; nothing before kSamplesNeeded samples.
+    /// The motion at the newest sample, and how uncertain a pose becomes that is predicted with it;
+    /// nothing before kSamplesNeeded samples.
     [[nodiscard]] std::optional<Motion> motion() const;
-    /// The filtered pose X_FO, extrapolated to t with the estimated acceleration.
+    /// The filtered pose X_FO, moved on to t (movedOn).
     /// @pre motion() has a value.
     [[nodiscard]] RigidTransform predicted(SessionTime t) const;
 

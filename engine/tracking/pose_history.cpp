@@ -1,6 +1,7 @@
 #include "engine/tracking/pose_history.h"
 
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/prediction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,9 @@ bool isUsable(const PoseSample& sample)
 {
     const Duration time = sample.time.time_since_epoch();
     const bool motionFinite =
-        !sample.motion || (sample.motion->v_FO.allFinite() && sample.motion->w_FO.allFinite());
+        !sample.motion
+        || (sample.motion->v_FO.allFinite() && sample.motion->w_FO.allFinite()
+            && sample.motion->a_FO.allFinite() && sample.motion->alpha_FO.allFinite());
     return time <= kFarthestTime && time >= -kFarthestTime && motionFinite
            && sample.X_FO.translation().allFinite() && std::isfinite(sample.error);
 }
@@ -51,13 +54,34 @@ PoseSample between(const PoseSample& a, const PoseSample& b, SessionTime t)
             .how = How::Interpolated};
 }
 
+/// Moves a pose on by its motion.
+void predict(PoseSample& pose, double seconds)
+{
+    Motion& motion = *pose.motion;
+    pose.X_FO = movedOn(pose.X_FO, motion, seconds);
+    if (motion.growth)
+        pose.deviation =
+            PoseDeviation{metres(ErrorGrowth::rmsAfter(seconds, motion.growth->position)),
+                          radians(ErrorGrowth::rmsAfter(seconds, motion.growth->rotation))};
+    motion.growth.reset(); // it counts from the newest sample
+}
+
 } // namespace
 
-bool PoseHistory::push(const PoseSample& sample)
+void PoseHistory::treat(const PoseTreatment& treatment)
 {
-    if (!isUsable(sample))
+    const std::scoped_lock lock{m_mutex};
+    if (treatment.smooths && !m_treatment.smooths)
+        m_smoothing = {};
+    m_treatment = treatment;
+}
+
+bool PoseHistory::push(const PoseSample& raw)
+{
+    if (!isUsable(raw))
         return false;
     const std::scoped_lock lock{m_mutex};
+    const PoseSample sample = m_treatment.smooths ? m_smoothing.smoothed(raw) : raw;
     const auto place = std::ranges::lower_bound(m_samples, sample.time, {}, &PoseSample::time);
     if (place != m_samples.end() && place->time == sample.time) {
         *place = sample;
@@ -133,11 +157,8 @@ PoseSample PoseHistory::carriedOn(std::size_t index, SessionTime t) const
     if (ahead == Duration::zero())
         return pose;
     pose.how = How::Predicted;
-    if (pose.motion) {
-        const double seconds = toSeconds(std::min(ahead, m_limits.horizon));
-        pose.X_FO = {rotationFromVector(seconds * pose.motion->w_FO) * pose.X_FO.rotation(),
-                     pose.X_FO.translation() + seconds * pose.motion->v_FO};
-    }
+    if (pose.motion && m_treatment.predicts)
+        predict(pose, toSeconds(std::min(ahead, m_limits.horizon)));
     if (ahead > m_limits.horizon) {
         pose.validity = Validity::Lost;
         pose.motion.reset();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/tracking/pose_sample.h"
+#include "engine/tracking/one_euro_filter.h"
 
 #include <deque>
 #include <mutex>
@@ -10,17 +10,26 @@
 namespace carina
 {
 
+/// What is made of the samples of a tracker before they are shown.
+struct PoseTreatment {
+    bool predicts = true; ///< poses beyond the newest sample are predicted; otherwise it is held
+    bool smooths = false; ///< samples pass a OneEuroFilter
+
+    friend bool operator==(const PoseTreatment&, const PoseTreatment&) = default;
+};
+
 /// The recent poses of one object O in one frame F. All functions are thread-safe: a device or
 /// network thread pushes, any thread reads; each call locks one internal mutex.
 ///
 /// For a time t, at() returns the sample of that time (Exact), the pose between two samples
-/// (Interpolated: linear and slerp), or the newest pose extrapolated by its velocity (Predicted):
-///
-///     p(t0 + dt) = p(t0) + v_FO dt          q(t0 + dt) = exp(w_FO dt) q(t0)
+/// (Interpolated: linear and slerp), or the newest pose moved on by its velocity and acceleration
+/// (Predicted: movedOn), with the deviation to expect where the motion has one.
 ///
 /// The velocity is that of the sample where its source gave one; otherwise the difference quotient
 /// to the previous tracked sample, if that is at most longestGap older; otherwise there is none and
 /// the pose stays constant.
+///
+/// A person may have the poses smoothed or not predicted (PoseTreatment).
 class PoseHistory
 {
 public:
@@ -37,7 +46,7 @@ public:
     /// full, the oldest sample is removed.
     /// @returns false where the sample was rejected: not finite, a time more than 100 years from
     ///          the clock's zero, or older than all samples of a full history.
-    bool push(const PoseSample& sample);
+    bool push(const PoseSample& raw);
 
     /// The pose at time t; nothing for a time before the oldest sample stored.
     ///
@@ -48,7 +57,10 @@ public:
     /// worse sample. An Exact pose is the sample itself, with the velocity described above.
     [[nodiscard]] std::optional<PoseSample> at(SessionTime t) const;
 
-    /// The newest sample, unchanged; nothing while there is none.
+    /// How poses are treated from now on.
+    void treat(const PoseTreatment& treatment);
+
+    /// The newest sample, as it was added; nothing while there is none.
     [[nodiscard]] std::optional<PoseSample> newest() const;
 
     /// All samples stored, oldest first.
@@ -61,6 +73,8 @@ private:
     [[nodiscard]] PoseSample carriedOn(std::size_t index, SessionTime t) const;
 
     Limits m_limits;
+    PoseTreatment m_treatment;
+    OneEuroFilter m_smoothing;
     mutable std::mutex m_mutex;
     std::deque<PoseSample> m_samples; // ascending in time
 };

@@ -1,8 +1,12 @@
 #pragma once
 
 #include "engine/core/session_time.h"
+#include "engine/core/units.h"
 #include "engine/geometry/rigid_transform.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -23,10 +27,30 @@ enum class How : std::uint8_t {
     Predicted,    ///< extrapolated beyond the newest measurement
 };
 
-/// Velocity of the object O in the frame F, in axes of F.
+/// How the variance of a pose grows when it is predicted: of one axis, after dt seconds,
+/// sum_k c[k] dt^k.
+struct ErrorGrowth {
+    using Polynomial = std::array<double, 6>;
+    Polynomial position{}; ///< m^2
+    Polynomial rotation{}; ///< rad^2
+
+    /// Root mean square of the whole error after dt seconds, from all three axes.
+    [[nodiscard]] static double rmsAfter(double dt, const Polynomial& variance);
+};
+
+/// Velocity and acceleration of the object O in the frame F, in axes of F.
 struct Motion {
-    Vec3 v_FO = Vec3::Zero(); ///< of the origin of O, m/s
-    Vec3 w_FO = Vec3::Zero(); ///< angular, rad/s
+    Vec3 v_FO = Vec3::Zero();     ///< of the origin of O, m/s
+    Vec3 w_FO = Vec3::Zero();     ///< angular, rad/s
+    Vec3 a_FO = Vec3::Zero();     ///< of the origin of O, m/s^2; 0 where it is not known
+    Vec3 alpha_FO = Vec3::Zero(); ///< angular, rad/s^2; 0 where it is not known
+    std::optional<ErrorGrowth> growth{};
+};
+
+/// How far a predicted pose is expected to be off, root mean squares.
+struct PoseDeviation {
+    Length position;
+    Angle rotation;
 };
 
 /// A pose with its time, validity and error.
@@ -40,6 +64,15 @@ struct PoseSample {
     Validity validity = Validity::Tracked;
     double error = 0.0; ///< RMS fit error of the device, metres
     How how = How::Exact;
+    std::optional<PoseDeviation> deviation{}; ///< of a predicted pose, where it is known
 };
+
+inline double ErrorGrowth::rmsAfter(double dt, const Polynomial& variance)
+{
+    double sum = 0.0;
+    for (auto c = variance.rbegin(); c != variance.rend(); ++c)
+        sum = sum * dt + *c;
+    return std::sqrt(3.0 * std::max(sum, 0.0));
+}
 
 } // namespace carina

@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/markers/marker_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,34 @@ namespace
 {
 
 constexpr Duration kLongestCatchUp = std::chrono::seconds{1};
-constexpr double kMarkersPerTool = 4.0;
+constexpr double kPartlySeen = 2.0 / 3.0; ///< of the markers that face the tracker
+constexpr double kNoiseWithinFit = 6.0;
+
+/// Markers all round a ball, moved from their places so that no two distances are alike.
+Probe ballOf(int markers, Length radius, std::uint32_t seed)
+{
+    std::mt19937 random{seed};
+    const auto part = [&random](double size) {
+        return size * (double(random()) / double(std::mt19937::max()) - 0.5);
+    };
+    Probe probe;
+    probe.largestMisfit = millimetres(1.0);
+    for (const Vec3& even : directionsAllRound(markers)) {
+        const Vec3 direction = (even + Vec3{part(0.5), part(0.5), part(0.5)}).normalized();
+        const double distance = radius.si * (0.9 + part(0.4));
+        probe.markers.push_back({distance * direction, direction});
+    }
+    return probe;
+}
 
 } // namespace
+
+Probe simulatedProbe(ToolRole role)
+{
+    if (role == ToolRole::Head)
+        return ballOf(20, millimetres(100.0), 1);
+    return ballOf(12, millimetres(45.0), 100U + static_cast<std::uint32_t>(role));
+}
 
 SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPose truth,
                                    ReadSessionClock clock)
@@ -26,9 +52,12 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
 {
     CARINA_EXPECTS(m_settings.rate > hertz(0.0));
     const auto add = [this](const char* name, ToolRole role) {
-        Probe& probe = m_probes.emplace_back();
-        probe.role = role;
-        m_tools.push_back({name, role, &probe.history});
+        Tool& tool = m_tracked.emplace_back();
+        tool.role = role;
+        tool.probe = simulatedProbe(role);
+        tool.probe.largestMisfit =
+            std::max(tool.probe.largestMisfit, kNoiseWithinFit * m_settings.noise.rms);
+        m_tools.push_back({name, role, &tool.history, tool.probe, m_settings.noise});
     };
     add("head", ToolRole::Head);
     add("jaw", ToolRole::Jaw);
@@ -50,12 +79,12 @@ SessionTime SimulatedTracker::advance(SessionTime now)
         m_underway.clear();
     }
     for (; nextTick() <= now; ++m_ticks) {
-        for (Probe& probe : m_probes)
-            expose(probe, nextTick());
+        for (Tool& tool : m_tracked)
+            expose(tool, nextTick());
     }
     while (!m_underway.empty() && m_underway.front().sample.time + m_settings.latency <= now) {
-        Probe& probe = *m_underway.front().probe;
-        probe.history.push(probe.filter.moving(m_underway.front().sample));
+        Tool& tool = *m_underway.front().tool;
+        tool.history.push(tool.filter.moving(m_underway.front().sample));
         m_underway.pop_front();
     }
     if (m_underway.empty())
@@ -68,45 +97,66 @@ SessionTime SimulatedTracker::nextTick() const
     return *m_firstTick + fromSeconds(static_cast<double>(m_ticks) / m_settings.rate.si);
 }
 
-bool SimulatedTracker::hidden(ToolRole role, SessionTime t) const
+double SimulatedTracker::hiddenShare(ToolRole role, SessionTime t) const
 {
-    return std::ranges::any_of(m_settings.occlusions, [&](const Occlusion& occlusion) {
-        return occlusion.tool == role && occlusion.from <= t && t < occlusion.until;
-    });
+    double share = 0.0;
+    for (const Occlusion& occlusion : m_settings.occlusions)
+        if (occlusion.tool == role && occlusion.from <= t && t < occlusion.until)
+            share = std::max(share, occlusion.share);
+    return share;
 }
 
-void SimulatedTracker::expose(Probe& probe, SessionTime t)
+void SimulatedTracker::expose(Tool& tool, SessionTime t)
 {
-    const std::optional<RigidTransform> X_TO = m_truth(probe.role, t);
-    const bool seen =
-        X_TO && !hidden(probe.role, t) && m_settings.volume.contains(X_TO->translation());
-    if (seen)
-        probe.lastX_TO = measured(*X_TO);
-    if (!probe.lastX_TO)
-        return;
-    PoseSample sample{.time = t, .X_FO = *probe.lastX_TO};
-    if (seen)
-        sample.error = std::sqrt(kMarkersPerTool - 2.0) * noiseAlong(-Vec3::UnitZ()).norm();
+    const std::optional<RigidTransform> X_TO = m_truth(tool.role, t);
+    std::optional<PoseSample> sample;
+    if (X_TO && m_settings.volume.contains(X_TO->translation()))
+        sample = measured(tool, *X_TO, t);
+    tool.isSeen = sample.has_value();
+    if (sample)
+        tool.lastX_TO = sample->X_FO;
+    else if (tool.lastX_TO)
+        sample = {.time = t, .X_FO = *tool.lastX_TO, .validity = Validity::Lost};
     else
-        sample.validity = Validity::Lost;
-    m_underway.push_back({&probe, sample});
+        return;
+    m_underway.push_back({&tool, *sample});
 }
 
-RigidTransform SimulatedTracker::measured(const RigidTransform& X_TO)
+std::optional<PoseSample> SimulatedTracker::measured(Tool& tool, const RigidTransform& X_TO,
+                                                     SessionTime t)
 {
-    const double perAxis = m_settings.rotationNoise.si / std::sqrt(3.0);
-    Vec3 turn_T;
-    for (double& component : turn_T)
-        component = perAxis * m_normal(m_random);
-    return {rotationFromVector(turn_T) * X_TO.rotation(),
-            X_TO.translation() + noiseAlong(X_TO.translation())};
+    const Vec3 d_O = X_TO.rotation().conjugate() * -X_TO.translation().stableNormalized();
+    const std::vector<std::size_t> facing = facingMarkers(tool.probe, d_O);
+    const auto hidden = std::size_t(std::ceil(hiddenShare(tool.role, t) * double(facing.size())));
+    std::vector<SeenMarker> seen;
+    std::vector<Vec3> points;
+    for (std::size_t i = hidden; i < facing.size(); ++i) {
+        const ToolMarker& marker = tool.probe.markers[facing[i]];
+        const Vec3 p_TQ = X_TO * Vec3{marker.p_OQ + m_settings.noise.outward.si * marker.normal_O};
+        seen.push_back({.marker = facing[i], .p_TQ = p_TQ + noiseAlong(p_TQ)});
+        points.push_back(seen.back().p_TQ);
+    }
+    if (!tool.isSeen) {
+        auto found = searchMarkers(tool.probe, points);
+        if (!found)
+            return std::nullopt;
+        seen = *std::move(found);
+    }
+    const Result<MarkerPose> pose = markerPose(tool.probe, seen);
+    if (!pose)
+        return std::nullopt;
+    const bool isPartly = double(seen.size()) < kPartlySeen * double(facing.size());
+    return PoseSample{.time = t,
+                      .X_FO = pose->X_TO,
+                      .validity = isPartly ? Validity::PartlyOccluded : Validity::Tracked,
+                      .error = pose->rms};
 }
 
 // Two lateral components and one in depth: RMS^2 = (2 + ratio^2) lateral^2.
 Vec3 SimulatedTracker::noiseAlong(const Vec3& sight_T)
 {
-    const double ratio = m_settings.depthRatio;
-    const double lateral = m_settings.positionNoise.si / std::sqrt(2.0 + ratio * ratio);
+    const double ratio = m_settings.noise.depthRatio;
+    const double lateral = m_settings.noise.rms.si / std::sqrt(2.0 + ratio * ratio);
     Vec3 noise_S; // S: z along the line of sight
     for (double& component : noise_S)
         component = lateral * m_normal(m_random);

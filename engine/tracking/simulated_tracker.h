@@ -2,6 +2,7 @@
 
 #include "engine/core/units.h"
 #include "engine/tracking/delivery_thread.h"
+#include "engine/tracking/markers/marker_pose.h"
 #include "engine/tracking/motion_filter.h"
 #include "engine/tracking/tracker.h"
 #include "engine/tracking/working_volume.h"
@@ -21,17 +22,20 @@ struct Occlusion {
     ToolRole tool = ToolRole::Other;
     SessionTime from;
     SessionTime until;
+    double share = 1.0; ///< of its markers, the first ones, that are hidden
 };
+
+/// The probe of a simulated tool: on a ball, so that the tracker sees a good half of its markers
+/// from everywhere. That of the head has 20 markers on a ball of 100 mm, the others 12 on one of
+/// 45 mm; each role has another arrangement.
+[[nodiscard]] Probe simulatedProbe(ToolRole role);
 
 /// Accuracy and timing of the simulated device.
 struct SimulatedTrackerSettings {
     Frequency rate = hertz(60.0); ///< the device with three probes reaches 30 Hz
-    /// Three-dimensional RMS of the position noise, equal everywhere in the volume.
-    Length positionNoise = millimetres(0.35);
-    /// Standard deviation along the line of sight from the origin of T to the tool, divided by that
-    /// in each direction across it.
-    double depthRatio = 3.0;
-    Angle rotationNoise = degrees(0.05);              ///< RMS angle, isotropic axis
+    /// Of one marker, at each exposure anew. 0.35 mm, which the device states, is its accuracy
+    /// anywhere in the volume; at one place it repeats itself better.
+    MarkerNoise noise{millimetres(0.1), 3.0};
     Duration latency = std::chrono::milliseconds{14}; ///< from exposure to delivery
     WorkingVolume volume;                             ///< a tool's origin outside it is lost
     std::vector<Occlusion> occlusions;
@@ -41,16 +45,19 @@ struct SimulatedTrackerSettings {
     std::uint32_t seed = 1;
 };
 
-/// A tracker for a station without hardware. On its own thread it measures given true poses of
-/// head, jaw, tube and stylus, and of chest marker, body and hand probe if there are, with noise,
-/// occlusion and loss.
+/// A tracker for a station without hardware. On its own thread it measures the markers of given
+/// true poses of head, jaw, tube and stylus, and of chest marker, body and hand probe if there are.
 ///
-/// Every sample has the time of its exposure and is delivered `latency` later, with the velocity
-/// that a MotionFilter estimates. The fit error is drawn independently of the error of the pose, as
-/// the two are independent. For tools of N = 4 markers the noise of one marker is sqrt(N) times
-/// that of their mean, the position noise, and a fit leaves sqrt(1 - 2/N) of it (Fitzpatrick, West,
-/// Maurer 1998): the RMS of the fit error is sqrt(N - 2) times the position noise. A lost sample
-/// holds the last pose measured; a tool not seen yet has no samples.
+/// Of each probe it sees the markers that face it and are not hidden, each with noise, and computes
+/// the pose from them as a device does: of a tool that it did not see before, it finds out which
+/// marker is which (searchMarkers), and then knows them (markerPose). The fit error is the RMS of
+/// what the fit leaves. With fewer markers than the probe needs, or its origin outside the volume,
+/// the tool is lost; with less than two thirds of those that face the tracker it is partly
+/// occluded.
+///
+/// Every sample has the time of its exposure and is delivered `latency` later, with the motion that
+/// a MotionFilter estimates. A lost sample holds the last pose measured; a tool not seen yet has no
+/// samples.
 class SimulatedTracker : public Tracker
 {
 public:
@@ -69,29 +76,32 @@ public:
     SessionTime advance(SessionTime now);
 
 private:
-    struct Probe {
+    struct Tool {
         ToolRole role = ToolRole::Other;
+        Probe probe;
         std::optional<RigidTransform> lastX_TO;
+        bool isSeen = false; ///< at the last exposure
         MotionFilter filter;
         PoseHistory history;
     };
     struct Measurement {
-        Probe* probe = nullptr;
+        Tool* tool = nullptr;
         PoseSample sample;
     };
 
     [[nodiscard]] SessionTime nextTick() const;
-    [[nodiscard]] bool hidden(ToolRole role, SessionTime t) const;
+    [[nodiscard]] double hiddenShare(ToolRole role, SessionTime t) const;
     [[nodiscard]] Vec3 noiseAlong(const Vec3& sight_T);
-    [[nodiscard]] RigidTransform measured(const RigidTransform& X_TO);
-    void expose(Probe& probe, SessionTime t);
+    [[nodiscard]] std::optional<PoseSample> measured(Tool& tool, const RigidTransform& X_TO,
+                                                     SessionTime t);
+    void expose(Tool& tool, SessionTime t);
 
     SimulatedTrackerSettings m_settings;
     TrueToolPose m_truth;
     std::mt19937 m_random;
     std::normal_distribution<double> m_normal;
-    std::deque<Probe> m_probes;         // a deque: their addresses do not change
-    std::vector<TrackedTool> m_tools;   // one for each probe
+    std::deque<Tool> m_tracked;         // a deque: their addresses do not change
+    std::vector<TrackedTool> m_tools;   // one for each of them
     std::deque<Measurement> m_underway; // ascending in time
     std::optional<SessionTime> m_firstTick;
     std::int64_t m_ticks = 0; // measured since the first

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/tracking/markers/probe.h"
 #include "engine/tracking/pose_history.h"
 
 #include <string>
@@ -27,6 +28,8 @@ struct TrackedTool {
     std::string name;
     ToolRole role = ToolRole::Other;
     PoseHistory* history = nullptr; ///< X_T<tool>; owned by the tracker, valid as long as it exists
+    std::optional<Probe> probe{};   ///< its markers, where they are known
+    MarkerNoise noise{};            ///< with which they are seen
 };
 
 /// A device that measures poses of tools in its own frame T and pushes them, with the time of

@@ -31,6 +31,11 @@ NdiClientSettings settingsOf(const TrackerDescription& description)
     return settings;
 }
 
+std::optional<Probe> probeOf(const DescribedTool& tool)
+{
+    return tool.definition ? std::optional{tool.definition->probe()} : std::nullopt;
+}
+
 } // namespace
 
 /// The client and its port, on the tracker's thread.
@@ -129,7 +134,8 @@ NdiTracker::NdiTracker(const TrackerDescription& description, ReadSessionClock c
     : m_address{description.address}, m_settings{settingsOf(description)}, m_clock{std::move(clock)}
 {
     for (const DescribedTool& tool : description.tools)
-        m_tools.push_back({tool.name, tool.role, &m_tracked.emplace_back().history});
+        m_tools.push_back({tool.name, tool.role, &m_tracked.emplace_back().history, probeOf(tool),
+                           kPolarisNoise});
     m_thread.setObjectName(QStringLiteral("carina-tracker"));
 }
 

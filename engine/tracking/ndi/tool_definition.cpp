@@ -157,6 +157,14 @@ Length NdiToolDefinition::smallestSpread() const
 
 Angle NdiToolDefinition::largestMarkerAngle() const { return degrees(wholeAt(kAngleAt)); }
 
+Probe NdiToolDefinition::probe() const
+{
+    return {.markers = markers(),
+            .largestAngle = largestMarkerAngle(),
+            .fewest = std::max<std::size_t>(kLeastForAPose, fewestMarkers()),
+            .largestMisfit = largestMarkerError()};
+}
+
 std::string NdiToolDefinition::maker() const { return textAt(kMakerAt, kMakerBytes); }
 
 std::string NdiToolDefinition::partNumber() const { return textAt(kPartAt, kPartBytes); }

@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/core/units.h"
-#include "engine/geometry/vec.h"
+#include "engine/tracking/markers/probe.h"
 
 #include <array>
 #include <cstddef>
@@ -13,12 +13,6 @@
 
 namespace carina
 {
-
-/// A marker Q of a tool O.
-struct ToolMarker {
-    Vec3 p_OQ = Vec3::Zero();     ///< metres
-    Vec3 normal_O = Vec3::Zero(); ///< where it faces; zero where it is seen from everywhere
-};
 
 /// What a tracker of NDI has to know of a tool: the content of a .rom file, of 752 bytes.
 ///
@@ -61,6 +55,8 @@ public:
     [[nodiscard]] Length largestMarkerError() const;   ///< of a marker that is used
     [[nodiscard]] Length smallestSpread() const;
     [[nodiscard]] Angle largestMarkerAngle() const; ///< between its normal and the camera
+    /// Its markers, and what a pose asks of them.
+    [[nodiscard]] Probe probe() const;
     [[nodiscard]] std::string maker() const;
     [[nodiscard]] std::string partNumber() const;
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/geometry/rigid_transform.h"
+#include "engine/tracking/markers/probe.h"
+
+namespace carina
+{
+
+/// A marker of a probe as the tracker saw it.
+struct SeenMarker {
+    std::size_t marker = 0;   ///< index in the probe
+    Vec3 p_TQ = Vec3::Zero(); ///< metres
+    double weight = 1.0;      ///< in the fit: the inverse of its variance, up to a common factor
+};
+
+/// The pose of a probe from its markers.
+struct MarkerPose {
+    RigidTransform X_TO;
+    double rms =
+        0.0; ///< of the distances of the markers used from where the pose puts them, metres
+    std::vector<std::size_t>
+        leftOut{}; ///< indices of what was seen elsewhere than the pose puts it
+};
+
+/// The pose of a probe whose markers are known one by one: the weighted fit in closed form
+/// (fitRigid). Where a marker misfits by more than the probe allows, the pose is that of the most
+/// markers that agree (consensus), of which there have to be more than half and three at least; the
+/// others are left out. Markers that fit the mirror image of the probe are refused.
+///
+/// @pre the indices are those of markers of the probe, each once.
+/// @returns TooFewLandmarks below the fewest that the probe needs; DegenerateLandmarks where the
+///          markers are collinear, do not fit the probe, or fit its mirror image; the other errors
+///          of fitRigid.
+[[nodiscard]] Result<MarkerPose> markerPose(const Probe& probe, std::span<const SeenMarker> seen);
+
+} // namespace carina

@@ -1,0 +1,15 @@
+#include "engine/tracking/markers/tool_error.h"
+
+namespace carina
+{
+
+std::optional<PoseError> predictedError(const TrackedTool& tool, const RigidTransform& X_TO)
+{
+    if (!tool.probe)
+        return std::nullopt;
+    const Vec3 d_O = X_TO.rotation().conjugate() * -X_TO.translation().stableNormalized();
+    const Result<PoseError> error = poseError(*tool.probe, d_O, tool.noise);
+    return error ? std::optional{*error} : std::nullopt;
+}
+
+} // namespace carina

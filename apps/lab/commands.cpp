@@ -13,8 +13,9 @@ std::span<const Command> commands()
                                 fitCommand(),         icpCommand(),       pivotCommand(),
                                 treCommand(), //
                                 igtlCommand(),        ndiCommand(),       polarisCommand(),
-                                polarisRateCommand(), predictCommand(),   romCommand(),
-                                trackCommand(),       driftCommand(),     driftNodeCommand(),
+                                polarisRateCommand(), predictCommand(),   probeCommand(),
+                                romCommand(),         trackCommand(),     driftCommand(),
+                                driftNodeCommand(),
                                 figuresCommand(), //
                                 attackCommand(),      carryCommand(),     handshakeCommand(),
                                 sceneCommand(),       soakCommand(), //

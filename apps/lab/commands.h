@@ -37,10 +37,12 @@ namespace carina::lab
 [[nodiscard]] Command summaryCommand();
 
 [[nodiscard]] Command igtlCommand();
+[[nodiscard]] Command lagCommand();
 [[nodiscard]] Command ndiCommand();
 [[nodiscard]] Command polarisCommand();
 [[nodiscard]] Command polarisRateCommand();
 [[nodiscard]] Command predictCommand();
+[[nodiscard]] Command probeCommand();
 [[nodiscard]] Command romCommand();
 [[nodiscard]] Command trackCommand();
 

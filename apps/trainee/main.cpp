@@ -130,6 +130,15 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
     return QApplication::exec();
 }
 
+/// What a person may choose of how the tracker's poses are treated; nothing without a tracker.
+TreatmentChoice treatmentOf(TraineeStation& station)
+{
+    if (!station.trackerSight())
+        return {};
+    return {station.treatment(),
+            [&station](const PoseTreatment& chosen) { station.treat(chosen); }};
+}
+
 /// How to come in, as far as the options say it.
 struct Entry {
     JoinSettings settings;
@@ -262,7 +271,8 @@ Result<int> run(const QCommandLineParser& parser)
                          actions,
                          people,
                          [&station] { return station.standing(); },
-                         [&station] { return station.trackerSight(); }};
+                         [&station] { return station.trackerSight(); },
+                         treatmentOf(station)};
     sessionPatient.follow([&](const SharedPatientModel& another) {
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });

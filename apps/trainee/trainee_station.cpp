@@ -152,6 +152,7 @@ Result<void> TraineeStation::track(Laid& laid)
     if (const auto made = m_hardware.tracker->isSimulated() ? simulate(laid) : connect(laid); !made)
         return made;
     laid.guard = guardOf(*laid.tracking, laid.place);
+    treatPoses(laid.tracking->tracker(), m_hardware.treatment);
     return laid.tracking->start();
 }
 
@@ -207,6 +208,13 @@ void TraineeStation::takePlace(const std::function<void()>& show)
         m_laid->guard = guardOf(*m_laid->tracking, m_laid->place);
         publishPoses();
     }
+}
+
+void TraineeStation::treat(const PoseTreatment& treatment)
+{
+    m_hardware.treatment = treatment;
+    if (m_laid && m_laid->tracking)
+        treatPoses(m_laid->tracking->tracker(), treatment);
 }
 
 std::optional<TrackerSight> TraineeStation::trackerSight() const

@@ -33,6 +33,7 @@ public:
         /// One that is not simulated needs a Place; a recording is played for each patient.
         std::optional<TrackerChoice> tracker{};
         Frequency manikinBreathes; ///< the simulated manikin; 0: it lies still
+        PoseTreatment treatment{}; ///< of the tracker's poses
     };
 
     TraineeStation(std::unique_ptr<SessionNode> node, Hardware hardware, PlaceOf placeOf);
@@ -67,6 +68,9 @@ public:
     [[nodiscard]] std::optional<RegistrationStanding> standing() const;
     /// How the tracker sees its tools now; std::nullopt without a tracker.
     [[nodiscard]] std::optional<TrackerSight> trackerSight() const;
+    /// Has the tracker's poses predicted or not, and smoothed, also those of the next patient.
+    void treat(const PoseTreatment& treatment);
+    [[nodiscard]] const PoseTreatment& treatment() const { return m_hardware.treatment; }
     /// The true X_HA of the simulated head; empty without a simulation.
     [[nodiscard]] const program::TrueView& truth() const { return m_laid->truth; }
 

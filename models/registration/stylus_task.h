@@ -17,6 +17,12 @@ public:
     /// The calibration of the tracked stylus; null before there is one.
     [[nodiscard]] const StylusTip* tip() const;
 
+    /// The error with which the tracker sees the tip now (StylusWatch::expectedTipError).
+    [[nodiscard]] std::optional<Length> expectedTipError() const
+    {
+        return m_watch.expectedTipError();
+    }
+
     [[nodiscard]] bool isLookingForTip() const { return m_watch.use() == StylusUse::Pivot; }
     [[nodiscard]] bool isSpinning() const { return m_watch.use() == StylusUse::Spin; }
     [[nodiscard]] const PivotProgress& pivot() const { return m_watch.pivot(); }

@@ -1,6 +1,7 @@
 #include "models/registration/stylus_watch.h"
 
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/markers/tool_error.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,10 +42,26 @@ bool StylusWatch::has(ToolRole role) const
     return std::ranges::find(m_tools, role, &TrackedTool::role) != m_tools.end();
 }
 
-std::string StylusWatch::tool() const
+std::optional<TrackedTool> StylusWatch::stylusTool() const
 {
     const auto stylus = std::ranges::find(m_tools, ToolRole::Stylus, &TrackedTool::role);
-    return stylus == m_tools.end() ? std::string{} : stylus->name;
+    return stylus == m_tools.end() ? std::nullopt : std::optional{*stylus};
+}
+
+std::string StylusWatch::tool() const
+{
+    const auto stylus = stylusTool();
+    return stylus ? stylus->name : std::string{};
+}
+
+std::optional<Length> StylusWatch::expectedTipError() const
+{
+    const auto tool = stylusTool();
+    const auto X_TS = stylus();
+    if (!tool || !X_TS || !m_p_SQ)
+        return std::nullopt;
+    const auto error = predictedError(*tool, *X_TS);
+    return error ? std::optional{error->at(*m_p_SQ)} : std::nullopt;
 }
 
 void StylusWatch::watchFor(StylusUse use)

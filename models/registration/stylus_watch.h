@@ -45,6 +45,11 @@ public:
 
     /// The tracker's name for the stylus; empty if it has none.
     [[nodiscard]] std::string tool() const;
+    /// The stylus as the tracker knows it; std::nullopt if it has none.
+    [[nodiscard]] std::optional<TrackedTool> stylusTool() const;
+    /// The error with which the tracker sees the tip now (RMS), predicted from the markers of the
+    /// stylus; std::nullopt while it is not seen, and where they or the tip are not known.
+    [[nodiscard]] std::optional<Length> expectedTipError() const;
     /// Whether the tracker has such a tool, seen or not.
     [[nodiscard]] bool has(ToolRole role) const;
 

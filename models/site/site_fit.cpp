@@ -4,6 +4,7 @@
 #include "engine/registration/error/leave_one_out.h"
 #include "engine/registration/error/registration_error.h"
 #include "engine/registration/fit/manikin_fit.h"
+#include "engine/tracking/markers/tool_error.h"
 #include "models/site/site_changes.h"
 
 #include <algorithm>
@@ -55,8 +56,29 @@ std::vector<LocalisationError> earlierErrors(const Site& site)
     return earlier;
 }
 
-Result<RegistrationError> errorOf(const Site& site, const ManikinFit& fitted, const Mat3& tip_S)
+/// Root mean square over the touches of the error with which the tracker saw the tip.
+Length leastError(const Site& site, const FitInputs& inputs)
 {
+    const StylusTip* tip = site.stylus(inputs.tool);
+    double squares = 0.0;
+    int touches = 0;
+    for (const TouchedPoint* touch : freshTouches(site)) {
+        if (!tip || !inputs.stylus)
+            break;
+        const RigidTransform X_TS{touch->q_TS, touch->p_TQ - touch->q_TS * tip->p_SQ};
+        if (const auto error = predictedError(*inputs.stylus, X_TS)) {
+            squares += std::pow(error->at(tip->p_SQ).si, 2);
+            ++touches;
+        }
+    }
+    return std::max(kLeastFle, metres(std::sqrt(squares / std::max(1, touches))));
+}
+
+Result<RegistrationError> errorOf(const Site& site, const ManikinFit& fitted,
+                                  const FitInputs& inputs)
+{
+    const StylusTip* stylus = site.stylus(inputs.tool);
+    const Mat3 tip_S = stylus ? stylus->covariance_S : Mat3::Zero();
     const Mat3 R_AT = fitted.X_AT().rotation().toRotationMatrix();
     std::vector<Vec3> places;
     std::vector<Mat3> held;
@@ -64,7 +86,8 @@ Result<RegistrationError> errorOf(const Site& site, const ManikinFit& fitted, co
         places.push_back(pair.p_AQ);
     for (const TouchedPoint* touch : freshTouches(site))
         held.push_back(R_AT * touch->q_TS.toRotationMatrix());
-    return registrationError(places, held, tip_S, metres(fitted.fit.rms), earlierErrors(site));
+    return registrationError(places, held, tip_S, metres(fitted.fit.rms), earlierErrors(site),
+                             leastError(site, inputs));
 }
 
 /// How the manikin lies in the probes on it.
@@ -112,6 +135,7 @@ FitInputs fitInputs(const StylusWatch& watch, std::string at)
     return {.tool = watch.tool(),
             .X_TJ = watch.probe(ToolRole::Jaw),
             .X_TB = watch.probe(ToolRole::Manikin),
+            .stylus = watch.stylusTool(),
             .at = std::move(at)};
 }
 
@@ -127,8 +151,7 @@ Result<Site> withFit(Site site, const FitInputs& inputs)
     const bool isMixed = isShared && isAnothers(site); // so that it is an estimate of neither
     if (isShared && !isMixed)
         site.localisations.pop_back();
-    const StylusTip* stylus = site.stylus(inputs.tool);
-    const auto error = errorOf(site, *fitted, stylus ? stylus->covariance_S : Mat3::Zero());
+    const auto error = errorOf(site, *fitted, inputs);
     if (!error)
         return tl::unexpected(error.error());
     SiteRegistration registration{.X_AM = fitted->fit.X_AM,

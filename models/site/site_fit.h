@@ -18,6 +18,7 @@ struct FitInputs {
     std::string tool;                     ///< the stylus that touched the landmarks
     std::optional<RigidTransform> X_TJ{}; ///< the chin probe with the mouth closed
     std::optional<RigidTransform> X_TB{}; ///< the body probe
+    std::optional<TrackedTool> stylus{};  ///< as the tracker knows it
     std::string at;                       ///< ISO 8601
 };
 
@@ -28,7 +29,8 @@ struct FitInputs {
 /// estimated from its residuals and from earlier registrations by the same person at this site,
 /// unless a touch is in both. Its own estimate is kept for later ones: in place of the person's
 /// earlier one that shares touches with it, and not at all where that is another person's, whose
-/// estimate stays as it is.
+/// estimate stays as it is. No estimate is below the error with which the tracker sees the tip of
+/// the stylus, predicted from its markers (predictedError).
 /// @returns TooFewLandmarks without a catalogue; the errors of fitManikin.
 [[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
 

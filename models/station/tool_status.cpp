@@ -1,5 +1,8 @@
 #include "models/station/tool_status.h"
 
+#include "engine/tracking/markers/tool_error.h"
+#include "engine/tracking/prediction.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -10,6 +13,7 @@ namespace
 {
 
 constexpr Duration kSilent = std::chrono::milliseconds{300};
+constexpr Duration kEffectWindow = std::chrono::seconds{4};
 constexpr Duration kRateWindow = std::chrono::seconds{1};
 
 QString toolWords(const char* text) { return QCoreApplication::translate("ToolStatus", text); }
@@ -46,6 +50,27 @@ QString visibleState(Validity validity)
                : toolWords(QT_TRANSLATE_NOOP("ToolStatus", "visible"));
 }
 
+/// Beside what its markers and its motion make of the pose.
+void addExpected(ToolStatus& status, const TrackedTool& tool,
+                 const std::vector<PoseSample>& samples)
+{
+    if (const auto error = predictedError(tool, samples.back().X_FO)) {
+        status.expected_mm = inMillimetres(error->at(Vec3::Zero()));
+        status.expected_deg = inDegrees(error->rotation());
+    }
+    if (const auto ahead = tool.history->at(samples.back().time + kPredictedAhead);
+        ahead && ahead->deviation)
+        status.deviation_mm = inMillimetres(ahead->deviation->position);
+    const auto lately = std::ranges::find_if(samples, [&](const PoseSample& sample) {
+        return samples.back().time - sample.time <= kEffectWindow;
+    });
+    const PredictionEffect effect = predictionEffect({lately, samples.end()}, kPredictedAhead);
+    if (effect.predicted.poses == 0)
+        return;
+    status.predicted_mm = inMillimetres(metres(effect.predicted.position));
+    status.held_mm = inMillimetres(metres(effect.held.position));
+}
+
 ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
 {
     ToolStatus status{.role = tool.role, .name = toolName(tool)};
@@ -64,6 +89,7 @@ ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
     status.isVisible = true;
     status.state = visibleState(newest.validity);
     status.error_mm = 1e3 * newest.error;
+    addExpected(status, tool, samples);
     status.text =
         toolWords(QT_TRANSLATE_NOOP(
                       "ToolStatus",
@@ -107,6 +133,12 @@ std::vector<ToolStatus> toolStatus(const Tracker& tracker, SessionTime now)
     for (const TrackedTool& tool : tracker.tools())
         all.push_back(statusOf(tool, now));
     return all;
+}
+
+void treatPoses(const Tracker& tracker, const PoseTreatment& treatment)
+{
+    for (const TrackedTool& tool : tracker.tools())
+        tool.history->treat(treatment);
 }
 
 } // namespace carina

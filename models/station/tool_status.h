@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace carina
 
 /// What a tool is for, as shown: "Stylus"; empty for one of another use.
 [[nodiscard]] QString toolRoleName(ToolRole role);
+
+/// For how long ToolStatus::predicted_mm is predicted: about from the exposure to the light.
+inline constexpr Duration kPredictedAhead = std::chrono::milliseconds{40};
 
 /// The visibility of one tool of a tracker.
 struct ToolStatus {
@@ -23,6 +27,14 @@ struct ToolStatus {
     double rate_Hz = 0.0;          ///< samples a second, the lost ones included; 0 while none come
     std::optional<double> age_s{}; ///< of the newest sample in which it was seen
     std::optional<double> error_mm{}; ///< how well its markers fit, RMS; while it is visible
+    /// The error of its pose at its origin (RMS), predicted from its markers; while it is visible
+    std::optional<double> expected_mm{};
+    std::optional<double> expected_deg{}; ///< the same, of its rotation
+    /// How far the pose predicted by kPredictedAhead was off in the last seconds (RMS), and the
+    /// pose held for as long; while it is visible and its motion is known.
+    std::optional<double> predicted_mm{};
+    std::optional<double> held_mm{};
+    std::optional<double> deviation_mm{}; ///< that the motion lets expect of such a pose (RMS)
 };
 
 /// A tracker as its person sees it.
@@ -30,6 +42,16 @@ struct TrackerSight {
     QString trouble{}; ///< what keeps it from tracking, as a sentence; empty where nothing does
     std::vector<ToolStatus> tools{};
 };
+
+/// How poses are treated, and what is called with another treatment that a person chooses; nothing
+/// where there is nothing to choose.
+struct TreatmentChoice {
+    PoseTreatment now{};
+    std::function<void(const PoseTreatment&)> choose{};
+};
+
+/// Has the poses of all tools of a tracker treated so from now on.
+void treatPoses(const Tracker& tracker, const PoseTreatment& treatment);
 
 /// The status of a tracker's tools at a time on its clock.
 [[nodiscard]] std::vector<ToolStatus> toolStatus(const Tracker& tracker, SessionTime now);

@@ -69,6 +69,10 @@ QString StylusPage::calibration() const
                       .arg(inMillimetres(metres(std::sqrt(tip->covariance_S.trace()))), 0, 'f', 2)
                       .arg(tip->poses)
                       .arg(tip->outliers);
+    if (const auto expected = registration().stylus().expectedTipError())
+        text += QLatin1Char(' ')
+                + tr("By the markers of the stylus, the tracker sees it within %1 mm (RMS).")
+                      .arg(inMillimetres(*expected), 0, 'f', 2);
     text += QStringLiteral("\n\n") + tr("Calibrated: %1").arg(localTime(tip->calibratedAt));
     if (tip->axis)
         text += QStringLiteral("\n\n")

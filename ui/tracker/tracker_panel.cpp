@@ -19,7 +19,16 @@ namespace
 constexpr int kLooksUntilLost = 2;
 constexpr double kOldest_s = 99.9; ///< that is told as a number
 
-enum ToolColumn { kToolName, kToolState, kToolRate, kToolAge, kToolError, kToolColumns };
+enum ToolColumn {
+    kToolName,
+    kToolState,
+    kToolRate,
+    kToolAge,
+    kToolError,
+    kToolExpected,
+    kToolAhead,
+    kToolColumns
+};
 
 QString none() { return QStringLiteral("–"); }
 
@@ -38,13 +47,20 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
     m_trouble->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("toolTable"));
     m_table->setAccessibleName(tr("Tools as the tracker sees them"));
-    m_table->setHorizontalHeaderLabels(
-        {tr("Tool"), tr("State"), tr("Rate, Hz"), tr("Age, s"), tr("Fit, mm")});
+    m_table->setHorizontalHeaderLabels({tr("Tool"), tr("State"), tr("Rate, Hz"), tr("Age, s"),
+                                        tr("Fit, mm"), tr("Expected, mm"), tr("Ahead, mm")});
     m_table->horizontalHeaderItem(kToolAge)->setToolTip(
         tr("How old the newest pose is in which the tool was seen"));
     m_table->horizontalHeaderItem(kToolError)
         ->setToolTip(tr("How far the tool's markers lie from where its pose puts them (RMS), as "
                         "the tracker says"));
+    m_table->horizontalHeaderItem(kToolExpected)
+        ->setToolTip(tr("The error to expect of the tool's pose at its origin (RMS), and of its "
+                        "rotation, by the places of the markers that are seen"));
+    m_table->horizontalHeaderItem(kToolAhead)
+        ->setToolTip(tr("How far poses predicted by %1 ms were off in the last seconds (RMS); in "
+                        "brackets, how far without prediction")
+                         .arg(kPredictedAhead / std::chrono::milliseconds{1}));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->verticalHeader()->hide();
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -60,6 +76,25 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
     connect(timer, &QTimer::timeout, this, &TrackerPanel::look);
     timer->start(kInterval_ms);
     look();
+}
+
+void TrackerPanel::offer(const TreatmentChoice& choice)
+{
+    auto* predict = new QCheckBox{tr("&Predict poses to the moment they are seen")};
+    predict->setObjectName(QStringLiteral("predict"));
+    predict->setChecked(choice.now.predicts);
+    auto* smooth = new QCheckBox{tr("S&mooth tools that are held still (1-Euro filter)")};
+    smooth->setObjectName(QStringLiteral("smooth"));
+    smooth->setToolTip(tr("Takes the tremor of the tracker from what rests, and delays slow motion "
+                          "a little"));
+    smooth->setChecked(choice.now.smooths);
+    auto* column = qobject_cast<QVBoxLayout*>(layout());
+    for (QCheckBox* box : {predict, smooth}) {
+        column->insertWidget(column->indexOf(m_sound), box);
+        connect(box, &QCheckBox::toggled, this, [predict, smooth, choose = choice.choose] {
+            choose({.predicts = predict->isChecked(), .smooths = smooth->isChecked()});
+        });
+    }
 }
 
 void TrackerPanel::look()
@@ -89,6 +124,18 @@ void TrackerPanel::show(const std::vector<ToolStatus>& tools)
                       : *tool.age_s > kOldest_s ? tr("long")
                                                 : QString::number(*tool.age_s, 'f', 2));
         put(kToolError, tool.error_mm ? QString::number(*tool.error_mm, 'f', 2) : none());
+        put(kToolExpected, tool.expected_mm ? tr("%1, %2°")
+                                                  .arg(*tool.expected_mm, 0, 'f', 2)
+                                                  .arg(tool.expected_deg.value_or(0.0), 0, 'f', 2)
+                                            : none());
+        put(kToolAhead,
+            tool.predicted_mm && tool.held_mm
+                ? tr("%1 (%2)").arg(*tool.predicted_mm, 0, 'f', 1).arg(*tool.held_mm, 0, 'f', 1)
+                : none());
+        m_table->item(row, kToolAhead)
+            ->setToolTip(tool.deviation_mm ? tr("Expected now, by the tool's motion: %1 mm (RMS)")
+                                                 .arg(*tool.deviation_mm, 0, 'f', 1)
+                                           : QString{});
     }
 }
 

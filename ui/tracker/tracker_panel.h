@@ -15,8 +15,8 @@ namespace carina
 {
 
 /// The tools of a tracker as they are seen now, twice a second: visibility, rate, age of the last
-/// pose and how well the markers fit; and what keeps the tracker from tracking. On request a sound
-/// is made when a tool is lost.
+/// pose, how well the markers fit, the error that they let expect, and what prediction achieves;
+/// and what keeps the tracker from tracking. On request a sound is made when a tool is lost.
 class TrackerPanel : public QWidget
 {
     Q_OBJECT
@@ -28,6 +28,10 @@ public:
     static constexpr int kInterval_ms = 500;
 
     explicit TrackerPanel(Sight sight, QWidget* parent = nullptr);
+
+    /// Offers to have poses predicted or not, and smoothed: two boxes below the table.
+    /// @pre not called before.
+    void offer(const TreatmentChoice& choice);
 
     /// Shows how it is now; a timer calls it every kInterval_ms.
     void look();

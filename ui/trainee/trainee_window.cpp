@@ -30,7 +30,8 @@ constexpr int kNoticeMargin = 4; // pixels
 TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
                              const StationView& view, const HeadsetView& headset, ViewOutput output,
                              ChinProbeModel chinProbe, ObjectActionModel& actions,
-                             PeopleModel& people, Standing standing, Tracker tracker)
+                             PeopleModel& people, Standing standing, Tracker tracker,
+                             const TreatmentChoice& treatment)
     : m_node{node},
       m_patient{patient},
       m_scene{new SceneView{this}},
@@ -53,7 +54,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     setCentralWidget(m_scene);
     makeActions(actions);
     makeParts();
-    makeTracker(std::move(tracker));
+    makeTracker(std::move(tracker), treatment);
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setAlignment(Qt::AlignCenter);
@@ -103,9 +104,12 @@ void TraineeWindow::makeParts()
     tabifyDockWidget(m_actions, m_parts); // one above the other they are higher than a screen
 }
 
-void TraineeWindow::makeTracker(Tracker tracker)
+void TraineeWindow::makeTracker(Tracker tracker, const TreatmentChoice& treatment)
 {
-    addPanel(m_tracker, new TrackerPanel{std::move(tracker)}, tr("&Tools of the tracker"));
+    auto* panel = new TrackerPanel{std::move(tracker)};
+    if (treatment.choose)
+        panel->offer(treatment);
+    addPanel(m_tracker, panel, tr("&Tools of the tracker"));
     tabifyDockWidget(m_parts, m_tracker);
 }
 

@@ -42,7 +42,7 @@ public:
     TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
                   ObjectActionModel& actions, PeopleModel& people, Standing standing = {},
-                  Tracker tracker = {});
+                  Tracker tracker = {}, const TreatmentChoice& treatment = {});
 
     /// Draws another patient from now on.
     /// @param chinProbe of the patient's tracking
@@ -60,7 +60,7 @@ protected:
 private:
     void makeActions(ObjectActionModel& actions);
     void makeParts();
-    void makeTracker(Tracker tracker);
+    void makeTracker(Tracker tracker, const TreatmentChoice& treatment);
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.

@@ -32,6 +32,12 @@ constexpr Key kLinePosition{"line_position_ratio_to_hold",
                             "the error of holding",
                             1};
 constexpr Key kLineRotation{"line_rotation_ratio_to_hold", "the same for the rotation", 1};
+constexpr Key kSmoothedPosition{"smoothed_position_ratio_to_hold",
+                                "error of the newest pose after a 1-Euro filter, which lags behind",
+                                1};
+constexpr Key kExpectedPosition{"expected_position_ratio_to_error",
+                                "the error that the filter expects, in shares of its error", 1};
+constexpr Key kExpectedRotation{"expected_rotation_ratio_to_error", "the same for the rotation", 1};
 constexpr Key kAhead80{"ahead_80ms", "the same keys, for 80 ms"};
 constexpr Key kPosition40{"position_ratio_to_hold_40ms",
                           "error of the filter at 40 ms, in shares of the error of holding"};
@@ -47,16 +53,18 @@ constexpr Duration kFittedFor = 60ms; // between the two that are scored
 struct Scores {
     PredictionError hold;
     PredictionError line;
-    PredictionError filter;
+    PredictionError smoothed;
+    PredictionScore filter;
 };
 
 Scores scoresOf(std::span<const PoseSample> samples, Duration ahead,
                 const MotionFilter::Noise& noise)
 {
-    const auto errorOf = [&](Predictor predictor) {
-        return predictionError(samples, samples.size() / 2, ahead, predictor, noise);
+    const auto scoreOf = [&](Predictor predictor, bool smooths = false) {
+        return predictionScore(samples, samples.size() / 2, ahead, predictor, noise, smooths);
     };
-    return {errorOf(Predictor::Hold), errorOf(Predictor::Line), errorOf(Predictor::Filter)};
+    return {scoreOf(Predictor::Hold).error, scoreOf(Predictor::Line).error,
+            scoreOf(Predictor::Hold, true).error, scoreOf(Predictor::Filter)};
 }
 
 QJsonObject baselinesOf(const Scores& scores)
@@ -65,7 +73,12 @@ QJsonObject baselinesOf(const Scores& scores)
             {predict_key::kHeldPosition, inMillimetres(metres(scores.hold.position))},
             {predict_key::kHeldRotation, inDegrees(radians(scores.hold.rotation))},
             {predict_key::kLinePosition, scores.line.position / scores.hold.position},
-            {predict_key::kLineRotation, scores.line.rotation / scores.hold.rotation}};
+            {predict_key::kLineRotation, scores.line.rotation / scores.hold.rotation},
+            {predict_key::kSmoothedPosition, scores.smoothed.position / scores.hold.position},
+            {predict_key::kExpectedPosition,
+             scores.filter.expectedPosition / scores.filter.error.position},
+            {predict_key::kExpectedRotation,
+             scores.filter.expectedRotation / scores.filter.error.rotation}};
 }
 
 Result<QJsonObject> predict(const Words& words)
@@ -97,10 +110,10 @@ Result<QJsonObject> predict(const Words& words)
         {predict_key::kRotationJerk, inDegrees(radians(noise.rotation.jerk))},
         {predict_key::kAhead40, baselinesOf(at40)},
         {predict_key::kAhead80, baselinesOf(at80)},
-        {predict_key::kPosition40, at40.filter.position / at40.hold.position},
-        {predict_key::kRotation40, at40.filter.rotation / at40.hold.rotation},
-        {predict_key::kPosition80, at80.filter.position / at80.hold.position},
-        {predict_key::kRotation80, at80.filter.rotation / at80.hold.rotation}};
+        {predict_key::kPosition40, at40.filter.error.position / at40.hold.position},
+        {predict_key::kRotation40, at40.filter.error.rotation / at40.hold.rotation},
+        {predict_key::kPosition80, at80.filter.error.position / at80.hold.position},
+        {predict_key::kRotation80, at80.filter.error.rotation / at80.hold.rotation}};
 }
 
 } // namespace
@@ -121,9 +134,11 @@ Command predictCommand()
                            predict_key::kPositionJerk, predict_key::kRotationJerk,
                            predict_key::kAhead40, predict_key::kPoses, predict_key::kHeldPosition,
                            predict_key::kHeldRotation, predict_key::kLinePosition,
-                           predict_key::kLineRotation, predict_key::kAhead80,
-                           predict_key::kPosition40, predict_key::kRotation40,
-                           predict_key::kPosition80, predict_key::kRotation80}}},
+                           predict_key::kLineRotation, predict_key::kSmoothedPosition,
+                           predict_key::kExpectedPosition, predict_key::kExpectedRotation,
+                           predict_key::kAhead80, predict_key::kPosition40,
+                           predict_key::kRotation40, predict_key::kPosition80,
+                           predict_key::kRotation80}}},
         .mostFiles = 1,
         .reminder = "It needs one FILE.",
         .experiment = predict};

@@ -1,6 +1,7 @@
 #include "apps/lab/tracking/prediction_score.h"
 
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/one_euro_filter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +16,8 @@ namespace
 
 constexpr std::size_t kLineSamples = 6;
 constexpr int kPowers = 8; // of two, up and down
-
-/// The recorded pose at t, which is after samples[from].
-std::optional<RigidTransform> recordedAt(std::span<const PoseSample> samples, std::size_t from,
-                                         SessionTime t)
-{
-    const auto after = std::ranges::lower_bound(samples.subspan(from), t, {}, &PoseSample::time);
-    if (after == samples.end())
-        return std::nullopt;
-    const PoseSample& before = *std::prev(after);
-    const Duration gap = after->time - before.time;
-    if (gap > MotionFilter::kLongestGap)
-        return std::nullopt;
-    return interpolate(before.X_FO, after->X_FO, toSeconds(t - before.time) / toSeconds(gap));
-}
+constexpr std::size_t kSettlingSamples = 60;
+constexpr double kLeastScale = 1e-3; // of the noise: a motion may be predicted exactly
 
 /// Extrapolates the line of least squares through `values` at `times`, seconds from the last.
 Vec3 onLine(std::span<const double> times, std::span<const Vec3> values, double ahead)
@@ -74,50 +63,78 @@ RigidTransform ahead(std::span<const PoseSample> seen, const MotionFilter& filte
     return seen.back().X_FO;
 }
 
+/// All deviations of a filter times a factor, which changes what it expects and not what it
+/// predicts.
+AccelerationFilter::Noise scaled(const AccelerationFilter::Noise& noise, double by)
+{
+    const double factor = std::max(kLeastScale, by);
+    return {.measurement = factor * noise.measurement,
+            .jerk = factor * noise.jerk,
+            .rate = factor * noise.rate,
+            .acceleration = factor * noise.acceleration};
+}
+
 } // namespace
 
-PredictionError predictionError(std::span<const PoseSample> samples, std::size_t first,
+PredictionScore predictionScore(std::span<const PoseSample> samples, std::size_t first,
                                 Duration time, Predictor predictor,
-                                const MotionFilter::Noise& noise)
+                                const MotionFilter::Noise& noise, bool smooths)
 {
     MotionFilter filter{noise};
-    PredictionError sum;
+    OneEuroFilter smoothing;
+    PredictionScore score;
+    std::vector<PoseSample> seen;
     for (std::size_t i = 0; i < samples.size(); ++i) {
+        seen.push_back(smooths ? smoothing.smoothed(samples[i]) : samples[i]);
         filter.add(samples[i]);
         if (i < first)
             continue;
-        const auto truth = recordedAt(samples, i + 1, samples[i].time + time);
+        const auto truth = measuredAt(samples, i + 1, samples[i].time + time);
         if (!truth)
             continue;
-        const RigidTransform pose = ahead(samples.first(i + 1), filter, time, predictor);
-        const double turn = angleBetween(truth->rotation(), pose.rotation()).si;
-        sum.position += (truth->translation() - pose.translation()).squaredNorm();
-        sum.rotation += turn * turn;
-        ++sum.poses;
+        score.error.add(ahead(seen, filter, time, predictor), *truth);
+        if (const auto motion = filter.motion()) {
+            const double seconds = toSeconds(time);
+            score.expectedPosition +=
+                std::pow(ErrorGrowth::rmsAfter(seconds, motion->growth->position), 2);
+            score.expectedRotation +=
+                std::pow(ErrorGrowth::rmsAfter(seconds, motion->growth->rotation), 2);
+        }
     }
-    const double poses = std::max(1.0, double(sum.poses));
-    return {std::sqrt(sum.position / poses), std::sqrt(sum.rotation / poses), sum.poses};
+    const double poses = std::max(1.0, double(score.error.poses));
+    score.error = score.error.root();
+    score.expectedPosition = std::sqrt(score.expectedPosition / poses);
+    score.expectedRotation = std::sqrt(score.expectedRotation / poses);
+    return score;
 }
 
 MotionFilter::Noise bestNoise(std::span<const PoseSample> samples, Duration time)
 {
     const MotionFilter::Noise usual = MotionFilter::handsAndHeads();
     MotionFilter::Noise best = usual;
-    PredictionError least{std::numeric_limits<double>::infinity(),
-                          std::numeric_limits<double>::infinity()};
+    // What a filter expects before it has settled would outweigh all that follows.
+    const std::size_t first = std::min(kSettlingSamples, samples.size() / 4);
+    PredictionScore leastPosition;
+    PredictionScore leastRotation;
+    leastPosition.error.position = leastRotation.error.rotation =
+        std::numeric_limits<double>::infinity();
     for (int power = -kPowers; power <= kPowers; ++power) {
         MotionFilter::Noise noise = usual;
         noise.rotation.jerk *= std::exp2(power);
         noise.position.jerk *= std::exp2(power);
-        const PredictionError error = predictionError(samples, 0, time, Predictor::Filter, noise);
-        if (error.rotation < least.rotation)
+        const PredictionScore score =
+            predictionScore(samples, first, time, Predictor::Filter, noise);
+        if (score.error.rotation < leastRotation.error.rotation) {
             best.rotation = noise.rotation;
-        if (error.position < least.position)
+            leastRotation = score;
+        }
+        if (score.error.position < leastPosition.error.position) {
             best.position = noise.position;
-        least = {std::min(least.position, error.position),
-                 std::min(least.rotation, error.rotation)};
+            leastPosition = score;
+        }
     }
-    return best;
+    return {scaled(best.rotation, leastRotation.error.rotation / leastRotation.expectedRotation),
+            scaled(best.position, leastPosition.error.position / leastPosition.expectedPosition)};
 }
 
 } // namespace carina::lab

@@ -4,6 +4,7 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina::site_changes_test
 {
@@ -140,6 +141,32 @@ private Q_SLOTS:
         QVERIFY(site.verification->stale == StaleCause::Landmarks);
         const Site again = withFit(verifiedSite(), {.tool = kTool, .at = {}}).value();
         QVERIFY(again.verification->stale == StaleCause::Fit);
+    }
+
+    void takesNoTouchForBetterThanTheTrackerSeesTheTip()
+    {
+        constexpr double kArm = 0.05;
+        constexpr double kError = 1e-3; // of a marker, RMS; far above the residuals
+        TrackedTool stylus{.name = kTool, .role = ToolRole::Stylus};
+        stylus.noise = {metres(kError), 1.0};
+        stylus.probe.emplace();
+        for (const Vec3& p : {Vec3{kArm, 0.0, 0.0}, Vec3{0.0, kArm, 0.0}, Vec3{-kArm, 0.0, 0.0},
+                              Vec3{0.0, -kArm, 0.0}})
+            stylus.probe->markers.push_back({p, Vec3::Zero()});
+        const Site site =
+            withFit(touchedSite(), {.tool = kTool, .stylus = stylus, .at = {}}).value();
+        // The mean of four markers, and turns of s / (sqrt(2) kArm) about the axes of their square
+        // and s / (2 kArm) about its normal, with s the error in one coordinate.
+        const Vec3 p = someTip().p_SQ;
+        const double s2 = kError * kError / 3.0;
+        const double aboutAxis = s2 / (2.0 * kArm * kArm);
+        const double aboutNormal = s2 / (4.0 * kArm * kArm);
+        const double expected =
+            kError * kError / 4.0
+            + aboutAxis * (2.0 * p.squaredNorm() - p.x() * p.x() - p.y() * p.y())
+            + aboutNormal * (p.squaredNorm() - p.z() * p.z());
+        QVERIFY(std::abs(site.registration->fle / std::sqrt(expected) - 1.0) < 1e-6);
+        QVERIFY(site.registration->fle > 1.5 * fittedSite().registration->fle);
     }
 
     void needsThreeTouchesToFit()

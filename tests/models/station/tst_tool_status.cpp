@@ -2,6 +2,8 @@
 
 #include "tests/support/test_class.h"
 
+#include <cmath>
+
 namespace carina::tool_status_test
 {
 namespace
@@ -19,16 +21,22 @@ public:
     void stop() override {}
     [[nodiscard]] std::vector<TrackedTool> tools() const override
     {
-        return {{"Blade", ToolRole::Laryngoscope, &m_history}};
+        return {{"Blade", ToolRole::Laryngoscope, &m_history, probe, noise}};
     }
 
     /// Fifty a second, the last one so long ago.
     void see(int samples, Duration lastAgo, Validity validity = Validity::Tracked)
     {
         for (int i = samples; i-- > 0;)
-            m_history.push(
-                {.time = kNow - lastAgo - i * 20ms, .validity = validity, .error = 0.25e-3});
+            m_history.push({.time = kNow - lastAgo - i * 20ms,
+                            .X_FO = RigidTransform::translation({0.0, 0.0, -1.0}),
+                            .validity = validity,
+                            .error = 0.25e-3});
     }
+    void push(const PoseSample& sample) { m_history.push(sample); }
+    std::optional<Probe> probe{};
+    MarkerNoise noise{};
+
     [[nodiscard]] ToolStatus status() const { return toolStatus(*this, kNow).at(0); }
 
 private:
@@ -62,6 +70,44 @@ private Q_SLOTS:
         QVERIFY(std::abs(status.rate_Hz - 50.0) < 1e-6);
         QVERIFY(std::abs(status.age_s.value() - 0.010) < 1e-9);
         QVERIFY(std::abs(status.error_mm.value() - 0.25) < 1e-9);
+    }
+
+    void theErrorToExpectIsThatOfItsMarkers()
+    {
+        OneTool tracker;
+        tracker.see(10, 10ms, Validity::Tracked);
+        QVERIFY(!tracker.status().expected_mm);
+        // Four markers 50 mm from the origin in the corners of a square, seen from above: the
+        // error of their mean is that of one over 2; each turn about an axis of the square is
+        // s / (2 * 50 mm), about the normal by s / (2 sqrt(2) 50 mm) with s = e / sqrt(3).
+        constexpr double kArm = 0.05;
+        Probe square;
+        for (const Vec3& p : {Vec3{kArm, 0.0, 0.0}, Vec3{0.0, kArm, 0.0}, Vec3{-kArm, 0.0, 0.0},
+                              Vec3{0.0, -kArm, 0.0}})
+            square.markers.push_back({p, Vec3::UnitZ()});
+        tracker.probe = square;
+        tracker.noise = {millimetres(0.3), 1.0};
+        tracker.see(10, 0ms, Validity::Tracked);
+        const ToolStatus status = tracker.status();
+        QVERIFY(std::abs(status.expected_mm.value() - 0.15) < 1e-6);
+        const double s = 0.3e-3 / std::sqrt(3.0);
+        const double aboutAxis = s / std::sqrt(2.0 * kArm * kArm);
+        const double aboutNormal = s / std::sqrt(4.0 * kArm * kArm);
+        const double turn = std::sqrt(2.0 * aboutAxis * aboutAxis + aboutNormal * aboutNormal);
+        QVERIFY(std::abs(status.expected_deg.value() - inDegrees(radians(turn))) < 1e-6);
+    }
+
+    void predictionIsComparedWithWhatFollowed()
+    {
+        OneTool tracker;
+        QVERIFY(!tracker.status().predicted_mm);
+        for (int i = 100; i-- > 0;)
+            tracker.push({.time = kNow - i * 20ms,
+                          .X_FO = RigidTransform::translation({-0.2 * 0.02 * i, 0.0, -1.0}),
+                          .motion = Motion{.v_FO = {0.2, 0.0, 0.0}}});
+        const ToolStatus status = tracker.status();
+        QVERIFY(std::abs(status.held_mm.value() - 8.0) < 1e-6); // 0.2 m/s for 40 ms
+        QVERIFY(status.predicted_mm.value() < 1e-6);
     }
 
     void aHiddenToolKeepsItsRateWhileItsAgeGrows()

@@ -2,6 +2,7 @@
 
 #include "tests/support/test_class.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -18,7 +19,11 @@ ToolStatus seen(const char* name)
             .state = QStringLiteral("visible"),
             .rate_Hz = 59.7,
             .age_s = 0.016,
-            .error_mm = 0.123};
+            .error_mm = 0.123,
+            .expected_mm = 0.081,
+            .expected_deg = 0.043,
+            .predicted_mm = 0.42,
+            .held_mm = 2.94};
 }
 
 ToolStatus unseen(const char* name)
@@ -48,9 +53,27 @@ private Q_SLOTS:
         TrackerPanel panel{[]() -> std::optional<TrackerSight> {
             return TrackerSight{{}, {seen("Tube"), unseen("Stylus")}};
         }};
-        QCOMPARE(rowOf(panel, 0), QStringLiteral("Tube|✓ visible|60|0.02|0.12"));
-        QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–"));
+        QCOMPARE(rowOf(panel, 0),
+                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)"));
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–|–|–"));
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("trouble"))->text().isEmpty());
+    }
+
+    void offersToPredictAndToSmooth()
+    {
+        TrackerPanel panel{[]() -> std::optional<TrackerSight> { return TrackerSight{}; }};
+        QVERIFY(!panel.findChild<QCheckBox*>(QStringLiteral("predict"))); // not for choice
+        std::vector<PoseTreatment> chosen;
+        panel.offer({{.predicts = true, .smooths = false},
+                     [&](const PoseTreatment& each) { chosen.push_back(each); }});
+        auto* predict = panel.findChild<QCheckBox*>(QStringLiteral("predict"));
+        auto* smooth = panel.findChild<QCheckBox*>(QStringLiteral("smooth"));
+        QVERIFY(predict->isChecked() && !smooth->isChecked());
+        smooth->click();
+        predict->click();
+        QCOMPARE(chosen.size(), std::size_t{2});
+        QVERIFY((chosen[0] == PoseTreatment{.predicts = true, .smooths = true}));
+        QVERIFY((chosen[1] == PoseTreatment{.predicts = false, .smooths = true}));
     }
 
     void saysWhatKeepsTheTrackerFromTracking()

@@ -92,6 +92,24 @@ private Q_SLOTS:
         }
     }
 
+    /// Figures to meet, parameters fixed on the first half and scored on the second.
+    void predictsARecordedHeadAsWellAsItShould()
+    {
+        const auto file = test::testData("head-motion/traj1_quest2_to_tool1_cut.txt");
+        if (!file)
+            QSKIP("head-motion/traj1_quest2_to_tool1_cut.txt is not there");
+        const auto object = predictCommand().run({QString::fromStdString(file->string())});
+        QVERIFY(object);
+        QVERIFY(number(*object, "position_ratio_to_hold_40ms") <= 0.32);
+        QVERIFY(number(*object, "position_ratio_to_hold_80ms") <= 0.27);
+        for (const char* const ahead : {"ahead_40ms", "ahead_80ms"})
+            for (const char* const key :
+                 {"expected_position_ratio_to_error", "expected_rotation_ratio_to_error"}) {
+                const double ratio = number(baselines(*object, ahead), key);
+                QVERIFY2(ratio > 0.6 && ratio < 1.6, QByteArray::number(ratio).constData());
+            }
+    }
+
     void refusesWhatCannotBeScored()
     {
         const QTemporaryDir folder;

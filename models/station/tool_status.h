@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/tracking/tracker.h"
+#include "models/tracker/known_volume.h"
 
 #include <QString>
 
@@ -23,12 +24,14 @@ struct ToolStatus {
     double rate_Hz = 0.0;          ///< samples a second, the lost ones included; 0 while none come
     std::optional<double> age_s{}; ///< of the newest sample in which it was seen
     std::optional<double> error_mm{}; ///< how well its markers fit, RMS; while it is visible
+    std::optional<Vec3> p_T{};        ///< of its origin, where it was seen last
 };
 
 /// A tracker as its person sees it.
 struct TrackerSight {
     QString trouble{}; ///< what keeps it from tracking, as a sentence; empty where nothing does
     std::vector<ToolStatus> tools{};
+    KnownVolume usualVolume = KnownVolume::None; ///< of such a tracker
 };
 
 /// The status of a tracker's tools at a time on its clock.

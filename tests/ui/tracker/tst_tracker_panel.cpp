@@ -2,6 +2,7 @@
 
 #include "tests/support/test_class.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -48,8 +49,8 @@ private Q_SLOTS:
         TrackerPanel panel{[]() -> std::optional<TrackerSight> {
             return TrackerSight{{}, {seen("Tube"), unseen("Stylus")}};
         }};
-        QCOMPARE(rowOf(panel, 0), QStringLiteral("Tube|✓ visible|60|0.02|0.12"));
-        QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–"));
+        QCOMPARE(rowOf(panel, 0), QStringLiteral("Tube|✓ visible|60|0.02|0.12|–"));
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–|–"));
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("trouble"))->text().isEmpty());
     }
 
@@ -62,6 +63,25 @@ private Q_SLOTS:
         sight.reset();
         panel.look();
         QCOMPARE(trouble->text(), QStringLiteral("This program has no tracker."));
+    }
+
+    void tellsWhereInTheWorkingVolumeToolsAre()
+    {
+        TrackerSight sight{{}, {seen("Tube"), seen("Head")}, KnownVolume::PolarisPyramid};
+        sight.tools[0].p_T = Vec3{0.0, 0.0, -1.05};
+        sight.tools[1].p_T = Vec3{0.0, 0.0, -2.5};
+        TrackerPanel panel{[&] { return std::optional{sight}; }};
+        QCOMPARE(rowOf(panel, 0), QStringLiteral("Tube|✓ visible|60|0.02|0.12|100"));
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|-100"));
+        // A person knows that theirs sees farther; the same tracker does not undo that.
+        auto& volume = *panel.findChild<QComboBox*>(QStringLiteral("volume"));
+        volume.setCurrentIndex(volume.findData(int(KnownVolume::PolarisExtended)));
+        panel.look();
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|500"));
+        sight.usualVolume = KnownVolume::None;
+        panel.look();
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|–"));
+        QVERIFY(!panel.findChild<QWidget*>(QStringLiteral("places"))->isVisibleTo(&panel));
     }
 
     void tellsOnceThatAToolIsLost()

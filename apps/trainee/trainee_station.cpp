@@ -83,22 +83,33 @@ void TraineeStation::publish()
 {
     if (m_manikin)
         return; // what is shared follows the tracker
-    const auto share = [this](ObjectKind kind, ToolRole tool, std::string name) {
-        m_node->publish(kind, std::move(name), [this, tool]() -> std::optional<PoseSample> {
-            const auto published = m_published.load();
-            return published ? published->newest(tool) : std::nullopt;
-        });
-    };
     share(ObjectKind::Tube, ToolRole::Tube, "Tube");
     share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
     share(ObjectKind::Head, ToolRole::Head, "Head");
     share(ObjectKind::Hand, ToolRole::Hand, "Hand");
-    share(ObjectKind::Laryngoscope, ToolRole::Laryngoscope, "Laryngoscope");
     share(ObjectKind::Stylus, ToolRole::Stylus, "Stylus");
     m_manikin = std::make_unique<ManikinBreaths>(*m_node, [this]() -> std::optional<PoseSample> {
         const auto published = m_published.load();
         return published ? published->newest(ToolRole::Chest) : std::nullopt;
     });
+}
+
+void TraineeStation::share(ObjectKind kind, ToolRole tool, std::string name)
+{
+    m_node->publish(kind, std::move(name), [this, tool]() -> std::optional<PoseSample> {
+        const auto published = m_published.load();
+        return published ? published->newest(tool) : std::nullopt;
+    });
+}
+
+/// Few trackers have one: it is shared from the first on that does.
+void TraineeStation::shareLaryngoscope()
+{
+    if (m_sharesLaryngoscope || !m_laid->tracking
+        || m_laid->tracking->toolName(ToolRole::Laryngoscope).empty())
+        return;
+    m_sharesLaryngoscope = true;
+    share(ObjectKind::Laryngoscope, ToolRole::Laryngoscope, "Laryngoscope");
 }
 
 void TraineeStation::setStation(StationId station)
@@ -120,6 +131,7 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                       next->tracking ? posesOf(*next->tracking) : ObjectPoses{});
     const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
     publishPoses();
+    shareLaryngoscope();
     if (show)
         show();
     if (before && before->tracking)

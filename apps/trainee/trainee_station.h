@@ -108,6 +108,8 @@ private:
     [[nodiscard]] Result<void> simulate(Laid& laid) const;
     [[nodiscard]] Result<void> connect(Laid& laid) const;
     void publish();
+    void share(ObjectKind kind, ToolRole tool, std::string name);
+    void shareLaryngoscope();
 
     std::unique_ptr<SessionNode> m_node;
     StationId m_station; ///< where this participant is
@@ -116,6 +118,7 @@ private:
     std::vector<std::function<void()>> m_onLaid;
     std::unique_ptr<Laid> m_laid;
     std::atomic<std::shared_ptr<const Published>> m_published;
+    bool m_sharesLaryngoscope = false;
     QTimer m_looking; ///< polls the guard, and reports the standing
     StandingReport m_report;
     std::unique_ptr<ManikinBreaths> m_manikin; ///< last, because it uses the members above

@@ -74,7 +74,8 @@ public:
         case TrackerSource::OpenIgtLink:
             return missingOfServer(form);
         case TrackerSource::Recording:
-            return missingFile(form.recording, tr("Choose the file of a recording."));
+            return missingFile(form.recording,
+                               tr("Choose the file of a recording (.csv, .igs.mha or another)."));
         case TrackerSource::Description:
             return missingFile(form.description,
                                tr("Choose the file that describes a tracker (.json), "

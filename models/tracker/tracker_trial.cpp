@@ -63,14 +63,21 @@ QString TrackerTrial::text() const
     case State::Silent:
         break;
     }
-    const QString trouble = QString::fromStdString(m_tracker->trouble());
     return m_isServer
-               ? tr("▲ No server of OpenIGTLink answers (%1): see that it runs on that computer, "
-                    "that it listens at this port, and that no firewall is between.")
-                     .arg(trouble)
-               : tr("▲ No tracker answers (%1): see that it is switched on and connected there, "
-                    "that no other program uses it, and that you may open this port.")
-                     .arg(trouble);
+               ? tr("▲ No server of OpenIGTLink answers at %1 (%2): see that it runs there and "
+                    "listens at this port, and that no firewall is between.")
+                     .arg(address, trouble())
+               : tr("▲ No tracker answers at %1 (%2): see that it is switched on and connected "
+                    "there, that no other program uses it, and that you may open this port.")
+                     .arg(address, trouble());
+}
+
+/// What the tracker says, without its address.
+QString TrackerTrial::trouble() const
+{
+    QString text = QString::fromStdString(m_tracker->trouble());
+    const QString prefix = QString::fromStdString(m_address) + QStringLiteral(": ");
+    return text.startsWith(prefix) ? text.mid(prefix.size()) : text;
 }
 
 QStringList TrackerTrial::sentTools() const
@@ -95,8 +102,8 @@ QString TrackerTrial::foundText(const DeviceFound& found) const
                       : tr("✓ Found at %1: %2.").arg(address, QString::fromStdString(found.name)));
     if (found.pluggedIn)
         lines << tr("Tools that are plugged in: %1").arg(*found.pluggedIn);
-    if (const std::string trouble = m_tracker->trouble(); !trouble.empty())
-        lines << QStringLiteral("▲ ") + QString::fromStdString(trouble);
+    if (const QString trouble = this->trouble(); !trouble.isEmpty())
+        lines << QStringLiteral("▲ ") + trouble;
     for (const ToolStatus& tool : toolStatus(*m_tracker, *trialTime()))
         lines << QStringLiteral("%1 %2: %3")
                      .arg(tool.isVisible ? QStringLiteral("✓") : QStringLiteral("▲"), tool.name,

@@ -44,6 +44,7 @@ Q_SIGNALS:
 
 private:
     void look();
+    [[nodiscard]] QString trouble() const;
     [[nodiscard]] QString foundText(const DeviceFound& found) const;
 
     std::string m_address;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/tracking/pose_recorder.h"
+#include "engine/tracking/record/pose_recorder.h"
 
 #include <QObject>
 #include <QString>

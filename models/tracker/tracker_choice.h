@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/io/site/tracker_file.h"
-#include "engine/tracking/recorded_tracker.h"
+#include "engine/tracking/record/recorded_tracker.h"
 #include "models/tracker/known_volume.h"
 
 #include <QString>

@@ -2,7 +2,7 @@
 // the same once they were written and read again.
 
 #include "engine/core/expects.h"
-#include "engine/tracking/pose_record.h"
+#include "engine/tracking/record/pose_record.h"
 
 #include <cmath>
 #include <cstdint>

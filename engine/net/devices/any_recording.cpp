@@ -3,7 +3,7 @@
 #include "engine/io/files/file_limit.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/net/devices/device_replay.h"
-#include "engine/tracking/pose_record.h"
+#include "engine/tracking/record/pose_record.h"
 #include "engine/tracking/sequence_fields.h"
 #include "engine/tracking/tool_role.h"
 #include "engine/tracking/tum_file.h"

@@ -1,4 +1,4 @@
-#include "engine/tracking/pose_record.h"
+#include "engine/tracking/record/pose_record.h"
 
 #include "engine/core/units.h"
 #include "engine/tracking/sequence_fields.h"
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 3> kStates{"tracked", "partly", "lost"};
 constexpr std::size_t kNumbers = 9;
 constexpr double kQuaternionTolerance = 0.01;
 constexpr std::size_t kMostRecordedTools = 256;
-constexpr double kFarthest_mm = 1e6;
+constexpr double kFarthestRecorded_mm = 1e6;
 
 template <class... Numbers> std::string printed(const char* format, Numbers... numbers)
 {
@@ -110,7 +110,7 @@ private:
             number = *value;
         }
         if (std::any_of(numbers.begin() + 1, numbers.end(),
-                        [](double number) { return std::abs(number) > kFarthest_mm; }))
+                        [](double number) { return std::abs(number) > kFarthestRecorded_mm; }))
             return refused(Errc::OutOfRange, "a length is more than a kilometre");
         const auto state = std::ranges::find(kStates, takeField(text));
         const auto role = toolRoleOfWord(takeField(text));

@@ -1,6 +1,6 @@
-#include "engine/tracking/pose_recorder.h"
+#include "engine/tracking/record/pose_recorder.h"
 
-#include "engine/tracking/pose_record.h"
+#include "engine/tracking/record/pose_record.h"
 
 #include <utility>
 

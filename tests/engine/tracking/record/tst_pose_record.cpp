@@ -1,6 +1,6 @@
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/pose_record.h"
-#include "engine/tracking/pose_recorder.h"
+#include "engine/tracking/record/pose_record.h"
+#include "engine/tracking/record/pose_recorder.h"
 #include "engine/tracking/tum_file.h"
 #include "tests/support/test_class.h"
 

@@ -33,9 +33,9 @@ ServerFields::ServerFields(QWidget* parent)
       m_asked{new QComboBox},
       m_table{new QTableWidget{0, kServedColumns}},
       m_add{new QPushButton{tr("Add a t&ool")}},
-      m_addSent{new QPushButton{tr("Add what the server sen&ds")}},
+      m_addSent{new QPushButton{tr("Add what the server se&nds")}},
       m_remove{new QPushButton{tr("Remo&ve tool")}},
-      m_try{new QPushButton{tr("Look what it &sends")}},
+      m_try{new QPushButton{tr("Look &what it sends")}},
       m_found{new PlainLabel}
 {
     layOut();
@@ -84,7 +84,7 @@ void ServerFields::layOut()
     m_found->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* form = new QFormLayout{this};
     form->addRow(tr("A&ddress"), m_address);
-    form->addRow(tr("&Poses"), m_asked);
+    form->addRow(tr("Pos&es"), m_asked);
     form->addRow(tr("Tools"), toolsWithButtons());
     form->addRow(m_try, m_found);
 }

@@ -90,15 +90,18 @@ private:
     Result<PlusDevice> takeDevice()
     {
         PlusDevice device{m_xml.attributes()};
+        int sources = 0; ///< depth of the DataSources that it is in
         for (int depth = 1; depth > 0 && !m_xml.atEnd();) {
             const auto token = m_xml.readNext();
-            if (token == QXmlStreamReader::EndElement)
-                --depth;
+            if (token == QXmlStreamReader::EndElement && --depth < sources)
+                sources = 0;
             if (token != QXmlStreamReader::StartElement)
                 continue;
             ++depth;
+            if (m_xml.name() == QLatin1StringView{"DataSources"})
+                sources = depth; // those of an OutputChannel are the same again
             const auto attributes = m_xml.attributes();
-            if (m_xml.name() != QLatin1StringView{"DataSource"}
+            if (sources == 0 || m_xml.name() != QLatin1StringView{"DataSource"}
                 || attributes.value(QLatin1StringView{"Type"})
                            .compare(QLatin1StringView{"Tool"}, Qt::CaseInsensitive)
                        != 0)

@@ -171,7 +171,7 @@ std::string matrixText(const RigidTransform& X)
     std::string text;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
-            text += printed("%s%.9g", text.empty() ? "" : " ", matrix(row, column));
+            text += printed("%s%.12g", text.empty() ? "" : " ", matrix(row, column));
     return text;
 }
 

@@ -26,25 +26,24 @@ void addSiteOption(QCommandLineParser& parser)
          QStringLiteral("FILE")});
 }
 
-bool hasSite(const QCommandLineParser& parser) { return parser.isSet(kSiteFile); }
+QString siteOption(const QCommandLineParser& parser) { return parser.value(kSiteFile); }
 
-Result<std::optional<SitePlace>> siteOption(const QCommandLineParser& parser,
-                                            const PatientModel& patient, const QString& tracker)
+Result<std::optional<SitePlace>> siteIn(const QString& file, const PatientModel& patient,
+                                        const QString& tracker)
 {
-    if (!parser.isSet(kSiteFile))
+    if (file.isEmpty())
         return std::nullopt;
-    const Result<Site> site = readSiteFile(parser.value(kSiteFile).toStdString());
+    const Result<Site> site = readSiteFile(file.toStdString());
     if (!site)
         return tl::unexpected(site.error());
     return std::optional{sitePlace(*site, patient, tracker, QDateTime::currentDateTimeUtc())};
 }
 
-void watchSite(const QCommandLineParser& parser, QObject& context,
-               const std::function<void()>& written)
+void watchSite(const QString& file, QObject& context, const std::function<void()>& written)
 {
-    if (!parser.isSet(kSiteFile))
+    if (file.isEmpty())
         return;
-    QFileInfo site{parser.value(kSiteFile)};
+    QFileInfo site{file};
     // The folder: a file that is written whole takes the place of the one before.
     auto* watcher = new QFileSystemWatcher{{site.absolutePath()}, &context};
     auto look = [site, written, last = site.lastModified()]() mutable {

@@ -13,18 +13,17 @@ namespace carina::program
 /// Adds `--site FILE`.
 void addSiteOption(QCommandLineParser& parser);
 
-/// Whether `--site` is given.
-[[nodiscard]] bool hasSite(const QCommandLineParser& parser);
+/// The file that `--site` names; empty without it.
+[[nodiscard]] QString siteOption(const QCommandLineParser& parser);
 
-/// The site named by `--site`, as of now; std::nullopt without it.
+/// The site in a file, as of now; std::nullopt for an empty name.
 /// @param tracker trackerIdentity of the present one; empty where it is not known
 /// @returns the errors of readSiteFile.
 [[nodiscard]] Result<std::optional<SitePlace>>
-siteOption(const QCommandLineParser& parser, const PatientModel& patient, const QString& tracker);
+siteIn(const QString& file, const PatientModel& patient, const QString& tracker);
 
-/// Calls `written` whenever the file named by `--site` was rewritten, until `context` is destroyed.
+/// Calls `written` whenever the file was rewritten, until `context` is destroyed.
 /// @pre what the callback uses outlives `context`.
-void watchSite(const QCommandLineParser& parser, QObject& context,
-               const std::function<void()>& written);
+void watchSite(const QString& file, QObject& context, const std::function<void()>& written);
 
 } // namespace carina::program

@@ -8,6 +8,8 @@ namespace
 {
 
 const QString kTracker = QStringLiteral("tracker");
+const QString kRecord = QStringLiteral("record");
+const QString kRecordDevice = QStringLiteral("record-device");
 
 } // namespace
 
@@ -16,17 +18,34 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
     const QString meaning = QCoreApplication::translate(
         "TrackerOption",
         "Track with the device that this file describes, a Polaris or a server of "
-        "OpenIGTLink with its tools (docs/tracking.md); with a simulated tracker; or with a "
-        "recording (.igs.mha of Plus or 3D Slicer), played once or looped.");
+        "OpenIGTLink with its tools (docs/tracking.md), or a device set of PLUS (.xml); with a "
+        "simulated tracker; or with a "
+        "recording (of Carina, Plus, 3D Slicer or a device), played once or looped.");
     parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
                       QStringLiteral("FILE|simulated|recorded:FILE|looped:FILE")});
+    parser.addOption(
+        {kRecord,
+         QCoreApplication::translate("TrackerOption",
+                                     "Record the poses of the tracker's tools from the start on: "
+                                     ".csv, or with another file beside it .igs.mha or .tum."),
+         QStringLiteral("FILE")});
+    parser.addOption(
+        {kRecordDevice,
+         QCoreApplication::translate("TrackerOption",
+                                     "Record the bytes to and from the tracking device; "
+                                     "recorded:FILE plays them. A file that is there is kept: the "
+                                     "next one is named FILE-2."),
+         QStringLiteral("FILE")});
 }
+
+QString recordOption(const QCommandLineParser& parser) { return parser.value(kRecord); }
 
 Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser)
 {
     if (!parser.isSet(kTracker))
         return std::nullopt;
-    return trackerNamed(parser.value(kTracker)).map([](TrackerChoice choice) {
+    return trackerNamed(parser.value(kTracker)).map([&](TrackerChoice choice) {
+        choice.conversation = parser.value(kRecordDevice).toStdString();
         return std::optional{std::move(choice)};
     });
 }

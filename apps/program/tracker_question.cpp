@@ -5,7 +5,8 @@
 namespace carina::program
 {
 
-Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept)
+Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept,
+                                                   QWidget* parent)
 {
     TrackerForm begin;
     std::error_code ignored;
@@ -13,10 +14,11 @@ Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& 
         begin.source = TrackerSource::Description;
         begin.description = QString::fromStdString(kept.string());
     }
-    TrackerDialog dialog{begin, offeredAddresses()};
+    TrackerDialog dialog{begin, offeredAddresses(), parent};
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
-    if (dialog.form().source == TrackerSource::Polaris)
+    if (dialog.form().source == TrackerSource::Polaris
+        || dialog.form().source == TrackerSource::OpenIgtLink)
         if (const auto wrote =
                 writeTrackerFile(kept, std::get<TrackerDescription>(dialog.choice().device));
             !wrote)

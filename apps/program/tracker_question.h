@@ -5,13 +5,17 @@
 #include <filesystem>
 #include <optional>
 
+class QWidget;
+
 namespace carina::program
 {
 
 /// Asks a person for the tracker, beginning with the one of the last time.
-/// @param kept a Polaris that is chosen is described in this file; if it is there, it is offered
+/// @param kept a Polaris or server that is chosen is described in this file; if it is there, it is
+/// offered
 ///             first
 /// @returns std::nullopt where the person cancelled; FileUnwritable for the file.
-[[nodiscard]] Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept);
+[[nodiscard]] Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept,
+                                                                 QWidget* parent = nullptr);
 
 } // namespace carina::program

@@ -128,7 +128,8 @@ Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient&
                                     .trackerName = workplace->name,
                                     .clock = workplace->clock,
                                     .landmarks = landmarkSetsOf(patient),
-                                    .checks = checkPlacesOf(patient)},
+                                    .checks = checkPlacesOf(patient),
+                                    .usualVolume = usualVolume(tracker)},
                                    std::move(*site),
                                    *patient.model};
     const auto journal = journalOf(registration, parser);
@@ -137,7 +138,12 @@ Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient&
     std::optional<ScriptedHand> hand;
     if (workplace->simulated && parser.value(kHands) == kScripted)
         hand.emplace(registration, *workplace->simulated);
-    RegistrationWindow window{registration};
+    PoseRecording recording{workplace->clock};
+    recording.follow(workplace->tracker().tools(), {});
+    if (const QString file = program::recordOption(parser); !file.isEmpty())
+        if (const auto begun = recording.begin(file); !begun)
+            return tl::unexpected(begun.error());
+    RegistrationWindow window{registration, recording};
     QObject::connect(&window, &RegistrationWindow::anotherTrackerWanted, &window,
                      [] { QApplication::exit(kAnotherTracker); });
     window.resize(*program::sizeOption(parser));

@@ -8,6 +8,7 @@
 #include "apps/program/program.h"
 #include "apps/program/site_option.h"
 #include "apps/program/tracker_option.h"
+#include "apps/trainee/tracker_change.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
@@ -88,8 +89,8 @@ QJsonObject actionReport(const SessionNode& node)
 }
 
 /// Shows the window until it is closed, or measures it for as long as it was asked to.
-int show(TraineeWindow& window, const QCommandLineParser& parser,
-         const program::MeasureOptions& options, TraineeStation& station)
+int showUntilClosed(TraineeWindow& window, const QCommandLineParser& parser,
+                    const program::MeasureOptions& options, TraineeStation& station)
 {
     if (options.folder.isEmpty()) {
         window.resize(options.size);
@@ -133,8 +134,6 @@ int show(TraineeWindow& window, const QCommandLineParser& parser,
 /// What a person may choose of how the tracker's poses are treated; nothing without a tracker.
 TreatmentChoice treatmentOf(TraineeStation& station)
 {
-    if (!station.trackerSight())
-        return {};
     return {station.treatment(),
             [&station](const PoseTreatment& chosen) { station.treat(chosen); }};
 }
@@ -187,7 +186,7 @@ Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions
 Result<std::optional<TrackerChoice>> trackerFor(const QCommandLineParser& parser)
 {
     auto chosen = program::trackerOption(parser);
-    if (chosen && *chosen && !(*chosen)->isSimulated() && !program::hasSite(parser))
+    if (chosen && *chosen && !(*chosen)->isSimulated() && program::siteOption(parser).isEmpty())
         return fail(Errc::WrongOption,
                     "--tracker: it needs --site, which says where the patient lies");
     return chosen;
@@ -212,6 +211,14 @@ Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role
     return hardware;
 }
 
+/// Records what the present tracker sees, in a recording that is under way or later.
+void followTracker(PoseRecording& recording, const TraineeStation& station)
+{
+    auto tracking = station.tracking();
+    auto tools = tracking ? tracking->tracker().tools() : std::vector<TrackedTool>{};
+    recording.follow(std::move(tools), std::move(tracking));
+}
+
 Result<int> run(const QCommandLineParser& parser)
 {
     const auto options = program::measureOptions(parser);
@@ -231,8 +238,8 @@ Result<int> run(const QCommandLineParser& parser)
     auto chosen = trackerFor(parser);
     if (!chosen)
         return tl::unexpected(chosen.error());
-    const QString identity = *chosen ? trackerIdentity(**chosen) : QString{};
-    const auto site = program::siteOption(parser, *patient->model, identity);
+    TrackerChange change{program::siteOption(parser), *chosen};
+    const auto site = change.placeOf(*patient->model);
     if (!site)
         return tl::unexpected(site.error());
     const auto headset =
@@ -248,9 +255,10 @@ Result<int> run(const QCommandLineParser& parser)
     auto tracker = hardware(parser, entered->role, *std::move(chosen));
     if (!tracker)
         return tl::unexpected(tracker.error());
-    TraineeStation station{
-        std::move(entered->node), *std::move(tracker),
-        [&](const PatientModel& of) { return program::siteOption(parser, of, identity); }};
+    TraineeStation station{std::move(entered->node), *std::move(tracker),
+                           [&change](const PatientModel& of) { return change.placeOf(of); }};
+    PoseRecording recording{[node = &station.node()] { return node->now(); }};
+    station.onLaid([&] { followTracker(recording, station); });
     if (const auto laid = station.lay(patient->model); !laid)
         return tl::unexpected(laid.error());
 
@@ -271,16 +279,26 @@ Result<int> run(const QCommandLineParser& parser)
                          actions,
                          people,
                          [&station] { return station.standing(); },
-                         [&station] { return station.trackerSight(); },
-                         treatmentOf(station)};
+                         {.sight = [&station] { return station.trackerSight(); },
+                          .recording = &recording,
+                          
+                          .canBeGiven = entered->role == Role::Trainee,
+                          .treatment = treatmentOf(station)}};
+    const auto show = [&] {
+        window.show(*sessionPatient.patient(), station.view(), station.chinProbe());
+    };
     sessionPatient.follow([&](const SharedPatientModel& another) {
         return station.lay(another,
                            [&] { window.show(*another, station.view(), station.chinProbe()); });
     });
-    program::watchSite(parser, window, [&] {
-        station.takePlace(
-            [&] { window.show(*sessionPatient.patient(), station.view(), station.chinProbe()); });
-    });
+    change.watch(window, station, show);
+    QObject::connect(&window, &TraineeWindow::trackerWanted, &window,
+                     [&] { change.ask(window, station, show); });
+    QObject::connect(&window, &TraineeWindow::trackerUnwanted, &window,
+                     [&] { change.take(window, station, show); });
+    if (const QString file = program::recordOption(parser); !file.isEmpty())
+        if (const auto begun = recording.begin(file); !begun)
+            return tl::unexpected(begun.error());
     const auto journal =
         program::journalFromOptions(parser, station.node(), place.id(), window.stationScene(),
                                     [&window] { return window.notice(); });
@@ -300,7 +318,7 @@ Result<int> run(const QCommandLineParser& parser)
     });
     if (!giver)
         return tl::unexpected(giver.error());
-    return show(window, parser, *options, station);
+    return showUntilClosed(window, parser, *options, station);
 }
 
 } // namespace

@@ -81,12 +81,8 @@ TraineeStation::~TraineeStation()
 /// Shares the tools that others see: the newest sample of each, in the patient's frame.
 void TraineeStation::publish()
 {
-    const auto share = [this](ObjectKind kind, ToolRole tool, std::string name) {
-        m_node->publish(kind, std::move(name), [this, tool]() -> std::optional<PoseSample> {
-            const auto published = m_published.load();
-            return published ? published->newest(tool) : std::nullopt;
-        });
-    };
+    if (m_manikin)
+        return; // what is shared follows the tracker
     share(ObjectKind::Tube, ToolRole::Tube, "Tube");
     share(ObjectKind::Jaw, ToolRole::Jaw, "Jaw");
     share(ObjectKind::Head, ToolRole::Head, "Head");
@@ -96,6 +92,24 @@ void TraineeStation::publish()
         const auto published = m_published.load();
         return published ? published->newest(ToolRole::Chest) : std::nullopt;
     });
+}
+
+void TraineeStation::share(ObjectKind kind, ToolRole tool, std::string name)
+{
+    m_node->publish(kind, std::move(name), [this, tool]() -> std::optional<PoseSample> {
+        const auto published = m_published.load();
+        return published ? published->newest(tool) : std::nullopt;
+    });
+}
+
+/// Few trackers have one: it is shared from the first on that does.
+void TraineeStation::shareLaryngoscope()
+{
+    if (m_sharesLaryngoscope || !m_laid->tracking
+        || m_laid->tracking->toolName(ToolRole::Laryngoscope).empty())
+        return;
+    m_sharesLaryngoscope = true;
+    share(ObjectKind::Laryngoscope, ToolRole::Laryngoscope, "Laryngoscope");
 }
 
 void TraineeStation::setStation(StationId station)
@@ -117,13 +131,27 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                       next->tracking ? posesOf(*next->tracking) : ObjectPoses{});
     const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
     publishPoses();
+    shareLaryngoscope();
     if (show)
         show();
     if (before && before->tracking)
         before->tracking->stop();
-    if (m_onLaid)
-        m_onLaid();
+    for (const auto& told : m_onLaid)
+        told();
     return {};
+}
+
+Result<void> TraineeStation::setTracker(std::optional<TrackerChoice> tracker,
+                                        const std::function<void()>& show)
+{
+    CARINA_EXPECTS(m_laid != nullptr);
+    std::optional<TrackerChoice> before = std::exchange(m_hardware.tracker, std::move(tracker));
+    auto laid = lay(SharedPatientModel{m_laid->patient}, show);
+    if (!laid)
+        m_hardware.tracker = std::move(before);
+    else if (m_hardware.tracker)
+        publish();
+    return laid;
 }
 
 std::optional<PoseSample> TraineeStation::Published::newest(ToolRole tool) const
@@ -147,6 +175,8 @@ Result<void> TraineeStation::track(Laid& laid)
     if (!place)
         return tl::unexpected(place.error());
     laid.place = *place;
+    if (!laid.place && !m_hardware.tracker->isSimulated())
+        return fail(Errc::NotRegistered, trackerName(*m_hardware.tracker).toStdString());
     if (laid.place && !laid.place->setup)
         return {}; // nothing tells where the tools are in the patient
     if (const auto made = m_hardware.tracker->isSimulated() ? simulate(laid) : connect(laid); !made)
@@ -221,7 +251,8 @@ std::optional<TrackerSight> TraineeStation::trackerSight() const
 {
     if (!m_laid || !m_hardware.tracker)
         return std::nullopt;
-    TrackerSight sight{.trouble = chinProbe().trackerTrouble()};
+    TrackerSight sight{.trouble = chinProbe().trackerTrouble(),
+                       .usualVolume = usualVolume(*m_hardware.tracker)};
     const auto now = m_node->now();
     if (m_laid->tracking && now)
         sight.tools = toolStatus(m_laid->tracking->tracker(), *now);

@@ -53,13 +53,24 @@ public:
     /// Applies the present site; of one that cannot be used only the standing.
     /// @param show as in lay(): with its first registration the patient is laid anew
     void takePlace(const std::function<void()>& show);
+    /// Works with another tracker from now on, or with none; the patient is laid anew.
+    /// @param show as in lay()
+    /// @returns the errors of lay(); NotRegistered for one that is not simulated where there is no
+    ///          site. The tracker before is used on then.
+    [[nodiscard]] Result<void> setTracker(std::optional<TrackerChoice> tracker,
+                                          const std::function<void()>& show);
     /// The callback is called after each successful lay().
-    void onLaid(std::function<void()> callback) { m_onLaid = std::move(callback); }
+    void onLaid(std::function<void()> callback) { m_onLaid.push_back(std::move(callback)); }
 
     [[nodiscard]] SessionNode& node() { return *m_node; }
     // @pre lay() succeeded. Results are valid until the next lay().
     [[nodiscard]] const StationView& view() const { return *m_laid->view; }
     [[nodiscard]] const PatientModel& patient() const { return *m_laid->patient; }
+    /// Null without a tracker, and while the site has no registration that can be used.
+    [[nodiscard]] std::shared_ptr<const StationTracking> tracking() const
+    {
+        return m_laid->tracking;
+    }
     [[nodiscard]] ChinProbeModel chinProbe() const
     {
         return ChinProbeModel{m_laid->tracking.get()};
@@ -101,14 +112,17 @@ private:
     [[nodiscard]] Result<void> simulate(Laid& laid) const;
     [[nodiscard]] Result<void> connect(Laid& laid) const;
     void publish();
+    void share(ObjectKind kind, ToolRole tool, std::string name);
+    void shareLaryngoscope();
 
     std::unique_ptr<SessionNode> m_node;
     StationId m_station; ///< where this participant is
     Hardware m_hardware;
     PlaceOf m_placeOf;
-    std::function<void()> m_onLaid;
+    std::vector<std::function<void()>> m_onLaid;
     std::unique_ptr<Laid> m_laid;
     std::atomic<std::shared_ptr<const Published>> m_published;
+    bool m_sharesLaryngoscope = false;
     QTimer m_looking; ///< polls the guard, and reports the standing
     StandingReport m_report;
     std::unique_ptr<ManikinBreaths> m_manikin; ///< last, because it uses the members above

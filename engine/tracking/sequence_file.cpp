@@ -2,8 +2,8 @@
 
 #include "engine/core/units.h"
 #include "engine/tracking/sequence_fields.h"
+#include "engine/tracking/tool_role.h"
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -19,27 +19,6 @@ constexpr std::string_view kTransformSuffix = "ToTrackerTransform";
 constexpr std::string_view kStatusSuffix = "ToTrackerTransformStatus";
 // Devices round what they report: the matrices of real recordings are up to 5e-4 off a rotation.
 constexpr double kOrthonormal = 5e-3;
-
-ToolRole roleOf(std::string_view name)
-{
-    constexpr std::array<std::pair<std::string_view, ToolRole>, 11> kRoles{
-        {{"Head", ToolRole::Head},
-         {"Hmd", ToolRole::Head},
-         {"Jaw", ToolRole::Jaw},
-         {"Chin", ToolRole::Jaw},
-         {"Tube", ToolRole::Tube},
-         {"Ett", ToolRole::Tube},
-         {"Stylus", ToolRole::Stylus},
-         {"Manikin", ToolRole::Manikin},
-         {"Chest", ToolRole::Chest},
-         {"Hand", ToolRole::Hand},
-         {"Laryngoscope", ToolRole::Laryngoscope}}};
-    for (const auto& [known, role] : kRoles) {
-        if (name == known)
-            return role;
-    }
-    return ToolRole::Other;
-}
 
 /// What a frame says of one tool, as text.
 struct ToolText {
@@ -193,7 +172,7 @@ std::size_t SequenceReader::toolIndex(const std::string& name)
 {
     const auto [place, isNew] = m_toolIndices.try_emplace(name, m_sequence.tools.size());
     if (isNew)
-        m_sequence.tools.push_back({.name = name, .role = roleOf(name)});
+        m_sequence.tools.push_back({.name = name, .role = toolRoleOfName(name)});
     return place->second;
 }
 

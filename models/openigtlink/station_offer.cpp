@@ -40,6 +40,8 @@ const char* wordOf(ObjectKind kind)
         return "Hand ";
     case ObjectKind::Stylus:
         return "Stylus ";
+    case ObjectKind::Laryngoscope:
+        return "Blade ";
     case ObjectKind::Jaw:
     case ObjectKind::Tube:
     case ObjectKind::Patient:

@@ -61,12 +61,13 @@ public:
 
     /// The tracker, file and landmarks of a registration.
     struct Workplace {
-        std::filesystem::path file;               ///< of the site
-        const Tracker* tracker = nullptr;         ///< started and stopped by its owner
-        QString trackerName;                      ///< as shown
-        ReadSessionClock clock;                   ///< the clock of the tracker's samples
-        std::vector<LandmarkCatalogue> landmarks; ///< of this patient, recommended set first
-        std::vector<Landmark> checks{};           ///< places to check a registration at
+        std::filesystem::path file;                  ///< of the site
+        const Tracker* tracker = nullptr;            ///< started and stopped by its owner
+        QString trackerName;                         ///< as shown
+        ReadSessionClock clock;                      ///< the clock of the tracker's samples
+        std::vector<LandmarkCatalogue> landmarks;    ///< of this patient, recommended set first
+        std::vector<Landmark> checks{};              ///< places to check a registration at
+        KnownVolume usualVolume = KnownVolume::None; ///< of such a tracker
         SiteEditor::Today today = &QDateTime::currentDateTimeUtc;
     };
 
@@ -108,6 +109,7 @@ public:
     [[nodiscard]] ManikinTask& manikin() { return m_manikinTask; }
     [[nodiscard]] const ManikinTask& manikin() const { return m_manikinTask; }
 
+    [[nodiscard]] KnownVolume usualVolume() const { return m_workplace.usualVolume; }
     /// What keeps the tracker from tracking, as a translated sentence; empty where nothing does.
     [[nodiscard]] QString trackerTrouble() const;
     /// The tools that the tracker reports, and how it sees them now.

@@ -33,6 +33,7 @@ bool staysWithPatient(ObjectKind kind, bool ownerIsAtWork)
     switch (kind) {
     case ObjectKind::Tube:
     case ObjectKind::Hand:
+    case ObjectKind::Laryngoscope:
         return ownerIsAtWork;
     case ObjectKind::Jaw:
     case ObjectKind::Patient:

@@ -21,7 +21,8 @@ struct ObjectPoses {
     };
 };
 
-/// An object that a person at a station shares: a head, a hand, a stylus, a jaw or a tube.
+/// An object that a person at a station shares: a head, a hand, a stylus, a
+/// laryngoscope, a jaw or a tube.
 struct PersonPose {
     ObjectId object;
     ParticipantId owner;
@@ -38,7 +39,7 @@ struct PersonPose {
 ///
 /// Head and hands are drawn at the place of their owner (PlaceChosen), and so is a tube or stylus
 /// in these hands. The tube of who is at work is where the patient's airway has it, and the hand
-/// that holds it is with it.
+/// that holds it and the laryngoscope are with it.
 /// @param own poses of this program's objects
 [[nodiscard]] std::vector<PersonPose> peoplePoses(const SessionNode& node, StationId station,
                                                   const ObjectPoses& own, SessionTime t);

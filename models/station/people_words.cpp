@@ -23,6 +23,7 @@ QString nameBeside(const PersonPose& person, ParticipantId worker)
         if (person.isOwn)
             return peopleWords(QT_TRANSLATE_NOOP("PeopleWords", "Your tube"));
         return peopleWords(QT_TRANSLATE_NOOP("PeopleWords", "Tube of %1")).arg(name);
+    case ObjectKind::Laryngoscope:
     case ObjectKind::Jaw:
     case ObjectKind::Stylus:
     case ObjectKind::Patient:

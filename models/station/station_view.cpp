@@ -21,6 +21,8 @@ std::optional<ToolRole> toolOf(ObjectKind kind)
         return ToolRole::Tube;
     case ObjectKind::Hand:
         return ToolRole::Hand;
+    case ObjectKind::Laryngoscope:
+        return ToolRole::Laryngoscope;
     case ObjectKind::Stylus:
     case ObjectKind::Patient:
     case ObjectKind::OrganGroup:

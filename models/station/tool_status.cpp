@@ -81,6 +81,7 @@ ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
     if (!status.age_s)
         return status;
     const PoseSample& newest = samples.back();
+    status.p_T = newest.X_FO.translation();
     const bool isDelivered = now - newest.time <= kSilent;
     status.rate_Hz = isDelivered ? rateOf(samples) : 0.0;
     status.state = status.text;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/tracking/tracker.h"
+#include "models/tracker/known_volume.h"
 
 #include <QString>
 
@@ -35,12 +36,14 @@ struct ToolStatus {
     std::optional<double> predicted_mm{};
     std::optional<double> held_mm{};
     std::optional<double> deviation_mm{}; ///< that the motion lets expect of such a pose (RMS)
+    std::optional<Vec3> p_T{};        ///< of its origin, where it was seen last
 };
 
 /// A tracker as its person sees it.
 struct TrackerSight {
     QString trouble{}; ///< what keeps it from tracking, as a sentence; empty where nothing does
     std::vector<ToolStatus> tools{};
+    KnownVolume usualVolume = KnownVolume::None; ///< of such a tracker
 };
 
 /// How poses are treated, and what is called with another treatment that a person chooses; nothing

@@ -1,7 +1,8 @@
 #include "models/tracker/tracker_choice.h"
 
 #include "engine/core/expects.h"
-#include "engine/io/files/file_limit.h"
+#include "engine/io/site/plus_device_set.h"
+#include "engine/net/devices/any_recording.h"
 #include "engine/net/devices/described_tracker.h"
 
 #include <QCoreApplication>
@@ -18,6 +19,17 @@ const QString kLooped = QStringLiteral("looped:");
 
 QString choiceWords(const char* text) { return QCoreApplication::translate("TrackerChoice", text); }
 
+/// A name like this one that no file has.
+std::filesystem::path unusedName(const std::filesystem::path& file)
+{
+    std::filesystem::path unused = file;
+    std::error_code ignored;
+    for (int number = 2; std::filesystem::exists(unused, ignored); ++number)
+        unused.replace_filename(file.stem().string() + '-' + std::to_string(number)
+                                + file.extension().string());
+    return unused;
+}
+
 } // namespace
 
 Result<TrackerChoice> trackerNamed(const QString& words)
@@ -28,18 +40,21 @@ Result<TrackerChoice> trackerNamed(const QString& words)
         return recordedTracker(words.mid(kRecorded.size()).toStdString(), Playing::Once);
     if (words.startsWith(kLooped))
         return recordedTracker(words.mid(kLooped.size()).toStdString(), Playing::Looped);
-    return readTrackerFile(words.toStdString()).map([](TrackerDescription described) {
-        return TrackerChoice{std::move(described)};
-    });
+    return describedIn(words.toStdString());
+}
+
+Result<TrackerChoice> describedIn(const std::filesystem::path& file)
+{
+    const bool isOfPlus = file.extension() == ".xml" || file.extension() == ".XML";
+    return (isOfPlus ? readPlusDeviceSet(file) : readTrackerFile(file))
+        .map([](TrackerDescription described) { return TrackerChoice{std::move(described)}; });
 }
 
 Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing)
 {
-    return readableSize(file, kMeasurementLimit)
-        .and_then([&](std::uint64_t) { return readSequenceFile(file); })
-        .map([&](TrackerSequence sequence) {
-            return TrackerChoice{PlayedRecording{file, std::move(sequence), playing}};
-        });
+    return readAnyRecording(file).map([&](TrackerSequence sequence) {
+        return TrackerChoice{PlayedRecording{file, std::move(sequence), playing}};
+    });
 }
 
 QString trackerName(const TrackerChoice& choice)
@@ -60,6 +75,15 @@ QString trackerIdentity(const TrackerChoice& choice)
     return std::holds_alternative<PlayedRecording>(choice.device) ? QString{} : trackerName(choice);
 }
 
+KnownVolume usualVolume(const TrackerChoice& choice)
+{
+    if (choice.isSimulated())
+        return KnownVolume::SimulatedCone;
+    const auto* described = std::get_if<TrackerDescription>(&choice.device);
+    return described && described->kind == TrackerKind::Ndi ? KnownVolume::PolarisPyramid
+                                                            : KnownVolume::None;
+}
+
 Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSessionClock clock)
 {
     if (const auto* recording = std::get_if<PlayedRecording>(&choice.device))
@@ -67,7 +91,12 @@ Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSe
                                                  recording->playing);
     const auto* described = std::get_if<TrackerDescription>(&choice.device);
     CARINA_EXPECTS(described != nullptr);
-    return describedTracker(*described, std::move(clock));
+    if (choice.conversation.empty())
+        return describedTracker(*described, std::move(clock));
+    return DeviceLog::create(unusedName(choice.conversation), *described)
+        .and_then([&](std::unique_ptr<DeviceLog> log) {
+            return describedTracker(*described, std::move(clock), std::move(log));
+        });
 }
 
 } // namespace carina

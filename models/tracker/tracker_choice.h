@@ -1,7 +1,8 @@
 #pragma once
 
 #include "engine/io/site/tracker_file.h"
-#include "engine/tracking/recorded_tracker.h"
+#include "engine/tracking/record/recorded_tracker.h"
+#include "models/tracker/known_volume.h"
 
 #include <QString>
 
@@ -25,6 +26,9 @@ struct PlayedRecording {
 /// The tracker that a program is to use.
 struct TrackerChoice {
     std::variant<SimulatedDevice, PlayedRecording, TrackerDescription> device;
+    /// The file for the bytes of the conversation with the device, where it has one; empty: none.
+    /// A file that is there already is kept: the next one is NAME-2, and so on.
+    std::string conversation{};
 
     [[nodiscard]] bool isSimulated() const
     {
@@ -32,11 +36,21 @@ struct TrackerChoice {
     }
 };
 
-/// The choice that words name: "simulated"; "recorded:FILE", a recording of Plus or 3D Slicer
-/// (.igs.mha), which is played once; "looped:FILE", one that is played again and again; otherwise a
-/// file that describes a tracker.
+/// The choice that words name: "simulated"; "recorded:FILE", a recording
+/// (readAnyRecording), which is played once; "looped:FILE", one that is played again and again;
+/// otherwise a file that describes a tracker (describedIn).
 /// @returns the errors of reading that file.
 [[nodiscard]] Result<TrackerChoice> trackerNamed(const QString& words);
+
+/// What a file describes: Carina's own description (readTrackerFile), or where its name ends in
+/// .xml a device set of PLUS (readPlusDeviceSet).
+/// @returns the errors of reading it.
+[[nodiscard]] Result<TrackerChoice> describedIn(const std::filesystem::path& file);
+
+/// What a file describes: Carina's own description (readTrackerFile), or where its name ends in
+/// .xml a device set of PLUS (readPlusDeviceSet).
+/// @returns the errors of reading it.
+[[nodiscard]] Result<TrackerChoice> describedIn(const std::filesystem::path& file);
 
 /// The recording in a file. @returns the errors of reading it.
 [[nodiscard]] Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing);
@@ -49,9 +63,12 @@ struct TrackerChoice {
 /// recording, which may be of any.
 [[nodiscard]] QString trackerIdentity(const TrackerChoice& choice);
 
+/// The volume in which such a tracker usually sees.
+[[nodiscard]] KnownVolume usualVolume(const TrackerChoice& choice);
+
 /// The tracker itself, not started.
 /// @pre the choice is not the simulated tracker.
-/// @returns the errors of describedTracker.
+/// @returns the errors of describedTracker and of DeviceLog::create.
 [[nodiscard]] Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice,
                                                            ReadSessionClock clock);
 

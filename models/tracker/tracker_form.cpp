@@ -2,11 +2,13 @@
 
 #include "engine/net/devices/device_port.h"
 #include "engine/net/devices/serial_ports.h"
+#include "engine/tracking/tool_role.h"
 #include "models/station/tool_status.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace carina
@@ -29,9 +31,32 @@ public:
         std::set<ToolRole> roles;
         for (const FormTool& tool : form.tools)
             if (tool.role != ToolRole::Other && !roles.insert(tool.role).second)
-                return tr("Two tools have the role %1: give one of them another.")
-                    .arg(toolRoleName(tool.role));
+                return twice(tool.role);
         return std::nullopt;
+    }
+
+    static std::optional<QString> missingOfServer(const TrackerForm& form)
+    {
+        if (!isServerAddress(form.server))
+            return tr("Type the address and port of the server, such as 192.0.2.7:18944.");
+        if (form.served.empty())
+            return tr("Add the tools that are to be tracked: look what the server sends.");
+        std::set<ToolRole> roles;
+        std::set<QString> names;
+        for (const ServedTool& tool : form.served) {
+            if (tool.device.trimmed().isEmpty())
+                return tr("Type the name by which the server sends the tool.");
+            if (!names.insert(tool.device.trimmed()).second)
+                return tr("The tool %1 is there twice: remove one.").arg(tool.device.trimmed());
+            if (tool.role != ToolRole::Other && !roles.insert(tool.role).second)
+                return twice(tool.role);
+        }
+        return std::nullopt;
+    }
+
+    static QString twice(ToolRole role)
+    {
+        return tr("Two tools have the role %1: give one of them another.").arg(toolRoleName(role));
     }
 
     static std::optional<QString> missingFile(const QString& file, const QString& sentence)
@@ -46,11 +71,15 @@ public:
             break;
         case TrackerSource::Polaris:
             return missingOfPolaris(form);
+        case TrackerSource::OpenIgtLink:
+            return missingOfServer(form);
         case TrackerSource::Recording:
-            return missingFile(form.recording, tr("Choose the file of a recording (.igs.mha)."));
+            return missingFile(form.recording,
+                               tr("Choose the file of a recording (.csv, .igs.mha or another)."));
         case TrackerSource::Description:
             return missingFile(form.description,
-                               tr("Choose the file that describes a tracker (.json)."));
+                               tr("Choose the file that describes a tracker (.json), "
+                                  "or a device set of PLUS (.xml)."));
         }
         return std::nullopt;
     }
@@ -95,6 +124,43 @@ std::vector<OfferedAddress> offeredAddresses()
     return offered;
 }
 
+std::span<const ToolRole> offeredRoles()
+{
+    static constexpr std::array kOffered{ToolRole::Stylus,       ToolRole::Jaw,   ToolRole::Tube,
+                                         ToolRole::Laryngoscope, ToolRole::Head,  ToolRole::Hand,
+                                         ToolRole::Manikin,      ToolRole::Chest, ToolRole::Other};
+    return kOffered;
+}
+
+ToolRole freeRoleOf(const QString& device, const std::vector<ServedTool>& taken)
+{
+    QString name = device;
+    if (const qsizetype to = name.indexOf(QLatin1StringView{"To"}); to > 0)
+        name.truncate(to);
+    const ToolRole role = toolRoleOfName(name.toStdString());
+    return std::ranges::count(taken, role, &ServedTool::role) == 0 ? role : ToolRole::Other;
+}
+
+bool isServerAddress(const QString& text)
+{
+    const std::string address = text.trimmed().toStdString();
+    return isDeviceAddress(address) && !isSerialPort(address);
+}
+
+TrackerDescription describedServer(const TrackerForm& form)
+{
+    TrackerDescription described;
+    described.kind = TrackerKind::OpenIgtLink;
+    described.address = form.server.trimmed().toStdString();
+    described.igtlPoses = form.asked;
+    for (const ServedTool& tool : form.served) {
+        const std::string device = tool.device.trimmed().toStdString();
+        if (!device.empty())
+            described.tools.push_back({.name = device, .role = tool.role, .device = device});
+    }
+    return described;
+}
+
 std::optional<QString> whatIsMissing(const TrackerForm& form)
 {
     return TrackerFormWords::missing(form);
@@ -110,11 +176,13 @@ Result<TrackerChoice> choiceOf(const TrackerForm& form)
         break;
     case TrackerSource::Polaris:
         return describedBy(form).map(asChoice);
+    case TrackerSource::OpenIgtLink:
+        return TrackerChoice{describedServer(form)};
     case TrackerSource::Recording:
         return recordedTracker(form.recording.trimmed().toStdString(),
                                form.isLooped ? Playing::Looped : Playing::Once);
     case TrackerSource::Description:
-        return readTrackerFile(form.description.trimmed().toStdString()).map(asChoice);
+        return describedIn(form.description.trimmed().toStdString());
     }
     return TrackerChoice{SimulatedDevice{}};
 }

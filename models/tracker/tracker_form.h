@@ -5,13 +5,20 @@
 #include <QString>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace carina
 {
 
 /// Where poses are to come from.
-enum class TrackerSource : std::uint8_t { Simulated, Polaris, Recording, Description };
+enum class TrackerSource : std::uint8_t {
+    Simulated,
+    Polaris,
+    Recording,
+    Description,
+    OpenIgtLink,
+};
 
 /// A tool of a Polaris, as a person names it.
 struct FormTool {
@@ -19,6 +26,14 @@ struct FormTool {
     QString definition{}; ///< the .rom file of a wireless tool; empty for one that is plugged in
 
     friend bool operator==(const FormTool&, const FormTool&) = default;
+};
+
+/// A tool of a server of OpenIGTLink, as a person names it.
+struct ServedTool {
+    QString device{}; ///< by which the server sends it
+    ToolRole role = ToolRole::Stylus;
+
+    friend bool operator==(const ServedTool&, const ServedTool&) = default;
 };
 
 /// The fields that a person fills in to connect a tracker. Those of other sources are kept.
@@ -29,6 +44,9 @@ struct TrackerForm {
     QString recording{};   ///< a file
     bool isLooped = false; ///< whether it is played again and again
     QString description{}; ///< a file
+    QString server{};      ///< of OpenIGTLink: host and port
+    IgtlPoses asked = IgtlPoses::Transform;
+    std::vector<ServedTool> served{};
 
     friend bool operator==(const TrackerForm&, const TrackerForm&) = default;
 };
@@ -41,6 +59,19 @@ struct OfferedAddress {
 
 /// The serial ports of this computer.
 [[nodiscard]] std::vector<OfferedAddress> offeredAddresses();
+
+/// The roles of a tool, in the order in which they are offered.
+[[nodiscard]] std::span<const ToolRole> offeredRoles();
+
+/// The role for a tool that a server sends: the one that its name tells, with or without
+/// "ToTracker", else Other; Other also where a tool has this role already.
+[[nodiscard]] ToolRole freeRoleOf(const QString& device, const std::vector<ServedTool>& taken);
+
+/// Whether a text is the address of a server: host and port.
+[[nodiscard]] bool isServerAddress(const QString& text);
+
+/// The server that a form names, with what is there of its tools.
+[[nodiscard]] TrackerDescription describedServer(const TrackerForm& form);
 
 /// What a person has to correct, as a sentence; std::nullopt if nothing is missing.
 [[nodiscard]] std::optional<QString> whatIsMissing(const TrackerForm& form);

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "engine/net/devices/ndi_tracker.h"
+#include "engine/net/devices/device_tracker.h"
 
 #include <QObject>
+#include <QStringList>
 #include <QTimer>
 
 namespace carina
@@ -26,12 +27,14 @@ public:
 
     TrackerTrial();
 
-    /// @returns the errors of NdiTracker::make and start.
+    /// @returns the errors of DeviceTracker::make and start.
     [[nodiscard]] Result<void> begin(const TrackerDescription& description);
     /// Gives the port free.
     void end();
 
     [[nodiscard]] State state() const { return m_state; }
+    /// The names of the tools that a server sends, as far as they are known.
+    [[nodiscard]] QStringList sentTools() const;
     /// What was found, and of each tool how it is seen: a sentence and lines beneath. Of a tracker
     /// that does not answer what to look at. Empty while idle.
     [[nodiscard]] QString text() const;
@@ -41,10 +44,12 @@ Q_SIGNALS:
 
 private:
     void look();
-    [[nodiscard]] QString foundText(const NdiFound& found) const;
+    [[nodiscard]] QString trouble() const;
+    [[nodiscard]] QString foundText(const DeviceFound& found) const;
 
     std::string m_address;
-    std::unique_ptr<NdiTracker> m_tracker;
+    bool m_isServer = false; ///< of OpenIGTLink
+    std::unique_ptr<DeviceTracker> m_tracker;
     State m_state = State::Idle;
     QTimer m_timer;
 };

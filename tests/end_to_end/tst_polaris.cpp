@@ -27,8 +27,10 @@ const QByteArray kSite = R"({"schema": "carina.site/2", "step": "overview",
 class Device
 {
 public:
-    explicit Device(QString folder) : m_folder{std::move(folder)}
+    Device(QString folder, bool isSerial) : m_folder{std::move(folder)}
     {
+        if (isSerial)
+            return;
         QTcpServer free;
         free.listen(QHostAddress::LocalHost);
         m_port = free.serverPort();
@@ -38,10 +40,12 @@ public:
     void start()
     {
         QFile::remove(description());
-        m_process.start(QStringLiteral(CARINA_LAB),
-                        {QStringLiteral("polaris-sim"), m_folder, QStringLiteral("--tcp"),
-                         QString::number(m_port), QStringLiteral("--seconds"),
-                         QStringLiteral("600")});
+        m_process.start(
+            QStringLiteral(CARINA_LAB),
+            QStringList{QStringLiteral("polaris-sim"), m_folder, QStringLiteral("--seconds"),
+                        QStringLiteral("600")}
+                + (m_port == 0 ? QStringList{}
+                               : QStringList{QStringLiteral("--tcp"), QString::number(m_port)}));
         QVERIFY(m_process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(description()), kPatience_ms);
     }
@@ -54,11 +58,15 @@ public:
     {
         return QDir{m_folder}.filePath(QStringLiteral("tracker.json"));
     }
-    [[nodiscard]] QString address() const { return QStringLiteral("127.0.0.1:%1").arg(m_port); }
+    [[nodiscard]] QString address() const
+    {
+        return m_port == 0 ? QDir{m_folder}.filePath(QStringLiteral("port"))
+                           : QStringLiteral("127.0.0.1:%1").arg(m_port);
+    }
 
 private:
     QString m_folder;
-    quint16 m_port = 0;
+    quint16 m_port = 0; ///< 0: at a pseudo-terminal
     QProcess m_process;
 };
 
@@ -82,15 +90,23 @@ class TestPolaris : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void tracksAgainSoonAfterTheDeviceIsBack_data()
+    {
+        QTest::addColumn<bool>("isSerial");
+        QTest::newRow("on the network") << false;
+        QTest::newRow("at a serial port") << true;
+    }
+
     void tracksAgainSoonAfterTheDeviceIsBack()
     {
+        QFETCH(const bool, isSerial);
         const QTemporaryDir folder;
         const QString codes = folder.filePath(QStringLiteral("codes"));
         const QString site = folder.filePath(QStringLiteral("site.json"));
         QFile written{site};
         QVERIFY(written.open(QIODevice::WriteOnly) && written.write(kSite) == kSite.size());
         written.close();
-        Device device{folder.filePath(QStringLiteral("device"))};
+        Device device{folder.filePath(QStringLiteral("device")), isSerial};
         device.start();
         Program instructor{QStringLiteral(CARINA_INSTRUCTOR),
                            {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--data"),

@@ -217,6 +217,40 @@ std::vector<std::string> trajectories()
         "0 0 0 0 0 0 0 1\n\n1e-3 -1 2.5e2 0 0 0 1 0\n"};
 }
 
+std::vector<std::string> deviceSets()
+{
+    return {R"(<PlusConfiguration version="2.3"><DataCollection>
+<Device Id="T" Type="PolarisTracker" SerialPort="1" BaudRate="115200" ToolReferenceFrame="Tracker">
+<DataSources><DataSource Type="Tool" Id="Tube" PortName="4" RomFile="tube.rom"/>
+<DataSource Type="Tool" Id="Chin" PortName="0"/></DataSources></Device>
+</DataCollection></PlusConfiguration>)",
+            R"(<PlusConfiguration><Device Type="OpenIGTLinkTracker" ServerAddress="a" ServerPort="1"
+MessageType="TDATA"><DataSources><DataSource Type="Tool" Id="Tube"/></DataSources></Device>
+</PlusConfiguration>)"};
+}
+
+std::vector<std::string> poseRecords()
+{
+    return {"# carina.poses/1\n"
+            "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,error_mm,state,role,tool\n"
+            "1.000000000,1.5,-2,3,0,0,0,1,0.25,tracked,tube,\"Tube\"\n"
+            "1.016,1.5,-2,3,0,0,0.6,0.8,0.25,partly,other,\"a \"\"b\"\"\"\n"
+            "1.033,1.5,-2,3,0,0,0,1,0,lost,tube,\"Tube\"\n"};
+}
+
+std::vector<std::string> conversations()
+{
+    return {R"(# carina.conversation/1 {"address":"a:1","kind":"ndi","poses":"TX","rate":115200,)"
+            R"("tools":[{"name":"Tube","role":"tube"}]})"
+            "\n100.0 : (INFO) opened\n"
+            "100.0 : (INFO) 1. command[10] INIT:E3A5\\x0D\n"
+            "100.1 : (INFO) 1. receive[9] OKAYA896\\x0D\n",
+            R"(# carina.conversation/1 {"address":"a:1","kind":"openigtlink","poses":"TRANSFORM",)"
+            R"("rate":60,"tools":[{"device":"Tube","name":"Tube","role":"tube"}]})"
+            "\n100.0 : (INFO) opened\n100.1 : (INFO) 0. receive[4] \\x00\\x01TR\n",
+            "1. command[14] TX:0001031A\\x0D\n1. receive[9] 0000D166\\x0D\n"};
+}
+
 /// In front of the messages two bytes, which say how they are read.
 std::vector<std::string> igtl()
 {
@@ -254,6 +288,8 @@ int main(int argc, char** argv)
         && areWritten(folder / "picture", pictures()) && areWritten(folder / "relayed", relayed())
         && areWritten(folder / "fact_body", factBodies()) && areWritten(folder / "tool", tools())
         && areWritten(folder / "tracker", trackers()) && areWritten(folder / "site", sites())
-        && areWritten(folder / "manikin", manikins()) && areWritten(folder / "tum", trajectories());
+        && areWritten(folder / "manikin", manikins()) && areWritten(folder / "tum", trajectories())
+        && areWritten(folder / "plus", deviceSets()) && areWritten(folder / "record", poseRecords())
+        && areWritten(folder / "conversation", conversations());
     return written ? 0 : 1;
 }

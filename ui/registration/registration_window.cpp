@@ -71,8 +71,10 @@ void keepPlaceWhenHidden(QWidget& widget)
 
 } // namespace
 
-RegistrationWindow::RegistrationWindow(RegistrationModel& registration)
-    : m_ui{std::make_unique<Ui::RegistrationWindow>()}, m_registration{registration}
+RegistrationWindow::RegistrationWindow(RegistrationModel& registration, PoseRecording& recording)
+    : m_ui{std::make_unique<Ui::RegistrationWindow>()},
+      m_registration{registration},
+      m_recording{recording}
 {
     m_ui->setupUi(this);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_ui->progress, m_ui->next})
@@ -96,7 +98,7 @@ void RegistrationWindow::addPages()
     auto* overview = new OverviewPage{m_registration};
     connect(overview, &OverviewPage::finished, this, &QWidget::close);
     connect(overview, &OverviewPage::reportWanted, this, &RegistrationWindow::askForReport);
-    auto* tracker = new TrackerPage{m_registration};
+    auto* tracker = new TrackerPage{m_registration, m_recording};
     connect(tracker, &TrackerPage::anotherWanted, this, &RegistrationWindow::anotherTrackerWanted);
     m_pages = {overview,
                tracker,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/registration/registration_model.h"
+#include "models/tracker/pose_recording.h"
 #include "ui/registration/registration_scene.h"
 
 #include <QWidget>
@@ -29,8 +30,8 @@ class RegistrationWindow : public QWidget
     Q_OBJECT
 
 public:
-    /// @pre registration outlives the window.
-    explicit RegistrationWindow(RegistrationModel& registration);
+    /// @pre both outlive the window.
+    RegistrationWindow(RegistrationModel& registration, PoseRecording& recording);
     ~RegistrationWindow() override;
 
     /// Writes the report of the registration as PDF. @returns the errors of
@@ -63,6 +64,7 @@ private:
 
     std::unique_ptr<Ui::RegistrationWindow> m_ui;
     RegistrationModel& m_registration;
+    PoseRecording& m_recording;
     std::vector<RegistrationPage*> m_pages; ///< of kSteps, children of this
     std::unique_ptr<RegistrationScene> m_scene;
 };

@@ -1,5 +1,6 @@
 #include "ui/registration/tracker_page.h"
 
+#include "ui/tracker/record_button.h"
 #include "ui/tracker/tracker_panel.h"
 
 #include <QPushButton>
@@ -8,15 +9,18 @@
 namespace carina
 {
 
-TrackerPage::TrackerPage(RegistrationModel& registration) : RegistrationPage{registration}
+TrackerPage::TrackerPage(RegistrationModel& registration, PoseRecording& recording)
+    : RegistrationPage{registration}
 {
     auto* another = new QPushButton{tr("Connect a&nother tracker…")};
     another->setObjectName(QStringLiteral("anotherTracker"));
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
     column->addWidget(new TrackerPanel{[this]() -> std::optional<TrackerSight> {
-        return TrackerSight{this->registration().trackerTrouble(), this->registration().tools()};
+        const RegistrationModel& model = this->registration();
+        return TrackerSight{model.trackerTrouble(), model.tools(), model.usualVolume()};
     }});
+    column->addWidget(new RecordButton{recording});
     column->addWidget(another);
     connect(another, &QPushButton::clicked, this, &TrackerPage::anotherWanted);
 }

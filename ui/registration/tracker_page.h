@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/tracker/pose_recording.h"
 #include "ui/registration/registration_page.h"
 
 namespace carina
@@ -11,7 +12,7 @@ class TrackerPage : public RegistrationPage
     Q_OBJECT
 
 public:
-    explicit TrackerPage(RegistrationModel& registration);
+    TrackerPage(RegistrationModel& registration, PoseRecording& recording);
 
     [[nodiscard]] QString actionText() const override;
     void act() override;

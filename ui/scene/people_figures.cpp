@@ -19,6 +19,7 @@ constexpr std::array kPeopleColors{QColor{150, 186, 214}, QColor{222, 188, 122},
                                    QColor{126, 156, 110}, QColor{206, 176, 208},
                                    QColor{176, 116, 100}, QColor{206, 214, 196}};
 constexpr QColor kVisorColor{38, 44, 56};
+constexpr QColor kBladeColor{196, 202, 208};
 
 const Vec3 kAboveHead{0.0, kHeadTop, 0.085};
 const Vec3 kOnTube{0.0, 0.0, 0.01};
@@ -32,6 +33,8 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
     case ObjectKind::Hand:
     case ObjectKind::Stylus:
         return !person.isOwn;
+    case ObjectKind::Laryngoscope:
+        return true;
     case ObjectKind::Tube:
         // While nobody is at work the own tube is the one that is drawn with the patient.
         return !person.isOwn || (!person.isAtWork && moment.worker != kNobody);
@@ -70,6 +73,10 @@ public:
         case ObjectKind::Stylus:
             add("Stylus", shapes.stylus, color);
             add("Direction", shapes.ray, color);
+            break;
+        case ObjectKind::Laryngoscope:
+            add("Laryngoscope", shapes.blade, kBladeColor);
+            add("Handle", shapes.handle, color);
             break;
         case ObjectKind::Tube:
             m_figure.p_F_name = kOnTube;

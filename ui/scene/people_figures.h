@@ -22,8 +22,8 @@ struct DrawnPerson {
     friend bool operator==(const DrawnPerson&, const DrawnPerson&) = default;
 };
 
-/// What is drawn of the people at a moment: heads, hands and styluses of others, and all tubes. The
-/// own head, and own hands, are never drawn.
+/// What is drawn of the people at a moment: heads, hands and styluses of others, and all tubes and
+/// laryngoscopes. The own head, and own hands, are never drawn.
 [[nodiscard]] std::vector<DrawnPerson> drawnPeople(const StationMoment& moment);
 
 /// Their figures; tubes are that of the patient.

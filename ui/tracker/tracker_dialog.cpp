@@ -1,6 +1,7 @@
 #include "ui/tracker/tracker_dialog.h"
 
 #include "models/errors/error_text.h"
+#include "ui/tracker/server_fields.h"
 #include "ui/tracker/tracker_tools.h"
 #include "widgets/plain_label.h"
 
@@ -50,6 +51,7 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
       m_sources{new QButtonGroup{this}},
       m_address{new QComboBox},
       m_tools{new TrackerTools},
+      m_server{new ServerFields},
       m_try{new QPushButton{tr("&Look whether it answers")}},
       m_found{wrappingLabel("found")},
       m_recording{namedEdit("recording", tr("File of the recording"))},
@@ -59,17 +61,21 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
       m_use{new QPushButton{tr("&Use this tracker")}}
 {
     setWindowTitle(tr("Connect a tracker"));
+    m_isLooped->setObjectName(QStringLiteral("looped"));
     setMinimumWidth(kWidth);
     layOut();
     addSource(TrackerSource::Simulated,
               tr("&Simulated tracker and manikin, to try the program without hardware"), nullptr);
     addSource(TrackerSource::Polaris, tr("&Polaris or another tracker of NDI"),
               polarisFields(offered));
-    addSource(TrackerSource::Recording, tr("A &recording of Plus or 3D Slicer"),
-              fileFields(*m_recording, tr("Recording"), tr("Recordings (*.mha)"), m_isLooped));
-    addSource(
-        TrackerSource::Description, tr("A tracker that a &file describes"),
-        fileFields(*m_description, tr("Description of a tracker"), tr("Descriptions (*.json)")));
+    addSource(TrackerSource::OpenIgtLink, tr("A server of Open&IGTLink, such as PLUS"), m_server);
+    addSource(TrackerSource::Recording, tr("A &recording"),
+              fileFields(*m_recording, tr("Recording"),
+                         tr("Recordings (*.mha *.csv *.tum *.log *.txt);;All files (*)"),
+                         m_isLooped));
+    addSource(TrackerSource::Description, tr("A tracker that a &file describes, also one of PLUS"),
+              fileFields(*m_description, tr("Description of a tracker"),
+                         tr("Descriptions (*.json *.xml)")));
     fill(begin);
     connectFields();
     refresh();
@@ -159,6 +165,7 @@ void TrackerDialog::fill(const TrackerForm& form)
     if (!form.address.isEmpty())
         m_address->setEditText(form.address);
     m_tools->setTools(form.tools);
+    m_server->fill(form);
     m_recording->setText(form.recording);
     m_isLooped->setChecked(form.isLooped);
     m_description->setText(form.description);
@@ -169,6 +176,7 @@ void TrackerDialog::connectFields()
     connect(m_sources, &QButtonGroup::idToggled, this, &TrackerDialog::edited);
     connect(m_address, &QComboBox::editTextChanged, this, &TrackerDialog::edited);
     connect(m_tools, &TrackerTools::changed, this, &TrackerDialog::edited);
+    connect(m_server, &ServerFields::changed, this, &TrackerDialog::edited);
     connect(m_recording, &QLineEdit::textChanged, this, &TrackerDialog::edited);
     connect(m_description, &QLineEdit::textChanged, this, &TrackerDialog::edited);
     connect(m_try, &QPushButton::clicked, this, &TrackerDialog::tryIt);
@@ -178,13 +186,15 @@ void TrackerDialog::connectFields()
 TrackerForm TrackerDialog::form() const
 {
     const int offered = m_address->findText(m_address->currentText());
-    return {.source = TrackerSource(m_sources->checkedId()),
-            .address =
-                offered < 0 ? m_address->currentText() : m_address->itemData(offered).toString(),
-            .tools = m_tools->tools(),
-            .recording = m_recording->text(),
-            .isLooped = m_isLooped->isChecked(),
-            .description = m_description->text()};
+    TrackerForm form{.source = TrackerSource(m_sources->checkedId()),
+                     .address = offered < 0 ? m_address->currentText()
+                                            : m_address->itemData(offered).toString(),
+                     .tools = m_tools->tools(),
+                     .recording = m_recording->text(),
+                     .isLooped = m_isLooped->isChecked(),
+                     .description = m_description->text()};
+    m_server->read(form);
+    return form;
 }
 
 /// What was found is not of these fields any more.
@@ -209,6 +219,7 @@ void TrackerDialog::accept()
     if (whatIsMissing(form()))
         return;
     m_trial.end();
+    m_server->endTrial();
     auto chosen = choiceOf(form());
     if (!chosen)
         return m_missing->setText(errorText(chosen.error()));

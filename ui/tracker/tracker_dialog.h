@@ -17,12 +17,13 @@ class QPushButton;
 namespace carina
 {
 
+class ServerFields;
 class TrackerTools;
 
 /// Asks a person which tracker to use: the simulated one, a Polaris at a serial port or on the
-/// network, a recording, or what a file describes. A Polaris can be tried before; what answered is
-/// told, or that nothing does. Use is enabled once nothing is missing, also for a Polaris that does
-/// not answer yet: it is tried again by itself.
+/// network, a server of OpenIGTLink, a recording, or what a file describes. A Polaris can be tried
+/// before; what answered is told, or that nothing does. Use is enabled once nothing is missing,
+/// also for a Polaris that does not answer yet: it is tried again by itself.
 class TrackerDialog : public QDialog
 {
     Q_OBJECT
@@ -54,9 +55,10 @@ private:
     TrackerTrial m_trial;
     std::optional<TrackerChoice> m_choice;
     QButtonGroup* m_sources;
-    std::array<QWidget*, 4> m_details{}; ///< of each source; null where it has none
+    std::array<QWidget*, 5> m_details{}; ///< of each source; null where it has none
     QComboBox* m_address;
     TrackerTools* m_tools;
+    ServerFields* m_server;
     QPushButton* m_try;
     QLabel* m_found;
     QLineEdit* m_recording;

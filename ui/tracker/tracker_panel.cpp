@@ -1,9 +1,12 @@
 #include "ui/tracker/tracker_panel.h"
 
 #include "widgets/plain_label.h"
+#include "widgets/volume_view.h"
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
 #include <QHeaderView>
 #include <QTableWidget>
 #include <QTimer>
@@ -27,6 +30,7 @@ enum ToolColumn {
     kToolError,
     kToolExpected,
     kToolAhead,
+    kToolEdge,
     kToolColumns
 };
 
@@ -39,7 +43,9 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
       m_sight{std::move(sight)},
       m_trouble{new PlainLabel},
       m_table{new QTableWidget{0, kToolColumns}},
-      m_sound{new QCheckBox{tr("S&ound when a tool is lost")}}
+      m_sound{new QCheckBox{tr("S&ound when a tool is lost")}},
+      m_volume{new QComboBox},
+      m_places{new VolumeView}
 {
     m_trouble->setObjectName(QStringLiteral("trouble"));
     m_trouble->setAccessibleName(tr("What keeps the tracker from tracking"));
@@ -48,7 +54,8 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
     m_table->setObjectName(QStringLiteral("toolTable"));
     m_table->setAccessibleName(tr("Tools as the tracker sees them"));
     m_table->setHorizontalHeaderLabels({tr("Tool"), tr("State"), tr("Rate, Hz"), tr("Age, s"),
-                                        tr("Fit, mm"), tr("Expected, mm"), tr("Ahead, mm")});
+                                        tr("Fit, mm"), tr("Expected, mm"), tr("Ahead, mm"),
+                                        tr("To edge, mm")});
     m_table->horizontalHeaderItem(kToolAge)->setToolTip(
         tr("How old the newest pose is in which the tool was seen"));
     m_table->horizontalHeaderItem(kToolError)
@@ -61,6 +68,8 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
         ->setToolTip(tr("How far poses predicted by %1 ms were off in the last seconds (RMS); in "
                         "brackets, how far without prediction")
                          .arg(kPredictedAhead / std::chrono::milliseconds{1}));
+    m_table->horizontalHeaderItem(kToolEdge)->setToolTip(
+        tr("How far inside the working volume the tool is; below 0 it is outside"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->verticalHeader()->hide();
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -71,6 +80,8 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
     auto* column = new QVBoxLayout{this};
     column->addWidget(m_trouble);
     column->addWidget(m_table, 1);
+    column->addWidget(m_places);
+    column->addWidget(volumeRow());
     column->addWidget(m_sound);
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &TrackerPanel::look);
@@ -102,12 +113,57 @@ void TrackerPanel::look()
     const auto sight = m_sight ? m_sight() : std::nullopt;
     m_trouble->setText(sight ? sight->trouble : tr("This program has no tracker."));
     m_trouble->setVisible(!m_trouble->text().isEmpty());
+    suggest(sight ? sight->usualVolume : KnownVolume::None);
     show(sight ? sight->tools : std::vector<ToolStatus>{});
+    place(sight ? sight->tools : std::vector<ToolStatus>{});
     listen(sight ? sight->tools : std::vector<ToolStatus>{});
+}
+
+QWidget* TrackerPanel::volumeRow()
+{
+    m_volume->setObjectName(QStringLiteral("volume"));
+    m_volume->setAccessibleName(tr("Working volume of the tracker"));
+    m_places->setObjectName(QStringLiteral("places"));
+    for (const KnownVolume known : knownVolumes())
+        m_volume->addItem(volumeName(known), int(known));
+    connect(m_volume, &QComboBox::currentIndexChanged, this, &TrackerPanel::look);
+    auto* row = new QWidget;
+    auto* form = new QFormLayout{row};
+    form->setContentsMargins({});
+    form->addRow(tr("Working &volume"), m_volume);
+    return row;
+}
+
+/// That of another tracker; what a person chose for this one is kept.
+void TrackerPanel::suggest(KnownVolume volume)
+{
+    if (std::exchange(m_suggested, volume) == volume)
+        return;
+    const QSignalBlocker silent{m_volume};
+    m_volume->setCurrentIndex(m_volume->findData(int(volume)));
+}
+
+void TrackerPanel::place(const std::vector<ToolStatus>& tools)
+{
+    const auto volume = volumeOf(KnownVolume(m_volume->currentData().toInt()));
+    std::vector<VolumeView::Section> sections;
+    std::vector<VolumeView::Thing> things;
+    if (volume) {
+        for (const VolumeSection& section : volume->sections)
+            sections.push_back({section.depth, section.halfX, section.halfY});
+        for (const ToolStatus& tool : tools)
+            if (tool.isVisible && tool.p_T)
+                things.push_back({tool.name, -tool.p_T->z(), tool.p_T->x(), tool.p_T->y(),
+                                  volume->insideBy(*tool.p_T) >= 0.0});
+    }
+    m_places->setVisible(volume.has_value());
+    m_places->setVolume(std::move(sections));
+    m_places->setThings(std::move(things));
 }
 
 void TrackerPanel::show(const std::vector<ToolStatus>& tools)
 {
+    const auto volume = volumeOf(KnownVolume(m_volume->currentData().toInt()));
     m_table->setRowCount(int(tools.size()));
     for (int row = 0; row < int(tools.size()); ++row) {
         const ToolStatus& tool = tools[std::size_t(row)];
@@ -136,6 +192,9 @@ void TrackerPanel::show(const std::vector<ToolStatus>& tools)
             ->setToolTip(tool.deviation_mm ? tr("Expected now, by the tool's motion: %1 mm (RMS)")
                                                  .arg(*tool.deviation_mm, 0, 'f', 1)
                                            : QString{});
+        put(kToolEdge, volume && tool.isVisible && tool.p_T
+                           ? QString::number(qRound(1e3 * volume->insideBy(*tool.p_T)))
+                           : none());
     }
 }
 

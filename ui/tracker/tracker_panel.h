@@ -8,14 +8,18 @@
 #include <map>
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QTableWidget;
 
 namespace carina
 {
 
+class VolumeView;
+
 /// The tools of a tracker as they are seen now, twice a second: visibility, rate, age of the last
-/// pose, how well the markers fit, the error that they let expect, and what prediction achieves;
+/// pose, how well the markers fit, the error that they let expect, what prediction achieves, and
+/// where in the working volume they are, in figures and drawn;
 /// and what keeps the tracker from tracking. On request a sound is made when a tool is lost.
 class TrackerPanel : public QWidget
 {
@@ -43,12 +47,18 @@ Q_SIGNALS:
 private:
     void show(const std::vector<ToolStatus>& tools);
     void listen(const std::vector<ToolStatus>& tools);
+    void suggest(KnownVolume volume);
+    void place(const std::vector<ToolStatus>& tools);
+    [[nodiscard]] QWidget* volumeRow();
 
     Sight m_sight;
     QLabel* m_trouble;
     QTableWidget* m_table;
     QCheckBox* m_sound;
-    std::map<QString, int> m_unseen; ///< looks since a tool was seen, by name
+    QComboBox* m_volume;
+    VolumeView* m_places;
+    std::optional<KnownVolume> m_suggested; ///< last
+    std::map<QString, int> m_unseen;        ///< looks since a tool was seen, by name
 };
 
 } // namespace carina

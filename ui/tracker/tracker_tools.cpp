@@ -1,7 +1,7 @@
 #include "ui/tracker/tracker_tools.h"
 
-#include "models/station/tool_status.h"
 #include "models/text/shown_as_is.h"
+#include "ui/tracker/role_box.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -13,7 +13,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 
 namespace carina
 {
@@ -23,11 +22,6 @@ namespace
 constexpr int kTableHeight = 130;
 constexpr int kMostTools = 9;
 enum Column { kRoleColumn, kDefinitionColumn, kColumns };
-
-/// In the order in which they are offered.
-constexpr std::array kOfferedRoles{ToolRole::Stylus,       ToolRole::Jaw,   ToolRole::Tube,
-                                   ToolRole::Laryngoscope, ToolRole::Head,  ToolRole::Hand,
-                                   ToolRole::Manikin,      ToolRole::Chest, ToolRole::Other};
 
 } // namespace
 
@@ -72,8 +66,7 @@ std::vector<FormTool> TrackerTools::tools() const
 {
     std::vector<FormTool> tools;
     for (int row = 0; row < m_table->rowCount(); ++row) {
-        const auto* role = qobject_cast<QComboBox*>(m_table->cellWidget(row, kRoleColumn));
-        tools.push_back({ToolRole(role->currentData().toInt()),
+        tools.push_back({chosenRole(*m_table->cellWidget(row, kRoleColumn)),
                          m_table->item(row, kDefinitionColumn)->data(Qt::UserRole).toString()});
     }
     return tools;
@@ -90,13 +83,7 @@ void TrackerTools::add(FormTool tool)
 {
     const int row = m_table->rowCount();
     m_table->insertRow(row);
-    auto* role = new QComboBox;
-    role->setAccessibleName(tr("Role of tool %1").arg(row + 1));
-    for (const ToolRole offered : kOfferedRoles) {
-        const QString name = toolRoleName(offered);
-        role->addItem(name.isEmpty() ? tr("Other") : name, int(offered));
-    }
-    role->setCurrentIndex(role->findData(int(tool.role)));
+    QComboBox* role = roleBox(tool.role, tr("Role of tool %1").arg(row + 1));
     connect(role, &QComboBox::currentIndexChanged, this, &TrackerTools::changed);
     m_table->setCellWidget(row, kRoleColumn, role);
     auto* definition =
@@ -142,10 +129,11 @@ void TrackerTools::refreshButtons()
 ToolRole TrackerTools::freeRole() const
 {
     const std::vector<FormTool> taken = tools();
-    const auto* free = std::ranges::find_if(kOfferedRoles, [&](ToolRole role) {
+    const auto roles = offeredRoles();
+    const auto free = std::ranges::find_if(roles, [&](ToolRole role) {
         return std::ranges::count(taken, role, &FormTool::role) == 0;
     });
-    return free == kOfferedRoles.end() ? ToolRole::Other : *free;
+    return free == roles.end() ? ToolRole::Other : *free;
 }
 
 } // namespace carina

@@ -7,12 +7,15 @@
 #include "ui/panels/parts_panel.h"
 #include "ui/panels/people_menus.h"
 #include "ui/panels/section_panel.h"
+#include "ui/tracker/record_button.h"
 #include "ui/tracker/tracker_panel.h"
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QHBoxLayout>
+#include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QWindow>
@@ -30,8 +33,7 @@ constexpr int kNoticeMargin = 4; // pixels
 TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
                              const StationView& view, const HeadsetView& headset, ViewOutput output,
                              ChinProbeModel chinProbe, ObjectActionModel& actions,
-                             PeopleModel& people, Standing standing, Tracker tracker,
-                             const TreatmentChoice& treatment)
+                             PeopleModel& people, Standing standing, const Tracker& tracker)
     : m_node{node},
       m_patient{patient},
       m_scene{new SceneView{this}},
@@ -54,7 +56,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     setCentralWidget(m_scene);
     makeActions(actions);
     makeParts();
-    makeTracker(std::move(tracker), treatment);
+    makeTracker(tracker);
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setAlignment(Qt::AlignCenter);
@@ -104,13 +106,42 @@ void TraineeWindow::makeParts()
     tabifyDockWidget(m_actions, m_parts); // one above the other they are higher than a screen
 }
 
-void TraineeWindow::makeTracker(Tracker tracker, const TreatmentChoice& treatment)
+void TraineeWindow::makeTracker(const Tracker& tracker)
 {
-    auto* panel = new TrackerPanel{std::move(tracker)};
-    if (treatment.choose)
-        panel->offer(treatment);
-    addPanel(m_tracker, panel, tr("&Tools of the tracker"));
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout{page};
+    auto* panel = new TrackerPanel{tracker.sight};
+    if (tracker.treatment.choose)
+        panel->offer(tracker.treatment);
+    column->addWidget(panel, 1);
+    page->setFocusProxy(panel);
+    addTrackerButtons(*column, tracker);
+    addPanel(m_tracker, page, tr("&Tracker and its tools"));
     tabifyDockWidget(m_parts, m_tracker);
+}
+
+void TraineeWindow::addTrackerButtons(QVBoxLayout& column, const Tracker& tracker)
+{
+    if (tracker.recording)
+        column.addWidget(new RecordButton{*tracker.recording});
+    if (!tracker.canBeGiven)
+        return;
+    auto* give = new QPushButton{tr("Co&nnect a tracker…")};
+    give->setObjectName(QStringLiteral("connectTracker"));
+    auto* take = new QPushButton{tr("Go on &without the tracker")};
+    take->setObjectName(QStringLiteral("withoutTracker"));
+    // Queued: a dialog opens, and whoever pressed the button is not to wait for its end.
+    connect(give, &QPushButton::clicked, this, &TraineeWindow::trackerWanted, Qt::QueuedConnection);
+    connect(take, &QPushButton::clicked, this, &TraineeWindow::trackerUnwanted);
+    auto* row = new QHBoxLayout;
+    row->addWidget(give);
+    row->addWidget(take);
+    column.addLayout(row);
+    auto* timer = new QTimer{take};
+    const auto refresh = [take, sight = tracker.sight] { take->setEnabled(sight && sight()); };
+    connect(timer, &QTimer::timeout, take, refresh);
+    timer->start(TrackerPanel::kInterval_ms);
+    refresh();
 }
 
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)

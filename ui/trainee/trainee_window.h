@@ -5,6 +5,7 @@
 #include "models/session/people_model.h"
 #include "models/station/chin_probe_model.h"
 #include "models/station/tool_status.h"
+#include "models/tracker/pose_recording.h"
 #include "ui/scene/station_scene.h"
 
 #include <QDockWidget>
@@ -14,6 +15,8 @@
 
 #include <array>
 #include <vector>
+
+class QVBoxLayout;
 
 namespace carina
 {
@@ -35,14 +38,20 @@ public:
     /// program without a tracker.
     using Standing = std::function<std::optional<RegistrationStanding>()>;
 
-    /// How the tracker sees its tools now; std::nullopt for a program without one.
-    using Tracker = std::function<std::optional<TrackerSight>()>;
+    /// The tracker of this program, as far as the window shows it.
+    struct Tracker {
+        /// How it sees its tools now; std::nullopt for a program without one.
+        std::function<std::optional<TrackerSight>()> sight{};
+        PoseRecording* recording = nullptr; ///< of its poses; outlives the window
+        bool canBeGiven = false;            ///< whether a person may connect another
+        TreatmentChoice treatment{};        ///< of its poses
+    };
 
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
-                  ObjectActionModel& actions, PeopleModel& people, Standing standing = {},
-                  Tracker tracker = {}, const TreatmentChoice& treatment = {});
+                  ObjectActionModel& actions, PeopleModel& people, Standing standing,
+                  const Tracker& tracker);
 
     /// Draws another patient from now on.
     /// @param chinProbe of the patient's tracking
@@ -57,10 +66,17 @@ public:
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
+Q_SIGNALS:
+    /// A person wants to connect a tracker, or another one.
+    void trackerWanted();
+    /// A person wants to go on without the tracker.
+    void trackerUnwanted();
+
 private:
     void makeActions(ObjectActionModel& actions);
     void makeParts();
-    void makeTracker(Tracker tracker, const TreatmentChoice& treatment);
+    void makeTracker(const Tracker& tracker);
+    void addTrackerButtons(QVBoxLayout& column, const Tracker& tracker);
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.

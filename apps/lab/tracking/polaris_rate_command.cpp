@@ -2,7 +2,7 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/tracking/simulated_tools.h"
 #include "engine/core/monotonic_clock.h"
-#include "engine/net/devices/ndi_tracker.h"
+#include "engine/net/devices/device_tracker.h"
 #include "evaluation/polaris/polaris_line.h"
 
 #include <QTemporaryDir>
@@ -168,7 +168,7 @@ QJsonObject measured(const Tracker& tracker, MeasuredDevice& device, Duration du
 }
 
 /// Once all tools have been seen.
-Result<void> waitUntilItTracks(const NdiTracker& tracker)
+Result<void> waitUntilItTracks(const DeviceTracker& tracker)
 {
     const auto isSeen = [](const TrackedTool& tool) { return tool.history->newest().has_value(); };
     const LocalTime end = monotonicNow() + kPatience;
@@ -194,7 +194,7 @@ Result<QJsonObject> measureRate(const Words& words)
         {{"head", ToolRole::Head}, {"tube", ToolRole::Tube}, {kHiddenTool, ToolRole::Stylus}});
     if (!line || !tools)
         return tl::unexpected(!line ? line.error() : tools.error());
-    auto tracker = NdiTracker::make(
+    auto tracker = DeviceTracker::make(
         {.address = link, .poses = reply, .fastestRate = kRate, .tools = *std::move(tools)},
         [] { return std::optional{SessionTime{monotonicNow().time_since_epoch()}}; });
     if (!tracker)

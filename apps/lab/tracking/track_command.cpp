@@ -2,8 +2,7 @@
 #include "apps/lab/commands.h"
 #include "engine/core/units.h"
 #include "engine/geometry/mesh/triangle_mesh.h"
-#include "engine/io/files/file_limit.h"
-#include "engine/tracking/sequence_file.h"
+#include "engine/net/devices/any_recording.h"
 
 #include <QJsonArray>
 
@@ -16,7 +15,12 @@ namespace
 
 namespace track_option
 {
-constexpr Option kRecording{"recording", "FILE", "the recording"};
+constexpr Option kRecording{"recording", "FILE",
+                            "the recording: .igs.mha of Plus or 3D Slicer, Carina's own (.csv), "
+                            "the conversation with a device, or a trajectory (.tum)"};
+constexpr Option kSave{"save", "FILE",
+                       "write it, in the form of the extension: .csv, .igs.mha or .tum (of the "
+                       "second tool in NAME-2.tum, and so on)"};
 } // namespace track_option
 
 namespace track_key
@@ -114,12 +118,14 @@ Result<QJsonObject> track(const Words& words)
     if (!words.has(track_option::kRecording))
         return words.refuse(QStringLiteral("needs --recording FILE and nothing else."));
     const QString file = words.text(track_option::kRecording);
-    const Result<TrackerSequence> sequence =
-        readableSize(file.toStdString(), kMeasurementLimit).and_then([&](std::uint64_t) {
-            return readSequenceFile(file.toStdString());
-        });
+    const Result<TrackerSequence> sequence = readAnyRecording(file.toStdString());
     if (!sequence)
         return tl::unexpected(sequence.error());
+    if (words.has(track_option::kSave))
+        if (const auto wrote =
+                writeAnyRecording(words.text(track_option::kSave).toStdString(), *sequence);
+            !wrote)
+            return tl::unexpected(wrote.error());
     QJsonArray tools;
     for (const RecordedTool& tool : sequence->tools)
         tools.append(objectOf(tool));
@@ -132,19 +138,20 @@ Result<QJsonObject> track(const Words& words)
 
 Command trackCommand()
 {
-    return {.name = "track",
-            .theme = "tracking",
-            .summary = "describes the tools of a tracker's recording",
-            .uses = {{.lines = {"--recording FILE"},
-                      .text = "Reads a recording of a tracker (.igs.mha) and describes each of its "
-                              "tools.",
-                      .options = {track_option::kRecording},
-                      .schema = track_key::kSchema,
-                      .keys = {track_key::kRecording, track_key::kTools, track_key::kName,
-                               track_key::kSamples, track_key::kTracked, track_key::kLost,
-                               track_key::kDuration, track_key::kRate, track_key::kMeanStep,
-                               track_key::kMaxGap, track_key::kBounds}}},
-            .experiment = track};
+    return {
+        .name = "track",
+        .theme = "tracking",
+        .summary = "describes the tools of a tracker's recording",
+        .uses = {{.lines = {"--recording FILE [--save FILE]"},
+                  .text = "Reads a recording of a tracker and describes each of its tools; with "
+                          "--save it is also written in another form.",
+                  .options = {track_option::kRecording, track_option::kSave},
+                  .schema = track_key::kSchema,
+                  .keys = {track_key::kRecording, track_key::kTools, track_key::kName,
+                           track_key::kSamples, track_key::kTracked, track_key::kLost,
+                           track_key::kDuration, track_key::kRate, track_key::kMeanStep,
+                           track_key::kMaxGap, track_key::kBounds}}},
+        .experiment = track};
 }
 
 } // namespace carina::lab

@@ -3,6 +3,7 @@
 #include "engine/io/files/folder_path.h"
 #include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
+#include "engine/tracking/tool_role.h"
 
 #include <algorithm>
 #include <array>
@@ -18,18 +19,6 @@ constexpr std::array kKindWords{"ndi", "openigtlink"};
 constexpr std::array kPoseWords{"TX", "BX", "BX2"};
 constexpr std::array kIgtlPoseWords{"TRANSFORM", "TDATA", "QTDATA"};
 constexpr int kHighestRate_hz = 1000;
-constexpr std::array kRoleWords{"head",  "jaw",  "tube",         "stylus", "manikin",
-                                "chest", "hand", "laryngoscope", "other"};
-constexpr std::array kRoles{ToolRole::Head,   ToolRole::Jaw,          ToolRole::Tube,
-                            ToolRole::Stylus, ToolRole::Manikin,      ToolRole::Chest,
-                            ToolRole::Hand,   ToolRole::Laryngoscope, ToolRole::Other};
-static_assert(kRoles.size() == kRoleWords.size());
-
-QString roleWord(ToolRole role)
-{
-    const auto* known = std::ranges::find(kRoles, role);
-    return QString::fromLatin1(kRoleWords[std::size_t(known - kRoles.begin())]);
-}
 
 /// Tools with the files of their definitions, which are read when all fields are right.
 struct NamedTool {
@@ -43,7 +32,8 @@ std::vector<NamedTool> readTools(JsonFields& fields, TrackerKind kind)
     std::vector<NamedTool> tools;
     for (JsonFields& entry : fields.objects("tools")) {
         entry.allowOnly({"name", "role", own});
-        NamedTool named{{entry.text("name"), kRoles[entry.oneOf("role", kRoleWords)], {}}, {}};
+        NamedTool named{{entry.text("name"), ToolRole(entry.oneOf("role", kToolRoleWords)), {}},
+                        {}};
         if (entry.has(own))
             (kind == TrackerKind::Ndi ? named.definition : named.tool.device) = entry.text(own);
         for (const NamedTool& other : tools) {
@@ -122,7 +112,7 @@ Result<void> writeTrackerFile(const std::filesystem::path& file,
     int wireless = 0;
     for (const DescribedTool& tool : description.tools) {
         QJsonObject entry{{QStringLiteral("name"), QString::fromStdString(tool.name)},
-                          {QStringLiteral("role"), roleWord(tool.role)}};
+                          {QStringLiteral("role"), QString::fromLatin1(toolRoleWord(tool.role))}};
         if (tool.definition) {
             const std::string name =
                 file.stem().string() + "-" + std::to_string(++wireless) + ".rom";

@@ -1,18 +1,16 @@
 #include "engine/net/devices/described_tracker.h"
 
-#include "engine/net/devices/igtl_tracker.h"
-#include "engine/net/devices/ndi_tracker.h"
+#include "engine/net/devices/device_tracker.h"
 
 namespace carina
 {
 
 Result<std::unique_ptr<Tracker>> describedTracker(const TrackerDescription& description,
-                                                  ReadSessionClock clock)
+                                                  ReadSessionClock clock,
+                                                  std::unique_ptr<DeviceLog> log)
 {
     const auto asTracker = [](auto made) -> std::unique_ptr<Tracker> { return made; };
-    if (description.kind == TrackerKind::OpenIgtLink)
-        return IgtlTracker::make(description, std::move(clock)).map(asTracker);
-    return NdiTracker::make(description, std::move(clock)).map(asTracker);
+    return DeviceTracker::make(description, std::move(clock), std::move(log)).map(asTracker);
 }
 
 } // namespace carina

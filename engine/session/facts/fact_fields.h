@@ -185,7 +185,7 @@ template <> inline constexpr StrategyKind kLastEnumerator<StrategyKind> = Strate
 template <>
 inline constexpr RegistrationState kLastEnumerator<RegistrationState> = RegistrationState::Missing;
 template <> inline constexpr StaleReason kLastEnumerator<StaleReason> = StaleReason::Drift;
-template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::SpareTube;
+template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Laryngoscope;
 template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
 template <>
 inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;

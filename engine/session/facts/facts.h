@@ -27,6 +27,7 @@ enum class ObjectKind : std::uint8_t {
     Hand,
     OrganGroup, ///< a group of the patient's organs, whose name is groupName(): lifted out of it
     SpareTube,  ///< a second tube beside the patient: taken out
+    Laryngoscope,
 };
 
 /// The kinds of facts: what may be decided or happen in a session. Station, author and effect time

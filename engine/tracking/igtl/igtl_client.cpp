@@ -12,6 +12,7 @@ namespace
 constexpr std::size_t kMostReadByClient = 64 * 1024;
 constexpr std::size_t kDeviceCharacters = 20;
 constexpr std::size_t kOthersNamed = 8;
+constexpr std::size_t kMostSent = 32;
 constexpr Duration kSilence = std::chrono::seconds{2};
 constexpr Duration kOverdue = std::chrono::milliseconds{500};
 const std::string kOwnName = "Carina";
@@ -43,7 +44,7 @@ IgtlClient::IgtlClient(IgtlClientSettings settings)
       m_reader{kMostReadByClient},
       m_tools(m_settings.devices.size())
 {
-    CARINA_EXPECTS(!m_tools.empty() && m_settings.rate_hz > 0);
+    CARINA_EXPECTS(m_settings.rate_hz > 0);
     for (std::string& device : m_settings.devices)
         device = device.substr(0, kDeviceCharacters);
 }
@@ -53,7 +54,7 @@ void IgtlClient::start(LocalTime now)
     m_reader = IgtlReader{kMostReadByClient};
     m_clock = {};
     std::ranges::fill(m_tools, Tool{});
-    m_others.clear();
+    m_sent.clear();
     m_toSend.clear();
     m_now = m_begun = m_heard = m_asked = now;
     send({.version = 2, .device = kOwnName, .content = IgtlQuery{"GET_STATUS"}});
@@ -101,12 +102,11 @@ void IgtlClient::take(const IgtlMessage& message, LocalTime now)
 void IgtlClient::take(const IgtlMessage& message, const std::string& name, bool isSeen,
                       const Result<RigidTransform>& pose, LocalTime now)
 {
+    if (m_sent.size() < kMostSent && std::ranges::find(m_sent, name) == m_sent.end())
+        m_sent.push_back(name);
     const auto wanted = std::ranges::find(m_settings.devices, name);
-    if (wanted == m_settings.devices.end()) {
-        if (m_others.size() < kOthersNamed && std::ranges::find(m_others, name) == m_others.end())
-            m_others.push_back(name);
+    if (wanted == m_settings.devices.end())
         return;
-    }
     const auto index = static_cast<std::size_t>(wanted - m_settings.devices.begin());
     Tool& tool = m_tools[index];
     tool.came = now;
@@ -173,10 +173,22 @@ std::string IgtlClient::trouble() const
     }
     if (missing.empty())
         return refused;
-    std::string others;
-    for (const std::string& other : m_others)
-        others += (others.empty() ? ", but " : ", ") + shownName(other);
-    return "it does not send " + missing + others;
+    return "it does not send " + missing + others();
+}
+
+/// What comes and is not wanted.
+std::string IgtlClient::others() const
+{
+    std::string text;
+    std::size_t named = 0;
+    for (const std::string& name : m_sent) {
+        if (std::ranges::find(m_settings.devices, name) != m_settings.devices.end())
+            continue;
+        if (++named > kOthersNamed)
+            break;
+        text += (text.empty() ? ", but " : ", ") + shownName(name);
+    }
+    return text;
 }
 
 std::vector<std::byte> IgtlClient::farewell() const

@@ -53,7 +53,7 @@ struct IgtlSight {
 class IgtlClient
 {
 public:
-    /// @pre at least one device
+    /// Without a device it only tells what the server sends.
     explicit IgtlClient(IgtlClientSettings settings);
 
     /// A connection has been made.
@@ -70,6 +70,9 @@ public:
     [[nodiscard]] bool isLost() const { return m_reader.isLost(); }
     /// What keeps a tool, or the server, from tracking; empty if nothing does.
     [[nodiscard]] std::string trouble() const;
+    /// The names of the tools that came since start(), those that are not wanted among them, in
+    /// the order in which they first came; at most 32.
+    [[nodiscard]] const std::vector<std::string>& sentTools() const { return m_sent; }
     /// What is to be sent before the connection is closed.
     [[nodiscard]] std::vector<std::byte> farewell() const;
 
@@ -86,13 +89,14 @@ private:
     void take(const IgtlMessage& message, const std::string& name, bool isSeen,
               const Result<RigidTransform>& pose, LocalTime now);
     void missOverdueTools();
+    [[nodiscard]] std::string others() const;
     void send(const IgtlMessage& message);
 
     IgtlClientSettings m_settings;
     IgtlReader m_reader;
     DeviceClock m_clock;
     std::vector<Tool> m_tools;
-    std::vector<std::string> m_others; ///< names of tools that come and are not wanted
+    std::vector<std::string> m_sent; ///< names of tools that come
     std::vector<std::byte> m_toSend;
     LocalTime m_now{};
     LocalTime m_begun{};

@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr int kRateAfterReset = 9600;
 constexpr Duration kBreakPatience = 1500ms;
+constexpr Duration kFirstResetPatience = 300ms;
 constexpr Duration kResetCommandPatience = 600ms;
 constexpr Duration kRatePatience = 2s;
 constexpr Duration kRateChange = 100ms; // that a device takes after COMM
@@ -61,6 +62,13 @@ std::vector<NdiStep> NdiConnection::resetSteps()
     };
     const auto goOn = [] {};
     std::vector<NdiStep> steps;
+    // A device that was just switched on is at this rate, and many adapters pass no break.
+    steps.push_back({.command = {"RESET"},
+                     .patience = kFirstResetPatience,
+                     .then = onReset,
+                     .inVain = goOn,
+                     .isReset = true,
+                     .rate = kRateAfterReset});
     steps.push_back({.patience = kBreakPatience,
                      .then = onReset,
                      .inVain = goOn,

@@ -1,5 +1,6 @@
 #include "engine/tracking/ndi/ndi_recording.h"
 
+#include "engine/tracking/ndi/recorded_line.h"
 #include "engine/tracking/sequence_fields.h"
 
 #include <algorithm>
@@ -11,85 +12,14 @@ namespace carina
 namespace
 {
 
-constexpr std::string_view kCommand = "command[";
-constexpr std::string_view kReceive = "receive[";
+using ndi::EntryHead;
+using ndi::skip;
+using ndi::takeHead;
+using ndi::takeNumber;
+using ndi::unescaped;
+
 constexpr std::string_view kSent = "sent:";
 constexpr std::string_view kReceived = "recv:";
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// The number that a text begins with, which is taken from it.
-std::optional<std::size_t> takeNumber(std::string_view& text)
-{
-    const auto end = std::ranges::find_if_not(text, isDigit);
-    const auto digits = text.substr(0, std::size_t(end - text.begin()));
-    const auto number = field::numberOf<std::size_t>(digits);
-    if (number)
-        text.remove_prefix(digits.size());
-    return number;
-}
-
-bool skip(std::string_view& text, std::string_view word)
-{
-    if (!text.starts_with(word))
-        return false;
-    text.remove_prefix(word.size());
-    return true;
-}
-
-/// The beginning of an entry "41. receive[25] ".
-struct EntryHead {
-    std::size_t number = 0;
-    bool isReply = false;
-    std::size_t bytes = 0;
-};
-
-std::optional<EntryHead> takeHead(std::string_view& text)
-{
-    std::string_view rest = text;
-    const auto number = takeNumber(rest);
-    if (!number || !skip(rest, ". "))
-        return std::nullopt;
-    const bool isReply = skip(rest, kReceive);
-    if (!isReply && !skip(rest, kCommand))
-        return std::nullopt;
-    const auto bytes = takeNumber(rest);
-    if (!bytes || !skip(rest, "] "))
-        return std::nullopt;
-    text = rest;
-    return EntryHead{*number, isReply, *bytes};
-}
-
-int hexadecimal(char c)
-{
-    if (isDigit(c))
-        return c - '0';
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-/// The bytes that a line of printing characters stands for.
-std::optional<std::string> unescaped(std::string_view text)
-{
-    std::string bytes;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '\\') {
-            bytes += text[i];
-            continue;
-        }
-        const std::string_view code = text.substr(i + 1, 3);
-        if (code.starts_with('\\')) {
-            bytes += '\\';
-            ++i;
-        } else if (code.size() == 3 && code[0] == 'x' && hexadecimal(code[1]) >= 0
-                   && hexadecimal(code[2]) >= 0) {
-            bytes += static_cast<char>(16 * hexadecimal(code[1]) + hexadecimal(code[2]));
-            i += code.size();
-        } else {
-            return std::nullopt;
-        }
-    }
-    return bytes;
-}
 
 class RecordingReader
 {

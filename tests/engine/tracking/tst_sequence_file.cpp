@@ -67,7 +67,7 @@ private Q_SLOTS:
             {"Head", ToolRole::Head},       {"Hmd", ToolRole::Head},
             {"Jaw", ToolRole::Jaw},         {"Chin", ToolRole::Jaw},
             {"Tube", ToolRole::Tube},       {"Ett", ToolRole::Tube},
-            {"Manikin", ToolRole::Manikin}, {"stylus", ToolRole::Other}};
+            {"Manikin", ToolRole::Manikin}, {"stylus", ToolRole::Stylus}};
         for (const auto& [name, role] : expected)
             text.tool(name, kIdentity);
         const Result<TrackerSequence> sequence = read(text.text());

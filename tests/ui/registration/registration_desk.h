@@ -15,7 +15,9 @@ namespace carina
 struct RegistrationDesk {
     RegistrationSite site;
     std::unique_ptr<RegistrationModel> model = site.model();
-    std::unique_ptr<RegistrationWindow> window = std::make_unique<RegistrationWindow>(*model);
+    PoseRecording recording{[] { return std::optional<SessionTime>{}; }};
+    std::unique_ptr<RegistrationWindow> window =
+        std::make_unique<RegistrationWindow>(*model, recording);
 
     RegistrationDesk()
     {

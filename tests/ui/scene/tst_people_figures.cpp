@@ -84,6 +84,18 @@ private Q_SLOTS:
         QCOMPARE(bodies(moment), (std::set<std::uint16_t>{6, 7, 8, 10, 11, 12, 13, 15}));
     }
 
+    /// As tubes are, and with the patient while their owner is at work.
+    void drawsTheLaryngoscopeOfEverybody()
+    {
+        StationMoment moment = crowd();
+        for (const ParticipantId owner : {kSelf, kTom})
+            moment.people.push_back(
+                seen(std::uint16_t(20 + owner.value), owner, ObjectKind::Laryngoscope));
+        QCOMPARE(bodies(moment), (std::set<std::uint16_t>{5, 6, 7, 8, 11, 12, 13, 15, 21, 22}));
+        const auto drawn = drawnPeople(moment);
+        QCOMPARE(std::ranges::count(drawn, ObjectKind::Laryngoscope, &DrawnPerson::kind), 2);
+    }
+
     void namesTheTubeAtWorkWithoutDrawingItTwice()
     {
         const auto people = drawnPeople(crowd());

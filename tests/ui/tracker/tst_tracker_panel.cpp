@@ -3,6 +3,7 @@
 #include "tests/support/test_class.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -54,8 +55,8 @@ private Q_SLOTS:
             return TrackerSight{{}, {seen("Tube"), unseen("Stylus")}};
         }};
         QCOMPARE(rowOf(panel, 0),
-                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)"));
-        QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–|–|–"));
+                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|–"));
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–|–|–|–"));
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("trouble"))->text().isEmpty());
     }
 
@@ -85,6 +86,25 @@ private Q_SLOTS:
         sight.reset();
         panel.look();
         QCOMPARE(trouble->text(), QStringLiteral("This program has no tracker."));
+    }
+
+    void tellsWhereInTheWorkingVolumeToolsAre()
+    {
+        TrackerSight sight{{}, {seen("Tube"), seen("Head")}, KnownVolume::PolarisPyramid};
+        sight.tools[0].p_T = Vec3{0.0, 0.0, -1.05};
+        sight.tools[1].p_T = Vec3{0.0, 0.0, -2.5};
+        TrackerPanel panel{[&] { return std::optional{sight}; }};
+        QCOMPARE(rowOf(panel, 0), QStringLiteral("Tube|✓ visible|60|0.02|0.12|100"));
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|-100"));
+        // A person knows that theirs sees farther; the same tracker does not undo that.
+        auto& volume = *panel.findChild<QComboBox*>(QStringLiteral("volume"));
+        volume.setCurrentIndex(volume.findData(int(KnownVolume::PolarisExtended)));
+        panel.look();
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|500"));
+        sight.usualVolume = KnownVolume::None;
+        panel.look();
+        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|–"));
+        QVERIFY(!panel.findChild<QWidget*>(QStringLiteral("places"))->isVisibleTo(&panel));
     }
 
     void tellsOnceThatAToolIsLost()

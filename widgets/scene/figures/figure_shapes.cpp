@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <vector>
 
 namespace carina
 {
@@ -87,6 +88,39 @@ TriangleMesh madeStylus()
                           Ring{0.05, kRadius}, Ring{0.15, kRadius}});
 }
 
+/// A flat strip that first bends away from the handle and rises at its tip, as the tongue does.
+TriangleMesh madeBlade()
+{
+    constexpr int kPoints = 24;
+    constexpr double kThickness = 0.0025; // half of it
+    constexpr double kWidth = 3.2;        // times the thickness
+    constexpr double kSag = 0.016;
+    constexpr double kTipRise = 0.012;
+    std::vector<Vec3> centre;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double along = double(i) / kPoints;
+        centre.push_back({0.0, kTipRise * along * along - kSag * std::sin(std::numbers::pi * along),
+                          -kBladeLength * along});
+    }
+    const SweptLine line = sweptLine(centre);
+    const double length = line.along.back();
+    TriangleMesh blade =
+        sweptSurface(line, std::array{Ring{0.0, kThickness}, Ring{length - 0.006, kThickness},
+                                      Ring{length, 0.5 * kThickness}});
+    for (auto& position : blade.positions)
+        position.x() *= float(kWidth);
+    computeNormals(blade);
+    return blade;
+}
+
+TriangleMesh madeHandle()
+{
+    return rod({0.0, -0.004, 0.0}, {0.0, kHandleLength, 0.0},
+               std::array{Ring{0.0, 0.5 * kHandleRadius}, Ring{0.02, 0.5 * kHandleRadius},
+                          Ring{0.024, kHandleRadius}, Ring{kHandleLength, kHandleRadius},
+                          Ring{kHandleLength + 0.004, 0.8 * kHandleRadius}});
+}
+
 } // namespace
 
 TriangleMesh superellipsoid(const Vec3& p_F_centre, const Vec3& radii, double exponent)
@@ -136,7 +170,9 @@ const FigureShapes& figureShapes()
                                      .gaze = keptMesh(arrow(0.04, kGazeLength)),
                                      .hand = keptMesh(madeHand()),
                                      .stylus = keptMesh(madeStylus()),
-                                     .ray = keptMesh(arrow(0.01, kRayLength))};
+                                     .ray = keptMesh(arrow(0.01, kRayLength)),
+                                     .blade = keptMesh(madeBlade()),
+                                     .handle = keptMesh(madeHandle())};
     return shapes;
 }
 

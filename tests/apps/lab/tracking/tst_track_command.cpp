@@ -159,6 +159,28 @@ private Q_SLOTS:
         }
     }
 
+    void writesARecordingInAnotherForm()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("one.tum"));
+        std::ofstream{path.toStdString()} << "0 0.1 0 0 0 0 0 1\n0.5 0.3 0 0 0 0 0 1\n";
+        for (const char* name : {"one.csv", "one.igs.mha", "again.tum"}) {
+            const QString saved = folder.filePath(QLatin1StringView{name});
+            QVERIFY(trackCommand().run(
+                {QStringLiteral("--recording"), path, QStringLiteral("--save"), saved}));
+            const auto object = track(saved);
+            QVERIFY2(object, object ? "" : object.error().detail.c_str());
+            const QJsonObject tool = (*object)[QStringLiteral("tools")].toArray()[0].toObject();
+            QCOMPARE(tool[QStringLiteral("samples")].toInt(), 2);
+            QVERIFY(std::abs(number(tool, "mean_step_mm") - 200.0) < 1e-5);
+        }
+        const auto refused =
+            trackCommand().run({QStringLiteral("--recording"), path, QStringLiteral("--save"),
+                                folder.filePath(QStringLiteral("one.xyz"))});
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, Errc::UnknownFormat);
+    }
+
     void refusesWhatItCannotDo_data()
     {
         QTest::addColumn<QStringList>("words");
@@ -186,8 +208,8 @@ private Q_SLOTS:
     void namesEveryKeyInItsHelp()
     {
         for (const char* key :
-             {"--recording", "schema", "recording", "tools", "name", "samples", "tracked", "lost",
-              "duration_s", "rate_hz", "mean_step_mm", "max_gap_ms", "bounds_mm"})
+             {"--recording", "--save", "schema", "recording", "tools", "name", "samples", "tracked",
+              "lost", "duration_s", "rate_hz", "mean_step_mm", "max_gap_ms", "bounds_mm"})
             QVERIFY2(pageOf(trackCommand()).contains(QLatin1StringView{key}), key);
     }
 };

@@ -1,7 +1,7 @@
 // The example programs of the protocol's own library, as Debian has them, as peers.
 
 #include "engine/core/monotonic_clock.h"
-#include "engine/net/devices/igtl_tracker.h"
+#include "engine/net/devices/device_tracker.h"
 #include "tests/engine/net/devices/igtl_offers.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
@@ -63,14 +63,14 @@ std::uint16_t freePort()
     return probe.listen(QHostAddress::LocalHost) ? probe.serverPort() : std::uint16_t{0};
 }
 
-std::unique_ptr<IgtlTracker> trackerAt(std::uint16_t port, const char* device, IgtlPoses poses)
+std::unique_ptr<DeviceTracker> trackerAt(std::uint16_t port, const char* device, IgtlPoses poses)
 {
     TrackerDescription described;
     described.kind = TrackerKind::OpenIgtLink;
     described.address = "127.0.0.1:" + std::to_string(port);
     described.igtlPoses = poses;
     described.tools.push_back({"Tube", ToolRole::Tube, {}, device});
-    return IgtlTracker::make(
+    return DeviceTracker::make(
                described,
                [] { return std::optional{SessionTime{monotonicNow().time_since_epoch()}}; })
         .value();

@@ -1,5 +1,5 @@
 #include "engine/net/devices/described_tracker.h"
-#include "engine/net/devices/igtl_tracker.h"
+#include "engine/net/devices/igtl_server.h"
 
 #include "engine/core/monotonic_clock.h"
 #include "tests/engine/net/devices/igtl_offers.h"

@@ -1,4 +1,4 @@
-#include "engine/net/devices/ndi_tracker.h"
+#include "engine/net/devices/device_tracker.h"
 
 #include "engine/core/monotonic_clock.h"
 #include "tests/evaluation/polaris/served_device.h"
@@ -70,7 +70,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const std::string link = folder.filePath(QStringLiteral("port")).toStdString();
         const ServedTerminal device{link};
-        const auto tracker = NdiTracker::make(describedAt(link), sessionNow);
+        const auto tracker = DeviceTracker::make(describedAt(link), sessionNow);
         QVERIFY(tracker);
         QVERIFY((*tracker)->start());
         QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 60, 20000);
@@ -90,7 +90,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const std::string link = folder.filePath(QStringLiteral("port")).toStdString();
-        const auto tracker = NdiTracker::make(describedAt(link), sessionNow);
+        const auto tracker = DeviceTracker::make(describedAt(link), sessionNow);
         QVERIFY(tracker);
         QVERIFY((*tracker)->start());
         QTRY_VERIFY((*tracker)->trouble().find(link) != std::string::npos);
@@ -114,7 +114,7 @@ private Q_SLOTS:
     void refusesAnAddressThatIsNone()
     {
         QFETCH(QByteArray, address);
-        const auto tracker = NdiTracker::make(describedAt(address.toStdString()), sessionNow);
+        const auto tracker = DeviceTracker::make(describedAt(address.toStdString()), sessionNow);
         QVERIFY(!tracker);
         QCOMPARE(tracker.error().code, Errc::WrongAddress);
     }

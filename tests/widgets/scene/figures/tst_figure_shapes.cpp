@@ -1,6 +1,7 @@
 #include "tests/support/test_class.h"
 #include "widgets/scene/figures/figure_shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,10 +12,11 @@ namespace
 
 constexpr double kSize = 1e-6; ///< metres, of a coordinate
 
-std::array<FigureShapes::Mesh, 6> allShapes()
+std::array<FigureShapes::Mesh, 8> allShapes()
 {
     const FigureShapes& shapes = figureShapes();
-    return {shapes.head, shapes.visor, shapes.gaze, shapes.hand, shapes.stylus, shapes.ray};
+    return {shapes.head,   shapes.visor, shapes.gaze,  shapes.hand,
+            shapes.stylus, shapes.ray,   shapes.blade, shapes.handle};
 }
 
 } // namespace
@@ -70,6 +72,20 @@ private Q_SLOTS:
         QVERIFY(visor.max.z() < head.centre().z());
         QVERIFY(visor.size().x() > visor.size().y());
         QVERIFY(visor.min.y() < 0.0 && visor.max.y() > 0.0);
+    }
+
+    /// A Macintosh blade of size 3: 130 mm long, its tip towards the handle's side.
+    void hasALaryngoscopeOfItsTrueSize()
+    {
+        const Box blade = boundsOf(*figureShapes().blade);
+        QVERIFY(std::abs(blade.size().z() - 0.130) < 0.003);
+        QVERIFY(blade.size().x() > 0.010 && blade.size().x() < 0.020);
+        QVERIFY(blade.max.z() < 0.003 && blade.min.y() < -0.01);
+        const auto& tip = *std::ranges::min_element(figureShapes().blade->positions, {},
+                                                    [](const auto& p) { return p.z(); });
+        QVERIFY(tip.y() > 0.005F);
+        const Box handle = boundsOf(*figureShapes().handle);
+        QVERIFY(std::abs(handle.size().x() - 0.028) < 0.001 && handle.max.y() > 0.15);
     }
 
     void looksAndPointsAlongMinusZ()

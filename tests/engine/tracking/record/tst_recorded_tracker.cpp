@@ -1,4 +1,4 @@
-#include "engine/tracking/recorded_tracker.h"
+#include "engine/tracking/record/recorded_tracker.h"
 #include "tests/support/test_class.h"
 
 #include <latch>

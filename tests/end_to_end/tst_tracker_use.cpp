@@ -1,0 +1,148 @@
+#include "engine/net/devices/any_recording.h"
+#include "engine/session/facts/facts.h"
+#include "tests/end_to_end/program.h"
+#include "tests/support/test_class.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <algorithm>
+
+namespace carina::tracker_use_test
+{
+namespace
+{
+
+constexpr int kPatience_ms = 60'000;
+constexpr double kPlace_mm = 0.1; ///< of a shared pose, in steps of 10 micrometres, on its way
+
+/// A place registered by a pure shift: the patient lies 10, 20, 30 mm from the tracker's origin.
+const QByteArray kSite = R"({"schema": "carina.site/2", "step": "overview",
+ "catalogue": {"name": "three", "landmarks": [{"name": "a", "p_AQ_mm": [0, 0, 1]},
+  {"name": "b", "p_AQ_mm": [0, 1, 0]}, {"name": "c", "p_AQ_mm": [1, 0, 0]}]},
+ "registration": {"X_AM_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+  "X_AT_mm": [[1, 0, 0, 10], [0, 1, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]],
+  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})";
+
+/// Ten seconds of a tube, a laryngoscope and a hand at rest.
+TrackerSequence atRest()
+{
+    TrackerSequence sequence{{{.name = "Tube", .role = ToolRole::Tube},
+                              {.name = "Laryngoscope", .role = ToolRole::Laryngoscope},
+                              {.name = "Hand", .role = ToolRole::Hand}}};
+    const std::array places{Vec3{0.100, 0.0, -0.050}, Vec3{0.0, 0.100, -0.050},
+                            Vec3{0.050, 0.050, -0.050}};
+    for (std::size_t tool = 0; tool < places.size(); ++tool)
+        for (int i = 0; i < 600; ++i)
+            sequence.tools[tool].samples.push_back(
+                {.time = SessionTime{fromSeconds(i / 60.0)},
+                 .X_FO = RigidTransform::translation(places[tool])});
+    return sequence;
+}
+
+bool write(const QString& path, const QByteArray& text)
+{
+    QFile file{path};
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+}
+
+/// Where the newest frames draw an object of this kind that another one owns.
+std::optional<Vec3> othersPlace_mm(const Program& program, ObjectKind kind)
+{
+    const QJsonArray frames = program.shown()[QStringLiteral("frames")].toArray();
+    for (const QJsonValue& frame : frames)
+        for (const QJsonValue& object : frame[QStringLiteral("objects")].toArray())
+            if (!object[QStringLiteral("own")].toBool()
+                && object[QStringLiteral("kind")].toInt() == int(kind)) {
+                const QJsonArray p = object[QStringLiteral("xyz_mm")].toArray();
+                return Vec3{p[0].toDouble(), p[1].toDouble(), p[2].toDouble()};
+            }
+    return std::nullopt;
+}
+
+bool isAt(const std::optional<Vec3>& p_mm, const Vec3& expected_mm)
+{
+    return p_mm && (*p_mm - expected_mm).norm() < kPlace_mm;
+}
+
+} // namespace
+
+/// A trainee's program that is started without a tracker, and is given one while it runs.
+class TestTrackerUse : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void isGivenATrackerWhichOthersSeeAndRecordsIt()
+    {
+        const QTemporaryDir folder;
+        const auto inFolder = [&](const char* name) {
+            return folder.filePath(QLatin1String{name});
+        };
+        const QString codes = inFolder("codes");
+        QVERIFY(write(inFolder("site.json"), kSite));
+        QVERIFY(writeAnyRecording(inFolder("tools.csv").toStdString(), atRest()));
+        Program instructor{QStringLiteral(CARINA_INSTRUCTOR),
+                           {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--data"),
+                            inFolder("host"), QStringLiteral("--codes"), codes,
+                            QStringLiteral("--start")},
+                           inFolder("instructor.jsonl")};
+        instructor.start();
+        QTRY_VERIFY_WITH_TIMEOUT(!instructor.shown().isEmpty(), kPatience_ms);
+        const auto trainee = [&](const char* name, const QStringList& more) {
+            const QString own = QLatin1String{name};
+            return Program{QStringLiteral(CARINA_TRAINEE),
+                           QStringList{QStringLiteral("--port"), portOfThisTest(),
+                                       QStringLiteral("--as"), own, QStringLiteral("--code-file"),
+                                       codes, QStringLiteral("--data"), folder.filePath(own)}
+                               + more,
+                           folder.filePath(own + QStringLiteral(".jsonl"))};
+        };
+        Program tom = trainee("Tom", {QStringLiteral("--site"), inFolder("site.json"),
+                                      QStringLiteral("--script"), inFolder("script"),
+                                      QStringLiteral("--record"), inFolder("poses.igs.mha")});
+        Program tess = trainee("Tess", {});
+        tom.start();
+        tess.start();
+        QTRY_VERIFY_WITH_TIMEOUT(!tom.shown().isEmpty() && !tess.shown().isEmpty(), kPatience_ms);
+        QVERIFY(!othersPlace_mm(tess, ObjectKind::Laryngoscope));
+
+        QFile script{inFolder("script")};
+        QVERIFY(script.open(QIODevice::Append));
+        const auto work = [&](const QByteArray& lines) {
+            script.write(lines);
+            script.flush();
+        };
+        work("press connectTracker\npress source2\ntype recording " + inFolder("tools.csv").toUtf8()
+             + "\npress looped\npress use\n");
+        QTRY_VERIFY_WITH_TIMEOUT(
+            isAt(othersPlace_mm(tess, ObjectKind::Laryngoscope), {10.0, 120.0, -20.0}),
+            kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isAt(othersPlace_mm(tess, ObjectKind::Hand), {60.0, 70.0, -20.0}),
+                                 kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isAt(othersPlace_mm(tess, ObjectKind::Tube), {110.0, 20.0, -20.0}),
+                                 kPatience_ms);
+        // The console draws them, too.
+        QTRY_VERIFY_WITH_TIMEOUT(
+            isAt(othersPlace_mm(instructor, ObjectKind::Laryngoscope), {10.0, 120.0, -20.0}),
+            kPatience_ms);
+
+        work("press withoutTracker\n");
+        QTRY_VERIFY_WITH_TIMEOUT(!othersPlace_mm(tess, ObjectKind::Laryngoscope), kPatience_ms);
+
+        tom.kill(); // as kill -9 does
+        const auto recorded = readAnyRecording(inFolder("poses.igs.mha.csv").toStdString());
+        QVERIFY2(recorded.has_value(), recorded ? "" : recorded.error().detail.c_str());
+        QCOMPARE(recorded->tools.size(), std::size_t{3});
+        QCOMPARE(recorded->tools[1].role, ToolRole::Laryngoscope);
+        QVERIFY(recorded->tools[1].samples.size() > 30);
+        for (const PoseSample& sample : recorded->tools[1].samples)
+            QVERIFY((sample.X_FO.translation() - Vec3{0.0, 0.1, -0.05}).norm() < 1e-8);
+    }
+};
+
+CARINA_TEST(TestTrackerUse)
+
+} // namespace carina::tracker_use_test
+
+#include "tst_tracker_use.moc"

@@ -7,14 +7,16 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(),                         //
-                                breatheCommand(),     mechanicsCommand(), //
-                                deformCommand(),                          //
+    static const std::array all{anatomyCommand(), //
+                                breatheCommand(),
+                                mechanicsCommand(), //
+                                deformCommand(),    //
                                 fitCommand(),         icpCommand(),       pivotCommand(),
                                 treCommand(), //
                                 igtlCommand(),        ndiCommand(),       polarisCommand(),
                                 polarisRateCommand(), predictCommand(),   romCommand(),
-                                trackCommand(),       driftCommand(),     driftNodeCommand(),
+                                trackCommand(),       cameraCommand(),    printMarkersCommand(),
+                                driftCommand(),       driftNodeCommand(),
                                 figuresCommand(), //
                                 attackCommand(),      carryCommand(),     handshakeCommand(),
                                 soakCommand(), //

@@ -14,10 +14,10 @@ const QString kTracker = QStringLiteral("tracker");
 void addTrackerOption(QCommandLineParser& parser, const QString& without)
 {
     const QString meaning = QCoreApplication::translate(
-        "TrackerOption",
-        "Track with the device that this file describes, a Polaris or a server of "
-        "OpenIGTLink with its tools (docs/tracking.md); with a simulated tracker; or with a "
-        "recording (.igs.mha of Plus or 3D Slicer), played once or looped.");
+        "TrackerOption", "Track with the device that this file describes, a Polaris, a server of "
+                         "OpenIGTLink or a camera with its tools (docs/tracking.md); with a "
+                         "simulated tracker; or with a "
+                         "recording (.igs.mha of Plus or 3D Slicer), played once or looped.");
     parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
                       QStringLiteral("FILE|simulated|recorded:FILE|looped:FILE")});
 }

@@ -271,7 +271,7 @@ Use fissuresUse()
 Command deformCommand()
 {
     return {.name = "deform",
-            .theme = "deformation",
+            .theme = "breathing",
             .summary = "compares the deformation of the lungs with landmarks of real ones",
             .uses = {oneCaseUse(), eachCaseUse(), fissuresUse()},
             .experiment = runDeform};

@@ -9,7 +9,8 @@ namespace carina
 {
 
 /// The tracker that a description is of, not started.
-/// @returns WrongAddress for an address that its kind cannot have.
+/// @returns WrongAddress for an address that its kind cannot have; the errors of
+///          CameraTracker::make.
 [[nodiscard]] Result<std::unique_ptr<Tracker>>
 describedTracker(const TrackerDescription& description, ReadSessionClock clock);
 

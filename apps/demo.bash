@@ -43,7 +43,7 @@ demo_windows() {
     mkdir -p "$data"
     if [ "$register" = yes ]; then
         say "registering; close the wizard when it has fitted the patient"
-        "$build/apps/registration/carina-registration" --tracker simulated --site "$site" \
+        "$build/apps/registration/carina-registration" --tracker "$tracker" --site "$site" \
             "${patient[@]}"
     fi
     rm -f "$data/codes"
@@ -51,7 +51,7 @@ demo_windows() {
         --codes "$data/codes" \
         "${patient[@]}" &
     children+=($!)
-    "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee --tracker simulated \
+    "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee --tracker "$tracker" \
         --data "$data" --code-file "$data/codes" "${patient[@]}" "${view[@]}" &
     children+=($!)
     wait_for_children
@@ -82,7 +82,7 @@ demo_headless() {
         --data "$out/session" --codes "$out/session/codes" --new "${measure[@]}" "${patient[@]}" > "$out/instructor.log" 2>&1 &
     children+=($!)
     with_display "${at_most[@]}" "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee \
-        --data "$out/session" --code-file "$out/session/codes" --tracker simulated \
+        --data "$out/session" --code-file "$out/session/codes" --tracker "$tracker" \
         "${measure[@]}" "${patient[@]}" "${view[@]}" > "$out/trainee.log" 2>&1 &
     children+=($!)
     if ! wait_for_children; then
@@ -96,7 +96,7 @@ demo_headless() {
 
 demo() {
     local out='' seconds=24 size=1280x800 anatomy='' site='' register=no patient=() view=()
-    local known=' --register --site --output --headless --anatomy --patient --seconds --size '
+    local tracker=simulated known=' --register --tracker --site --output --headless --anatomy --patient --seconds --size '
     while [ $# -gt 0 ]; do
         [[ $known == *" $1 "* ]] || refuse "demo does not know $1, or was given it twice"
         known=${known/" $1 "/ }
@@ -108,6 +108,7 @@ demo() {
         [ $# -ge 2 ] || refuse "$1 needs a value"
         case $1 in
             --site) site=$(realpath -e "$2" 2> /dev/null) || refuse "there is no file $2" ;;
+            --tracker) tracker=$2 ;;
             --output) view+=(--output "$2") ;;
             --headless) out=$(realpath -m "$2") ;;
             --anatomy) anatomy=$(realpath -e "$2" 2> /dev/null) || refuse "there is no folder $2" ;;
@@ -123,6 +124,14 @@ demo() {
         refuse "--patient is adult or child, also as in 'child, girl' and 'adult, airway 250 mm'," \
             "or age, height and sex, as in '45 years, 182 cm, man'"
     [ $register = no ] || [ -z "$site" ] || refuse "--register makes a site, and --site takes one"
+    case $tracker in
+        simulated) ;;
+        recorded:* | looped:*) tracker=${tracker%%:*}:$(realpath -e "${tracker#*:}" 2> /dev/null) ||
+            refuse "there is no recording ${tracker#*:}" ;;
+        *) tracker=$(realpath -e "$tracker" 2> /dev/null) || refuse "there is no file of this --tracker" ;;
+    esac
+    [ "$tracker" = simulated ] || [ -n "$site" ] || { [ $register = yes ] && [ -z "$out" ]; } ||
+        refuse "--tracker needs --site, which says where the patient lies, or on a display --register"
     [ ${#view[@]} = 0 ] || [[ ${view[1]} =~ ^(screen|mono|side-by-side)$ ]] ||
         refuse "--output is screen, mono or side-by-side"
 

@@ -7,15 +7,17 @@ namespace carina::lab
 
 std::span<const Command> commands()
 {
-    static const std::array all{anatomyCommand(),                         //
-                                breatheCommand(),     mechanicsCommand(), //
-                                deformCommand(),                          //
+    static const std::array all{anatomyCommand(), //
+                                breatheCommand(),
+                                mechanicsCommand(), //
+                                deformCommand(),    //
                                 fitCommand(),         icpCommand(),       pivotCommand(),
                                 treCommand(), //
                                 igtlCommand(),        ndiCommand(),       polarisCommand(),
                                 polarisRateCommand(), predictCommand(),   probeCommand(),
-                                romCommand(),         trackCommand(),     driftCommand(),
-                                driftNodeCommand(),
+                                lagCommand(),         romCommand(),       trackCommand(),
+                                cameraCommand(),      printMarkersCommand(),
+                                driftCommand(),       driftNodeCommand(),
                                 figuresCommand(), //
                                 attackCommand(),      carryCommand(),     handshakeCommand(),
                                 sceneCommand(),       soakCommand(), //

@@ -46,6 +46,9 @@ namespace carina::lab
 [[nodiscard]] Command romCommand();
 [[nodiscard]] Command trackCommand();
 
+[[nodiscard]] Command cameraCommand();
+[[nodiscard]] Command printMarkersCommand();
+
 /// All of them, in the order in which `carina-lab help` lists them.
 [[nodiscard]] std::span<const Command> commands();
 

@@ -30,6 +30,7 @@ Command leftOut(const char* name)
 
 Command breatheCommand() { return leftOut("breathe"); }
 Command figuresCommand() { return leftOut("figures"); }
+Command printMarkersCommand() { return leftOut("print-markers"); }
 Command renderCommand() { return leftOut("render"); }
 Command summaryCommand() { return leftOut("summary"); }
 

@@ -17,9 +17,9 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
 {
     const QString meaning = QCoreApplication::translate(
         "TrackerOption",
-        "Track with the device that this file describes, a Polaris or a server of "
-        "OpenIGTLink with its tools (docs/tracking.md), or a device set of PLUS (.xml); with a "
-        "simulated tracker; or with a "
+        "Track with the device that this file describes, a Polaris, a server of "
+        "OpenIGTLink or a camera with its tools (docs/tracking.md), or a device set of PLUS "
+        "(.xml); with a simulated tracker; or with a "
         "recording (of Carina, Plus, 3D Slicer or a device), played once or looped.");
     parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
                       QStringLiteral("FILE|simulated|recorded:FILE|looped:FILE")});

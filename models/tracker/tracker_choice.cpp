@@ -30,6 +30,19 @@ std::filesystem::path unusedName(const std::filesystem::path& file)
     return unused;
 }
 
+const char* nameOfKind(TrackerKind kind)
+{
+    switch (kind) {
+    case TrackerKind::Ndi:
+        break;
+    case TrackerKind::OpenIgtLink:
+        return QT_TRANSLATE_NOOP("TrackerChoice", "OpenIGTLink server at %1");
+    case TrackerKind::Camera:
+        return QT_TRANSLATE_NOOP("TrackerChoice", "Markers before the camera %1");
+    }
+    return QT_TRANSLATE_NOOP("TrackerChoice", "NDI tracker at %1");
+}
+
 } // namespace
 
 Result<TrackerChoice> trackerNamed(const QString& words)
@@ -63,9 +76,7 @@ QString trackerName(const TrackerChoice& choice)
         return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Recording of %1"))
             .arg(QFileInfo{QString::fromStdString(recording->file)}.fileName());
     if (const auto* described = std::get_if<TrackerDescription>(&choice.device))
-        return choiceWords(described->kind == TrackerKind::OpenIgtLink
-                               ? QT_TRANSLATE_NOOP("TrackerChoice", "OpenIGTLink server at %1")
-                               : QT_TRANSLATE_NOOP("TrackerChoice", "NDI tracker at %1"))
+        return choiceWords(nameOfKind(described->kind))
             .arg(QString::fromStdString(described->address));
     return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Simulated tracker"));
 }

@@ -56,7 +56,8 @@ struct TrackerChoice {
 [[nodiscard]] Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing);
 
 /// As it is shown, and as a site names the tracker that it was registered with: "Simulated
-/// tracker", "Recording of FILE", "NDI tracker at /dev/ttyUSB0".
+/// tracker", "Recording of FILE", "NDI tracker at /dev/ttyUSB0", "Markers before the camera
+/// /dev/video0".
 [[nodiscard]] QString trackerName(const TrackerChoice& choice);
 
 /// The same for the question whether a site was registered with this tracker; empty for a

@@ -186,7 +186,24 @@ std::vector<std::string> trackers()
     const std::string begin = R"({"schema": "carina.tracker/1", "kind": "ndi", "address": "a", )";
     const std::string end = R"("tools": [{"name": "Tube", "role": "tube", "definition": "tube.rom"},
                                          {"name": "Chin", "role": "jaw"}]})";
-    return {begin + end, begin + R"("poses": "BX2", "fastest_rate": 115200, )" + end};
+    const std::string camera = R"({"schema": "carina.tracker/1", "kind": "camera",
+        "address": "/dev/video0", "calibration": "camera.yml", "looped": true, "rate": 30,
+        "tools": [{"name": "Tube", "role": "tube", "definition": "markers.json"}]})";
+    return {begin + end, begin + R"("poses": "BX2", "fastest_rate": 115200, )" + end, camera};
+}
+
+std::vector<std::string> cameras()
+{
+    return {
+        R"({"schema": "carina.camera/1", "width": 640, "height": 480, "focal_px": [560, 557],
+                "centre_px": [322, 236], "distortion": [0.1, -0.2, 0.001, 0.002, 0],
+                "rms_px": 0.3, "pictures": 21, "made_at": "2004-03-27T10:15:00Z"})",
+        "image_width: 640\nimage_height: 480\ncamera_matrix: !!opencv-matrix\n   rows: 3\n"
+        "   data: [ 7.09e+002, 0., 332.5, 0., 705.25, 226., 0., 0., 1. ]\n"
+        "distortion_coefficients: !!opencv-matrix\n   data: [ 8.2e-002, -0.5, 5e-3, -1.5e-2 ]\n",
+        R"({"schema": "carina.markers/1", "dictionary": "4x4_50", "markers": [
+                {"id": 6, "side_mm": 27, "X_BK_mm":
+                [[0, 0, 1, 18], [1, 0, 0, 0], [0, 1, 0, 18], [0, 0, 0, 1]]}]})"};
 }
 
 std::vector<std::string> sites()
@@ -287,9 +304,10 @@ int main(int argc, char** argv)
         && areWritten(folder / "igtl", igtl()) && areWritten(folder / "landmark", landmarks())
         && areWritten(folder / "picture", pictures()) && areWritten(folder / "relayed", relayed())
         && areWritten(folder / "fact_body", factBodies()) && areWritten(folder / "tool", tools())
-        && areWritten(folder / "tracker", trackers()) && areWritten(folder / "site", sites())
-        && areWritten(folder / "manikin", manikins()) && areWritten(folder / "tum", trajectories())
-        && areWritten(folder / "plus", deviceSets()) && areWritten(folder / "record", poseRecords())
+        && areWritten(folder / "tracker", trackers()) && areWritten(folder / "camera", cameras())
+        && areWritten(folder / "site", sites()) && areWritten(folder / "manikin", manikins())
+        && areWritten(folder / "tum", trajectories()) && areWritten(folder / "plus", deviceSets())
+        && areWritten(folder / "record", poseRecords())
         && areWritten(folder / "conversation", conversations());
     return written ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 #include "ui/tracker/tracker_dialog.h"
 
 #include "models/errors/error_text.h"
+#include "ui/tracker/calibration_dialog.h"
 #include "ui/tracker/server_fields.h"
 #include "ui/tracker/tracker_tools.h"
 #include "widgets/plain_label.h"
@@ -57,6 +58,7 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
       m_recording{namedEdit("recording", tr("File of the recording"))},
       m_isLooped{new QCheckBox{tr("Play it &again and again")}},
       m_description{namedEdit("description", tr("File that describes the tracker"))},
+      m_calibrate{new QPushButton{tr("Cali&brate its camera…")}},
       m_missing{wrappingLabel("missing")},
       m_use{new QPushButton{tr("&Use this tracker")}}
 {
@@ -74,8 +76,7 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
                          tr("Recordings (*.mha *.csv *.tum *.log *.txt);;All files (*)"),
                          m_isLooped));
     addSource(TrackerSource::Description, tr("A tracker that a &file describes, also one of PLUS"),
-              fileFields(*m_description, tr("Description of a tracker"),
-                         tr("Descriptions (*.json *.xml)")));
+              descriptionFields());
     fill(begin);
     connectFields();
     refresh();
@@ -159,6 +160,17 @@ QWidget* TrackerDialog::fileFields(QLineEdit& file, const QString& title, const 
     return fields;
 }
 
+QWidget* TrackerDialog::descriptionFields()
+{
+    m_calibrate->setObjectName(QStringLiteral("calibrate"));
+    m_calibrate->setAutoDefault(false);
+    QWidget* fields =
+        fileFields(*m_description, tr("Description of a tracker"),
+                                 tr("Descriptions (*.json *.xml)"));
+    fields->layout()->addWidget(m_calibrate);
+    return fields;
+}
+
 void TrackerDialog::fill(const TrackerForm& form)
 {
     m_sources->button(int(form.source))->setChecked(true);
@@ -180,6 +192,7 @@ void TrackerDialog::connectFields()
     connect(m_recording, &QLineEdit::textChanged, this, &TrackerDialog::edited);
     connect(m_description, &QLineEdit::textChanged, this, &TrackerDialog::edited);
     connect(m_try, &QPushButton::clicked, this, &TrackerDialog::tryIt);
+    connect(m_calibrate, &QPushButton::clicked, this, &TrackerDialog::calibrate);
     connect(&m_trial, &TrackerTrial::changed, this, &TrackerDialog::refresh);
 }
 
@@ -214,6 +227,17 @@ void TrackerDialog::tryIt()
         m_missing->setText(errorText(begun.error()));
 }
 
+void TrackerDialog::calibrate()
+{
+    const auto chosen = choiceOf(form());
+    if (!chosen)
+        return m_missing->setText(errorText(chosen.error()));
+    const auto camera = cameraOf(*chosen);
+    if (!camera)
+        return m_missing->setText(tr("This file describes a tracker that is no camera."));
+    CalibrationDialog{*camera, this}.exec();
+}
+
 void TrackerDialog::accept()
 {
     if (whatIsMissing(form()))
@@ -233,6 +257,7 @@ void TrackerDialog::refresh()
     m_missing->setText(missing.value_or(QString{}));
     m_use->setEnabled(!missing);
     m_try->setEnabled(!missing);
+    m_calibrate->setEnabled(!missing);
     m_found->setText(m_trial.text());
     for (std::size_t source = 0; source < m_details.size(); ++source)
         if (m_details[source] != nullptr)

@@ -48,7 +48,9 @@ private:
     void layOut();
     void connectFields();
     void fill(const TrackerForm& form);
+    [[nodiscard]] QWidget* descriptionFields();
     void tryIt();
+    void calibrate();
     void edited();
     void refresh();
 
@@ -64,6 +66,7 @@ private:
     QLineEdit* m_recording;
     QCheckBox* m_isLooped;
     QLineEdit* m_description;
+    QPushButton* m_calibrate;
     QLabel* m_missing;
     QPushButton* m_use;
 };

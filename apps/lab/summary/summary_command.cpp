@@ -347,7 +347,7 @@ Use summaryOfDemo()
 Command summaryCommand()
 {
     return {.name = "summary",
-            .theme = "rendering",
+            .theme = "anatomy and pictures",
             .summary = "describes what a headless demo measured",
             .uses = {summaryOfDemo()},
             .mostFiles = 1,

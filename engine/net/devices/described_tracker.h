@@ -10,8 +10,10 @@ namespace carina
 {
 
 /// The tracker that a description is of, not started.
-/// @param log where the bytes of the conversation with the device are written; null: nowhere
-/// @returns WrongAddress for an address that its kind cannot have.
+/// @param log where the bytes of the conversation with the device are written; null: nowhere. A
+///        camera has none
+/// @returns WrongAddress for an address that its kind cannot have; the errors of
+///          CameraTracker::make.
 [[nodiscard]] Result<std::unique_ptr<Tracker>>
 describedTracker(const TrackerDescription& description, ReadSessionClock clock,
                  std::unique_ptr<DeviceLog> log = {});

@@ -1,0 +1,268 @@
+#include "apps/lab/command/patient_options.h"
+#include "apps/lab/vision/camera_uses.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/io/files/whole_file.h"
+#include "engine/io/site/site_file.h"
+#include "engine/io/site/tracker_file.h"
+#include "engine/session/simulated_station.h"
+#include "engine/vision/board_calibration.h"
+#include "engine/vision/printed_tools.h"
+#include "evaluation/vision/marker_renderer.h"
+#include "evaluation/vision/video_writer.h"
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <random>
+
+namespace carina::lab
+{
+namespace
+{
+
+namespace video_option
+{
+constexpr Option kSeconds{"seconds", "N", "of the video, 1 to 600 (20)"};
+constexpr Option kRate{"rate", "HZ", "pictures a second, 1 to 120 (30)"};
+constexpr Option kWidth{"width", "PIXELS", "of the pictures, 160 to 4000 (960); 4:3"};
+constexpr Option kBoard{"board", "N",
+                        "writes N pictures of the calibration board into DIR/board, 1 to 200"};
+} // namespace video_option
+
+namespace video_key
+{
+constexpr Key kFolder{"folder", "DIR as given"};
+constexpr Key kPictures{"pictures", "of the video"};
+constexpr Key kBoard{"board_pictures", "in DIR/board, for carina-lab camera calibrate"};
+constexpr Key kTracker{"tracker", "the description of the tracker, for --tracker"};
+constexpr Key kSite{"site", "where the patient lies before the camera, for --site"};
+constexpr Key kSchema{"schema", "carina.camera-video/1"};
+} // namespace video_key
+
+/// The tools that scripted hands and manikin carry before the camera, with their markers in the
+/// frames of the simulated tools. Sheets look up from the lying patient, their upper edge to the
+/// head.
+std::vector<PrintedTool> shownTools()
+{
+    Mat3 R_OB;
+    R_OB.col(0) = Vec3::UnitX();
+    R_OB.col(1) = Vec3::UnitZ();
+    R_OB.col(2) = -Vec3::UnitY();
+    const RigidTransform X_OB{Quat{R_OB}, Vec3::Zero()};
+    std::vector<PrintedTool> shown = printedTools();
+    std::erase_if(shown,
+                  [](const PrintedTool& tool) { return tool.role == ToolRole::Laryngoscope; });
+    for (PrintedTool& tool : shown)
+        if (!tool.isSleeve)
+            for (BodyMarker& marker : tool.body)
+                marker.X_BK = X_OB * marker.X_BK;
+    return shown;
+}
+
+/// Where the camera is, and what it looks at: metres from the incisors, in axes of A. To the left
+/// of the patient and above the face.
+const Vec3 kCameraAt{0.30, -0.65, -0.05};
+const Vec3 kLooksAt{-0.02, -0.10, -0.06};
+
+/// X_AC of a camera at a place in A that looks at another, with the patient's head up.
+RigidTransform cameraAt(const Vec3& p_A, const Vec3& p_A_target)
+{
+    Mat3 R_AC;
+    R_AC.col(2) = (p_A - p_A_target).normalized();
+    R_AC.col(0) = Vec3::UnitZ().cross(R_AC.col(2)).normalized();
+    R_AC.col(1) = R_AC.col(2).cross(R_AC.col(0));
+    return {Quat{R_AC}, p_A};
+}
+
+CameraModel videoCamera(int width)
+{
+    const int height = width * 3 / 4;
+    return {.width = width,
+            .height = height,
+            .focal = Vec2::Constant(0.9 * width),
+            .centre = {0.5 * (width - 1), 0.5 * (height - 1)},
+            .distortion = {0.06, -0.12, 0.001, -0.0015, 0.0}};
+}
+
+struct VideoScene {
+    std::vector<PrintedTool> tools;
+    TrueToolPose truth; ///< in the frame of the simulated station
+    RigidTransform X_CT;
+    RigidTransform X_AC;
+    StationRegistration registration; ///< of the camera
+};
+
+/// The scripted hands at a patient's manikin, seen from the camera C.
+Result<VideoScene> sceneOf(const PatientParameters& parameters)
+{
+    const auto dimensions = dimensionsFor(parameters);
+    if (!dimensions)
+        return tl::unexpected(dimensions.error());
+    const auto patient = patientFor(parameters);
+    if (!patient)
+        return tl::unexpected(patient.error());
+    const AirwayLandmarks& airway = patient->landmarks;
+    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
+    if (!tube)
+        return tl::unexpected(tube.error());
+    auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
+    if (!station)
+        return tl::unexpected(station.error());
+    const RigidTransform X_AC =
+        cameraAt(airway.p_A_incisors + kCameraAt, airway.p_A_incisors + kLooksAt);
+    return VideoScene{.tools = shownTools(),
+                      .truth = std::move(station->truth),
+                      .X_CT = X_AC.inverse() * station->exactly.X_AT,
+                      .X_AC = X_AC,
+                      .registration = {.X_AT = X_AC,
+                                       .X_JA = station->exactly.X_JA,
+                                       .X_BA = simulatedBodyProbe().inverse()}};
+}
+
+/// Places the bodies as the tools are at a time.
+std::vector<PlacedBody> placedAt(const VideoScene& scene, SessionTime t)
+{
+    std::vector<PlacedBody> placed;
+    for (const PrintedTool& tool : scene.tools)
+        if (const auto X_TO = scene.truth(tool.role, t))
+            placed.push_back({&tool.body, scene.X_CT * *X_TO});
+    return placed;
+}
+
+TrackerDescription descriptionOf(const VideoScene& scene, const std::filesystem::path& video,
+                                 const CameraModel& camera, int rate)
+{
+    TrackerDescription described{.address = video.string(),
+                                 .kind = TrackerKind::Camera,
+                                 .rate_hz = rate,
+                                 .camera = camera,
+                                 .isLooped = true};
+    for (const PrintedTool& tool : scene.tools)
+        described.tools.push_back({.name = tool.name,
+                                   .role = tool.role,
+                                   .body = MarkedBody{kPrintedDictionary, tool.body}});
+    return described;
+}
+
+/// A site whose manikin is the patient itself, registered without error.
+Site siteOf(const VideoScene& scene)
+{
+    Site site;
+    site.step = SiteStep::Overview;
+    site.catalogue = LandmarkCatalogue{
+        .name = "Rendered",
+        .anatomy = {},
+        .landmarks = {{"a", Vec3::UnitX()}, {"b", Vec3::UnitY()}, {"c", Vec3::UnitZ()}}};
+    site.registration = SiteRegistration{.X_AM = {},
+                                         .X_AT = scene.registration.X_AT,
+                                         .X_JM = scene.registration.X_JA,
+                                         .X_BM = scene.registration.X_BA,
+                                         .residuals = {{"a", 0.0}, {"b", 0.0}, {"c", 0.0}}};
+    return site;
+}
+
+Result<int> writeVideo(const std::filesystem::path& file, const VideoScene& scene,
+                       const CameraModel& camera, int seconds, int rate)
+{
+    auto video = VideoWriter::open(file, rate, camera.width, camera.height);
+    if (!video)
+        return tl::unexpected(video.error());
+    MarkerRenderer renderer{camera, kPrintedDictionary, {.samples = 3}};
+    const int pictures = seconds * rate;
+    for (int i = 0; i < pictures; ++i) {
+        const SessionTime t{fromSeconds(double(i) / rate)};
+        if (const auto added = video->add(renderer.draw(placedAt(scene, t))); !added)
+            return tl::unexpected(added.error());
+    }
+    return pictures;
+}
+
+/// The board all over the picture, tilted to all sides.
+Result<void> writeBoards(const std::filesystem::path& folder, const CameraModel& camera, int count)
+{
+    if (const auto opened = openFolder(folder); !opened)
+        return opened;
+    const CalibrationBoard board;
+    MarkerRenderer renderer{camera, board.dictionary, {}};
+    std::mt19937 random{7};
+    std::uniform_real_distribution<double> share{-1.0, 1.0};
+    const double size = board.square * board.rows;
+    for (int i = 0; i < count; ++i) {
+        const Vec2 middle =
+            camera.centre
+            + 0.38 * Vec2{camera.width * share(random), camera.height * share(random)};
+        const double away = (1.9 + 0.5 * share(random)) * size;
+        const double towards = std::numbers::pi * share(random);
+        const Vec3 p_T = away * sightOf(camera, middle).normalized();
+        const Vec3 axis{std::cos(towards), std::sin(towards), 0.0};
+        const Quat q = Quat::FromTwoVectors(Vec3::UnitZ(), -p_T.normalized())
+                       * Quat{Eigen::AngleAxisd{degrees(35.0 * share(random)).si, axis}};
+        const GreyPicture picture = renderer.drawBoard({cellsOf(board),
+                                                        board.columns * kCellsOfSquare,
+                                                        board.square / kCellsOfSquare,
+                                                        {q, p_T}});
+        const std::string number = std::to_string(1000 + i).substr(1);
+        if (const auto wrote = writePicture(folder / (number + ".png"), picture); !wrote)
+            return wrote;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<QJsonObject> renderVideo(const Words& words)
+{
+    const auto seconds = words.whole(video_option::kSeconds, 1, 600, 20);
+    const auto rate = words.whole(video_option::kRate, 1, 120, 30);
+    const auto width = words.whole(video_option::kWidth, 160, 4000, 960);
+    const auto boards = words.whole(video_option::kBoard, 1, 200, 0);
+    for (const auto* whole : {&seconds, &rate, &width, &boards})
+        if (!*whole)
+            return tl::unexpected(whole->error());
+    const std::filesystem::path folder{words.files()[1].toStdString()};
+    if (const auto opened = openFolder(folder); !opened)
+        return tl::unexpected(opened.error());
+    const auto scene = patientOption(words, BuiltinPatient::TwelveYears).and_then(&sceneOf);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    const CameraModel camera = videoCamera(int(*width));
+    const std::filesystem::path video = folder / "markers.avi";
+    const auto pictures = writeVideo(video, *scene, camera, int(*seconds), int(*rate));
+    if (!pictures)
+        return tl::unexpected(pictures.error());
+    const auto wrote =
+        writeTrackerFile(folder / "tracker.json", descriptionOf(*scene, video, camera, int(*rate)))
+            .and_then([&] { return writeSiteFile(folder / "site.json", siteOf(*scene)); });
+    if (!wrote)
+        return tl::unexpected(wrote.error());
+    if (*boards > 0)
+        if (const auto drawn = writeBoards(folder / "board", camera, int(*boards)); !drawn)
+            return tl::unexpected(drawn.error());
+    const auto text = [&](const char* name) {
+        return QString::fromStdString((folder / name).string());
+    };
+    return QJsonObject{{video_key::kSchema, QLatin1StringView{video_key::kSchema.help}},
+                       {video_key::kFolder, words.files()[1]},
+                       {video_key::kPictures, *pictures},
+                       {video_key::kBoard, qint64(*boards)},
+                       {video_key::kTracker, text("tracker.json")},
+                       {video_key::kSite, text("site.json")}};
+}
+
+Use videoUse()
+{
+    return {.lines = {"video DIR [--patient WHO] [--seconds N] [--rate HZ] [--width PIXELS] "
+                      "[--board N]"},
+            .text = "Renders scripted hands with the printed markers at the patient's "
+                    "manikin, as a camera sees them, into DIR/markers.avi. "
+                    "DIR/tracker.json describes it for --tracker, and DIR/site.json says "
+                    "where the patient lies: ./carina demo --tracker DIR/tracker.json "
+                    "--site DIR/site.json.",
+            .options = {kPatient, video_option::kSeconds, video_option::kRate, video_option::kWidth,
+                        video_option::kBoard},
+            .schema = video_key::kSchema,
+            .keys = {video_key::kFolder, video_key::kPictures, video_key::kBoard,
+                     video_key::kTracker, video_key::kSite}};
+}
+
+} // namespace carina::lab

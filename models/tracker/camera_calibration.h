@@ -1,0 +1,86 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/vision/board_calibration.h"
+#include "engine/vision/picture_source.h"
+#include "models/tracker/tracker_choice.h"
+
+#include <QObject>
+#include <QSize>
+
+#include <mutex>
+#include <thread>
+
+namespace carina
+{
+
+/// A camera whose calibration is to be made.
+struct CameraToCalibrate {
+    QString place{}; ///< "/dev/video0", a video, or a folder of pictures
+    QString file{};  ///< where its calibration is kept
+    QSize size{};    ///< of its pictures, as the present calibration says
+};
+
+/// The camera of a tracker; nothing where it has none.
+[[nodiscard]] std::optional<CameraToCalibrate> cameraOf(const TrackerChoice& choice);
+
+/// Calibrates a camera while somebody shows it the printed board: looks at its pictures on a thread
+/// of its own, keeps those that show the board at a new place, and tells how far it is.
+class CameraCalibration : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class State : std::uint8_t {
+        Idle,
+        Looking,
+        Ended,  ///< of a video or folder, its end is reached
+        Silent, ///< there is no picture
+    };
+
+    CameraCalibration() = default;
+    ~CameraCalibration() override { end(); }
+
+    /// Begins anew. @param square_mm side of a square of the board, as measured on the print
+    void begin(const CameraToCalibrate& camera, double square_mm);
+    /// Frees the camera; what was found is kept.
+    void end();
+
+    [[nodiscard]] State state() const;
+    /// Places at which the board was seen.
+    [[nodiscard]] int pictures() const;
+    /// Corners seen in each ninth of the picture, row by row.
+    [[nodiscard]] BoardCoverage coverage() const;
+    /// Whether these pictures determine the camera.
+    [[nodiscard]] bool isFitted() const;
+    /// How far it is, and what to do next. Empty while idle.
+    [[nodiscard]] QString text() const;
+
+    /// Writes the calibration. @pre isFitted() @returns FileUnwritable
+    [[nodiscard]] Result<void> save(const QString& file) const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    using Fitted = std::variant<BoardFit, CalibrationFault>;
+    struct Progress {
+        State state = State::Idle;
+        int pictures = 0;
+        BoardCoverage coverage{};
+        std::optional<Fitted> fitted{};
+        std::string trouble{};
+    };
+
+    void look(const std::stop_token& stopping, const PicturePlace& place,
+              const CalibrationBoard& board);
+    void tell(Progress progress);
+    [[nodiscard]] Progress progress() const;
+    [[nodiscard]] static QString faultText(CalibrationFault fault);
+
+    mutable std::mutex m_mutex;
+    Progress m_progress;
+    std::jthread m_thread;
+};
+
+} // namespace carina

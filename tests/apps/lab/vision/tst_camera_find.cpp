@@ -1,0 +1,127 @@
+#include "apps/lab/commands.h"
+#include "apps/lab/vision/still_jitter.h"
+#include "engine/geometry/rotation.h"
+#include "tests/support/test_class.h"
+#include "tests/support/test_data.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+#include <random>
+
+namespace carina::lab::camera_find_test
+{
+namespace
+{
+
+double numberIn(const QJsonObject& object, const char* key)
+{
+    return object[QLatin1StringView{key}].toDouble(std::nan(""));
+}
+
+} // namespace
+
+class TestCameraFind : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// A video of IGSTK.
+    void hasAPoseInEveryPictureOfARecordedVideoWithAMarker()
+    {
+        const auto video = test::testData("tracker/aruco/ArucoSimulationVideo.avi");
+        const auto camera = test::testData("tracker/aruco/ArucoCalibrationFile.yml");
+        if (!video || !camera)
+            QSKIP("no tracker/aruco in the test data");
+        const auto seen = cameraCommand().run(
+            {QStringLiteral("find"), QString::fromStdString(video->string()),
+             QStringLiteral("--calibration"), QString::fromStdString(camera->string())});
+        QVERIFY2(seen, seen ? "" : seen.error().detail.c_str());
+        QVERIFY(numberIn(*seen, "pictures") > 100);
+        QVERIFY(numberIn(*seen, "with_marker") > 0);
+        QCOMPARE(numberIn(*seen, "with_pose"), numberIn(*seen, "with_marker"));
+        for (const QJsonValue& value : (*seen)[QStringLiteral("markers")].toArray()) {
+            const QJsonObject marker = value.toObject();
+            QCOMPARE(numberIn(marker, "poses"), numberIn(marker, "seen"));
+            QVERIFY(numberIn(marker, "reprojection_px") < 1.0);
+        }
+    }
+
+    /// The video that the laboratory renders, looked at by the laboratory.
+    void findsTheMarkersOfARenderedVideo()
+    {
+        const QTemporaryDir folder;
+        const auto rendered = cameraCommand().run(
+            {QStringLiteral("video"), folder.path(), QStringLiteral("--seconds"),
+             QStringLiteral("1"), QStringLiteral("--rate"), QStringLiteral("5"),
+             QStringLiteral("--width"), QStringLiteral("640")});
+        QVERIFY2(rendered, rendered ? "" : rendered.error().detail.c_str());
+        QCOMPARE(numberIn(*rendered, "pictures"), 5.0);
+        const auto seen = cameraCommand().run(
+            {QStringLiteral("find"), folder.filePath(QStringLiteral("markers.avi")),
+             QStringLiteral("--calibration"),
+             folder.filePath(QStringLiteral("tracker-camera.json")), QStringLiteral("--dictionary"),
+             QStringLiteral("4x4_50"), QStringLiteral("--side-mm"), QStringLiteral("27")});
+        QVERIFY2(seen, seen ? "" : seen.error().detail.c_str());
+        QCOMPARE(numberIn(*seen, "pictures"), 5.0);
+        QCOMPARE(numberIn(*seen, "with_pose"), 5.0);
+        // All four of the chest, both of the chin, and two or more of each sleeve.
+        QVERIFY((*seen)[QStringLiteral("markers")].toArray().size() >= 10);
+    }
+
+    void refusesWhatItCannotUse_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<Errc>("code");
+        QTest::newRow("nothing") << QStringList{} << Errc::WrongOption;
+        QTest::newRow("no calibration")
+            << QStringList{QStringLiteral("find"), QStringLiteral("a.avi")} << Errc::WrongOption;
+        QTest::newRow("a webcam") << QStringList{QStringLiteral("find"),
+                                                 QStringLiteral("/dev/video0"),
+                                                 QStringLiteral("--calibration"),
+                                                 QStringLiteral("a.json")}
+                                  << Errc::WrongOption;
+        QTest::newRow("no such file")
+            << QStringList{QStringLiteral("find"), QStringLiteral("none.avi"),
+                           QStringLiteral("--calibration"), QStringLiteral("none.json")}
+            << Errc::FileNotFound;
+    }
+
+    void refusesWhatItCannotUse()
+    {
+        QFETCH(const QStringList, words);
+        QFETCH(const Errc, code);
+        const auto seen = cameraCommand().run(words);
+        QVERIFY(!seen);
+        QCOMPARE(seen.error().code, code);
+    }
+
+    void measuresHowMuchAStillToolScatters()
+    {
+        constexpr double kNoise = 0.2e-3; // metres, along each axis
+        std::mt19937 random{7};
+        std::normal_distribution<double> noise{0.0, kNoise};
+        StillJitter jitter;
+        for (int i = 0; i < 2000; ++i)
+            jitter.add(RigidTransform::translation({noise(random), noise(random), noise(random)}));
+        QVERIFY(jitter.samples() > 1500);
+        QVERIFY(std::abs(*jitter.position_mm() / (1e3 * kNoise * std::sqrt(3.0)) - 1.0) < 0.1);
+        QVERIFY(*jitter.rotation_deg() < 1e-6);
+    }
+
+    void measuresNothingOfAToolThatMoves()
+    {
+        StillJitter jitter;
+        for (int i = 0; i < 100; ++i)
+            jitter.add(RigidTransform::translation({1e-3 * i, 0.0, 0.0}));
+        QCOMPARE(jitter.samples(), 0);
+        QVERIFY(!jitter.position_mm() && !jitter.rotation_deg());
+    }
+};
+
+CARINA_TEST(TestCameraFind)
+
+} // namespace carina::lab::camera_find_test
+
+#include "tst_camera_find.moc"

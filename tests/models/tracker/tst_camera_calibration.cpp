@@ -1,0 +1,97 @@
+#include "models/tracker/camera_calibration.h"
+
+#include "engine/io/site/camera_file.h"
+#include "tests/engine/vision/board_pictures.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+namespace carina::camera_calibration_test
+{
+namespace
+{
+
+constexpr int kPatience_ms = 60'000;
+constexpr double kSquare_mm = 28.0;
+constexpr double kFocalTolerance = 0.01; ///< share
+
+} // namespace
+
+class TestCameraCalibration : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void findsTheCameraOfPicturesOfTheBoard()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(vision_test::writeBoards(folder.path(), 30));
+        CameraCalibration calibration;
+        QSignalSpy changes{&calibration, &CameraCalibration::changed};
+        QCOMPARE(calibration.text(), QString{});
+        calibration.begin({folder.path(), {}, {640, 480}}, kSquare_mm);
+        QTRY_COMPARE_WITH_TIMEOUT(calibration.state(), CameraCalibration::State::Ended,
+                                  kPatience_ms);
+        QVERIFY2(calibration.isFitted(), qPrintable(calibration.text()));
+        QTRY_VERIFY(changes.size() > calibration.pictures());
+        QVERIFY(calibration.pictures() >= BoardCalibration::kFewestPictures);
+        QVERIFY(calibration.text().startsWith(QStringLiteral("✓")));
+        const QString file = folder.filePath(QStringLiteral("camera.json"));
+        QVERIFY(calibration.save(file));
+        const auto camera = readCameraFile(file.toStdString());
+        QVERIFY(camera);
+        const double focal = vision_test::webcam().focal.x();
+        QVERIFY(std::abs(camera->model.focal.x() - focal) < kFocalTolerance * focal);
+        QVERIFY(camera->rms > 0.0 && camera->pictures > 0 && !camera->madeAt.empty());
+    }
+
+    void asksForMoreUntilTheyAreEnough()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(vision_test::writeBoards(folder.path(), 4));
+        CameraCalibration calibration;
+        calibration.begin({folder.path(), {}, {}}, kSquare_mm);
+        QTRY_COMPARE_WITH_TIMEOUT(calibration.state(), CameraCalibration::State::Ended,
+                                  kPatience_ms);
+        QVERIFY(!calibration.isFitted());
+        QVERIFY2(calibration.text().contains(QStringLiteral("ten are needed")),
+                 qPrintable(calibration.text()));
+        int corners = 0;
+        for (const int ninth : calibration.coverage())
+            corners += ninth;
+        QVERIFY(corners > 0);
+    }
+
+    void saysThatNoCameraIsThere()
+    {
+        CameraCalibration calibration;
+        calibration.begin({QStringLiteral("/dev/no-such-camera"), {}, {640, 480}}, kSquare_mm);
+        QTRY_COMPARE_WITH_TIMEOUT(calibration.state(), CameraCalibration::State::Silent,
+                                  kPatience_ms);
+        QVERIFY(calibration.text().contains(QStringLiteral("/dev/no-such-camera")));
+        calibration.end();
+        QCOMPARE(calibration.state(), CameraCalibration::State::Silent);
+    }
+
+    void knowsTheCameraOfATracker()
+    {
+        QVERIFY(!cameraOf({SimulatedDevice{}}));
+        QVERIFY(!cameraOf({TrackerDescription{.address = "/dev/ttyUSB0"}}));
+        TrackerDescription described{.address = "/dev/video3", .kind = TrackerKind::Camera};
+        described.camera = vision_test::webcam();
+        described.calibration = "somewhere/camera.json";
+        const auto camera = cameraOf({described});
+        QVERIFY(camera);
+        QCOMPARE(camera->place, QStringLiteral("/dev/video3"));
+        QCOMPARE(camera->file, QStringLiteral("somewhere/camera.json"));
+        QCOMPARE(camera->size, (QSize{640, 480}));
+        QCOMPARE(trackerName({described}), QStringLiteral("Markers before the camera /dev/video3"));
+    }
+};
+
+CARINA_TEST(TestCameraCalibration)
+
+} // namespace carina::camera_calibration_test
+
+#include "tst_camera_calibration.moc"

@@ -311,6 +311,7 @@ Result<int> run(const QCommandLineParser& parser)
         [&window](const PatientModel& another, StationView& view) { window.show(another, view); });
     window.resize(options->size);
     window.show();
+    window.resize(options->size); // before it is shown, its least size is larger than it has to be
     const auto journal = program::journalFromOptions(parser, **node, first, window.stationScene());
     if (!journal)
         return tl::unexpected(journal.error());

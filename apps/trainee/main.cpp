@@ -281,7 +281,7 @@ Result<int> run(const QCommandLineParser& parser)
                          [&station] { return station.standing(); },
                          {.sight = [&station] { return station.trackerSight(); },
                           .recording = &recording,
-                          
+
                           .canBeGiven = entered->role == Role::Trainee,
                           .treatment = treatmentOf(station)}};
     const auto show = [&] {

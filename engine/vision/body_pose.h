@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/geometry/rigid_transform.h"
 #include "engine/geometry/fit/motion_covariance.h"
+#include "engine/geometry/rigid_transform.h"
 #include "engine/vision/camera_model.h"
 
 #include <optional>

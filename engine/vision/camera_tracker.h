@@ -2,7 +2,7 @@
 
 #include "engine/tracking/delivery_thread.h"
 #include "engine/tracking/motion_filter.h"
-#include "engine/tracking/recorded_tracker.h"
+#include "engine/tracking/record/recorded_tracker.h"
 #include "engine/vision/marker_watch.h"
 #include "engine/vision/picture_source.h"
 

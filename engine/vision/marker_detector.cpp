@@ -7,7 +7,7 @@
 namespace carina
 {
 
-std::vector<SeenMarker> seenMarkers(const GreyPicture& picture, MarkerDictionary dictionary)
+std::vector<DetectedMarker> seenMarkers(const GreyPicture& picture, MarkerDictionary dictionary)
 {
     if (picture.pixels.empty())
         return {};
@@ -24,7 +24,7 @@ std::vector<SeenMarker> seenMarkers(const GreyPicture& picture, MarkerDictionary
     } catch (const cv::Exception&) {
         return {}; // a picture too small to be looked through
     }
-    std::vector<SeenMarker> seen;
+    std::vector<DetectedMarker> seen;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         std::array<Vec2, 4> found;
         for (std::size_t k = 0; k < found.size(); ++k)

@@ -11,7 +11,7 @@ namespace carina
 {
 
 /// A marker in a picture.
-struct SeenMarker {
+struct DetectedMarker {
     int id = 0;
     /// Pixels, in the order of cornersOf(BodyMarker): it follows the printed picture, however the
     /// marker is turned.
@@ -20,7 +20,7 @@ struct SeenMarker {
 
 /// All markers of a dictionary in a picture, found by OpenCV, with corners where the lines through
 /// their refined edges meet (refinedCorners).
-[[nodiscard]] std::vector<SeenMarker> seenMarkers(const GreyPicture& picture,
-                                                  MarkerDictionary dictionary);
+[[nodiscard]] std::vector<DetectedMarker> seenMarkers(const GreyPicture& picture,
+                                                      MarkerDictionary dictionary);
 
 } // namespace carina

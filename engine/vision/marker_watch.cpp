@@ -20,13 +20,13 @@ constexpr double kNoBody = 4.0; ///< pixels RMS
 
 /// The corners of a body's markers in a picture. A marker that is there twice is not used: at least
 /// one of them is of something else.
-std::vector<SeenCorner> cornersSeen(const MarkerBody& body, const std::vector<SeenMarker>& seen)
+std::vector<SeenCorner> cornersSeen(const MarkerBody& body, const std::vector<DetectedMarker>& seen)
 {
     std::vector<SeenCorner> corners;
     for (const BodyMarker& marker : body) {
-        if (std::ranges::count(seen, marker.id, &SeenMarker::id) != 1)
+        if (std::ranges::count(seen, marker.id, &DetectedMarker::id) != 1)
             continue;
-        const auto found = std::ranges::find(seen, marker.id, &SeenMarker::id);
+        const auto found = std::ranges::find(seen, marker.id, &DetectedMarker::id);
         const auto p_BQ = cornersOf(marker);
         for (std::size_t i = 0; i < p_BQ.size(); ++i)
             corners.push_back({p_BQ[i], found->corners[i]});
@@ -52,7 +52,7 @@ std::vector<BodySight> MarkerWatch::look(const GreyPicture& picture, Duration ti
     return look(seenMarkers(picture, m_watched.dictionary), time);
 }
 
-std::vector<BodySight> MarkerWatch::look(const std::vector<SeenMarker>& seen, Duration time)
+std::vector<BodySight> MarkerWatch::look(const std::vector<DetectedMarker>& seen, Duration time)
 {
     std::vector<BodySight> sights;
     for (std::size_t body = 0; body < m_watched.bodies.size(); ++body)
@@ -60,7 +60,7 @@ std::vector<BodySight> MarkerWatch::look(const std::vector<SeenMarker>& seen, Du
     return sights;
 }
 
-BodySight MarkerWatch::sightOfBody(std::size_t body, const std::vector<SeenMarker>& seen,
+BodySight MarkerWatch::sightOfBody(std::size_t body, const std::vector<DetectedMarker>& seen,
                                    Duration time)
 {
     const std::vector<SeenCorner> corners = cornersSeen(m_watched.bodies[body], seen);

@@ -46,7 +46,8 @@ public:
     [[nodiscard]] std::vector<BodySight> look(const GreyPicture& picture, Duration time);
 
     /// The same of markers that were found in a picture.
-    [[nodiscard]] std::vector<BodySight> look(const std::vector<SeenMarker>& seen, Duration time);
+    [[nodiscard]] std::vector<BodySight> look(const std::vector<DetectedMarker>& seen,
+                                              Duration time);
 
 private:
     struct Known {
@@ -54,7 +55,7 @@ private:
         Duration time{};
     };
 
-    [[nodiscard]] BodySight sightOfBody(std::size_t body, const std::vector<SeenMarker>& seen,
+    [[nodiscard]] BodySight sightOfBody(std::size_t body, const std::vector<DetectedMarker>& seen,
                                         Duration time);
 
     WatchedBodies m_watched;

@@ -41,11 +41,11 @@ Eigen::Matrix<double, 6, 1> errorOf(const RigidTransform& found, const RigidTran
 }
 
 /// Adds what the corners' errors amount to. @returns their number.
-int addCornerErrors(const AccuracyTrial& trial, const std::vector<SeenMarker>& seen,
+int addCornerErrors(const AccuracyTrial& trial, const std::vector<DetectedMarker>& seen,
                     const RigidTransform& X_TB, double& squares)
 {
     int corners = 0;
-    for (const SeenMarker& marker : seen) {
+    for (const DetectedMarker& marker : seen) {
         const auto of = std::ranges::find(trial.body, marker.id, &BodyMarker::id);
         if (of == trial.body.end())
             continue;
@@ -70,7 +70,7 @@ MarkerAccuracy markerAccuracy(const AccuracyTrial& trial)
     int corners = 0;
     for (int i = 0; i < trial.poses; ++i) {
         const RigidTransform X_TB = drawnPose(trial, random);
-        const PlacedBody placed{&trial.body, X_TB};
+        const PosedBody placed{&trial.body, X_TB};
         const auto seen = seenMarkers(renderer.draw({&placed, 1}), trial.dictionary);
         corners += addCornerErrors(trial, seen, X_TB, cornerSquares);
         MarkerWatch watch{{trial.camera, trial.dictionary, {trial.body}}};

@@ -110,11 +110,11 @@ MarkerRenderer::Exposure MarkerRenderer::emptyRoom() const
     return exposure;
 }
 
-GreyPicture MarkerRenderer::draw(std::span<const PlacedBody> bodies)
+GreyPicture MarkerRenderer::draw(std::span<const PosedBody> bodies)
 {
     Exposure exposure = emptyRoom();
     const int cells = cellsOf(m_dictionary);
-    for (const PlacedBody& placed : bodies)
+    for (const PosedBody& placed : bodies)
         for (const BodyMarker& marker : *placed.body)
             drawPattern({cellsOf(m_dictionary, marker.id), cells, marker.side / cells,
                          placed.X_TB * marker.X_BK, kQuietZone * marker.side},

@@ -13,7 +13,7 @@ namespace carina
 {
 
 /// A body before the camera.
-struct PlacedBody {
+struct PosedBody {
     const MarkerBody* body = nullptr;
     RigidTransform X_TB;
 };
@@ -47,7 +47,7 @@ public:
                    const Rendering& rendering);
 
     /// The next picture; the noise of each is another.
-    [[nodiscard]] GreyPicture draw(std::span<const PlacedBody> bodies);
+    [[nodiscard]] GreyPicture draw(std::span<const PosedBody> bodies);
     /// The same of one pattern, such as a board.
     [[nodiscard]] GreyPicture drawBoard(const DrawnPattern& pattern);
 

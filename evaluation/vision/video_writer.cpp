@@ -1,6 +1,7 @@
 #include "evaluation/vision/video_writer.h"
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
 namespace carina
@@ -41,7 +42,7 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, double 
     try {
         if (!encoder->writer.open(encoder->file, cv::CAP_OPENCV_MJPEG,
                                   cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), rate,
-                                  {width, height}, false))
+                                  {width, height}, true))
             return fail(Errc::FileUnwritable, encoder->file);
         encoder->writer.set(cv::VIDEOWRITER_PROP_QUALITY, kQuality);
     } catch (const cv::Exception& thrown) {
@@ -55,7 +56,9 @@ Result<void> VideoWriter::add(const GreyPicture& picture)
     if (picture.width != m_encoder->width || picture.height != m_encoder->height)
         return fail(Errc::FileUnwritable, m_encoder->file + ": a picture of another size");
     try {
-        m_encoder->writer.write(viewOf(picture));
+        cv::Mat coloured; // the encoder damages grey pictures
+        cv::cvtColor(viewOf(picture), coloured, cv::COLOR_GRAY2BGR);
+        m_encoder->writer.write(coloured);
     } catch (const cv::Exception& thrown) {
         return fail(Errc::FileUnwritable, m_encoder->file + ": " + thrown.err);
     }

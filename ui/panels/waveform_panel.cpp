@@ -18,6 +18,7 @@ constexpr double kLeastPressure_cmH2O = 10.0;
 constexpr double kLeastVolume_ml = 200.0;
 constexpr int kFiguresInterval_ms = 500;
 constexpr int kFigureLines = 3; ///< at the console's least width
+constexpr int kFiguresWidth = 300; // pixels
 
 } // namespace
 
@@ -44,6 +45,7 @@ WaveformPanel::WaveformPanel(QWidget* parent)
         "capacity: gas that stays in both lungs at the end of a quiet expiration)"));
     m_figures->setWordWrap(true);
     m_figures->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_figures->setMinimumWidth(kFiguresWidth); // in which they have so many lines
     m_figures->setMinimumHeight(kFigureLines * m_figures->fontMetrics().lineSpacing());
     auto* column = new QVBoxLayout{this};
     column->setSpacing(0);

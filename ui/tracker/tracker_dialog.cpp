@@ -164,8 +164,7 @@ QWidget* TrackerDialog::descriptionFields()
 {
     m_calibrate->setObjectName(QStringLiteral("calibrate"));
     m_calibrate->setAutoDefault(false);
-    QWidget* fields =
-        fileFields(*m_description, tr("Description of a tracker"),
+    QWidget* fields = fileFields(*m_description, tr("Description of a tracker"),
                                  tr("Descriptions (*.json *.xml)"));
     fields->layout()->addWidget(m_calibrate);
     return fields;

@@ -1,5 +1,6 @@
 #include "ui/tracker/tracker_panel.h"
 
+#include "models/text/shown_as_is.h"
 #include "widgets/plain_label.h"
 #include "widgets/volume_view.h"
 
@@ -65,9 +66,10 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
         ->setToolTip(tr("The error to expect of the tool's pose at its origin (RMS), and of its "
                         "rotation, by the places of the markers that are seen"));
     m_table->horizontalHeaderItem(kToolAhead)
-        ->setToolTip(tr("How far poses predicted by %1 ms were off in the last seconds (RMS); in "
-                        "brackets, how far without prediction")
-                         .arg(kPredictedAhead / std::chrono::milliseconds{1}));
+        ->setToolTip(
+            shownAsIs(tr("How far poses predicted by %1 ms were off in the last seconds (RMS); in "
+                         "brackets, how far without prediction")
+                          .arg(kPredictedAhead / std::chrono::milliseconds{1})));
     m_table->horizontalHeaderItem(kToolEdge)->setToolTip(
         tr("How far inside the working volume the tool is; below 0 it is outside"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -189,9 +191,10 @@ void TrackerPanel::show(const std::vector<ToolStatus>& tools)
                 ? tr("%1 (%2)").arg(*tool.predicted_mm, 0, 'f', 1).arg(*tool.held_mm, 0, 'f', 1)
                 : none());
         m_table->item(row, kToolAhead)
-            ->setToolTip(tool.deviation_mm ? tr("Expected now, by the tool's motion: %1 mm (RMS)")
-                                                 .arg(*tool.deviation_mm, 0, 'f', 1)
-                                           : QString{});
+            ->setToolTip(shownAsIs(tool.deviation_mm
+                                       ? tr("Expected now, by the tool's motion: %1 mm (RMS)")
+                                             .arg(*tool.deviation_mm, 0, 'f', 1)
+                                       : QString{}));
         put(kToolEdge, volume && tool.isVisible && tool.p_T
                            ? QString::number(qRound(1e3 * volume->insideBy(*tool.p_T)))
                            : none());

@@ -181,7 +181,7 @@ Use compareUse()
 Command anatomyCommand()
 {
     return {.name = "anatomy",
-            .theme = "anatomy and pictures",
+            .theme = "the patient",
             .summary = "describes a folder of surfaces, or compares a made patient with one",
             .uses = {describeUse(), compareUse()},
             .mostFiles = 2,

@@ -227,7 +227,7 @@ Use breathsOfEveryCondition()
 Command breatheCommand()
 {
     return {.name = "breathe",
-            .theme = "breathing",
+            .theme = "the patient",
             .summary = "draws breathing lungs and measures the volume that was drawn",
             .uses = {breathOfOneWay(), breathsOfEveryCondition()},
             .draws = true,

@@ -224,7 +224,7 @@ Use mechanicsOfWaveform()
 Command mechanicsCommand()
 {
     return {.name = "mechanics",
-            .theme = "breathing",
+            .theme = "the patient",
             .summary = "calculates breathing with each condition, or fits a recorded ventilator",
             .uses = {mechanicsOfConditions(), mechanicsOfWaveform()},
             .experiment = mechanics};

@@ -271,7 +271,7 @@ Use fissuresUse()
 Command deformCommand()
 {
     return {.name = "deform",
-            .theme = "breathing",
+            .theme = "the patient",
             .summary = "compares the deformation of the lungs with landmarks of real ones",
             .uses = {oneCaseUse(), eachCaseUse(), fissuresUse()},
             .experiment = runDeform};

@@ -202,7 +202,7 @@ Use renderedError()
 Command renderCommand()
 {
     return {.name = "render",
-            .theme = "anatomy and pictures",
+            .theme = "the patient",
             .summary = "draws pictures of a patient, and checks the geometry of a headset's",
             .uses = {renderedGeometry(), renderedPictures(), renderedError()},
             .reminder = "It takes --check-geometry [--seed K], --pictures DIR or --error-map DIR, "

@@ -347,7 +347,7 @@ Use summaryOfDemo()
 Command summaryCommand()
 {
     return {.name = "summary",
-            .theme = "anatomy and pictures",
+            .theme = "the patient",
             .summary = "describes what a headless demo measured",
             .uses = {summaryOfDemo()},
             .mostFiles = 1,

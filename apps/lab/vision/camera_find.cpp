@@ -55,7 +55,7 @@ constexpr std::size_t kTried = 12; ///< pictures that tell the dictionary
 constexpr int kFewest = 3;         ///< pictures with a marker, below which it is taken for an error
 
 struct LookedAt {
-    std::vector<SeenMarker> seen;
+    std::vector<DetectedMarker> seen;
     Duration time{};
 };
 
@@ -123,14 +123,28 @@ Result<MarkerDictionary> dictionaryOption(const Words& words, const PicturePlace
     return words.unknownWord(markers_option::kDictionary, known);
 }
 
+/// That of pictures of the same camera which were enlarged or reduced by a factor.
+CameraModel enlarged(const CameraModel& camera, double factor)
+{
+    CameraModel larger = camera;
+    larger.width = int(std::lround(factor * camera.width));
+    larger.height = int(std::lround(factor * camera.height));
+    const Vec2 half{0.5, 0.5}; // the centre of the first pixel is at (0, 0)
+    larger.focal = factor * camera.focal;
+    larger.centre = factor * (camera.centre + half) - half;
+    return larger;
+}
+
 Result<std::vector<LookedAt>> lookThrough(const PicturePlace& place, MarkerDictionary dictionary,
-                                          const CameraModel& camera)
+                                          CameraModel& camera)
 {
     auto source = PictureSource::open(place);
     if (!source)
         return tl::unexpected(source.error());
     std::vector<LookedAt> all;
     while (auto taken = source->next()) {
+        if (all.empty())
+            camera = enlarged(camera, double(taken->picture.width) / camera.width);
         if (taken->picture.width != camera.width || taken->picture.height != camera.height)
             return fail(Errc::OutOfRange, place.path.string() + ": its pictures have "
                                               + std::to_string(taken->picture.width) + " x "
@@ -164,7 +178,7 @@ QJsonObject describePictures(const std::vector<LookedAt>& pictures, const Camera
 {
     std::map<int, int> seen;
     for (const LookedAt& picture : pictures)
-        for (const SeenMarker& marker : picture.seen)
+        for (const DetectedMarker& marker : picture.seen)
             ++seen[marker.id];
     std::erase_if(seen, [](const auto& entry) { return entry.second < kFewest; });
     WatchedBodies watched{camera, dictionary, {}};
@@ -223,7 +237,7 @@ Result<QJsonObject> findMarkers(const Words& words)
     const PicturePlace place{.kind = kindOfPlace(path), .path = path, .rate = *rate};
     if (place.kind == PicturePlace::Kind::Camera)
         return words.refuse(QStringLiteral("find takes a video or a folder, which have an end."));
-    const auto camera = readCameraFile(words.text(markers_option::kCalibration).toStdString());
+    auto camera = readCameraFile(words.text(markers_option::kCalibration).toStdString());
     if (!camera)
         return tl::unexpected(camera.error());
     const auto dictionary = dictionaryOption(words, place);
@@ -244,7 +258,8 @@ Use findUse()
                       "[--rate HZ]"},
             .text = "Looks at each picture of PLACE, a video or a folder of PNG and JPEG "
                     "files, for square markers of ArUco or AprilTag, all of one size, "
-                    "and prints how well each is seen.",
+                    "and prints how well each is seen. Pictures that were enlarged since the "
+                    "calibration, in proportion, are taken with the calibration enlarged.",
             .options = {markers_option::kCalibration, markers_option::kDictionary,
                         markers_option::kSide, markers_option::kRate},
             .schema = markers_key::kSchema,

@@ -120,9 +120,9 @@ Result<VideoScene> sceneOf(const PatientParameters& parameters)
 }
 
 /// Places the bodies as the tools are at a time.
-std::vector<PlacedBody> placedAt(const VideoScene& scene, SessionTime t)
+std::vector<PosedBody> placedAt(const VideoScene& scene, SessionTime t)
 {
-    std::vector<PlacedBody> placed;
+    std::vector<PosedBody> placed;
     for (const PrintedTool& tool : scene.tools)
         if (const auto X_TO = scene.truth(tool.role, t))
             placed.push_back({&tool.body, scene.X_CT * *X_TO});

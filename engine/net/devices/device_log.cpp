@@ -13,16 +13,18 @@ namespace carina
 namespace
 {
 
-/// Of which only what prints is left as it is.
+/// Of which only what prints is left as it is. A space at the end would be lost: readers trim.
 std::string escaped(std::string_view bytes)
 {
     constexpr std::string_view kDigits = "0123456789ABCDEF";
     std::string text;
-    for (const char c : bytes) {
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const char c = bytes[i];
+        const bool isLast = i + 1 == bytes.size();
         const auto byte = static_cast<unsigned char>(c);
         if (c == '\\')
             text += "\\\\";
-        else if (byte >= 0x20 && byte < 0x7F)
+        else if (byte >= 0x20 && byte < 0x7F && !(c == ' ' && isLast))
             text += c;
         else
             text += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 0xFU]};

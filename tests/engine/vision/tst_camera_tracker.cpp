@@ -54,7 +54,7 @@ void renderInto(const QTemporaryDir& folder, int without = -1)
     const MarkerBody& body = vision_test::printed("Tube").body;
     MarkerRenderer renderer{vision_test::webcam(), kPrintedDictionary, {.samples = 2}};
     for (int i = 0; i < kPictures; ++i) {
-        std::vector<PlacedBody> placed;
+        std::vector<PosedBody> placed;
         if (i != without)
             placed.push_back({&body, tubeAt(i)});
         QVERIFY(writePicture(folder.filePath(QStringLiteral("%1.png").arg(i)).toStdString(),

@@ -16,16 +16,16 @@ constexpr Duration kFrame = std::chrono::milliseconds{33};
 
 const MarkerBody kSmall{{20, 0.02, {}}};
 
-GreyPicture rendered(std::vector<PlacedBody> bodies)
+GreyPicture rendered(std::vector<PosedBody> bodies)
 {
     MarkerRenderer renderer{vision_test::webcam(), kPrintedDictionary, {}};
     return renderer.draw(bodies);
 }
 
 /// What an exact camera sees of a marker.
-SeenMarker exactly(const BodyMarker& marker, const RigidTransform& X_TB)
+DetectedMarker exactly(const BodyMarker& marker, const RigidTransform& X_TB)
 {
-    SeenMarker seen{marker.id, {}};
+    DetectedMarker seen{marker.id, {}};
     const auto p_BQ = cornersOf(marker);
     for (std::size_t i = 0; i < 4; ++i)
         seen.corners[i] = *project(vision_test::webcam(), X_TB * p_BQ[i]);
@@ -57,9 +57,9 @@ private Q_SLOTS:
         const RigidTransform X_TB = vision_test::facing({0.03, 0.02, -0.55}, 25.0, 40.0, 15.0);
         const auto seen = seenMarkers(rendered({{&body, X_TB}}), kPrintedDictionary);
         QCOMPARE(seen.size(), body.size());
-        for (const SeenMarker& marker : seen) {
+        for (const DetectedMarker& marker : seen) {
             const auto of = std::ranges::find(body, marker.id, &BodyMarker::id);
-            const SeenMarker truth = exactly(*of, X_TB);
+            const DetectedMarker truth = exactly(*of, X_TB);
             for (std::size_t i = 0; i < 4; ++i)
                 QVERIFY((marker.corners[i] - truth.corners[i]).norm() < kCornerTolerance);
         }
@@ -67,7 +67,7 @@ private Q_SLOTS:
 
     void findsEveryPrintedTool()
     {
-        std::vector<PlacedBody> placed;
+        std::vector<PosedBody> placed;
         WatchedBodies watched{vision_test::webcam(), kPrintedDictionary, {}};
         const std::vector<PrintedTool>& tools = printedTools();
         for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -108,9 +108,9 @@ private Q_SLOTS:
         Duration time{};
         for (double away = 0.15; away < 1.2; away += 0.05, time += kFrame) {
             const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -away}, 25.0);
-            SeenMarker seen = exactly(kSmall[0], X_TB);
+            DetectedMarker seen = exactly(kSmall[0], X_TB);
             if (away > 0.8) { // as if it were tilted to the other side
-                const SeenMarker mirrored =
+                const DetectedMarker mirrored =
                     exactly(kSmall[0], vision_test::facing({0.0, 0.0, -away}, -25.0));
                 for (std::size_t i = 0; i < 4; ++i)
                     seen.corners[i] = 0.3 * seen.corners[i] + 0.7 * mirrored.corners[i];
@@ -136,8 +136,9 @@ private Q_SLOTS:
     /// A second sheet with the same marker: nobody knows which is the tool.
     void usesNoMarkerThatIsThereTwice()
     {
-        const SeenMarker here = exactly(kSmall[0], vision_test::facing({0.0, 0.0, -0.3}, 25.0));
-        const SeenMarker there = exactly(kSmall[0], vision_test::facing({0.1, 0.0, -0.3}, 25.0));
+        const DetectedMarker here = exactly(kSmall[0], vision_test::facing({0.0, 0.0, -0.3}, 25.0));
+        const DetectedMarker there =
+            exactly(kSmall[0], vision_test::facing({0.1, 0.0, -0.3}, 25.0));
         const auto sights = watchOf(kSmall).look({here, there}, {});
         QCOMPARE(sights[0].markers, 0);
         QVERIFY(!sights[0].pose);
@@ -148,7 +149,7 @@ private Q_SLOTS:
     {
         MarkerBody body = vision_test::printed("Manikin").body;
         const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -0.4}, 25.0);
-        std::vector<SeenMarker> seen;
+        std::vector<DetectedMarker> seen;
         for (const BodyMarker& marker : body)
             seen.push_back(exactly(marker, X_TB));
         QVERIFY(watchOf(body).look(seen, {})[0].pose);
@@ -160,11 +161,11 @@ private Q_SLOTS:
     {
         const MarkerBody& body = vision_test::printed("Manikin").body;
         const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -0.5}, 25.0);
-        std::vector<SeenMarker> seen;
+        std::vector<DetectedMarker> seen;
         for (const BodyMarker& marker : body)
             seen.push_back(exactly(marker, X_TB));
         const double off[]{0.4, -0.4}; // pixels, of every other corner
-        for (SeenMarker& marker : seen)
+        for (DetectedMarker& marker : seen)
             for (std::size_t i = 0; i < 4; ++i)
                 marker.corners[i].x() += off[i % 2];
         const auto sight = watchOf(body).look(seen, {})[0];
@@ -181,7 +182,7 @@ private Q_SLOTS:
     {
         const MarkerBody& body = vision_test::printed("Tube").body;
         const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -2.5}, 80.0, 0.0, 40.0);
-        std::vector<SeenMarker> seen{exactly(body[0], X_TB), exactly(body[1], X_TB)};
+        std::vector<DetectedMarker> seen{exactly(body[0], X_TB), exactly(body[1], X_TB)};
         const auto sight = watchOf(body).look(seen, {})[0];
         const auto sample = sampleOf(sight, 560.0, SessionTime{});
         if (sample)

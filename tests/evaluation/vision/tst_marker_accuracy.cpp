@@ -37,7 +37,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("rotation_deg");
         QTest::newRow("chest at 0.4 m") << QStringLiteral("Manikin") << 0.4 << 0.1 << 0.4 << 0.3;
         QTest::newRow("chest at 0.8 m") << QStringLiteral("Manikin") << 0.8 << 0.2 << 1.2 << 0.7;
-        QTest::newRow("tube at 0.3 m") << QStringLiteral("Tube") << 0.3 << 0.2 << 0.7 << 0.8;
+        QTest::newRow("tube at 0.3 m") << QStringLiteral("Tube") << 0.3 << 0.2 << 1.0 << 0.8;
         QTest::newRow("tube at 0.5 m") << QStringLiteral("Tube") << 0.5 << 0.4 << 2.0 << 2.0;
     }
 

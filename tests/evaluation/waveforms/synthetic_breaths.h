@@ -11,7 +11,7 @@ namespace carina::test
 
 inline constexpr double kRate_hz = 100.0;
 inline constexpr double kFlow_lPerS = 0.5;
-inline constexpr int kShut = 5; // samples
+inline constexpr int kShutSamples = 5; // samples
 
 /// A ventilator and a lung P = P0 + R Q + V/C, breath by breath in closed form: a steady flow for a
 /// time in, then out through a valve, V(t) = Ve + (V0 - Ve) e^(-t/tau) with tau = (R + Rv) C.
@@ -49,7 +49,7 @@ struct SyntheticBreaths {
             sample(valve - valveResistance * flow, flow);
         }
         // The valve shuts, and what is left leaks out unseen.
-        for (int i = 0; i < kShut; ++i)
+        for (int i = 0; i < kShutSamples; ++i)
             sample(baseline, 0.0);
     }
     void open(double seconds)

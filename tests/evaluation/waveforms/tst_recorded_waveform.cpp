@@ -102,7 +102,7 @@ void TestRecordedWaveform::tellsInspirationFromExpiration()
     for (std::size_t i = 0; i < found.size(); ++i) {
         QCOMPARE(found[i].begin, begin);
         QCOMPARE(found[i].expiration, begin + 80 + 2 * i);
-        begin += 80 + 2 * i + 150 + kShut;
+        begin += 80 + 2 * i + 150 + kShutSamples;
         QCOMPARE(found[i].end, begin);
     }
 }

@@ -44,7 +44,8 @@ private Q_SLOTS:
         find<QAbstractButton>(dialog, "look").click();
         int given = 0;
         const auto isFound = [&] {
-            server->give(test::tubeOffer(std::uint64_t(++given) << 28U, given));
+            ++given;
+            server->give(test::tubeOffer(std::uint64_t(given) << 28U, given));
             return find<QAbstractButton>(dialog, "addSent").isEnabled();
         };
         QTRY_VERIFY_WITH_TIMEOUT(isFound(), kPatience_ms);
@@ -53,7 +54,8 @@ private Q_SLOTS:
         const std::vector<ServedTool> expected{{QStringLiteral("Tube"), ToolRole::Tube}};
         QCOMPARE(dialog.form().served, expected);
         const auto isSeen = [&] {
-            server->give(test::tubeOffer(std::uint64_t(++given) << 28U, given));
+            ++given;
+            server->give(test::tubeOffer(std::uint64_t(given) << 28U, given));
             return find<QLabel>(dialog, "sent").text().contains(QStringLiteral("✓ Tube: visible"));
         };
         QTRY_VERIFY_WITH_TIMEOUT(isSeen(), kPatience_ms);

@@ -94,16 +94,20 @@ private Q_SLOTS:
         sight.tools[0].p_T = Vec3{0.0, 0.0, -1.05};
         sight.tools[1].p_T = Vec3{0.0, 0.0, -2.5};
         TrackerPanel panel{[&] { return std::optional{sight}; }};
-        QCOMPARE(rowOf(panel, 0), QStringLiteral("Tube|✓ visible|60|0.02|0.12|100"));
-        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|-100"));
+        QCOMPARE(rowOf(panel, 0),
+                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|100"));
+        QCOMPARE(rowOf(panel, 1),
+                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|-100"));
         // A person knows that theirs sees farther; the same tracker does not undo that.
         auto& volume = *panel.findChild<QComboBox*>(QStringLiteral("volume"));
         volume.setCurrentIndex(volume.findData(int(KnownVolume::PolarisExtended)));
         panel.look();
-        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|500"));
+        QCOMPARE(rowOf(panel, 1),
+                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|500"));
         sight.usualVolume = KnownVolume::None;
         panel.look();
-        QCOMPARE(rowOf(panel, 1), QStringLiteral("Head|✓ visible|60|0.02|0.12|–"));
+        QCOMPARE(rowOf(panel, 1),
+                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|–"));
         QVERIFY(!panel.findChild<QWidget*>(QStringLiteral("places"))->isVisibleTo(&panel));
     }
 

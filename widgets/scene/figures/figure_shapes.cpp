@@ -104,9 +104,10 @@ TriangleMesh madeBlade()
     }
     const SweptLine line = sweptLine(centre);
     const double length = line.along.back();
-    TriangleMesh blade =
-        sweptSurface(line, std::array{Ring{0.0, kThickness}, Ring{length - 0.006, kThickness},
-                                      Ring{length, 0.5 * kThickness}});
+    std::vector<Ring> rings; // the surface is straight between two of them
+    for (int i = 0; i <= kPoints; ++i)
+        rings.push_back({length * i / kPoints, i < kPoints ? kThickness : 0.5 * kThickness});
+    TriangleMesh blade = sweptSurface(line, rings);
     for (auto& position : blade.positions)
         position.x() *= float(kWidth);
     computeNormals(blade);

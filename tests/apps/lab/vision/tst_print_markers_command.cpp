@@ -36,7 +36,7 @@ GreyPicture printedPage(const QString& pdf, int page)
     return picture;
 }
 
-double sideOf(const SeenMarker& marker, std::size_t from)
+double sideOf(const DetectedMarker& marker, std::size_t from)
 {
     return kMillimetresPerDot * (marker.corners[(from + 1) % 4] - marker.corners[from]).norm();
 }
@@ -67,7 +67,7 @@ private Q_SLOTS:
             const PrintedTool& tool = printedTools()[i];
             const auto seen = seenMarkers(printedPage(m_pdf, int(i) + 1), kPrintedDictionary);
             QCOMPARE(seen.size(), tool.body.size());
-            for (const SeenMarker& marker : seen) {
+            for (const DetectedMarker& marker : seen) {
                 const auto of = std::ranges::find(tool.body, marker.id, &BodyMarker::id);
                 QVERIFY2(of != tool.body.end(), tool.name.c_str());
                 for (std::size_t edge = 0; edge < 4; ++edge)
@@ -85,7 +85,7 @@ private Q_SLOTS:
         const PrintedTool& chest = printedTools()[0];
         const auto seen = seenMarkers(printedPage(m_pdf, 1), kPrintedDictionary);
         const auto cornerOf = [&](int id) {
-            return std::ranges::find(seen, id, &SeenMarker::id)->corners[0];
+            return std::ranges::find(seen, id, &DetectedMarker::id)->corners[0];
         };
         const auto truth = [&](int id) {
             return cornersOf(*std::ranges::find(chest.body, id, &BodyMarker::id))[0];
@@ -105,7 +105,7 @@ private Q_SLOTS:
         const auto seen = seenMarkers(printedPage(m_pdf, 3), kPrintedDictionary);
         for (int i = 0; i < 3; ++i) {
             const auto at = [&](int id) {
-                return std::ranges::find(seen, id, &SeenMarker::id)->corners[0];
+                return std::ranges::find(seen, id, &DetectedMarker::id)->corners[0];
             };
             const int id = tube.body[std::size_t(i)].id;
             const Vec2 apart = kMillimetresPerDot * (at(id + 1) - at(id));

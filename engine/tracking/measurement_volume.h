@@ -30,8 +30,6 @@ struct MeasurementVolume {
 [[nodiscard]] MeasurementVolume polarisPyramid();
 /// The extended one, up to 3000 mm, 1856 mm wide and 1470 mm high.
 [[nodiscard]] MeasurementVolume polarisExtendedPyramid();
-/// That of a Polaris Vicra: from 557 mm (491 by 392) to 1336 mm (938 by 887).
-[[nodiscard]] MeasurementVolume vicraPyramid();
 /// The cone of WorkingVolume, in which the simulated tracker sees.
 [[nodiscard]] MeasurementVolume simulatedCone();
 

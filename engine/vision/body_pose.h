@@ -36,7 +36,7 @@ struct BodyFit {
 };
 
 /// Standard deviation of a refined corner along each axis, pixels, where the residuals of a body do
-/// not tell: from rendered and recorded pictures (docs/tracking.md).
+/// not tell. An estimate of ours.
 inline constexpr double kCornerNoise = 0.15;
 
 /// The pose that minimises the sum of the squared distances between corners seen and projected, by

@@ -16,8 +16,7 @@ QString volumeWords(const char* text) { return QCoreApplication::translate("Know
 std::span<const KnownVolume> knownVolumes()
 {
     static constexpr std::array kVolumes{KnownVolume::None, KnownVolume::PolarisPyramid,
-                                         KnownVolume::PolarisExtended, KnownVolume::Vicra,
-                                         KnownVolume::SimulatedCone};
+                                         KnownVolume::PolarisExtended, KnownVolume::SimulatedCone};
     return kVolumes;
 }
 
@@ -30,8 +29,6 @@ QString volumeName(KnownVolume volume)
         return volumeWords(QT_TRANSLATE_NOOP("KnownVolume", "Polaris, pyramid to 2.4\u00a0m"));
     case KnownVolume::PolarisExtended:
         return volumeWords(QT_TRANSLATE_NOOP("KnownVolume", "Polaris, extended to 3\u00a0m"));
-    case KnownVolume::Vicra:
-        return volumeWords(QT_TRANSLATE_NOOP("KnownVolume", "Polaris Vicra"));
     case KnownVolume::SimulatedCone:
         return volumeWords(QT_TRANSLATE_NOOP("KnownVolume", "Simulated tracker"));
     }
@@ -47,8 +44,6 @@ std::optional<MeasurementVolume> volumeOf(KnownVolume volume)
         return polarisPyramid();
     case KnownVolume::PolarisExtended:
         return polarisExtendedPyramid();
-    case KnownVolume::Vicra:
-        return vicraPyramid();
     case KnownVolume::SimulatedCone:
         return simulatedCone();
     }

@@ -15,7 +15,6 @@ enum class KnownVolume : std::uint8_t {
     None,
     PolarisPyramid,
     PolarisExtended,
-    Vicra,
     SimulatedCone,
 };
 

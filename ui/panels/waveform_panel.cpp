@@ -17,7 +17,7 @@ constexpr double kLeastFlow_lPerMin = 20.0;
 constexpr double kLeastPressure_cmH2O = 10.0;
 constexpr double kLeastVolume_ml = 200.0;
 constexpr int kFiguresInterval_ms = 500;
-constexpr int kFigureLines = 3; ///< at the console's least width
+constexpr int kFigureLines = 3;    ///< at the console's least width
 constexpr int kFiguresWidth = 300; // pixels
 
 } // namespace

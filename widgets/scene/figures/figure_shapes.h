@@ -18,7 +18,7 @@ struct FigureShapes {
     Mesh hand;  ///< a right hand with its knuckles at the origin and the index finger stretched out
     Mesh stylus; ///< a stylus with its tip at the origin
     Mesh ray;    ///< from the origin on, for what points
-    Mesh blade;  ///< a curved laryngoscope blade of size 3, from its handle at the origin on
+    Mesh blade;  ///< a curved laryngoscope blade for an adult, from its handle at the origin on
     Mesh handle; ///< of a laryngoscope, upwards from the origin
 };
 
@@ -28,8 +28,7 @@ struct FigureShapes {
 inline constexpr double kHeadTop = 0.115;   ///< of the head, above the eyes
 inline constexpr double kGazeLength = 0.25; ///< from the eyes
 inline constexpr double kRayLength = 0.3;   ///< from the origin
-/// A Macintosh blade of size 3 is sold with a length of 130 mm, and one for children (size 2) of
-/// 105 mm; a handle for two C cells has a diameter of 28 mm.
+/// About those of an adult's laryngoscope; no maker's figures were found for them.
 inline constexpr double kBladeLength = 0.13;
 inline constexpr double kHandleLength = 0.155;
 inline constexpr double kHandleRadius = 0.014;

@@ -74,7 +74,7 @@ private Q_SLOTS:
         QVERIFY(visor.min.y() < 0.0 && visor.max.y() > 0.0);
     }
 
-    /// A Macintosh blade of size 3: 130 mm long, its tip towards the handle's side.
+    /// 130 mm long, its tip towards the handle's side.
     void hasALaryngoscopeOfItsTrueSize()
     {
         const Box blade = boundsOf(*figureShapes().blade);

@@ -197,8 +197,8 @@ public:
             return tr("The private key does not match the certificate%1: choose two files that "
                       "belong together.");
         case Errc::TrackerFailed:
-            return tr("The tracker does not track%1: check its cable and power; it is tried again "
-                      "by itself.");
+            return tr("Not everything is tracked%1: where the tracker does not answer, check its "
+                      "cable and power; it is tried again by itself.");
         case Errc::DeviceReplyDamaged:
             return tr("What the device sent is damaged%1: check its cable and its rate of "
                       "transmission.");

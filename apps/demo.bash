@@ -76,14 +76,16 @@ demo_headless() {
     mkdir -p "$out/session" 2> /dev/null || die "cannot write into $out"
     [ "$register" = no ] || register_headless "$out" "$size"
     rm -f "$out"/{instructor,trainee}.{png,json} "$out/summary.json" "$out/session/codes"
-    local measure=(--measure "$out" --seconds "$seconds" --size "$size")
+    local measure=(--measure "$out" --size "$size")
     local at_most=(timeout --kill-after=10 "$((seconds + 120))")
+    # The console outlives the trainee, whose last picture then shows a session that runs.
     with_display "${at_most[@]}" "$build/apps/instructor/carina-instructor" --port "$port" \
-        --data "$out/session" --codes "$out/session/codes" --new "${measure[@]}" "${patient[@]}" > "$out/instructor.log" 2>&1 &
+        --data "$out/session" --codes "$out/session/codes" --new "${measure[@]}" \
+        --seconds "$((seconds + 8))" "${patient[@]}" > "$out/instructor.log" 2>&1 &
     children+=($!)
     with_display "${at_most[@]}" "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee \
         --data "$out/session" --code-file "$out/session/codes" --tracker "$tracker" \
-        "${measure[@]}" "${patient[@]}" "${view[@]}" > "$out/trainee.log" 2>&1 &
+        "${measure[@]}" --seconds "$seconds" "${patient[@]}" "${view[@]}" > "$out/trainee.log" 2>&1 &
     children+=($!)
     if ! wait_for_children; then
         tail -n 20 "$out/instructor.log" "$out/trainee.log" >&2

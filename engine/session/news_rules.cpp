@@ -1,5 +1,9 @@
 #include "engine/session/news_rules.h"
 
+#include "engine/core/overloaded.h"
+
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -18,23 +22,44 @@ Result<void> checkBreath(const SessionState& state, const Fact& fact, SessionTim
                : Result<void>{};
 }
 
+/// Whether the session is already as the fact says.
+bool isSaid(const SessionState& state, const Fact& fact)
+{
+    const auto known = [](const auto& entries, auto id) {
+        const auto found = entries.find(id);
+        return found == entries.end() ? nullptr : &found->second;
+    };
+    return std::visit(
+        Overloaded{[&](const fact::RegistrationStated& f) {
+                       const Participant* who = known(state.participants(), fact.author);
+                       return who && who->registration == f.standing;
+                   },
+                   [&](const fact::PlaceChosen& f) {
+                       const Participant* who = known(state.participants(), f.participant);
+                       return who && who->turn == f.turn;
+                   },
+                   [&](const fact::ObjectWanted& f) {
+                       const SharedObject* object = known(state.objects(), f.object);
+                       return object
+                              && f.wanted
+                                     == (std::ranges::find(object->wantedBy, fact.author)
+                                         != object->wantedBy.end());
+                   },
+                   [&](const fact::ObjectHandedOver& f) {
+                       const SharedObject* object = known(state.objects(), f.object);
+                       return object && object->owner == f.owner;
+                   },
+                   [](const auto&) { return false; }},
+        fact.body);
+}
+
 } // namespace
 
 Result<void> checkNews(const SessionState& state, const Fact& fact)
 {
     if (const auto* breathed = std::get_if<fact::ManikinBreathed>(&fact.body))
         return checkBreath(state, fact, breathed->began);
-    const auto* stated = std::get_if<fact::RegistrationStated>(&fact.body);
-    const auto* chosen = std::get_if<fact::PlaceChosen>(&fact.body);
-    if (!stated && !chosen)
-        return {};
-    const auto whose = state.participants().find(stated ? fact.author : chosen->participant);
-    if (whose == state.participants().end())
-        return {};
-    const Participant& participant = whose->second;
-    const bool isSaid =
-        stated ? participant.registration == stated->standing : participant.turn == chosen->turn;
-    return isSaid ? fail(Errc::OutOfRange, "it changes nothing") : Result<void>{};
+    return isSaid(state, fact) ? fail(Errc::OutOfRange, "it changes nothing") : Result<void>{};
 }
 
 } // namespace carina

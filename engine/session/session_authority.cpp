@@ -1,5 +1,6 @@
 #include "engine/session/session_authority.h"
 
+#include "engine/core/overloaded.h"
 #include "engine/session/conduct_rules.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/plain_name.h"
@@ -22,10 +23,6 @@ namespace
 
 constexpr ParticipantId kHost{0};
 constexpr std::uint16_t kLastId = kNobody.value - 1;
-template <class... Functions> struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
-template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
 
 template <class... Facts> bool isOneOf(const FactBody& body)
 {
@@ -132,7 +129,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         Overloaded{
             [&](const fact::ObjectShared& f) {
                 const auto known = state.objects().find(f.object);
-                return f.owner == author.id
+                return f.owner == author.id && f.kind != ObjectKind::Patient
                        && (known == state.objects().end() || known->second.owner == author.id);
             },
             [&](const fact::ObjectHandedOver& f) { return mayPassOn(state, author, f); },

@@ -128,13 +128,14 @@ std::string allNames()
 
 Result<DriftScenario> readTrace(const std::string& file)
 {
+    if (const auto size = readableSize(file, kMeasurementLimit); !size)
+        return size.error().code != Errc::FileNotFound
+                   ? tl::unexpected(size.error())
+                   : fail(Errc::FileNotFound, file
+                                                  + " is neither a trace file nor one of the "
+                                                    "scenarios "
+                                                  + allNames());
     std::ifstream in{file};
-    if (!in)
-        return fail(Errc::FileNotFound,
-                    file + " is neither a trace file nor one of the scenarios " + allNames());
-    if (const auto size = readableSize(file, kMeasurementLimit);
-        !size && size.error().code == Errc::FileTooLarge)
-        return tl::unexpected(size.error());
     std::vector<TracePoint> points;
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {

@@ -38,6 +38,10 @@ void HostAccess::giveUp()
         const std::scoped_lock lock{m_mutex};
         m_secrets.revertTo(m_stored);
     }
+    // A number that was undone is the next newcomer's.
+    for (auto& [peer, who] : m_peers)
+        if (who.participant && !m_secrets.token(who.role, *who.participant))
+            who.participant.reset();
     m_handedOver = m_stored;
     m_isUnwritten = true;
     for (const auto& [role, code] : given)
@@ -62,14 +66,17 @@ void HostAccess::deriveMissing()
 void HostAccess::derive(Role role)
 {
     const JoinCode code = m_secrets.codes().at(role);
+    m_faults.erase(role);
     m_deriver.derive(code, sessionKey(sessionId()), [this, role, code](const auto& key) {
         const std::scoped_lock lock{m_mutex};
         if (m_secrets.codes().at(role) != code)
             return; // it was changed meanwhile
-        if (key)
+        if (key) {
             m_secrets.setCodeKey(role, *key);
-        else
-            m_fault = key.error();
+            m_faults.erase(role);
+        } else {
+            m_faults.insert_or_assign(role, key.error());
+        }
         m_isUnwritten = true;
     });
 }
@@ -108,10 +115,15 @@ void HostAccess::changeCode(Role role)
     derive(role);
 }
 
+std::optional<Error> HostAccess::fault() const
+{
+    return m_faults.empty() ? std::nullopt : std::optional{m_faults.begin()->second};
+}
+
 bool HostAccess::isDeriving(Role role) const
 {
     const std::scoped_lock lock{m_mutex};
-    return !m_secrets.codeKey(role) && !m_fault;
+    return !m_secrets.codeKey(role) && !m_faults.contains(role);
 }
 
 void HostAccess::connected(PeerAddress peer, const Credential& who)

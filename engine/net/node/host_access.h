@@ -27,7 +27,7 @@ public:
     /// The codes that are stored.
     [[nodiscard]] const JoinCodes& codes() const { return m_stored.codes(); }
     /// Why a code cannot be used.
-    [[nodiscard]] const std::optional<Error>& fault() const { return m_fault; }
+    [[nodiscard]] std::optional<Error> fault() const;
     /// The key that a peer with this identity must have. May be called from any thread.
     [[nodiscard]] HostTransport::KeyAnswer keyOf(const PskIdentity& identity) const;
 
@@ -88,7 +88,7 @@ private:
     bool m_isUnwritten = false;
     std::map<PeerAddress, Credential> m_peers;
     std::set<PeerAddress> m_displaced;
-    std::optional<Error> m_fault;
+    std::map<Role, Error> m_faults; ///< why a role's code has no key
     KeyDeriver m_deriver;
 };
 

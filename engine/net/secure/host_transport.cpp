@@ -152,8 +152,19 @@ void HostTransport::greet(const Endpoint& from, const RawDatagram& hello, LocalT
     m_handshakes.insert_or_assign(from, std::move(association));
     watch(now + kHandshakeTimeout);
     if (m_handshakes.size() > kMostHandshakes)
-        m_handshakes.erase(std::ranges::min_element(
-            m_handshakes, {}, [](const auto& entry) { return entry.second->lastHeard; }));
+        dropHandshake();
+}
+
+void HostTransport::dropHandshake()
+{
+    std::map<SourcePrefix, std::size_t> ofSource;
+    for (const auto& [endpoint, association] : m_handshakes)
+        ++ofSource[sourcePrefix(endpoint)];
+    // The most negative number is least: of the busiest source, the oldest.
+    m_handshakes.erase(std::ranges::min_element(m_handshakes, {}, [&](const auto& entry) {
+        return std::pair{-static_cast<std::ptrdiff_t>(ofSource.at(sourcePrefix(entry.first))),
+                         entry.second->lastHeard};
+    }));
 }
 
 std::unique_ptr<HostTransport::Association> HostTransport::newAssociation(const RawDatagram& hello,

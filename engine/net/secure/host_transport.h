@@ -32,7 +32,7 @@ public:
 
     static constexpr std::size_t kDatagramsPerTurn = 256; ///< handled, of all sources in turn
     static constexpr std::size_t kReadPerTurn = 1024;     ///< from the socket
-    /// At once; the oldest is dropped for a new one.
+    /// At once; for a new one, the oldest of the source that has most is dropped.
     static constexpr std::size_t kMostHandshakes = 64;
     /// Those of all participants who may be present, and idle ones: the host ends these soon.
     static constexpr std::size_t kMostPaths = 1536;
@@ -69,6 +69,7 @@ private:
 
     void take(const RawDatagram& datagram, TransportListener& listener, LocalTime now);
     void greet(const Endpoint& from, const RawDatagram& hello, LocalTime now);
+    void dropHandshake();
     [[nodiscard]] std::unique_ptr<Association> newAssociation(const RawDatagram& hello,
                                                               LocalTime now);
     void goOn(Associations::iterator handshake, const RawDatagram& datagram,

@@ -14,12 +14,12 @@ PeerBudget& HostBudgets::comesIn(ParticipantId participant,
                                  std::shared_ptr<SharedBudget> shared, LocalTime now)
 {
     if (PeerBudget* before = known(participant)) {
-        before->shareWith(std::move(shared));
+        before->comes(std::move(shared), now);
         return *before;
     }
     PeerBudget& budget =
         m_budgets.emplace(participant, PeerBudget{limits(participant)}).first->second;
-    budget.shareWith(std::move(shared));
+    budget.comes(std::move(shared), now);
     // It is charged only now, for nobody knew before whose it is; a new budget has enough.
     static_cast<void>(budget.takesComing(now));
     return budget;

@@ -15,6 +15,20 @@ bool PeerBudget::counted(TokenBucket& bucket, double amount, double perSecond, L
     return false;
 }
 
+void PeerBudget::comes(std::shared_ptr<SharedBudget> others, LocalTime now)
+{
+    goes(now);
+    m_shared = std::move(others);
+    if (m_shared)
+        m_share.comes(m_shared->fair(now));
+}
+
+void PeerBudget::goes(LocalTime now)
+{
+    if (m_shared)
+        m_share.goes(m_shared->fair(now));
+}
+
 bool PeerBudget::takesDatagram(std::size_t bytes, LocalTime now)
 {
     return counted(m_datagrams, 1.0, m_limits.datagrams, now)

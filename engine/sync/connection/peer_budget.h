@@ -35,10 +35,17 @@ public:
     /// Facts of a coming: it joined, and later it left. Shared with others as proposals are.
     static constexpr double kFactsOfComing = 2.0;
 
+    /// Bytes of the log that are sent to it in a second, and at once: all of a long log to who
+    /// comes late, and not again to who asks for it over and over.
+    static constexpr double kLogBytes = 512.0 * 1024.0;
+    static constexpr double kLogBytesAtOnce = 8.0 * 1024.0 * 1024.0;
+
     explicit PeerBudget(const PeerLimits& limits) : m_limits{limits} {}
 
-    /// From now on it shares a budget with the others of its place; null: with nobody.
-    void shareWith(std::shared_ptr<SharedBudget> others) { m_shared = std::move(others); }
+    /// The participant comes in. @param others with whom it shares a budget; null: with nobody
+    void comes(std::shared_ptr<SharedBudget> others, LocalTime now);
+    /// It is gone; it may come again.
+    void goes(LocalTime now);
     [[nodiscard]] SharedBudget* shared() const { return m_shared.get(); }
 
     enum class Verdict : std::uint8_t {
@@ -76,6 +83,11 @@ public:
     {
         return m_probeAnswers.take(1.0, m_limits.messages, now);
     }
+    /// Whether so much of the log may be sent to it.
+    [[nodiscard]] bool takesLog(std::size_t bytes, LocalTime now)
+    {
+        return m_log.takeOf(kLogBytesAtOnce, static_cast<double>(bytes), kLogBytes, now);
+    }
     /// Whether one more refusal may be answered.
     [[nodiscard]] bool answers(LocalTime now) { return m_answers.take(1.0, kAnswers, now); }
 
@@ -98,6 +110,7 @@ private:
     TokenBucket m_probeAnswers;
     TokenBucket m_heard;
     TokenBucket m_answers;
+    TokenBucket m_log;
     std::shared_ptr<SharedBudget> m_shared;
     SharedBudget::Share m_share;
     double m_excess_s = 0.0;

@@ -167,13 +167,40 @@ void SyncHost::advance(LocalTime now)
     endExceedingPeers(now);
     m_actions.advance(sessionTime(now), now);
     relayShown(now);
+    serve(now);
+}
+
+void SyncHost::serve(LocalTime now)
+{
     const bool tick = m_streams.isDue(now);
     const bool isForAnybody = tick || m_actions.nextDue() <= now;
+    m_behind = countBehind();
     for (auto& [address, peer] : m_peers)
         if (isForAnybody || nextDueTo(peer) <= now)
             sendDue(address, peer, tick, now);
     if (tick)
         m_streams.served(now);
+}
+
+std::size_t SyncHost::countBehind() const
+{
+    return static_cast<std::size_t>(std::ranges::count_if(m_peers, [this](const auto& entry) {
+        return entry.second.facts.acknowledged().value + FactSender::kFirstWindow < m_log.size();
+    }));
+}
+
+bool SyncHost::maySendLog(Peer& peer, std::size_t bytes, bool isBehind, LocalTime now) const
+{
+    const double perSecond =
+        kCatchUpBytes / static_cast<double>(std::max<std::size_t>(1, m_behind));
+    const auto size = static_cast<double>(bytes);
+    if (isBehind && !peer.catchUp.takeOf(kCatchUpBytesAtOnce, size, perSecond, now))
+        return false;
+    if (peer.budget.takesLog(bytes, now))
+        return true;
+    if (isBehind)
+        peer.catchUp.putBack(size, perSecond);
+    return false;
 }
 
 LocalTime SyncHost::nextWake() const
@@ -321,12 +348,12 @@ void SyncHost::welcomeArrivals(LocalTime now)
 void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime now)
 {
     const auto& [header, heard, hello, admission] = arrival;
-    PeerBudget& budget = m_budgets.comesIn(admission.participant, m_rules.limits,
-                                           m_rules.sharedBudget(address), now);
     displace(address, admission.participant, now);
     forgetParticipant(admission.participant, now);
     if (m_peers.contains(address))
         remove(address, now);
+    PeerBudget& budget = m_budgets.comesIn(admission.participant, m_rules.limits,
+                                           m_rules.sharedBudget(address), now);
     const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
     Peer peer{PeerLink{header.connection, m_clockOffset, now},       admission.participant,
               static_cast<std::uint16_t>(admission.joined.value),    hello.join.id,
@@ -334,7 +361,7 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
     peer.link.heard(header, heard);
     m_nobodySilentBefore = std::min(m_nobodySilentBefore, heard + kPeerTimeout);
     m_peers.emplace(address, std::move(peer));
-    countMembers();
+    countMembers(now);
     m_actions.join(address, admission.participant, now);
 }
 
@@ -361,14 +388,14 @@ Result<std::optional<Admission>> SyncHost::admit(PeerAddress from, const Hello& 
     return m_rules.admit(hello, now);
 }
 
-void SyncHost::countMembers()
+void SyncHost::countMembers(LocalTime now)
 {
     std::map<SharedBudget*, std::size_t> members;
     for (const auto& [address, peer] : m_peers)
         if (SharedBudget* shared = peer.budget.shared())
             ++members[shared];
     for (const auto& [shared, count] : members)
-        shared->setMembers(count);
+        shared->setMembers(count, now);
 }
 
 bool SyncHost::isTaken(PeerAddress from, const Identity& who, ProposalId join, LocalTime now)
@@ -402,9 +429,11 @@ void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime n
 
 void SyncHost::remove(PeerAddress address, LocalTime now)
 {
-    const ParticipantId participant = m_peers.at(address).participant;
-    m_peers.erase(address);
-    countMembers();
+    const auto leaving = m_peers.find(address);
+    const ParticipantId participant = leaving->second.participant;
+    leaving->second.budget.goes(now);
+    m_peers.erase(leaving);
+    countMembers(now);
     m_actions.leave(address, now);
     if (!isHere(participant)) // or it is coming in again
         m_rules.left(participant, now);
@@ -414,11 +443,13 @@ void SyncHost::forgetParticipant(ParticipantId participant, LocalTime now)
 {
     for (auto entry = m_peers.begin(); entry != m_peers.end();) {
         const bool isOne = entry->second.participant == participant;
-        if (isOne)
+        if (isOne) {
             m_actions.leave(entry->first, now);
+            entry->second.budget.goes(now);
+        }
         entry = isOne ? m_peers.erase(entry) : std::next(entry);
     }
-    countMembers();
+    countMembers(now);
 }
 
 void SyncHost::propose(Peer& peer, ProposalRecord proposal, LocalTime now)
@@ -495,6 +526,7 @@ void SyncHost::endExceedingPeers(LocalTime now)
         answerStranger(address, peer.link.connection(), HelloRefused{Errc::TooMuchSent, {}}, now);
         m_output.ended.push_back(address);
         const ParticipantId participant = peer.participant;
+        m_arrivals.forget(participant); // or it would come in over another path, barred
         remove(address, now);
         m_budgets.bar(participant, now);
     }
@@ -507,7 +539,10 @@ void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)
         records.emplace_back(Welcome{m_session, peer.participant, peer.epoch, logEnd()});
     std::ranges::move(std::exchange(peer.outbox, {}), std::back_inserter(records));
     std::ranges::move(m_actions.takeDue(to, now), std::back_inserter(records));
-    for (const FactRecord& fact : peer.facts.takeDue(m_log, roundTripOf(peer.link), now))
+    const auto maySend = [&](std::size_t bytes, bool isBehind) {
+        return maySendLog(peer, bytes, isBehind, now);
+    };
+    for (const FactRecord& fact : peer.facts.takeDue(m_log, roundTripOf(peer.link), now, maySend))
         records.emplace_back(fact);
     if (tick)
         std::ranges::move(m_streams.dueTo(peer.participant), std::back_inserter(records));

@@ -64,6 +64,12 @@ public:
     static constexpr Duration kLongestPath = std::chrono::seconds{1};
     /// The same for the paths of those who may not act: who only watches must not slow down all.
     static constexpr Duration kLongestPathOfWatchers = std::chrono::milliseconds{200};
+    /// Bytes of the log in a second that are sent to all those together who come late and have not
+    /// caught up, to each as much: the newest facts of the others, and their samples, do not wait
+    /// for them.
+    static constexpr double kCatchUpBytes = 16e6;
+    /// To each of them at once.
+    static constexpr double kCatchUpBytesAtOnce = 2.0 * FactSender::kBurstBytes;
 
     struct Output {
         struct Addressed {
@@ -94,6 +100,7 @@ public:
         std::vector<WireRecord> outbox{};
         PeerClock clock{};
         PeerTraffic traffic{};
+        TokenBucket catchUp{}; ///< of what all share who have not caught up
 
         void heard(const BundleHeader& header, SessionTime session, LocalTime now)
         {
@@ -186,7 +193,7 @@ private:
     void dropSilentPeers(LocalTime now);
     void endExceedingPeers(LocalTime now);
     /// Tells the budgets that are shared how many share them.
-    void countMembers();
+    void countMembers(LocalTime now);
     /// Whether a program that asks from this address is kept out by another one of the participant.
     [[nodiscard]] bool isTaken(PeerAddress from, const Identity& who, ProposalId join,
                                LocalTime now);
@@ -195,6 +202,13 @@ private:
     void sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now);
     void answerStranger(PeerAddress to, std::uint32_t connection, const WireRecord& record,
                         LocalTime now);
+    /// Sends what is due to everybody.
+    void serve(LocalTime now);
+    /// How many have not caught up.
+    [[nodiscard]] std::size_t countBehind() const;
+    /// Whether so many bytes of the log may be sent to a peer now.
+    [[nodiscard]] bool maySendLog(Peer& peer, std::size_t bytes, bool isBehind,
+                                  LocalTime now) const;
     /// When a peer is next to be sent something other than streams and actions.
     [[nodiscard]] LocalTime nextDueTo(const Peer& peer) const;
     [[nodiscard]] FactNumber logEnd() const { return {m_log.size()}; }
@@ -210,6 +224,7 @@ private:
     LocalTime m_nobodySilentBefore = LocalTime::max();
     /// Peers that sent far too much since the last turn.
     std::set<PeerAddress> m_exceeding;
+    std::size_t m_behind = 0; ///< peers that have not caught up, in this turn
     Arrivals m_arrivals;
     /// Since when a program asks to come in as a participant of whom another is here.
     std::map<PeerAddress, LocalTime> m_asksSince;

@@ -5,7 +5,7 @@
 namespace carina
 {
 
-bool TokenBucket::take(double amount, double perSecond, LocalTime now, double burst)
+bool TokenBucket::takeOf(double capacity, double amount, double perSecond, LocalTime now)
 {
     if (!(perSecond > 0.0))
         return false;
@@ -14,7 +14,7 @@ bool TokenBucket::take(double amount, double perSecond, LocalTime now, double bu
     m_at = std::max(m_at.value_or(now), now);
     const double wanted_s = amount / perSecond;
     constexpr double kRounding_s = 1e-9;
-    if (m_used_s + wanted_s > std::max(kBurst_s, burst / perSecond) + kRounding_s)
+    if (m_used_s + wanted_s > capacity / perSecond + kRounding_s)
         return false;
     m_used_s += wanted_s;
     return true;

@@ -7,15 +7,20 @@
 namespace carina
 {
 
-/// A token bucket: holds two seconds' worth, and fills with the passing of time.
+/// A token bucket: fills with the passing of time.
 class TokenBucket
 {
 public:
     static constexpr double kBurst_s = 2.0;
 
-    /// Takes an amount if it is there. @param perSecond how fast the bucket fills
-    /// @param burst held in any case, however slowly it fills
-    [[nodiscard]] bool take(double amount, double perSecond, LocalTime now, double burst = 0.0);
+    /// Takes an amount if it is there, of a bucket that holds two seconds' worth.
+    /// @param perSecond how fast the bucket fills
+    [[nodiscard]] bool take(double amount, double perSecond, LocalTime now)
+    {
+        return takeOf(kBurst_s * perSecond, amount, perSecond, now);
+    }
+    /// The same of a bucket that holds `capacity`, however slowly it fills.
+    [[nodiscard]] bool takeOf(double capacity, double amount, double perSecond, LocalTime now);
     /// Puts back what was taken.
     void putBack(double amount, double perSecond);
 

@@ -11,24 +11,25 @@ namespace
 constexpr std::size_t kProposalEnvelopeBytes = 13;
 constexpr std::size_t kFactEnvelopeBytes = 39;
 
-/// The first of these facts that make a burst, at least one.
-std::span<const FactRecord> burst(std::span<const FactRecord> facts)
-{
-    std::size_t bytes = 0;
-    std::size_t count = 0;
-    while (count < facts.size()) {
-        bytes += kFactEnvelopeBytes + facts[count].body.size();
-        if (count > 0 && bytes > FactSender::kBurstBytes)
-            break;
-        ++count;
-    }
-    return facts.first(count);
-}
+std::size_t bytesOf(const FactRecord& fact) { return kFactEnvelopeBytes + fact.body.size(); }
 
 } // namespace
 
+std::span<const FactRecord> FactSender::permitted(std::span<const FactRecord> facts, bool isBehind,
+                                                  LocalTime now, const MaySend& maySend)
+{
+    std::size_t bytes = 0;
+    std::size_t count = 0;
+    while (count < facts.size() && (count == 0 || bytes + bytesOf(facts[count]) <= kBurstBytes))
+        bytes += bytesOf(facts[count++]);
+    if (!maySend || maySend(bytes, isBehind || count < facts.size()))
+        return facts.first(count);
+    m_nextBurst = now + kBurstInterval;
+    return {};
+}
+
 std::span<const FactRecord> FactSender::takeDue(std::span<const FactRecord> log, Duration roundTrip,
-                                                LocalTime now)
+                                                LocalTime now, const MaySend& maySend)
 {
     if (m_sent > m_acknowledged && now >= m_repeatAt) {
         m_sent = m_acknowledged;
@@ -42,12 +43,16 @@ std::span<const FactRecord> FactSender::takeDue(std::span<const FactRecord> log,
     }
     if (std::exchange(m_repeatsOldest, false)) {
         const std::uint64_t end = std::min(m_sent.value, m_acknowledged.value + kWindowStep);
-        return log.subspan(m_acknowledged.value, end - m_acknowledged.value);
+        return permitted(log.subspan(m_acknowledged.value, end - m_acknowledged.value),
+                         end < log.size(), now, maySend);
     }
     const FactNumber end = windowEnd(FactNumber{log.size()});
     if (m_sent >= end || now < m_nextBurst)
         return {};
-    const auto due = burst(log.subspan(m_sent.value, end.value - m_sent.value));
+    const auto due = permitted(log.subspan(m_sent.value, end.value - m_sent.value),
+                               end.value < log.size(), now, maySend);
+    if (due.empty())
+        return {};
     // The time runs from the oldest that is under way, or newer ones would put it off for ever.
     if (m_sent == m_acknowledged)
         m_repeatAt = now + roundTrip + m_repeatAfter;

@@ -4,6 +4,7 @@
 #include "engine/sync/facts/fact_record.h"
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -41,11 +42,17 @@ public:
     {
     }
 
+    /// Whether so many bytes may be sent now. @param isBehind whether more follow them
+    using MaySend = std::function<bool(std::size_t bytes, bool isBehind)>;
+
     /// Facts to send now; they count as sent.
     /// @param log all facts, from number 1
     /// @param roundTrip added to the time after which facts are repeated
+    /// @param maySend asked once where some are due, which are put off where it says no; none: all
+    ///        may be sent
     [[nodiscard]] std::span<const FactRecord> takeDue(std::span<const FactRecord> log,
-                                                      Duration roundTrip, LocalTime now);
+                                                      Duration roundTrip, LocalTime now,
+                                                      const MaySend& maySend = {});
     /// When takeDue returns the next facts, if no acknowledgement arrives before.
     [[nodiscard]] LocalTime nextDue(FactNumber logEnd) const;
     /// @param last newest fact acknowledged; ignored where it was never sent
@@ -55,6 +62,10 @@ public:
 
 private:
     [[nodiscard]] FactNumber windowEnd(FactNumber logEnd) const;
+    /// Those of these facts that make a burst, if they may be sent; none otherwise.
+    [[nodiscard]] std::span<const FactRecord> permitted(std::span<const FactRecord> facts,
+                                                        bool isBehind, LocalTime now,
+                                                        const MaySend& maySend);
     void acknowledgedAgain(Duration roundTrip, LocalTime now);
     void growWindow(std::uint64_t acknowledged);
 

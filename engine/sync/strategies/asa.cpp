@@ -4,12 +4,16 @@
 #include "engine/sync/strategies/strategies.h"
 
 #include <algorithm>
+#include <deque>
 #include <map>
 
 namespace carina
 {
 namespace
 {
+
+/// An answer that comes later than this after its probe says nothing about the path.
+constexpr Duration kAnswerWithin = std::chrono::seconds{10};
 
 /// The Adaptive Synchronization Algorithm as published (Hamza-Lup, Rolland, Hughes 2004): every
 /// participant measures the round trip to every other, its neighbours, end to end over the host,
@@ -54,6 +58,7 @@ public:
             if (now < neighbour.nextProbe)
                 continue;
             sendRelayed(id, DelayProbe{now.time_since_epoch()});
+            neighbour.asked(now);
             ++m_probes;
             neighbour.lastProbe = now;
             neighbour.nextProbe = now + neighbour.trigger.interval();
@@ -76,6 +81,23 @@ private:
         LocalTime nextProbe;
         LocalTime lastProbe = LocalTime::min();
         Duration oneWayDelay{};
+        std::deque<LocalTime> unanswered{}; ///< probes of the last kAnswerWithin, oldest first
+
+        void asked(LocalTime now)
+        {
+            while (!unanswered.empty() && unanswered.front() < now - kAnswerWithin)
+                unanswered.pop_front();
+            unanswered.push_back(now);
+        }
+        /// Whether an answer is one to a probe that waits for it, as it no longer does.
+        [[nodiscard]] bool settles(LocalTime probe, LocalTime now)
+        {
+            const auto found = std::ranges::find(unanswered, probe);
+            if (found == unanswered.end() || now - probe > kAnswerWithin)
+                return false;
+            unanswered.erase(found);
+            return true;
+        }
     };
 
     void actionReceived(const EventCpo& action, ParticipantId from, LocalTime now) override
@@ -93,11 +115,11 @@ private:
     void answerReceived(const DelayAnswer& answer, ParticipantId from, LocalTime now) override
     {
         const auto found = m_neighbours.find(from);
-        const Duration roundTrip = now.time_since_epoch() - answer.sentAt;
-        if (found == m_neighbours.end() || roundTrip < Duration{})
+        const LocalTime probe{answer.sentAt};
+        if (found == m_neighbours.end() || !found->second.settles(probe, now))
             return;
         Neighbour& neighbour = found->second;
-        neighbour.oneWayDelay = roundTrip / 2;
+        neighbour.oneWayDelay = (now - probe) / 2;
         neighbour.trigger.addDelay(neighbour.oneWayDelay);
         neighbour.nextProbe =
             std::min(neighbour.nextProbe, neighbour.lastProbe + neighbour.trigger.interval());

@@ -55,6 +55,23 @@ private Q_SLOTS:
                  QByteArray{"fine"});
     }
 
+    void anObjectIsAskedForOnceAndHandedToAnother()
+    {
+        LogWriter writer = sampleSession();
+        const fact::ObjectWanted wanted{kSampleTube};
+        const fact::ObjectWanted noMore{kSampleTube, false};
+        QCOMPARE(judged(writer, kSampleOtherTrainee, noMore), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleOtherTrainee, wanted), QByteArray{"fine"});
+        writer.add(kNow, wanted, kSampleStation, kSampleOtherTrainee);
+        QCOMPARE(judged(writer, kSampleOtherTrainee, wanted), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleOtherTrainee, noMore), QByteArray{"fine"});
+        QCOMPARE(judged(writer, kSampleInstructor, wanted), QByteArray{"fine"});
+        const fact::ObjectHandedOver kept{kSampleTube, kSampleTrainee, 1};
+        const fact::ObjectHandedOver given{kSampleTube, kSampleOtherTrainee, 1};
+        QCOMPARE(judged(writer, kSampleTrainee, kept), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleTrainee, given), QByteArray{"fine"});
+    }
+
     /// Whoever hears it: two programs at one manikin hear the same breath.
     void aManikinBreathesNoFasterThanItCanBeSet()
     {

@@ -72,25 +72,6 @@ private Q_SLOTS:
         QCOMPARE(objects, mostObjectsOf(Role::Trainee));
     }
 
-    /// What cannot be carried passes to the host when its owner goes to another station.
-    void goingAwayMakesNoRoomForMore()
-    {
-        Course course{withHost()};
-        StationId here = kSampleStation;
-        std::size_t objects = 0;
-        for (int i = 0; i < 20; ++i) {
-            const fact::ObjectShared patient{
-                {}, kSampleOtherTrainee, ObjectKind::Patient, "patient " + std::to_string(i)};
-            objects += course.by(kSampleOtherTrainee, patient, here) == "fine" ? 1 : 0;
-            here = here == kSampleStation ? kSecondStation : kSampleStation;
-            QCOMPARE(course.by(kSampleHost, fact::ParticipantLeft{kSampleOtherTrainee}),
-                     QByteArray{"fine"});
-            QCOMPARE(course.by(kNobody, fact::ParticipantJoined{{}, Role::Trainee, "Tess"}, here),
-                     QByteArray{"fine"});
-        }
-        QCOMPARE(objects, kMostOfAKind);
-    }
-
     /// The host and an instructor have 64 objects at most, a trainee two of a kind.
     void nobodyIsGivenMoreThanTheyMayHave()
     {
@@ -109,9 +90,6 @@ private Q_SLOTS:
             QCOMPARE(course.handsOver(kSampleTrainee, tube, full), QByteArray{"not permitted"});
         QCOMPARE(course.handsOver(kSampleHost, tube, kSampleOtherTrainee),
                  QByteArray{"not permitted"});
-        // What one has already needs no room.
-        const SharedObject jaw = course.authority.state().objects().at(ObjectId{100});
-        QCOMPARE(course.handsOver(kSampleHost, jaw, kSampleHost), QByteArray{"fine"});
     }
 
     /// One who got a tube unasked worked with that one instead of with their own.

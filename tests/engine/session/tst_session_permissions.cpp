@@ -113,6 +113,9 @@ void TestSessionPermissions::permitsByRole_data()
     row("shares its own stylus", "yyynnn", [](auto id) {
         return fact::ObjectShared{{}, id, ObjectKind::Stylus, "stylus"};
     });
+    row("shares a patient", "yynnnn", [](auto id) {
+        return fact::ObjectShared{{}, id, ObjectKind::Patient, "patient"};
+    });
     row("shares for the other trainee", "yynnnn", [](auto) {
         return fact::ObjectShared{{}, kSampleOtherTrainee, ObjectKind::Stylus, "stylus"};
     });
@@ -120,7 +123,7 @@ void TestSessionPermissions::permitsByRole_data()
         return fact::ObjectShared{kSampleTube, id, ObjectKind::Tube, "tube"};
     });
     // The host of this session has not come in, and nobody who has not can own anything.
-    row("takes the tube, or keeps its own", "nyynnn", [](auto id) {
+    row("takes the tube", "nynnnn", [](auto id) {
         return fact::ObjectHandedOver{kSampleTube, id, 1};
     });
     row("gives the tube to the other trainee, who did not ask", "yynnnn", [](auto) {
@@ -133,7 +136,7 @@ void TestSessionPermissions::permitsByRole_data()
         return fact::ObjectHandedOver{kSampleTube, kSampleObserver, 1};
     });
     row("asks for the tube", "yyynnn", [](auto) { return fact::ObjectWanted{kSampleTube}; });
-    row("asks for it no more", "yyynnn", [](auto) {
+    row("asks for it no more, not having asked", "nnnnnn", [](auto) {
         return fact::ObjectWanted{kSampleTube, false};
     });
     // The one at work in this session is the trainee, who has its tube.

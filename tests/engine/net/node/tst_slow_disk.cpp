@@ -237,6 +237,27 @@ private Q_SLOTS:
         QCOMPARE(disk.facts.size(), std::size_t(before.value + 2));
     }
 
+    /// Two come in the same moment, and neither is stored; the first goes, and the second has its
+    /// number.
+    void whoseNumberWasUndoneComesInUnderAnother()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        world.run(50ms);
+        disk.hold();
+        const auto& anna = world.add("Anna");
+        auto& ben = world.add("Ben");
+        world.run(10ms);
+        disk.full = true;
+        disk.letGo();
+        world.host->waitForDisk(world.now);
+        world.host->disconnected(anna.address, world.now);
+        disk.full = false;
+        world.run(500ms);
+        QVERIFY(!ben.board.part(&NodeBoard::View::refusal));
+        QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
+    }
+
     /// A crowd that comes at once is let in one after another, and nobody is told to go away.
     void crowdComesInWithoutARefusal()
     {

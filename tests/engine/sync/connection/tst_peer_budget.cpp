@@ -110,11 +110,11 @@ private Q_SLOTS:
     void burstIsHeldHoweverSlowlyTheBucketFills()
     {
         TokenBucket bucket;
-        QVERIFY(bucket.take(8.0, 0.1, kStart, 8.0));
-        QVERIFY(!bucket.take(1.0, 0.1, kStart + 9s, 8.0));
-        QVERIFY(bucket.take(1.0, 0.1, kStart + 10s, 8.0));
+        QVERIFY(bucket.takeOf(8.0, 8.0, 0.1, kStart));
+        QVERIFY(!bucket.takeOf(8.0, 1.0, 0.1, kStart + 9s));
+        QVERIFY(bucket.takeOf(8.0, 1.0, 0.1, kStart + 10s));
         bucket.putBack(1.0, 0.1);
-        QVERIFY(bucket.take(1.0, 0.1, kStart + 10s, 8.0));
+        QVERIFY(bucket.takeOf(8.0, 1.0, 0.1, kStart + 10s));
     }
 
     /// Others decide how many answers they ask for.
@@ -135,7 +135,7 @@ private Q_SLOTS:
         PeerBudget budget{kLimits};
         const auto shared = std::make_shared<SharedBudget>(
             SharedLimits{.datagrams = 10.0, .bytes = 1e4, .proposals = 1.0});
-        budget.shareWith(shared);
+        budget.comes(shared, kStart);
         int taken = 0;
         for (int i = 0; i < 1000; ++i) {
             const auto verdict = budget.takesProposal(kStart);
@@ -158,10 +158,10 @@ private Q_SLOTS:
             .datagrams = 2000.0, .bytes = 5e5, .comings = 2.0, .proposals = 20.0};
         const auto shared = std::make_shared<SharedBudget>(
             SharedLimits{.datagrams = 16000.0, .bytes = 4e6, .proposals = 40.0});
-        shared->setMembers(32);
+        shared->setMembers(32, kStart);
         std::vector<PeerBudget> pupils(32, PeerBudget{kTrainee});
         for (PeerBudget& pupil : pupils) {
-            pupil.shareWith(shared);
+            pupil.comes(shared, kStart);
             QCOMPARE(pupil.takesComing(kStart), PeerBudget::Verdict::Taken);
             for (int object = 0; object < 4; ++object)
                 QCOMPARE(pupil.takesProposal(kStart), PeerBudget::Verdict::Taken);
@@ -175,7 +175,7 @@ private Q_SLOTS:
     void comingInUsesUpNoProposal()
     {
         PeerBudget budget{PeerLimits{.comings = 1.0, .proposals = 2.0}};
-        budget.shareWith(std::make_shared<SharedBudget>(SharedLimits{.proposals = 40.0}));
+        budget.comes(std::make_shared<SharedBudget>(SharedLimits{.proposals = 40.0}), kStart);
         QCOMPARE(budget.takesComing(kStart), PeerBudget::Verdict::Taken);
         QCOMPARE(budget.takesComing(kStart), PeerBudget::Verdict::Taken);
         QCOMPARE(budget.takesComing(kStart), PeerBudget::Verdict::Refused);
@@ -189,15 +189,53 @@ private Q_SLOTS:
     void comingsOfManyNamesAreBoundedTogether()
     {
         const auto shared = std::make_shared<SharedBudget>(SharedLimits{.proposals = 4.0});
-        shared->setMembers(12);
+        shared->setMembers(12, kStart);
         std::vector<PeerBudget> names(12, PeerBudget{PeerLimits{.comings = 100.0}});
         int comings = 0;
         for (PeerBudget& name : names) {
-            name.shareWith(shared);
+            name.comes(shared, kStart);
             while (name.takesComing(kStart) == PeerBudget::Verdict::Taken)
                 ++comings;
         }
         QCOMPARE(comings, (12 * int(SharedBudget::kSavedProposals) + 8) / 2);
+    }
+
+    /// One person under many names, each of which is there for a tenth of a second and gone again:
+    /// their shares fill no faster than that of one who stays.
+    void namesThatTakeTurnsHaveNoMoreThanOne()
+    {
+        constexpr int kNames = 100;
+        constexpr int kTurns = 600;
+        const auto shared = std::make_shared<SharedBudget>(SharedLimits{.proposals = 40.0});
+        std::vector<PeerBudget> names(kNames, PeerBudget{{.comings = 2.0, .proposals = 20.0}});
+        int facts = 0;
+        LocalTime now = kStart;
+        for (int turn = 0; turn < kTurns; ++turn, now += 100ms) {
+            PeerBudget& name = names[std::size_t(turn % kNames)];
+            name.comes(shared, now);
+            shared->setMembers(1, now);
+            facts += name.takesComing(now) == PeerBudget::Verdict::Taken ? 2 : 0;
+            for (int i = 0; i < 20; ++i)
+                facts += name.takesProposal(now + i * 4ms) == PeerBudget::Verdict::Taken ? 1 : 0;
+            name.goes(now + 99ms);
+        }
+        const int most = kNames * int(SharedBudget::kSavedProposals) + (60 + 2) * 2 * 40;
+        QVERIFY2(facts <= most && facts > most - 600, qPrintable(QString::number(facts)));
+    }
+
+    /// A crowd that is there for a moment does not let each of its members fill as one alone would.
+    void aShareFillsByHowManyWereThere()
+    {
+        const auto shared = std::make_shared<SharedBudget>(SharedLimits{.proposals = 10.0});
+        PeerBudget budget{{.proposals = 1000.0}};
+        budget.comes(shared, kStart);
+        shared->setMembers(100, kStart);
+        while (budget.takesProposal(kStart) == PeerBudget::Verdict::Taken) {}
+        shared->setMembers(1, kStart + 1s); // a tenth of a fact until here; the pot has ten
+        int facts = 0;
+        while (budget.takesProposal(kStart + 1s) == PeerBudget::Verdict::Taken)
+            ++facts;
+        QCOMPARE(facts, 10);
     }
 
     /// Neither a new connection nor a new run of the program brings a new budget.

@@ -10,6 +10,15 @@ namespace
 
 constexpr ObjectId kTube{1};
 
+/// A log of so many facts, of a time before anybody came.
+void fill(TestSession& session, std::uint64_t facts)
+{
+    for (std::uint64_t number = 1; number <= facts; ++number)
+        session.disk.push_back({FactNumber{number}, ProposalId{number}, ParticipantId{1},
+                                StationId{}, SessionTime{}, SessionTime{},
+                                TestSession::body("40 bytes of what was long ago, or so ...")});
+}
+
 /// A datagram that the program at a site would not send.
 void sendFrom(SessionWorld& world, std::size_t site, std::span<const WireRecord> records)
 {
@@ -83,6 +92,78 @@ private Q_SLOTS:
         }
         const std::size_t facts = world.session.disk.size() + world.session.departures.size();
         QVERIFY2(facts <= 2U * (kSeconds + 2) + 2, qPrintable(QString::number(facts)));
+    }
+
+    /// Whoever says that it knows nothing is sent the whole log, once.
+    void whoAsksForTheLogOverAndOverIsSentItSlowly()
+    {
+        constexpr std::uint64_t kFacts = 60'000;
+        constexpr int kSeconds = 20;
+        SessionWorld world{61};
+        fill(world.session, kFacts);
+        world.startHost();
+        world.addSite(kCalm);
+        world.addSite(kCalm);
+        world.startClient(1, "honest");
+        world.run(2s);
+        const std::size_t before = world.site(0).fromHost.sent();
+        world.run(kSeconds * 1s, 1s, [&] {
+            world.startClient(0, "hungry");
+            world.propose(1, "news");
+        });
+        const double bytes = 1200.0 * double(world.site(0).fromHost.sent() - before);
+        const double most =
+            PeerBudget::kLogBytesAtOnce + PeerBudget::kLogBytes * (kSeconds + 2) + 2e6;
+        QVERIFY2(bytes < most, qPrintable(QString::number(bytes / 1e6)));
+        QVERIFY(world.site(1).client->waiting().empty());
+    }
+
+    /// Many who come late at once, and one more: each gets its part of what is sent.
+    void whoComesLateIsNotLastForEver()
+    {
+        constexpr std::size_t kHungry = 24;
+        constexpr std::uint64_t kFacts = 20'000;
+        SessionWorld world{62};
+        fill(world.session, kFacts);
+        world.startHost();
+        for (std::size_t i = 0; i <= kHungry; ++i)
+            world.addSite(kCalm);
+        for (std::size_t i = 0; i <= kHungry; ++i)
+            world.startClient(i, "late " + std::to_string(i));
+        world.run(1s);
+        std::size_t least = world.site(0).log.size();
+        std::size_t most = least;
+        for (std::size_t i = 0; i <= kHungry; ++i) {
+            least = std::min(least, world.site(i).log.size());
+            most = std::max(most, world.site(i).log.size());
+        }
+        QVERIFY2(double(least) > 0.5 * double(most),
+                 qPrintable(QStringLiteral("%1 %2").arg(least).arg(most)));
+        QVERIFY(most < kFacts); // or nothing was shared out
+    }
+
+    /// Another program of the same participant, whose joining is on its way to the disk.
+    void whoIsBarredDoesNotComeInOverAnotherPath()
+    {
+        SessionWorld world{63};
+        world.session.limits.proposals = 10.0;
+        world.startHost();
+        world.addSite(kCalm);
+        world.addSite(kCalm);
+        world.startClient(0, "anna");
+        world.run(1s);
+        world.session.isFast = false;
+        world.startClient(1, "anna");
+        world.run(3s, 20ms, [&] {
+            for (int i = 0; i < 10; ++i)
+                world.propose(0, "flood");
+        });
+        for (std::size_t i = world.host().log().size(); i < world.session.disk.size(); ++i)
+            world.host().append(world.session.disk[i]);
+        world.run(1s);
+        QCOMPARE(world.host().peers().size(), std::size_t{0});
+        QCOMPARE(world.site(0).client->helloRefused()->code, Errc::TooMuchSent);
+        QCOMPARE(world.site(1).client->helloRefused()->code, Errc::TooMuchSent);
     }
 
     void repeatsOfWhatIsSettledAreLookedUpWithinALimit()

@@ -1,3 +1,4 @@
+#include "engine/sync/strategies/relayed_message.h"
 #include "tests/engine/sync/strategies/strategy_star.h"
 #include "tests/support/test_class.h"
 
@@ -110,6 +111,24 @@ private Q_SLOTS:
         const double drawn = turnedAboutZ_deg(star.shown(2, kObject));
         QVERIFY2(std::abs(drawn - (90.0 + kDegreesPerSecond * 0.020)) < 1e-3,
                  qPrintable(QString::number(drawn)));
+    }
+
+    /// Half the trip of each, a thousand years, would be the mean of a history.
+    void answersThatNobodyAskedForChangeNothing()
+    {
+        StrategyStar star{"asa-adaptive", 2, {}};
+        star.runTo(5s);
+        for (int i = 0; i < 100; ++i) {
+            for (const Duration sentAt : {Duration{-(std::int64_t{1} << 60)}, Duration{}, Duration{4999ms}})
+                star.participant(2).receive(
+                    ParticipantId{},
+                    encodeRelayed({ParticipantId{1}, ParticipantId{2}, DelayAnswer{sentAt}}),
+                    LocalTime{5s});
+        }
+        star.act(1, quarterTurns());
+        star.runTo(6s);
+        QVERIFY(std::abs(turnedAboutZ_deg(star.shown(2, kObject)) - 90.0) < kTolerance_deg);
+        QCOMPARE(star.participant(2).nextWake() - LocalTime{6s} <= 1s, true);
     }
 
     void withoutSynchronisationALossStays()

@@ -1,13 +1,14 @@
 #include "apps/lab/attack/attack_experiment.h"
 #include "apps/lab/command/words.h"
 #include "apps/lab/commands.h"
+#include "engine/net/entry/psk_identity.h"
 
 #include <QJsonArray>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdio>
-#include <functional>
+#include <optional>
 
 namespace carina::lab
 {
@@ -16,7 +17,10 @@ namespace
 
 namespace attack_option
 {
-constexpr Option kSeconds{"seconds", "S", "how long each attack, 4 to 600; 10 unless given"};
+constexpr Option kSeconds{
+    "seconds", "S",
+    "how long each attack at least, 4 to 600; 10 unless given. One that is to send many datagrams "
+    "goes on until it has, 120 s at most"};
 constexpr Option kOnly{"only", "NAME", "one attack: one of the names above; all unless given"};
 constexpr Option kGuests{
     "guests", "N", "others who come in before and only take part, 0 to 240; none unless given"};
@@ -32,14 +36,18 @@ constexpr Key kSeconds{"seconds", "as given"};
 constexpr Key kGuests{"guests", "as given"};
 constexpr Key kAttacks{"attacks", "one object each:"};
 constexpr Key kName{"name", "of the attack", 1};
+constexpr Key kLasted{"lasted_s", "how long it was", 1};
 constexpr Key kSent{"sent", "datagrams, handshakes or Hellos of the attacker", 1};
+constexpr Key kLeastSent{"least_sent", "without which it was no such attack", 1};
 constexpr Key kTaken{"taken_for_another",
                      "whether the host took the attacker for another participant; never", 1};
 constexpr Key kGapBefore{"largest_gap_before_ms",
                          "between two samples of the trainee's tube at an observer, in as much "
                          "time before the attack",
                          1};
-constexpr Key kGap{"largest_gap_ms", "the same during the attack; at most 100", 1};
+constexpr Key kGap{"largest_gap_ms", "the same during the attack", 1};
+constexpr Key kMostGap{"most_gap_ms",
+                       "that may be; null: with guests, where it depends on the processors", 1};
 constexpr Key kLate{"late_look_ms",
                     "the longest time in it for which the observer's own thread did not run, where "
                     "the processor was busy: as much of the gap may not be the session's",
@@ -55,10 +63,24 @@ constexpr Key kJumps{"jumps",
                      "has followed is left out",
                      1};
 constexpr Key kJoin{"join_s",
-                    "how long a newcomer took to come in meanwhile, without the derivation of its "
-                    "key; at most 2; null: not within 10",
+                    "how long a newcomer of each role took to come in meanwhile, one after "
+                    "another, without the derivation of their keys; at most 2; null: not within 10",
                     1};
+constexpr Key kPutOut{"put_out",
+                      "of those who only take part, guests included, how many were not present "
+                      "throughout; 0",
+                      1};
+constexpr Key kMoved{"moved",
+                     "objects that the observer is shown elsewhere than before the attack, or "
+                     "moved where nobody had moved them; 0",
+                     1};
+constexpr Key kMeasured{"measured", "what the attack measured by itself, one object each:", 1};
+constexpr Key kMeasuredWhat{"what", "of what", 2};
+constexpr Key kMeasuredFigure{"figure", "during the attack", 2};
+constexpr Key kMeasuredLeast{"least", "without which it was no such attack", 2};
+constexpr Key kMeasuredMost{"most", "that may be; null: no bound", 2};
 constexpr Key kFacts{"facts", "by which the log is longer afterwards", 1};
+constexpr Key kLeastFacts{"least_facts", "without which it was no such attack", 1};
 constexpr Key kMostFacts{"most_facts", "that may come of it", 1};
 constexpr Key kMemory{
     "memory_kb",
@@ -69,74 +91,75 @@ constexpr Key kMostMemory{"most_memory_kb",
                           "that may come of it: what programs that draw vary by, and the facts and "
                           "idle paths that the attack leaves",
                           1};
+constexpr Key kLeastLeak{"least_leak_bytes",
+                         "the least that the console would have to keep of each of `sent` to "
+                         "exceed that",
+                         1};
 constexpr Key kHolds{"holds", "whether all of these are within their bounds", 1};
 } // namespace attack_key
 
-constexpr double kMostGap_ms = 100.0;
-constexpr double kMostDriftRatio = 2.0;
-constexpr double kMostJoin_s = 2.0;
-// By how much the memory of a program varies that draws and is not attacked: seen are 4.8 MB and
-// 1.4 MB, of pages that hold blocks of every age.
-constexpr double kConsoleVaries_kb = 5120.0;
-constexpr double kTraineeVaries_kb = 2048.0;
-// Of a fact in the log and in what follows from it, and of an encrypted path.
-constexpr double kFact_kb = 1.0;
-constexpr double kPath_kb = 64.0;
-
 double inMilliseconds(Duration duration) { return toSeconds(duration) * 1e3; }
 
-double mostFactsOf(const AttackFigures& figures, Duration length)
+QJsonArray arrayOf(const auto& numbers)
 {
-    return figures.kind->mostFacts + figures.kind->factsPerS * toSeconds(length);
+    QJsonArray array;
+    for (const double each : numbers)
+        array.append(each);
+    return array;
 }
 
-/// That of console and trainee. Only the host of a session has paths.
-std::array<double, 2> mostMemoryOf_kb(const AttackFigures& figures, Duration length)
+QJsonValue orNull(const std::optional<double>& number)
 {
-    const double facts = kFact_kb * mostFactsOf(figures, length);
-    return {kConsoleVaries_kb + facts + kPath_kb * figures.kind->mostPaths,
-            kTraineeVaries_kb + facts};
+    return number && std::isfinite(*number) ? QJsonValue{*number} : QJsonValue::Null;
 }
 
-bool holdsMemory(const AttackFigures& figures, Duration length)
+QJsonObject joinsOf(const AttackFigures& figures)
 {
-    return std::ranges::equal(figures.memory_kb, mostMemoryOf_kb(figures, length),
-                              std::less_equal<>{});
+    QJsonObject joins;
+    for (const auto& [role, joined] : figures.joined) {
+        const std::string_view word = roleWord(role);
+        joins[QLatin1StringView{word.data(), qsizetype(word.size())}] =
+            orNull(joined ? std::optional{toSeconds(*joined)} : std::nullopt);
+    }
+    return joins;
 }
 
-bool holds(const AttackFigures& figures, Duration length)
+QJsonArray measuredOf(const AttackFigures& figures)
 {
-    return !figures.isTakenForAnother && inMilliseconds(figures.during.largestGap) <= kMostGap_ms
-           && figures.during.places.places() > 0
-           && figures.during.places.drift_mm() <= kMostDriftRatio * figures.before.places.drift_mm()
-           && figures.joined && toSeconds(*figures.joined) <= kMostJoin_s
-           && double(figures.facts) <= mostFactsOf(figures, length) && holdsMemory(figures, length);
+    QJsonArray all;
+    for (const Measured& own : figures.measured)
+        all.append(QJsonObject{{attack_key::kMeasuredWhat, QLatin1StringView{own.what}},
+                               {attack_key::kMeasuredFigure, own.figure},
+                               {attack_key::kMeasuredLeast, own.least},
+                               {attack_key::kMeasuredMost, orNull(own.most)}});
+    return all;
 }
 
-QJsonObject objectOf(const AttackFigures& figures, Duration length)
+QJsonObject objectOf(const AttackFigures& figures)
 {
-    QJsonArray memory;
-    for (const double each : figures.memory_kb)
-        memory.append(each);
-    QJsonArray mostMemory;
-    for (const double each : mostMemoryOf_kb(figures, length))
-        mostMemory.append(each);
     return {{attack_key::kName, QLatin1StringView{figures.kind->name}},
+            {attack_key::kLasted, toSeconds(figures.length)},
             {attack_key::kSent, qint64{figures.sent}},
+            {attack_key::kLeastSent, figures.kind->leastSent},
             {attack_key::kTaken, figures.isTakenForAnother},
             {attack_key::kGapBefore, inMilliseconds(figures.before.largestGap)},
             {attack_key::kGap, inMilliseconds(figures.during.largestGap)},
+            {attack_key::kMostGap, orNull(mostGapOf_ms(figures))},
             {attack_key::kLate, inMilliseconds(figures.during.latest)},
             {attack_key::kDriftBefore, figures.before.places.drift_mm()},
             {attack_key::kDrift, figures.during.places.drift_mm()},
             {attack_key::kJumps, figures.during.places.jumps()},
-            {attack_key::kJoin,
-             figures.joined ? QJsonValue{toSeconds(*figures.joined)} : QJsonValue::Null},
+            {attack_key::kJoin, joinsOf(figures)},
+            {attack_key::kPutOut, qint64{figures.putOut}},
+            {attack_key::kMoved, qint64{figures.moved}},
+            {attack_key::kMeasured, measuredOf(figures)},
             {attack_key::kFacts, qint64{figures.facts}},
-            {attack_key::kMostFacts, mostFactsOf(figures, length)},
-            {attack_key::kMemory, memory},
-            {attack_key::kMostMemory, mostMemory},
-            {attack_key::kHolds, holds(figures, length)}};
+            {attack_key::kLeastFacts, leastFactsOf(figures)},
+            {attack_key::kMostFacts, mostFactsOf(figures)},
+            {attack_key::kMemory, arrayOf(figures.memory_kb)},
+            {attack_key::kMostMemory, arrayOf(mostMemoryOf_kb(figures))},
+            {attack_key::kLeastLeak, leastLeakOf_bytes(figures)},
+            {attack_key::kHolds, holds(figures)}};
 }
 
 Result<AttackSettings> settingsOf(const Words& words)
@@ -170,9 +193,8 @@ Result<QJsonObject> runAttacks(const Words& words)
         return attackSession(settings).map([&](const std::vector<AttackFigures>& all) {
             QJsonArray attacks;
             for (const AttackFigures& figures : all)
-                attacks.append(objectOf(figures, settings.length));
-            const bool allHold = std::ranges::all_of(
-                all, [&](const AttackFigures& each) { return holds(each, settings.length); });
+                attacks.append(objectOf(figures));
+            const bool allHold = std::ranges::all_of(all, holds);
             return QJsonObject{{attack_key::kSchema, QLatin1StringView{attack_key::kSchema.help}},
                                {attack_key::kSeconds, toSeconds(settings.length)},
                                {attack_key::kGuests, settings.guests},
@@ -199,20 +221,45 @@ Command attackCommand()
         .theme = "drift and network",
         .summary = "attacks a session from inside and measures what others notice",
         .uses = {{.lines = {"[--seconds S] [--only NAME] [--guests N] [--programs DIR]"},
-                  .text = "Starts a console and a trainee in a session of their own, and attacks "
-                          "it as one who knows a code could, in one way after another. Meanwhile "
-                          "an observer watches the trainee's tube and a newcomer joins. Needs a "
-                          "display. Progress is reported on stderr. The attacks:",
+                  .text =
+                      "Starts a console and a trainee in a session of their own, and attacks "
+                      "it as one who knows a code could, in one way after another. Meanwhile "
+                      "an observer watches the trainee's tube, and a newcomer of each role joins. "
+                      "Needs a display. Progress is reported on stderr. The attacks:",
                   .notes = attackNotes(),
                   .options = {attack_option::kSeconds, attack_option::kOnly, attack_option::kGuests,
                               attack_option::kPrograms},
                   .schema = attack_key::kSchema,
-                  .keys = {attack_key::kSeconds, attack_key::kGuests, attack_key::kAttacks,
-                           attack_key::kName, attack_key::kSent, attack_key::kTaken,
-                           attack_key::kGapBefore, attack_key::kGap, attack_key::kLate,
-                           attack_key::kDriftBefore, attack_key::kDrift, attack_key::kJumps,
-                           attack_key::kJoin, attack_key::kFacts, attack_key::kMostFacts,
-                           attack_key::kMemory, attack_key::kMostMemory, attack_key::kHolds,
+                  .keys = {attack_key::kSeconds,
+                           attack_key::kGuests,
+                           attack_key::kAttacks,
+                           attack_key::kName,
+                           attack_key::kLasted,
+                           attack_key::kSent,
+                           attack_key::kLeastSent,
+                           attack_key::kTaken,
+                           attack_key::kGapBefore,
+                           attack_key::kGap,
+                           attack_key::kMostGap,
+                           attack_key::kLate,
+                           attack_key::kDriftBefore,
+                           attack_key::kDrift,
+                           attack_key::kJumps,
+                           attack_key::kJoin,
+                           attack_key::kPutOut,
+                           attack_key::kMoved,
+                           attack_key::kMeasured,
+                           attack_key::kMeasuredWhat,
+                           attack_key::kMeasuredFigure,
+                           attack_key::kMeasuredLeast,
+                           attack_key::kMeasuredMost,
+                           attack_key::kFacts,
+                           attack_key::kLeastFacts,
+                           attack_key::kMostFacts,
+                           attack_key::kMemory,
+                           attack_key::kMostMemory,
+                           attack_key::kLeastLeak,
+                           attack_key::kHolds,
                            kAcceptable}}},
         .experiment = runAttacks};
 }

@@ -1,11 +1,15 @@
 #include "apps/lab/attack/attack_experiment.h"
 
+#include "apps/lab/attack/honest_people.h"
+#include "apps/lab/attack/shown_objects.h"
 #include "engine/core/monotonic_clock.h"
+#include "engine/net/entry/psk_identity.h"
 
 #include <QCoreApplication>
 #include <QThread>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -17,12 +21,16 @@ namespace
 
 using namespace std::chrono_literals;
 
-constexpr Duration kNewcomerAfter = 2s; ///< the beginning of an attack
+constexpr Duration kNewcomersAfter = 2s; ///< the beginning of an attack
 constexpr Duration kNewcomerWaits = 10s;
+constexpr std::array kNewcomers{Role::Trainee, Role::Observer, Role::Instructor};
+/// An attack that is to send more than it can ends without it.
+constexpr Duration kLongest = 120s;
 constexpr int kOfFive = 5;     ///< guests, one is an observer
 constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
 /// In which each program has given back the free pages of its heap (program::HeapPages).
 constexpr Duration kPagesGoBack = 22s;
+constexpr Duration kSlice = 100ms;      ///< between two looks at how much was sent
 constexpr Duration kMemoryLook = 500ms; ///< between two looks at memory
 constexpr double kSettled_kb = 2048.0;  ///< by which memory varies in any case
 
@@ -67,6 +75,8 @@ public:
         std::vector<AttackFigures> all;
         for (const AttackKind* kind : m_settings.kinds) {
             m_settings.begins(*kind);
+            if (!choose(kind->strategy))
+                return fail(Errc::HostSilent, "the strategy was not chosen");
             all.push_back(attack(*kind));
             if (const auto fault = m_session->fault())
                 return tl::unexpected(*fault);
@@ -97,13 +107,24 @@ private:
         m_witness = std::make_unique<Witness>(*m_node, StartedSession::kTrainee);
         if (!waitFor([this] { return m_witness->sees(); }))
             return fail(Errc::HostSilent, "the trainee's tube was not seen");
-        // Both codes' keys are derived before anything is measured.
-        auto first = join(Role::Trainee, "First newcomer");
-        if (!first)
-            return tl::unexpected(first.error());
-        if (!waitFor([&] { return (*first)->self() != kNobody; }))
-            return fail(Errc::HostSilent, "a newcomer did not come in");
-        return comeInGuests();
+        return deriveKeys().and_then([this] { return comeInGuests(); }).map([this] {
+            m_honest.emplace(*m_node, honestOnes());
+        });
+    }
+
+    /// Of all roles, before anything is measured. The instructor stays.
+    Result<void> deriveKeys()
+    {
+        for (const Role role : kNewcomers) {
+            auto first = join(role, "First " + std::string{roleWord(role)});
+            if (!first)
+                return tl::unexpected(first.error());
+            if (!waitFor([&] { return (*first)->self() != kNobody; }))
+                return fail(Errc::HostSilent, "a newcomer did not come in");
+            if (role == Role::Instructor)
+                m_instructor = *std::move(first);
+        }
+        return {};
     }
 
     Result<void> comeInGuests()
@@ -118,6 +139,25 @@ private:
                 return fail(Errc::HostSilent, "guest " + std::to_string(i) + " did not come in");
         }
         return {};
+    }
+
+    [[nodiscard]] std::vector<ParticipantId> honestOnes() const
+    {
+        std::vector<ParticipantId> all{m_node->self(), m_instructor->self()};
+        for (const auto& guest : m_guests)
+            all.push_back(guest->self());
+        for (const auto& [id, participant] : m_node->state()->participants())
+            if (participant.name == StartedSession::kTrainee)
+                all.push_back(id);
+        return all;
+    }
+
+    [[nodiscard]] bool choose(StrategyKind strategy)
+    {
+        const auto isChosen = [&] { return m_node->state()->strategy().kind == strategy; };
+        if (!isChosen())
+            m_instructor->propose(kNoStation, fact::StrategyChosen{{.kind = strategy}});
+        return waitFor(isChosen);
     }
 
     [[nodiscard]] std::int64_t facts() const
@@ -146,23 +186,43 @@ private:
 
     AttackFigures attack(const AttackKind& kind)
     {
-        AttackFigures figures{.kind = &kind};
+        AttackFigures figures{.kind = &kind, .guests = m_settings.guests};
         const std::int64_t factsBefore = facts();
         static_cast<void>(m_witness->take());
         const std::vector<double> memoryBefore = leastMemoryIn(m_settings.length);
         figures.before = m_witness->take();
 
+        const ShownObjects shownBefore{*m_node};
+        static_cast<void>(m_honest->takeMissed());
         auto attack = kind.begin({m_session->port(), m_session->codes(), m_derive,
                                   StartedSession::kTrainee, std::string{"Intruder "} + kind.name});
         const LocalTime began = monotonicNow();
-        workFor(kNewcomerAfter, [&] { attack->step(); });
-        figures.joined = newcomer(*attack);
-        workFor(began + m_settings.length - monotonicNow(), [&] { attack->step(); });
+        const auto step = [&] {
+            attack->step();
+            m_honest->look();
+        };
+        workFor(kNewcomersAfter, step);
+        for (const Role role : kNewcomers)
+            if (role != kind.spoils)
+                figures.joined[role] = newcomer(role, step);
+        workFor(began + m_settings.length - monotonicNow(), step);
+        while (double(attack->sent()) < kind.leastSent && monotonicNow() < began + kLongest)
+            workFor(kSlice, step);
+        figures.length = monotonicNow() - began;
         figures.during = m_witness->take();
         figures.sent = attack->sent();
         figures.isTakenForAnother = attack->isTakenForAnother();
+        figures.measured = attack->measured(figures.length);
+        figures.moved = shownBefore.moved(*m_node);
+        figures.putOut = m_honest->takeMissed();
         attack.reset();
+        return afterwards(std::move(figures), factsBefore, memoryBefore);
+    }
 
+    /// @pre the attack has ended
+    AttackFigures afterwards(AttackFigures figures, std::int64_t factsBefore,
+                             const std::vector<double>& memoryBefore)
+    {
         workFor(kCalm, [] {});
         figures.facts = facts() - factsBefore;
         figures.memory_kb = memoryAbove_kb(memoryBefore);
@@ -184,14 +244,14 @@ private:
     }
 
     /// @returns how long it took to come in
-    std::optional<Duration> newcomer(Attack& attack)
+    std::optional<Duration> newcomer(Role role, const std::function<void()>& step)
     {
         const LocalTime began = monotonicNow();
-        const auto node = join(Role::Trainee, "Newcomer " + std::to_string(++m_newcomers));
+        const auto node = join(role, "Newcomer " + std::to_string(++m_newcomers));
         while (node && monotonicNow() < began + kNewcomerWaits) {
             if ((*node)->self() != kNobody)
                 return monotonicNow() - began;
-            workFor(1ms, [&] { attack.step(); });
+            workFor(1ms, step);
         }
         return std::nullopt;
     }
@@ -200,8 +260,10 @@ private:
     DeriveKey m_derive = derivingOnce();
     std::unique_ptr<StartedSession> m_session;
     std::unique_ptr<SessionNode> m_node;
+    std::unique_ptr<SessionNode> m_instructor;
     std::unique_ptr<Witness> m_witness;
     std::vector<std::unique_ptr<SessionNode>> m_guests;
+    std::optional<HonestPeople> m_honest;
     int m_newcomers = 0;
 };
 

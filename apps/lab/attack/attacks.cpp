@@ -1,8 +1,11 @@
 #include "apps/lab/attack/attacks.h"
 
+#include "apps/lab/attack/foreign_actions.h"
 #include "apps/lab/attack/impostors.h"
 #include "apps/lab/attack/overloads.h"
 #include "apps/lab/attack/participating.h"
+#include "apps/lab/attack/returning.h"
+#include "apps/lab/attack/steady.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/session/facts/fact_codec.h"
 
@@ -10,7 +13,7 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
+#include <iterator>
 #include <ranges>
 
 namespace carina::lab
@@ -29,8 +32,8 @@ protected:
     {
         std::vector<WireRecord> proposals;
         for (int i = 0; i < kProposals; ++i)
-            proposals.emplace_back(toRecord(
-                Proposal{ProposalId{m_random()}, kNobody, intruder.station(), body(intruder)}));
+            proposals.emplace_back(
+                toRecord(Proposal{anyId(), kNobody, intruder.station(), body(intruder)}));
         intruder.send(proposals);
     }
 
@@ -65,10 +68,10 @@ private:
     FactBody body(const Intruder& intruder) override
     {
         const ParticipantId self = intruder.welcome()->participant;
-        if (m_random() % 2 == 0)
+        if (anyNumber() % 2 == 0)
             if (const auto shared = newestOf(intruder, self))
                 return fact::ObjectHandedOver{*shared, kHost, 1};
-        return fact::ObjectShared{ObjectId{}, self, ObjectKind::Tube, std::to_string(m_random())};
+        return fact::ObjectShared{ObjectId{}, self, ObjectKind::Tube, std::to_string(anyNumber())};
     }
     static std::optional<ObjectId> newestOf(const Intruder& intruder, ParticipantId self)
     {
@@ -103,7 +106,7 @@ public:
 private:
     FactBody body(const Intruder& intruder) override
     {
-        if (m_random() % 2 == 0)
+        if (anyNumber() % 2 == 0)
             return fact::RegistrationStated{{RegistrationState::Good, {}, millimetres(1.0)}};
         return fact::PlaceChosen{intruder.welcome()->participant, {}};
     }
@@ -118,11 +121,11 @@ public:
 private:
     FactBody body(const Intruder&) override
     {
-        const double share = 0.01 * double(m_random() % 100);
-        switch (m_random() % 4) {
+        const double share = 0.01 * double(anyNumber() % 100);
+        switch (anyNumber() % 4) {
         case 0:
-            return chosen(m_random() % 2 == 0 ? BuiltinPatient::Adult
-                                              : BuiltinPatient::TwelveYears);
+            return chosen(anyNumber() % 2 == 0 ? BuiltinPatient::Adult
+                                               : BuiltinPatient::TwelveYears);
         case 1:
             return fact::BreathingRateSet{perMinute(10.0 + 30.0 * share)};
         case 2:
@@ -161,7 +164,7 @@ protected:
         if (!m_shared && intruder.station() != kNoStation) {
             m_shared = true;
             const WireRecord proposal = toRecord(
-                Proposal{ProposalId{m_random()}, kNobody, intruder.station(),
+                Proposal{anyId(), kNobody, intruder.station(),
                          fact::ObjectShared{ObjectId{}, me.participant, ObjectKind::Tube, "Tube"}});
             intruder.send(std::span{&proposal, 1});
         }
@@ -186,26 +189,6 @@ private:
     std::uint16_t m_sequence = 0;
 };
 
-/// Acts on objects that are not its own.
-class ForeignActions : public Participating
-{
-public:
-    explicit ForeignActions(const Target& target) : Participating{target, Role::Trainee} {}
-
-protected:
-    void flood(Intruder& intruder) override
-    {
-        std::vector<WireRecord> events;
-        for (std::uint16_t object = 1; object <= kObjects; ++object)
-            events.emplace_back(EventBeat{ObjectId{object}, 0, ++m_action});
-        intruder.send(events);
-    }
-
-private:
-    static constexpr std::uint16_t kObjects = 100;
-    std::uint32_t m_action = 0;
-};
-
 /// Sends what is no datagram.
 class Garbage : public Participating
 {
@@ -218,7 +201,7 @@ protected:
         for (int i = 0; i < kDatagrams; ++i) {
             std::array<std::byte, 800> bytes{};
             for (std::byte& byte : bytes)
-                byte = std::byte(m_random());
+                byte = std::byte(anyNumber());
             intruder.sendBytes(bytes);
         }
     }
@@ -327,18 +310,19 @@ private:
     std::int64_t m_sent = 0;
 };
 
-/// All kinds but these last two at once, some twice.
+/// The first kinds at once, each by an attacker of its own.
 class Together : public Attack
 {
 public:
+    static constexpr std::size_t kAttackers = 16;
+
     explicit Together(const Target& target)
     {
-        const std::span<const AttackKind> kinds = attackKinds();
-        const auto single = kinds.first(kinds.size() - kLast);
-        for (std::size_t i = 0; i < kAttackers; ++i) {
+        int number = 0;
+        for (const AttackKind& single : attackKinds().first(kAttackers)) {
             Target own = target;
-            own.attacker += ' ' + std::to_string(i);
-            m_attacks.push_back(single[i % single.size()].begin(own));
+            own.attacker += ' ' + std::to_string(number++);
+            m_attacks.push_back(single.begin(own));
         }
     }
 
@@ -359,10 +343,15 @@ public:
         return std::ranges::any_of(m_attacks,
                                    [](const auto& attack) { return attack->isTakenForAnother(); });
     }
+    [[nodiscard]] std::vector<Measured> measured(Duration length) const override
+    {
+        std::vector<Measured> all;
+        for (const auto& attack : m_attacks)
+            std::ranges::copy(attack->measured(length), std::back_inserter(all));
+        return all;
+    }
 
 private:
-    static constexpr std::size_t kLast = 2; ///< this, and the one after which codes are others
-    static constexpr std::size_t kAttackers = 16;
     std::vector<std::unique_ptr<Attack>> m_attacks;
 };
 
@@ -380,7 +369,7 @@ WayIn wayIn(const Target& target, Role role)
 
 std::span<const AttackKind> attackKinds()
 {
-    // One for each coming and going of those who take part: attacker, newcomer, watcher.
+    // One for each coming and going of those who take part: attacker, newcomers, listener.
     constexpr double kComings = 20.0;
     // As many as the host takes from an instructor in a second, and a tenth.
     constexpr double kInstructing = 110.0;
@@ -388,53 +377,135 @@ std::span<const AttackKind> attackKinds()
     // second the shares and the pot of trainees of one address, and a tenth (sharedLimitsOf).
     constexpr double kCrowd = 12.0 * (2.0 + 8.0) + 2.0 * 40.0;
     constexpr double kCrowdPerS = 88.0;
+    // More than one name has by itself.
+    constexpr double kLeastOfMany = 30.0;
+    // The names of the turns come in once each, and have saved up as much as those of a crowd.
+    constexpr double kTurns = 24.0 * 2.0 + 24.0 * 8.0 + 2.0 * 40.0;
     // Breaths of a manikin in a second, see kShortestBreath.
     constexpr double kBreathing = 1.2;
     // Two tubes, and what they are handed over.
     constexpr double kSharing = 4.0;
+    // What one trainee may propose: a burst, and by the second, and a tenth.
+    constexpr double kOwn = 44.0;
+    constexpr double kOwnPerS = 22.0;
     // Idle ones that the host keeps for a code.
     constexpr double kIdlePaths = 64.0;
+    // So many that of one block of memory, 32 bytes at least, for each of them more would be left
+    // than a console's memory varies by.
+    constexpr double kMany = 250'000.0;
     static constexpr std::array kKinds{
-        AttackKind{"leaving", "an observer proposes that it leaves, without end", kComings, 0.0,
-                   0.0, begin<Leaving>},
-        AttackKind{"sharing", "a trainee shares ever more tubes, and hands them over to the host",
-                   kComings + kSharing, 0.0, 0.0, begin<Sharing>},
-        AttackKind{"breathing", "a trainee proposes breaths of the manikin without end", kComings,
-                   kBreathing, 0.0, begin<Breathing>},
-        AttackKind{"repeating", "a trainee proposes the place and the registration that it has",
-                   kComings + 1.0, 0.0, 0.0, begin<Repeating>},
-        AttackKind{"impostor", "a trainee says Hello with the join of one who is present", kComings,
-                   0.0, 0.0, beginImpostor},
-        AttackKind{"false-token",
-                   "one says that it is a trainee who is present, whose name and number it knows, "
-                   "without the token",
-                   kComings, 0.0, 0.0, beginFalseToken},
-        AttackKind{"client-hellos", "ClientHellos without a cookie", kComings, 0.0, 0.0,
-                   begin<ClientHellos>},
-        AttackKind{"paths", "an observer opens paths and says no Hello", kComings, 0.0, kIdlePaths,
-                   begin<IdlePaths>},
-        AttackKind{"false-tube", "a trainee streams a second tube, 12 ms ahead of the session",
-                   kComings, 0.0, 0.0, begin<FalseTube>},
-        AttackKind{"shown", "a trainee tells without end where its tube was shown", kComings + 1.0,
-                   0.0, 0.0, beginShowing},
-        AttackKind{"crowd", "a trainee asks for tubes under twelve names, each within its budget",
-                   kComings + kCrowd, kCrowdPerS, 0.0, beginCrowd},
-        AttackKind{"strangers",
-                   "datagrams over paths with an observer's code over which nobody comes in",
-                   kComings, 0.0, kIdlePaths, beginStrangers},
-        AttackKind{"actions", "a trainee acts on what is not its own", kComings, 0.0, 0.0,
-                   begin<ForeignActions>},
-        AttackKind{"names", "a trainee comes in under ever new names over one path", kComings, 0.0,
-                   0.0, begin<Names>},
-        AttackKind{"garbage", "an observer sends bytes at random", kComings, 0.0, 0.0,
-                   begin<Garbage>},
-        AttackKind{"instructing", "an instructor changes the patient and its breathing without end",
-                   kComings + 2.0 * kInstructing, kInstructing, 0.0, begin<Instructing>},
-        AttackKind{"together", "sixteen attackers, in all these ways at once",
-                   16.0 * kComings + 2.0 * (kSharing + kInstructing) + kCrowd,
-                   2.0 * kBreathing + 2.0 * kInstructing + kCrowdPerS, kIdlePaths, begin<Together>},
-        AttackKind{"new-codes", "an instructor gives observers a new code without end", kComings,
-                   2.0, 0.0, begin<NewCodes>}};
+        AttackKind{.name = "leaving",
+                   .what = "an observer proposes that it leaves, without end",
+                   .begin = begin<Leaving>,
+                   .mostFacts = kComings},
+        AttackKind{.name = "sharing",
+                   .what = "a trainee shares ever more tubes, and hands them over to the host",
+                   .begin = begin<Sharing>,
+                   .mostFacts = kComings + kSharing},
+        AttackKind{.name = "breathing",
+                   .what = "a trainee proposes breaths of the manikin without end",
+                   .begin = begin<Breathing>,
+                   .mostFacts = kComings,
+                   .factsPerS = kBreathing},
+        AttackKind{.name = "repeating",
+                   .what = "a trainee proposes the place and the registration that it has",
+                   .begin = begin<Repeating>,
+                   .mostFacts = kComings + 1.0},
+        AttackKind{.name = "impostor",
+                   .what = "a trainee says Hello with the join of one who is present",
+                   .begin = beginImpostor,
+                   .mostFacts = kComings},
+        AttackKind{.name = "false-token",
+                   .what = "one says that it is a trainee who is present, whose name and number it "
+                           "knows, without the token",
+                   .begin = beginFalseToken,
+                   .mostFacts = kComings},
+        AttackKind{.name = "client-hellos",
+                   .what = "ClientHellos without a cookie",
+                   .begin = begin<ClientHellos>,
+                   .mostFacts = kComings},
+        AttackKind{.name = "paths",
+                   .what = "an observer opens paths and says no Hello",
+                   .begin = begin<IdlePaths>,
+                   .mostFacts = kComings,
+                   .mostPaths = kIdlePaths},
+        AttackKind{.name = "false-tube",
+                   .what = "a trainee streams a second tube, 12 ms ahead of the session",
+                   .begin = begin<FalseTube>,
+                   .mostFacts = kComings},
+        AttackKind{.name = "shown",
+                   .what = "a trainee tells without end where its tube was shown",
+                   .begin = beginShowing,
+                   .mostFacts = kComings + 1.0},
+        AttackKind{.name = "crowd",
+                   .what = "a trainee asks for tubes under twelve names, each within its budget",
+                   .begin = beginCrowd,
+                   .mostFacts = kComings + kCrowd,
+                   .factsPerS = kCrowdPerS,
+                   .leastPerS = kLeastOfMany},
+        AttackKind{.name = "strangers",
+                   .what =
+                       "datagrams over paths with an observer's code over which nobody comes in",
+                   .begin = beginStrangers,
+                   .mostFacts = kComings,
+                   .mostPaths = kIdlePaths},
+        AttackKind{.name = "actions",
+                   .what = "a trainee acts on what is not its own, as its owner would",
+                   .begin = beginForeignActions,
+                   .mostFacts = kComings + 1.0},
+        AttackKind{.name = "names",
+                   .what = "a trainee comes in under ever new names over one path",
+                   .begin = begin<Names>,
+                   .mostFacts = kComings},
+        AttackKind{.name = "garbage",
+                   .what = "an observer sends bytes at random",
+                   .begin = begin<Garbage>,
+                   .mostFacts = kComings,
+                   .leastSent = kMany},
+        AttackKind{.name = "instructing",
+                   .what = "an instructor changes the patient and its breathing without end",
+                   .begin = begin<Instructing>,
+                   .mostFacts = kComings + 2.0 * kInstructing,
+                   .factsPerS = kInstructing,
+                   .leastPerS = kLeastOfMany},
+        AttackKind{.name = "messages",
+                   .what = "a trainee acts on what is not its own by messages of the strategy "
+                           "\"none\", which the session has meanwhile",
+                   .begin = beginForeignMessages,
+                   .mostFacts = kComings + 1.0,
+                   .strategy = StrategyKind::None},
+        AttackKind{.name = "steady",
+                   .what = "a trainee sends datagrams of every kind under eight names, as fast as "
+                           "each may",
+                   .begin = beginSteady,
+                   .mostFacts = kComings + 3.0 * 8.0,
+                   .leastSent = kMany},
+        AttackKind{.name = "turns",
+                   .what = "a trainee proposes under 24 names, of which four are there at a time, "
+                           "as much as each may",
+                   .begin = beginTurns,
+                   .mostFacts = kComings + kTurns,
+                   .factsPerS = kCrowdPerS,
+                   .leastPerS = kLeastOfMany},
+        AttackKind{.name = "hungry",
+                   .what = "a trainee says without end that it has nothing of the log",
+                   .begin = beginHungry,
+                   .mostFacts = kComings + kOwn,
+                   .factsPerS = kOwnPerS},
+        AttackKind{.name = "together",
+                   .what = "sixteen attackers, in the first sixteen of these ways at once",
+                   .begin = begin<Together>,
+                   .mostFacts = double(Together::kAttackers) * kComings + kSharing
+                                + 2.0 * kInstructing + kCrowd,
+                   .factsPerS = kBreathing + kInstructing + kCrowdPerS,
+                   .leastPerS = 2.0 * kLeastOfMany,
+                   .mostPaths = kIdlePaths},
+        AttackKind{.name = "new-codes",
+                   .what = "an instructor gives observers a new code without end",
+                   .begin = begin<NewCodes>,
+                   .mostFacts = kComings,
+                   .factsPerS = 2.0,
+                   .spoils = Role::Observer}};
     return kKinds;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/lab/attack/intruder.h"
+#include "engine/sync/strategies/strategy_choice.h"
 
 #include <span>
 
@@ -16,11 +17,16 @@ struct Target {
     std::string attacker; ///< name under which it comes in itself
 };
 
-/// With which attacks draw at random.
-inline constexpr unsigned kAttackSeed = 20;
-
 /// With the code of a role.
 [[nodiscard]] WayIn wayIn(const Target& target, Role role);
+
+/// Something that an attack measures by itself, with its bounds.
+struct Measured {
+    const char* what;
+    double figure;
+    double least; ///< below it the attack did not do what it is for
+    double most;  ///< above it the host did not hold; infinite: no bound
+};
 
 /// An attack under way.
 class Attack
@@ -33,15 +39,25 @@ public:
     [[nodiscard]] virtual std::int64_t sent() const = 0;
     /// Whether the host took it for a participant that it is not.
     [[nodiscard]] virtual bool isTakenForAnother() const { return false; }
+    /// @param length of the attack so far
+    [[nodiscard]] virtual std::vector<Measured> measured(Duration length) const
+    {
+        static_cast<void>(length);
+        return {};
+    }
 };
 
 struct AttackKind {
     const char* name;
     const char* what; ///< for the help: what is done, and with whose code
-    double mostFacts; ///< that may come of it, whatever its length
-    double factsPerS; ///< and beside these, in a second
-    double mostPaths; ///< that it leaves at the host for a while
     std::unique_ptr<Attack> (*begin)(const Target& target);
+    double mostFacts = 0.0;   ///< that may come of it, whatever its length
+    double factsPerS = 0.0;   ///< and beside these, in a second
+    double leastPerS = 0.0;   ///< facts in a second, without which it was no such attack
+    double mostPaths = 0.0;   ///< that it leaves at the host for a while
+    double leastSent = 100.0; ///< it goes on until it has sent as much
+    StrategyKind strategy = StrategyKind::SessionClock; ///< of the session meanwhile
+    std::optional<Role> spoils{}; ///< role whose code is void by it, so that nobody new comes in
 };
 
 [[nodiscard]] std::span<const AttackKind> attackKinds();

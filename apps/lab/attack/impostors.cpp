@@ -1,8 +1,7 @@
 #include "apps/lab/attack/impostors.h"
 
+#include "apps/lab/attack/attendee.h"
 #include "engine/session/facts/fact_codec.h"
-
-#include <random>
 
 namespace carina::lab
 {
@@ -16,6 +15,7 @@ public:
     explicit Impostor(const Target& target)
         : m_name{target.attacker},
           m_victim{target.victim},
+          m_random{randomOf(target.attacker)},
           m_watcher{wayIn(target, Role::Observer)},
           m_impostor{wayIn(target, Role::Trainee)}
     {
@@ -26,7 +26,8 @@ public:
         if (!m_watcher.isIn() || !m_impostor.isIn())
             return;
         if (!m_watcher.welcome() && m_connection % kTurns == 1)
-            m_watcher.hello(m_name, ProposalId{kAttackSeed}, m_connection);
+            m_watcher.hello(m_name, ProposalId{m_random()}, m_connection);
+        m_watcher.acknowledge();
         for (const FactRecord& record : m_watcher.facts()) {
             const auto fact = fromRecord(record);
             const auto* joined = fact ? std::get_if<fact::ParticipantJoined>(&fact->body) : nullptr;
@@ -47,6 +48,7 @@ private:
     static constexpr std::uint32_t kTurns = 100;
     std::string m_name;
     std::string m_victim;
+    std::mt19937_64 m_random;
     Intruder m_watcher;
     Intruder m_impostor;
     std::optional<ProposalId> m_join;
@@ -82,6 +84,7 @@ class FalseToken : public Attack
 public:
     explicit FalseToken(const Target& target)
         : m_target{target},
+          m_random{randomOf(target.attacker)},
           m_watcher{wayIn(target, Role::Observer)},
           m_namesake{wayIn(target, Role::Trainee)}
     {
@@ -93,6 +96,7 @@ public:
             return;
         if (!m_watcher.welcome() && m_connection % kTurns == 1)
             m_watcher.hello(m_target.attacker, ProposalId{m_random()}, m_connection);
+        m_watcher.acknowledge();
         m_namesake.hello(m_target.victim, ProposalId{m_random()}, ++m_connection);
         if (!m_known.participant)
             m_known = knownOf(m_target.victim, m_watcher.facts());
@@ -140,10 +144,10 @@ private:
     }
 
     Target m_target;
+    std::mt19937_64 m_random;
     Intruder m_watcher;
     Intruder m_namesake;
     Known m_known;
-    std::mt19937_64 m_random{kAttackSeed};
     std::uint32_t m_connection = 1;
     std::unique_ptr<Door> m_door;
     LocalTime m_nextKnock{};

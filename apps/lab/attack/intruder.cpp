@@ -1,7 +1,10 @@
 #include "apps/lab/attack/intruder.h"
 
 #include "engine/session/facts/fact_codec.h"
+#include "engine/sync/connection/peer_link.h"
 #include "engine/sync/wire/datagram_codec.h"
+
+#include <array>
 
 namespace carina::lab
 {
@@ -19,24 +22,37 @@ SessionTime Intruder::sessionNow() const
     return SessionTime{monotonicNow().time_since_epoch() + m_sessionOffset};
 }
 
-/// The epoch is the number of the fact that it joined.
 StationId Intruder::station() const
 {
-    for (const FactRecord& fact : m_facts)
-        if (m_welcome && static_cast<std::uint16_t>(fact.number.value) == m_welcome->epoch)
-            return fact.station;
-    return kNoStation;
+    return m_welcome ? m_state.stationOf(m_welcome->participant) : kNoStation;
 }
 
-void Intruder::hello(const std::string& name, ProposalId id, std::uint32_t connection)
+void Intruder::hello(const std::string& name, ProposalId id, std::uint32_t connection, Has has)
 {
     m_header.connection = connection;
-    m_header.sequence = 0;
     m_header.sender = kNobody;
+    const bool knows = has == Has::WhatItHeard;
+    m_inOrder = knows ? m_state.lastApplied() : FactNumber{};
     const Proposal join{id, kNobody, kNoStation,
                         fact::ParticipantJoined{ParticipantId{}, m_role, name}};
-    const WireRecord record = Hello{{}, {}, toRecord(join)};
+    const WireRecord record = Hello{knows ? m_session : SessionKey{}, m_inOrder, toRecord(join)};
     send(std::span{&record, 1});
+}
+
+void Intruder::acknowledge()
+{
+    const LocalTime now = monotonicNow();
+    if (!m_owesAck && now < m_nextSign)
+        return;
+    m_owesAck = false;
+    m_nextSign = now + kKeepAlive;
+    send(std::array<WireRecord, 1>{FactAck{m_inOrder}});
+}
+
+void Intruder::leave()
+{
+    send(std::array<WireRecord, 1>{Goodbye{}});
+    m_takesPart = false;
 }
 
 void Intruder::send(std::span<const WireRecord> records)
@@ -52,6 +68,8 @@ void Intruder::send(std::span<const WireRecord> records)
 
 void Intruder::sendBytes(std::span<const std::byte> bytes)
 {
+    if (m_path == 0)
+        return;
     m_transport.send(m_path, bytes);
     ++m_sent;
 }
@@ -67,17 +85,48 @@ void Intruder::receive(PeerAddress, std::span<const std::byte> bytes, LocalTime 
     for (const WireRecord& record : datagram->records) {
         if (const auto* welcome = std::get_if<Welcome>(&record)) {
             m_welcome = *welcome;
+            m_takesPart = true;
+            m_admitted = datagram->header.connection;
+            m_session = welcome->session;
             m_header.sender = welcome->participant;
         }
+        const bool isOfThis = datagram->header.connection == m_header.connection;
         if (const auto* refused = std::get_if<HelloRefused>(&record)) {
             m_helloRefused = refused->reason;
+            if (isOfThis && m_takesPart) // then only another coming was refused
+                m_header.connection = m_admitted;
         }
+        if (isOfThis && std::holds_alternative<ConnectionUnknown>(record))
+            m_takesPart = false;
         if (const auto* fact = std::get_if<FactRecord>(&record))
-            m_facts.push_back(*fact);
+            take(*fact);
+        m_heard(record);
     }
 }
 
-void Intruder::disconnected(PeerAddress, LocalTime) { ++m_ended; }
+/// One that is not the next in order comes again.
+void Intruder::take(const FactRecord& fact)
+{
+    ++m_factsHeard;
+    m_owesAck = true;
+    if (fact.number.value == m_inOrder.value + 1)
+        m_inOrder = fact.number;
+    if (fact.number.value != m_state.lastApplied().value + 1)
+        return;
+    if (const auto decoded = fromRecord(fact)) {
+        m_facts.push_back(fact);
+        m_state.apply(*decoded);
+    }
+}
+
+void Intruder::disconnected(PeerAddress peer, LocalTime)
+{
+    ++m_ended;
+    if (peer != m_path)
+        return;
+    m_path = 0;
+    m_takesPart = false;
+}
 
 void Intruder::refused(const Error&, LocalTime) {}
 

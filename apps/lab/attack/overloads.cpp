@@ -14,28 +14,60 @@ namespace
 class Showing : public Participating
 {
 public:
-    explicit Showing(const Target& target) : Participating{target, Role::Trainee} {}
+    explicit Showing(const Target& target)
+        : Participating{target, Role::Trainee},
+          m_listener{wayIn(target, Role::Observer), target.attacker + " listening"}
+    {
+        m_listener.intruder().onRecord([this](const WireRecord& record) {
+            const auto* shown = std::get_if<ShownPose>(&record);
+            m_passedOn += shown != nullptr && shown->object == m_own ? 1 : 0;
+        });
+    }
+
+    [[nodiscard]] std::vector<Measured> measured(Duration length) const override
+    {
+        return {{"poses of its tube in a second that reached an observer",
+                 double(m_passedOn) / toSeconds(length), 1.0, kMostPassedOn}};
+    }
 
 protected:
     void flood(Intruder& intruder) override
     {
-        if (!m_shared && intruder.station() != kNoStation) {
-            m_shared = true;
-            const WireRecord proposal =
-                toRecord(Proposal{ProposalId{m_random()}, kNobody, intruder.station(),
+        const LocalTime now = monotonicNow();
+        if (!m_listener.attends() || intruder.station() == kNoStation || now < m_next)
+            return;
+        m_next = now + kInterval;
+        m_own = ownOf(intruder);
+        if (m_own) {
+            intruder.send(std::array<WireRecord, 1>{ShownPose{*m_own, intruder.sessionNow(), {}}});
+        } else if (now >= m_nextShare) {
+            m_nextShare = now + kShareAgain;
+            intruder.send(std::array<WireRecord, 1>{
+                toRecord(Proposal{anyId(), kNobody, intruder.station(),
                                   fact::ObjectShared{ObjectId{}, intruder.welcome()->participant,
-                                                     ObjectKind::Tube, "Shown tube"}});
-            intruder.send(std::span{&proposal, 1});
+                                                     ObjectKind::Tube, "Shown tube"}})});
         }
-        std::vector<WireRecord> shown;
-        for (std::uint16_t object = 1; object <= kObjects; ++object)
-            shown.emplace_back(ShownPose{ObjectId{object}, intruder.sessionNow(), {}});
-        intruder.send(shown);
     }
 
 private:
-    static constexpr std::uint16_t kObjects = 10; ///< one is its own
-    bool m_shared = false;
+    /// What the host passes on of an object is eight in a second, and a quarter.
+    static constexpr double kMostPassedOn = 10.0;
+    static constexpr Duration kInterval = std::chrono::milliseconds{1};
+    static constexpr Duration kShareAgain = std::chrono::milliseconds{500};
+
+    static std::optional<ObjectId> ownOf(const Intruder& intruder)
+    {
+        for (const auto& [id, object] : intruder.state().objects())
+            if (object.owner == intruder.welcome()->participant)
+                return id;
+        return std::nullopt;
+    }
+
+    Attendee m_listener;
+    std::optional<ObjectId> m_own;
+    std::int64_t m_passedOn = 0;
+    LocalTime m_next{};
+    LocalTime m_nextShare{};
 };
 
 /// Asks for what another holds, as often as one participant may.
@@ -51,8 +83,8 @@ protected:
         if (now < m_next || intruder.station() == kNoStation)
             return;
         m_next = now + std::chrono::milliseconds{55};
-        const WireRecord proposal = toRecord(Proposal{
-            ProposalId{m_random()}, kNobody, intruder.station(), fact::ObjectWanted{ObjectId{1}}});
+        const WireRecord proposal = toRecord(
+            Proposal{anyId(), kNobody, intruder.station(), fact::ObjectWanted{ObjectId{1}}});
         intruder.send(std::span{&proposal, 1});
     }
 

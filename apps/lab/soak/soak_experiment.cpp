@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr Duration kSampleInterval = std::chrono::seconds{1}; ///< of the footprints
-constexpr double kSettling = 0.1;                             ///< share of the time not measured
+constexpr double kNotMeasured = 0.1;                          ///< share of the time not measured
 constexpr unsigned long kTurn_ms = 20;
 
 /// The programs, and this one's own part in their session.
@@ -31,7 +31,7 @@ public:
         for (const auto& program : m_session->programs())
             m_figures.programs.push_back({.name = program->name()});
         const LocalTime begin = monotonicNow();
-        LocalTime nextSample = begin + scaled(kSettling);
+        LocalTime nextSample = begin + scaled(kNotMeasured);
         while (monotonicNow() < begin + m_settings.length) {
             QCoreApplication::processEvents();
             m_script->step(monotonicNow() - begin);

@@ -1,0 +1,98 @@
+#include "apps/lab/attack/attack_figures.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace carina::lab
+{
+namespace
+{
+
+constexpr double kMostGap_ms = 100.0;
+constexpr double kMostDriftRatio = 2.0;
+constexpr double kMostJoin_s = 2.0;
+// By how much the memory of a program varies that draws and is not attacked: seen are 4.8 MB and
+// 1.4 MB, of pages that hold blocks of every age.
+constexpr double kConsoleVaries_kb = 5120.0;
+constexpr double kTraineeVaries_kb = 2048.0;
+// Of a fact in the log and in what follows from it, and of an encrypted path.
+constexpr double kFact_kb = 1.0;
+constexpr double kPath_kb = 64.0;
+constexpr double kBytesPerKb = 1024.0;
+
+bool holdsMemory(const AttackFigures& figures)
+{
+    return std::ranges::equal(figures.memory_kb, mostMemoryOf_kb(figures), std::less_equal<>{});
+}
+
+bool holdsDrift(const AttackFigures& figures)
+{
+    const ShownPlaces& during = figures.during.places;
+    return during.places() > 0
+           && during.drift_mm() <= kMostDriftRatio * figures.before.places.drift_mm();
+}
+
+bool holdsGap(const AttackFigures& figures)
+{
+    const auto most = mostGapOf_ms(figures);
+    return !most || toSeconds(figures.during.largestGap) * 1e3 <= *most;
+}
+
+bool letsIn(const AttackFigures& figures)
+{
+    return !figures.joined.empty() && std::ranges::all_of(figures.joined, [](const auto& joined) {
+        return joined.second && toSeconds(*joined.second) <= kMostJoin_s;
+    });
+}
+
+/// Whether the attack did what it is for, and the host kept to what it promises of it.
+bool holdsOwn(const AttackFigures& figures)
+{
+    const auto facts = static_cast<double>(figures.facts);
+    return double(figures.sent) >= figures.kind->leastSent && facts >= leastFactsOf(figures)
+           && facts <= mostFactsOf(figures)
+           && std::ranges::all_of(figures.measured, [](const Measured& own) {
+                  return own.figure >= own.least && own.figure <= own.most;
+              });
+}
+
+} // namespace
+
+double mostFactsOf(const AttackFigures& figures)
+{
+    return figures.kind->mostFacts + figures.kind->factsPerS * toSeconds(figures.length);
+}
+
+double leastFactsOf(const AttackFigures& figures)
+{
+    // Each newcomer's joining, too.
+    return double(figures.joined.size()) + figures.kind->leastPerS * toSeconds(figures.length);
+}
+
+std::optional<double> mostGapOf_ms(const AttackFigures& figures)
+{
+    return figures.guests > 0 ? std::nullopt : std::optional{kMostGap_ms};
+}
+
+/// Only the host of a session has paths.
+std::array<double, 2> mostMemoryOf_kb(const AttackFigures& figures)
+{
+    const double facts = kFact_kb * mostFactsOf(figures);
+    return {kConsoleVaries_kb + facts + kPath_kb * figures.kind->mostPaths,
+            kTraineeVaries_kb + facts};
+}
+
+double leastLeakOf_bytes(const AttackFigures& figures)
+{
+    const auto sent = static_cast<double>(std::max<std::int64_t>(1, figures.sent));
+    return kBytesPerKb * mostMemoryOf_kb(figures)[0] / sent;
+}
+
+bool holds(const AttackFigures& figures)
+{
+    return !figures.isTakenForAnother && figures.putOut == 0 && figures.moved == 0
+           && holdsGap(figures) && holdsDrift(figures) && letsIn(figures) && holdsOwn(figures)
+           && holdsMemory(figures);
+}
+
+} // namespace carina::lab

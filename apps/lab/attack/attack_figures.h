@@ -1,0 +1,51 @@
+#pragma once
+
+#include "apps/lab/attack/attacks.h"
+#include "apps/lab/attack/witness.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace carina::lab
+{
+
+/// What one attack did to a session.
+struct AttackFigures {
+    const AttackKind* kind = nullptr;
+    Duration length{};     ///< of the attack
+    int guests = 0;        ///< who took part besides
+    std::int64_t sent = 0; ///< as the attack counts
+    bool isTakenForAnother = false;
+    Seen before{}; ///< in as much time before it as an attack lasts at least
+    Seen during{}; ///< in the time of the attack
+    /// How long a newcomer of each role took meanwhile; nothing: not within 10 s.
+    std::map<Role, std::optional<Duration>> joined{};
+    std::int64_t putOut = 0; ///< of those who only take part, how many were not present throughout
+    std::int64_t moved = 0;  ///< objects of others that an observer was shown elsewhere than before
+    std::vector<Measured> measured{}; ///< by the attack
+    std::int64_t facts = 0;           ///< by which the log is longer afterwards
+    std::vector<double> memory_kb{};  ///< by which console and trainee hold more afterwards
+};
+
+/// Facts that may come of it, and without how many it was no such attack.
+[[nodiscard]] double mostFactsOf(const AttackFigures& figures);
+[[nodiscard]] double leastFactsOf(const AttackFigures& figures);
+
+/// The longest gap between two samples that may be, ms; nothing where so many take part that a gap
+/// is a matter of how many processors there are.
+[[nodiscard]] std::optional<double> mostGapOf_ms(const AttackFigures& figures);
+
+/// The memory that may come of it at console and trainee: what programs that draw vary by, and the
+/// facts and paths that the attack leaves.
+[[nodiscard]] std::array<double, 2> mostMemoryOf_kb(const AttackFigures& figures);
+
+/// The least that the console would have to keep of each datagram, handshake or Hello sent, in
+/// bytes, for its memory to exceed that.
+[[nodiscard]] double leastLeakOf_bytes(const AttackFigures& figures);
+
+/// Whether the session held, and the attack did what it is for.
+[[nodiscard]] bool holds(const AttackFigures& figures);
+
+} // namespace carina::lab

@@ -1,0 +1,126 @@
+#include "apps/lab/attack/attack_figures.h"
+#include "apps/lab/attack/attendee.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace carina::attack_figures_test
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+using namespace carina::lab;
+
+using Fault = std::function<void(AttackFigures&)>;
+
+constexpr double kSmallestBlock_bytes = 32.0; ///< that glibc hands out
+constexpr double kBytesOfKb = 1024.0;
+
+const AttackKind& kindOf(std::string_view name)
+{
+    return *std::ranges::find(attackKinds(), name, &AttackKind::name);
+}
+
+/// A tube that was shown where it was.
+ShownPlaces seenPlaces()
+{
+    ShownPlaces places;
+    for (SessionTime t{1s}; t < SessionTime{2s}; t += 20ms)
+        places.shown(t, Vec3::Zero(),
+                     [](SessionTime) { return std::optional<Vec3>{Vec3::Zero()}; });
+    return places;
+}
+
+/// Of an attack that did what it is for, on a session that held.
+AttackFigures heldAgainst(const AttackKind& kind)
+{
+    AttackFigures figures{.kind = &kind, .length = 5s};
+    figures.sent = static_cast<std::int64_t>(kind.leastSent);
+    figures.before.places = seenPlaces();
+    figures.during.places = seenPlaces();
+    for (const Role role : {Role::Trainee, Role::Observer, Role::Instructor})
+        figures.joined[role] = 20ms;
+    figures.measured = {{"something", 1.0, 0.5, 2.0},
+                        {"another", 1.0, 0.5, std::numeric_limits<double>::infinity()}};
+    figures.facts = static_cast<std::int64_t>(std::ceil(leastFactsOf(figures)));
+    figures.memory_kb = {0.0, 0.0};
+    return figures;
+}
+
+} // namespace
+
+class TestAttackFigures : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void seesEachFault_data()
+    {
+        QTest::addColumn<Fault>("fault");
+        const auto row = [](const char* name, Fault fault) { QTest::newRow(name) << fault; };
+        row("taken for another", [](AttackFigures& f) { f.isTakenForAnother = true; });
+        row("somebody honest is put out", [](AttackFigures& f) { f.putOut = 1; });
+        row("an object of another moved", [](AttackFigures& f) { f.moved = 1; });
+        row("a gap", [](AttackFigures& f) { f.during.largestGap = 101ms; });
+        row("no tube seen", [](AttackFigures& f) { f.during.places = {}; });
+        row("an instructor comes in late",
+            [](AttackFigures& f) { f.joined[Role::Instructor] = 2001ms; });
+        row("an observer does not come in",
+            [](AttackFigures& f) { f.joined[Role::Observer] = std::nullopt; });
+        row("too many facts", [](AttackFigures& f) { f.facts = 100'000; });
+        row("too few facts", [](AttackFigures& f) { --f.facts; });
+        row("too few datagrams", [](AttackFigures& f) { --f.sent; });
+        row("too little of what was measured",
+            [](AttackFigures& f) { f.measured.front().figure = 0.4; });
+        row("too much of it", [](AttackFigures& f) { f.measured.front().figure = 2.1; });
+        row("memory of the console", [](AttackFigures& f) { f.memory_kb[0] = 1e5; });
+        row("memory of the trainee", [](AttackFigures& f) { f.memory_kb[1] = 1e5; });
+    }
+    void seesEachFault()
+    {
+        QFETCH(Fault, fault);
+        AttackFigures figures = heldAgainst(kindOf("crowd"));
+        QVERIFY(holds(figures));
+        fault(figures);
+        QVERIFY(!holds(figures));
+    }
+
+    /// Of the smallest block for each datagram too much is left.
+    void seesABlockOfEachDatagram()
+    {
+        for (const char* name : {"garbage", "steady"}) {
+            AttackFigures figures = heldAgainst(kindOf(name));
+            QVERIFY(holds(figures));
+            QVERIFY(leastLeakOf_bytes(figures) < kSmallestBlock_bytes);
+            figures.memory_kb[0] = double(figures.sent) * kSmallestBlock_bytes / kBytesOfKb;
+            QVERIFY(!holds(figures));
+        }
+    }
+
+    /// With as many as fill two processors.
+    void boundsNoGapBesideGuests()
+    {
+        AttackFigures figures = heldAgainst(kindOf("together"));
+        figures.during.largestGap = 300ms;
+        QVERIFY(!holds(figures));
+        figures.guests = 237;
+        QVERIFY(holds(figures));
+        QVERIFY(!mostGapOf_ms(figures));
+    }
+
+    void eachNameDrawsItsOwnIds()
+    {
+        QVERIFY(randomOf("Ina")() != randomOf("Ida")());
+        QCOMPARE(randomOf("Ina")(), randomOf("Ina")());
+    }
+};
+
+CARINA_TEST(TestAttackFigures)
+
+} // namespace carina::attack_figures_test
+
+#include "tst_attack_figures.moc"

@@ -117,6 +117,8 @@ bool HostAccess::isDeriving(Role role) const
 void HostAccess::connected(PeerAddress peer, const Credential& who)
 {
     m_peers.insert_or_assign(peer, who);
+    if (who.participant)
+        m_unshown.erase(*who.participant);
 }
 
 void HostAccess::disconnected(PeerAddress peer)
@@ -125,7 +127,8 @@ void HostAccess::disconnected(PeerAddress peer)
     m_displaced.erase(peer);
 }
 
-Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId participant) const
+Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId participant,
+                               bool isSameRun) const
 {
     if (m_displaced.contains(peer))
         return fail(Errc::UsedElsewhere);
@@ -134,6 +137,8 @@ Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId partic
         return fail(Errc::NotPermitted, "the code is one for another role");
     if (known->second.participant && *known->second.participant != participant)
         return fail(Errc::NotPermitted, "the token is somebody else's");
+    if (isSameRun && m_unshown.contains(participant))
+        return {};
     const std::scoped_lock lock{m_mutex};
     if (!known->second.participant && m_secrets.token(role, participant))
         return fail(Errc::NameTaken, "only its token proves who it is");
@@ -160,6 +165,7 @@ void HostAccess::displace(PeerAddress peer)
 
 AccessKey HostAccess::replaceToken(Role role, ParticipantId participant)
 {
+    m_unshown.erase(participant);
     const std::scoped_lock lock{m_mutex};
     m_isUnwritten = true;
     return m_secrets.newToken(role, participant);
@@ -167,6 +173,7 @@ AccessKey HostAccess::replaceToken(Role role, ParticipantId participant)
 
 void HostAccess::revokeToken(Role role, ParticipantId participant)
 {
+    m_unshown.erase(participant);
     const std::scoped_lock lock{m_mutex};
     if (!m_secrets.token(role, participant))
         return;
@@ -182,7 +189,9 @@ Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId partici
     const Role role = known->second.role;
     if (const auto issued = m_secrets.token(role, participant))
         return *issued;
-    return replaceToken(role, participant);
+    const AccessKey token = replaceToken(role, participant);
+    m_unshown.insert(participant);
+    return token;
 }
 
 } // namespace carina

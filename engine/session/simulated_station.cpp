@@ -3,6 +3,7 @@
 #include "engine/geometry/rotation.h"
 #include "engine/tracking/scripted_hands.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -26,18 +27,18 @@ double chestRise(Frequency rate, SessionTime t)
 /// How much of a period a person is ahead of the one before: the golden ratio keeps any number of
 /// them apart.
 constexpr double kAhead = 0.618033988749895;
-constexpr int kPlaces = 5; ///< around the patient's head
-constexpr Angle kBetweenPlaces = degrees(45.0);
+/// Where people stand around the patient's head: person 0 behind it, the next to the left of that
+/// and to the right, about the vertical axis of a lying patient through the incisors. Farther to
+/// the right the head is out of the tracker's working volume, which is to the patient's left.
+constexpr std::array kPlaces{degrees(0.0), degrees(45.0), degrees(-45.0), degrees(90.0),
+                             degrees(135.0)};
 
-/// X_AA' from where person 0 stands: 0, then to the left and to the right by turns, about the
-/// vertical axis of a lying patient through the incisors.
+/// X_AA' from where person 0 stands.
 RigidTransform standing(unsigned person, const Vec3& p_A_incisors)
 {
-    const auto place = static_cast<int>(person % kPlaces);
-    const double steps = (place % 2 == 0 ? -1.0 : 1.0) * ((place + 1) / 2);
+    const Angle place = kPlaces[person % kPlaces.size()];
     return RigidTransform::translation(p_A_incisors)
-           * RigidTransform{rotationFromVector(steps * kBetweenPlaces.si * Vec3::UnitY()),
-                            Vec3::Zero()}
+           * RigidTransform{rotationFromVector(place.si * Vec3::UnitY()), Vec3::Zero()}
            * RigidTransform::translation(-p_A_incisors);
 }
 
@@ -52,7 +53,7 @@ TrueToolPose of(SimulatedPerson person, TrueToolPose hands, const HandScript& sc
         const unsigned number = person();
         const double ahead = kAhead * number - std::floor(kAhead * number);
         auto X_TO = hands(tool, t + fromSeconds(ahead * toSeconds(period)));
-        if (X_TO && tool == ToolRole::Head && number % kPlaces != 0)
+        if (X_TO && tool == ToolRole::Head)
             X_TO = X_TA * standing(number, p_A_incisors) * X_AT * *X_TO;
         return X_TO;
     };

@@ -21,8 +21,8 @@ struct SimulatedStation {
 };
 
 /// The number of the person whose hands and head are simulated, 0 by default. Each works at another
-/// time of the period and stands at another place around the patient's head, so that several do not
-/// coincide. Called on the tracker's thread.
+/// time of the period, and each of five stands at another place around the patient's head, so that
+/// several do not coincide; all are in the tracker's view. Called on the tracker's thread.
 using SimulatedPerson = std::function<unsigned()>;
 
 /// @param registration of the manikin; without one the error-free registration is used. If it has

@@ -15,8 +15,12 @@ namespace
 constexpr double kClearly = 2.0;          ///< times as far from the known pose
 constexpr double kLargeRotation = 0.0175; ///< 1 degree
 constexpr double kLargePosition = 3e-3;   ///< metres
-/// Residuals above which what was taken for the body's markers is not the body.
-constexpr double kNoBody = 4.0; ///< pixels RMS
+/// How far corners may be from where the best pose puts them: what is taken for the body's markers
+/// is not the body beyond that, RMS. A corner whose edges could not be refined is right to about a
+/// pixel; and a marker is printed, glued and folded by hand to a few hundredths of its side, which
+/// are the more pixels the larger it is in the picture.
+constexpr double kRoughCorner = 1.5; ///< pixels
+constexpr double kHandmade = 0.03;   ///< of a marker's side in the picture
 
 /// The corners of a body's markers in a picture. A marker that is there twice is not used: at least
 /// one of them is of something else.
@@ -32,6 +36,17 @@ std::vector<SeenCorner> cornersSeen(const MarkerBody& body, const std::vector<De
             corners.push_back({p_BQ[i], found->corners[i]});
     }
     return corners;
+}
+
+/// @param corners of whole markers, four after four
+double mostResidual(const std::vector<SeenCorner>& corners)
+{
+    double sides = 0.0; // pixels
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t next = i % 4 == 3 ? i - 3 : i + 1;
+        sides += (corners[next].pixel - corners[i].pixel).norm();
+    }
+    return kRoughCorner + kHandmade * sides / double(corners.size());
 }
 
 double turnBetween(const RigidTransform& a, const RigidTransform& b)
@@ -66,7 +81,7 @@ BodySight MarkerWatch::sightOfBody(std::size_t body, const std::vector<DetectedM
     const std::vector<SeenCorner> corners = cornersSeen(m_watched.bodies[body], seen);
     BodySight sight{.markers = int(corners.size() / 4)};
     const auto fit = fitBody(m_watched.camera, corners);
-    if (!fit || fit->best.rms > kNoBody)
+    if (!fit || fit->best.rms > mostResidual(corners))
         return sight;
     sight.pose = fit->best;
     sight.evidence = fit->evidence;

@@ -2,7 +2,6 @@
 
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
-#include "engine/session/facts/facts.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -99,7 +98,10 @@ void addShares(std::span<const DrawnScene> programs, const DrawnScene& viewer,
         for (const ObjectKind kind : kCompared) {
             const int times = drawn[{other.participant, int(kind)}];
             const double share = count > 0 ? double(times) / double(count) : 0.0;
-            compared.leastShare = std::min(compared.leastShare, share);
+            if (compared.pairs == 0 || share < compared.leastShare) {
+                compared.leastShare = share;
+                compared.leastDrawn = {viewer.participant, other.participant, kind};
+            }
             ++compared.pairs;
         }
     }

@@ -2,6 +2,7 @@
 
 #include "engine/core/ids.h"
 #include "engine/geometry/rigid_transform.h"
+#include "engine/session/facts/facts.h"
 
 #include <QString>
 
@@ -49,15 +50,25 @@ struct SceneDifference {
     std::vector<double> distances; ///< m
 };
 
+/// A program, and an object of another that it has to draw.
+struct DrawnPair {
+    int viewer = 0; ///< participants' numbers
+    int owner = 0;
+    ObjectKind kind = ObjectKind::Head;
+};
+
 /// What comes of comparing the programs of a session.
 struct SceneComparison {
     SceneDifference near{}; ///< of programs and owners that are both not remote
     SceneDifference far{};  ///< the others
     int ownerChanges = 0;   ///< frames in which an object had another owner or kind than before
     /// Of each program, each other one at its station with tools, and of head, hand and tube: the
-    /// share of the frames that had it, the least of all.
+    /// share of the program's frames that had it, the least of all. Not counted are the program's
+    /// own objects, which it need not draw, the jaw, which all at a station share, and who is at
+    /// another station.
     double leastShare = 1.0;
-    int pairs = 0; ///< of which leastShare is the least
+    int pairs = 0;          ///< of which leastShare is the least
+    DrawnPair leastDrawn{}; ///< which it is
 };
 
 /// Compares the programs of a session, which may be at several stations, between two session times:

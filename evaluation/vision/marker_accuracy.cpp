@@ -61,11 +61,46 @@ int addCornerErrors(const AccuracyTrial& trial, const std::vector<DetectedMarker
 
 } // namespace
 
+void AccuracySum::add(const BodySight& sight, const RigidTransform& X_TB)
+{
+    ++m_sum.poses;
+    m_sum.ambiguous += sight.isAmbiguous ? 1 : 0;
+    if (!sight.pose || sight.isAmbiguous)
+        return;
+    ++m_sum.seen;
+    const RigidTransform& found = sight.pose->X_TB;
+    const double turned = angleBetween(found.rotation(), X_TB.rotation()).si;
+    if (turned > kWrong.si) {
+        ++m_sum.wrong;
+        return;
+    }
+    const Vec3 off = found.translation() - X_TB.translation();
+    const double along = off.dot(X_TB.translation().normalized());
+    m_sum.alongRms += along * along;
+    m_sum.acrossRms += 0.5 * (off.squaredNorm() - along * along);
+    m_sum.rotationRms += turned * turned;
+    m_sum.reprojectionRms += sight.pose->rms * sight.pose->rms;
+    const auto error = errorOf(found, X_TB);
+    m_sum.normalisedSquare += error.dot(sight.pose->covariance_T.ldlt().solve(error)) / 6.0;
+}
+
+MarkerAccuracy AccuracySum::result(double distance) const
+{
+    MarkerAccuracy result = m_sum;
+    result.distance = distance;
+    const double count = std::max(result.seen - result.wrong, 1);
+    for (double* rms :
+         {&result.alongRms, &result.acrossRms, &result.rotationRms, &result.reprojectionRms})
+        *rms = std::sqrt(*rms / count);
+    result.normalisedSquare /= count;
+    return result;
+}
+
 MarkerAccuracy markerAccuracy(const AccuracyTrial& trial)
 {
-    MarkerAccuracy result{.distance = trial.distance, .poses = trial.poses};
     MarkerRenderer renderer{trial.camera, trial.dictionary, trial.rendering};
     std::mt19937 random{trial.seed};
+    AccuracySum sum;
     double cornerSquares = 0.0;
     int corners = 0;
     for (int i = 0; i < trial.poses; ++i) {
@@ -74,32 +109,9 @@ MarkerAccuracy markerAccuracy(const AccuracyTrial& trial)
         const auto seen = seenMarkers(renderer.draw({&placed, 1}), trial.dictionary);
         corners += addCornerErrors(trial, seen, X_TB, cornerSquares);
         MarkerWatch watch{{trial.camera, trial.dictionary, {trial.body}}};
-        const BodySight sight = watch.look(seen, {}).front();
-        result.ambiguous += sight.isAmbiguous ? 1 : 0;
-        if (!sight.pose || sight.isAmbiguous)
-            continue;
-        ++result.seen;
-        const RigidTransform& found = sight.pose->X_TB;
-        const double turned = angleBetween(found.rotation(), X_TB.rotation()).si;
-        if (turned > kWrong.si) {
-            ++result.wrong;
-            continue;
-        }
-        const Vec3 off = found.translation() - X_TB.translation();
-        const Vec3 sightLine = X_TB.translation().normalized();
-        const double along = off.dot(sightLine);
-        result.alongRms += along * along;
-        result.acrossRms += 0.5 * (off.squaredNorm() - along * along);
-        result.rotationRms += turned * turned;
-        result.reprojectionRms += sight.pose->rms * sight.pose->rms;
-        const auto error = errorOf(found, X_TB);
-        result.normalisedSquare += error.dot(sight.pose->covariance_T.ldlt().solve(error)) / 6.0;
+        sum.add(watch.look(seen, {}).front(), X_TB);
     }
-    const double count = std::max(result.seen - result.wrong, 1);
-    for (double* rms :
-         {&result.alongRms, &result.acrossRms, &result.rotationRms, &result.reprojectionRms})
-        *rms = std::sqrt(*rms / count);
-    result.normalisedSquare /= count;
+    MarkerAccuracy result = sum.result(trial.distance);
     result.cornerRms = std::sqrt(cornerSquares / std::max(corners, 1));
     return result;
 }

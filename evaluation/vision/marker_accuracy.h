@@ -26,6 +26,18 @@ struct MarkerAccuracy {
     double cornerRms = 0.0;
 };
 
+/// Sums up how a body was seen, against where it was.
+class AccuracySum
+{
+public:
+    void add(const BodySight& sight, const RigidTransform& X_TB);
+    /// What was added; without the error of the corners. @param distance of the body, metres
+    [[nodiscard]] MarkerAccuracy result(double distance) const;
+
+private:
+    MarkerAccuracy m_sum; ///< with squares where the result has their root
+};
+
 struct AccuracyTrial {
     CameraModel camera;
     MarkerDictionary dictionary = MarkerDictionary::Bits4Of50;

@@ -65,12 +65,13 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
     layOut();
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &JoinDialog::choose);
-    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::refresh);
-    connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::refresh);
+    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::tellSearching);
+    connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::tellSearching);
     connect(m_address, &QLineEdit::textChanged, this, &JoinDialog::readLink);
     connect(m_role, &QComboBox::currentIndexChanged, this, &JoinDialog::refresh);
     connect(&m_entrance, &Entrance::changed, this, &JoinDialog::follow);
     readLink();
+    tellSearching();
     refresh();
 }
 
@@ -169,12 +170,17 @@ void JoinDialog::follow()
     }
 }
 
-void JoinDialog::refresh()
+/// Apart from what is missing or refused, which stays while sessions come and go.
+void JoinDialog::tellSearching()
 {
     m_searching->setText(m_sessions.rowCount() == 0
                              ? tr("Looking for sessions … If none appears, type the address and "
                                   "port that the instructor's window shows, or paste its link.")
                              : tr("Choose one, type an address and port, or paste a link."));
+}
+
+void JoinDialog::refresh()
+{
     const bool isTrying = m_entrance.isTrying();
     const auto missing = whatIsMissing(form(), m_entrance.settings().tokens);
     m_missing->setText(isTrying ? m_entrance.progress() : missing ? missing->sentence : QString{});

@@ -41,6 +41,7 @@ private:
     void readLink();
     void follow();
     void refresh();
+    void tellSearching();
     [[nodiscard]] QLineEdit* fieldOf(JoinField field) const;
 
     FoundSessionsModel& m_sessions;

@@ -47,7 +47,9 @@ constexpr Key kMedian_deg{"median_deg", "angle between the two", 1};
 constexpr Key kMost_deg{"p95_deg", "likewise", 1};
 constexpr Key kChanges{"owner_changes", "frames in which an object had another owner than before"};
 constexpr Key kPairs{"seen", "heads, hands and tubes of others that each program has to draw"};
-constexpr Key kShare{"least_share", "of its frames that a program drew one of these in"};
+constexpr Key kShare{"least_share",
+                     "of its frames that a program drew one of these in, the least of all"};
+constexpr Key kLeast{"least_drawn", "which that is: the program, whose object, and what"};
 } // namespace scene_key
 
 /// What a viewer may be off by: it extrapolates what it has, and both programs predict to the time
@@ -124,6 +126,19 @@ bool isSceneClose(const SceneDifference& difference)
            && sceneDeg(quantileOf(difference.angles, 0.95)) <= kMost_p95_deg;
 }
 
+QString leastDrawn(const SceneFigures& figures)
+{
+    const auto nameOf = [&](int participant) { // they are in the order of their numbers
+        return figures.players[std::size_t(participant)].name;
+    };
+    const DrawnPair& pair = figures.compared.leastDrawn;
+    const char* what = pair.kind == ObjectKind::Head   ? "head"
+                       : pair.kind == ObjectKind::Hand ? "hand"
+                                                       : "tube";
+    return QStringLiteral("%1: %2, %3")
+        .arg(nameOf(pair.viewer), nameOf(pair.owner), QLatin1StringView{what});
+}
+
 QJsonObject sceneReport(const SceneFigures& figures, const SceneSettings& settings)
 {
     QJsonArray programs;
@@ -143,6 +158,7 @@ QJsonObject sceneReport(const SceneFigures& figures, const SceneSettings& settin
             {scene_key::kChanges, compared.ownerChanges},
             {scene_key::kPairs, compared.pairs},
             {scene_key::kShare, compared.leastShare},
+            {scene_key::kLeast, leastDrawn(figures)},
             {kAcceptable, isSceneClose(compared.near) && isSceneClose(compared.far)
                               && compared.ownerChanges == 0 && compared.leastShare > kLeastDrawn}};
 }
@@ -180,12 +196,16 @@ Command sceneCommand()
                           scene_option::kSize, scene_option::kSeed, scene_option::kNetlab,
                           scene_option::kPrograms},
               .schema = scene_key::kSchema,
-              .keys = {scene_key::kScenario, scene_key::kNetwork, scene_key::kSeconds,
-                       scene_key::kPlayers, scene_key::kName, scene_key::kStation,
-                       scene_key::kIsRemote, scene_key::kFrames, scene_key::kNear, scene_key::kFar,
-                       scene_key::kCompared, scene_key::kMedian_mm, scene_key::kMost_mm,
-                       scene_key::kMedian_deg, scene_key::kMost_deg, scene_key::kChanges,
-                       scene_key::kPairs, scene_key::kShare, kAcceptable}}},
+              .keys = {scene_key::kScenario, scene_key::kNetwork,
+                       scene_key::kSeconds,  scene_key::kPlayers,
+                       scene_key::kName,     scene_key::kStation,
+                       scene_key::kIsRemote, scene_key::kFrames,
+                       scene_key::kNear,     scene_key::kFar,
+                       scene_key::kCompared, scene_key::kMedian_mm,
+                       scene_key::kMost_mm,  scene_key::kMedian_deg,
+                       scene_key::kMost_deg, scene_key::kChanges,
+                       scene_key::kPairs,    scene_key::kShare,
+                       scene_key::kLeast,    kAcceptable}}},
         .experiment = scene};
 }
 

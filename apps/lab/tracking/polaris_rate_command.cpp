@@ -29,9 +29,12 @@ constexpr std::array kReplies{NamedReply{"bx", NdiPoseReply::Bx},
                               NamedReply{"tx", NdiPoseReply::Tx},
                               NamedReply{"bx2", NdiPoseReply::Bx2}};
 constexpr int kRate = 115200;
-constexpr Duration kPatience = 20s;  // until it tracks
-constexpr Duration kSettling = 1s;   // after it does, and after a tool was hidden
-constexpr Duration kCountEvery = 1s; // of eight that a history holds
+constexpr Duration kPatience = 20s; // until it tracks
+constexpr Duration kSettling = 1s;  // after it does, and after a tool was hidden
+constexpr int kRestarts = 3;
+constexpr Duration kGone = 1s;        // before the first of these
+constexpr Duration kMoreGone = 170ms; // before each other one: at another phase of the attempts
+constexpr Duration kCountEvery = 1s;  // of eight that a history holds
 const std::string kHiddenTool = "stylus";
 
 namespace rate_option
@@ -53,6 +56,9 @@ constexpr Key kClient{"client_core_percent",
                       "processor time of this program without its simulated device, of one core",
                       1};
 constexpr Key kDevice{"device_core_percent", "the same of the simulated device", 1};
+constexpr Key kBack{"back_s",
+                    "from when the device is there again, after it and its port were gone, until "
+                    "all tools are tracked: the longest of three times"};
 constexpr Key kSchema{"schema", "carina.polaris-rate/1"};
 } // namespace rate_key
 
@@ -167,17 +173,42 @@ QJsonObject measured(const Tracker& tracker, MeasuredDevice& device, Duration du
             {rate_key::kDevice, percent(device.processorTime() - deviceBefore)}};
 }
 
-/// Once all tools have been seen.
-Result<void> waitUntilItTracks(const DeviceTracker& tracker)
+SessionTime rateClock() { return SessionTime{monotonicNow().time_since_epoch()}; }
+
+/// Once all tools have been seen after a time.
+Result<void> waitUntilItTracks(const DeviceTracker& tracker, SessionTime since)
 {
-    const auto isSeen = [](const TrackedTool& tool) { return tool.history->newest().has_value(); };
+    const auto isSeen = [since](const TrackedTool& tool) {
+        const auto newest = tool.history->newest();
+        return newest && newest->validity != Validity::Lost && newest->time > since;
+    };
     const LocalTime end = monotonicNow() + kPatience;
     while (!std::ranges::all_of(tracker.tools(), isSeen)) {
         if (monotonicNow() > end)
             return fail(Errc::TrackerFailed, tracker.trouble());
-        std::this_thread::sleep_for(50ms);
+        std::this_thread::sleep_for(5ms);
     }
     return {};
+}
+
+/// Takes the device and its port away some times. @returns the longest until it tracks again
+Result<Duration> longestUntilBack(const DeviceTracker& tracker,
+                                  std::unique_ptr<MeasuredDevice>& device, const std::string& link)
+{
+    Duration longest{};
+    for (int i = 0; i < kRestarts; ++i) {
+        device.reset();
+        std::this_thread::sleep_for(kGone + i * kMoreGone);
+        auto line = PolarisLine::terminal(link);
+        if (!line)
+            return tl::unexpected(line.error());
+        device = std::make_unique<MeasuredDevice>(*std::move(line));
+        const SessionTime there = rateClock();
+        if (const auto tracks = waitUntilItTracks(tracker, there); !tracks)
+            return tl::unexpected(tracks.error());
+        longest = std::max<Duration>(longest, rateClock() - there);
+    }
+    return longest;
 }
 
 Result<QJsonObject> measureRate(const Words& words)
@@ -196,23 +227,28 @@ Result<QJsonObject> measureRate(const Words& words)
         return tl::unexpected(!line ? line.error() : tools.error());
     auto tracker = DeviceTracker::make(
         {.address = link, .poses = reply, .fastestRate = kRate, .tools = *std::move(tools)},
-        [] { return std::optional{SessionTime{monotonicNow().time_since_epoch()}}; });
+        [] { return std::optional{rateClock()}; });
     if (!tracker)
         return tl::unexpected(tracker.error());
-    MeasuredDevice device{*std::move(line)};
-    const auto tracks = (*tracker)->start().and_then([&] { return waitUntilItTracks(**tracker); });
+    auto device = std::make_unique<MeasuredDevice>(*std::move(line));
+    const auto tracks = (*tracker)->start().and_then(
+        [&] { return waitUntilItTracks(**tracker, SessionTime::min()); });
     if (!tracks)
         return tl::unexpected(tracks.error());
     const Duration duration = std::chrono::seconds{*seconds};
-    const QJsonObject allSeen = measured(**tracker, device, duration);
-    device.hide(true);
-    const QJsonObject oneHidden = measured(**tracker, device, duration);
+    const QJsonObject allSeen = measured(**tracker, *device, duration);
+    device->hide(true);
+    const QJsonObject oneHidden = measured(**tracker, *device, duration);
+    const auto back = longestUntilBack(**tracker, device, link);
     (*tracker)->stop();
+    if (!back)
+        return tl::unexpected(back.error());
     return QJsonObject{{rate_key::kSchema, QLatin1StringView{rate_key::kSchema.help}},
                        {rate_key::kBitsPerSecond, kRate},
                        {rate_key::kCommand, nameOf(reply)},
                        {rate_key::kAllSeen, allSeen},
-                       {rate_key::kOneHidden, oneHidden}};
+                       {rate_key::kOneHidden, oneHidden},
+                       {rate_key::kBack, toSeconds(*back)}};
 }
 
 } // namespace
@@ -225,12 +261,13 @@ Command polarisRateCommand()
             .uses = {{.lines = {"[--seconds N] [--poses COMMAND]"},
                       .text = "Tracks three tools of a simulated Polaris, which exposes 60 times a "
                               "second, at a pseudo-terminal that is paced at 115200 bits a second: "
-                              "first with all seen, then with one of them hidden.",
+                              "first with all seen, then with one of them hidden. Then it takes "
+                              "the device away, and tells how soon it tracks when it is back.",
                       .options = {rate_option::kSeconds, rate_option::kPoses},
                       .schema = rate_key::kSchema,
                       .keys = {rate_key::kBitsPerSecond, rate_key::kCommand, rate_key::kAllSeen,
                                rate_key::kSeconds, rate_key::kSamples, rate_key::kClient,
-                               rate_key::kDevice, rate_key::kOneHidden}}},
+                               rate_key::kDevice, rate_key::kOneHidden, rate_key::kBack}}},
             .reminder = "carina-lab help polaris-rate lists its options.",
             .experiment = measureRate};
 }

@@ -1,6 +1,6 @@
+#include "apps/lab/vision/accuracy_figures.h"
 #include "apps/lab/vision/camera_uses.h"
 #include "engine/vision/printed_tools.h"
-#include "evaluation/vision/marker_accuracy.h"
 
 #include <QJsonArray>
 
@@ -32,24 +32,7 @@ namespace accuracy_key
 constexpr Key kTool{"tool", "as given"};
 constexpr Key kFocal{"focal_px", "of the camera"};
 constexpr Key kDistances{"distances", "one object for each:"};
-constexpr Key kDistance{"distance_mm", "of the body's origin from the camera", 1};
-constexpr Key kPoses{"poses", "that were rendered", 1};
-constexpr Key kSeen{"seen", "of these, with a pose that is given", 1};
-constexpr Key kAmbiguous{"ambiguous", "of these, two poses fit: none is given", 1};
-constexpr Key kWrong{"wrong", "of those given, off by more than 10 degrees; not in what follows",
-                     1};
-constexpr Key kAcross{"across_mm",
-                      "error of the position along each axis across the line of sight, "
-                      "RMS",
-                      1};
-constexpr Key kAlong{"along_mm", "error of it along the line of sight, RMS", 1};
-constexpr Key kRotation{"rotation_deg", "error of the rotation, RMS", 1};
-constexpr Key kReprojection{"reprojection_px", "distance of corners from the pose's, RMS", 1};
 constexpr Key kCorner{"corner_px", "error of a corner along each axis, RMS", 1};
-constexpr Key kNormalised{"normalised_square",
-                          "squared error over the stated covariance, for each of six degrees of "
-                          "freedom, mean: 1 where the covariance is right",
-                          1};
 constexpr Key kSchema{"schema", "carina.camera-accuracy/1"};
 } // namespace accuracy_key
 
@@ -89,21 +72,6 @@ Result<void> takeBody(const Words& words, AccuracyTrial& trial)
     return words.unknownWord(accuracy_option::kTool, known);
 }
 
-QJsonObject objectOf(const MarkerAccuracy& at)
-{
-    return {{accuracy_key::kDistance, 1e3 * at.distance},
-            {accuracy_key::kPoses, at.poses},
-            {accuracy_key::kSeen, at.seen},
-            {accuracy_key::kAmbiguous, at.ambiguous},
-            {accuracy_key::kWrong, at.wrong},
-            {accuracy_key::kAcross, 1e3 * at.acrossRms},
-            {accuracy_key::kAlong, 1e3 * at.alongRms},
-            {accuracy_key::kRotation, inDegrees(radians(at.rotationRms))},
-            {accuracy_key::kReprojection, at.reprojectionRms},
-            {accuracy_key::kCorner, at.cornerRms},
-            {accuracy_key::kNormalised, at.normalisedSquare}};
-}
-
 } // namespace
 
 Result<QJsonObject> measureAccuracy(const Words& words)
@@ -132,7 +100,10 @@ Result<QJsonObject> measureAccuracy(const Words& words)
     QJsonArray distances;
     for (const double distance : kDistances) {
         trial.distance = distance;
-        distances.append(objectOf(markerAccuracy(trial)));
+        const MarkerAccuracy accuracy = markerAccuracy(trial);
+        QJsonObject object = accuracyFigures(accuracy);
+        object[accuracy_key::kCorner] = accuracy.cornerRms;
+        distances.append(object);
     }
     return QJsonObject{{accuracy_key::kSchema, QLatin1StringView{accuracy_key::kSchema.help}},
                        {accuracy_key::kTool, words.text(accuracy_option::kTool)},
@@ -150,11 +121,8 @@ Use accuracyUse()
                         accuracy_option::kView, accuracy_option::kPoses, accuracy_option::kTilt,
                         accuracy_option::kNoise, accuracy_option::kSeed},
             .schema = accuracy_key::kSchema,
-            .keys = {accuracy_key::kTool, accuracy_key::kFocal, accuracy_key::kDistances,
-                     accuracy_key::kDistance, accuracy_key::kPoses, accuracy_key::kSeen,
-                     accuracy_key::kAmbiguous, accuracy_key::kWrong, accuracy_key::kAcross,
-                     accuracy_key::kAlong, accuracy_key::kRotation, accuracy_key::kReprojection,
-                     accuracy_key::kCorner, accuracy_key::kNormalised}};
+            .keys = withAccuracyKeys({accuracy_key::kTool, accuracy_key::kFocal,
+                                      accuracy_key::kDistances, accuracy_key::kCorner})};
 }
 
 } // namespace carina::lab

@@ -1,5 +1,7 @@
 #include "apps/lab/command/patient_options.h"
+#include "apps/lab/vision/accuracy_figures.h"
 #include "apps/lab/vision/camera_uses.h"
+#include "apps/lab/vision/video_comparison.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/io/site/site_file.h"
@@ -9,6 +11,8 @@
 #include "engine/vision/printed_tools.h"
 #include "evaluation/vision/marker_renderer.h"
 #include "evaluation/vision/video_writer.h"
+
+#include <QJsonArray>
 
 #include <cmath>
 #include <filesystem>
@@ -27,6 +31,11 @@ constexpr Option kRate{"rate", "HZ", "pictures a second, 1 to 120 (30)"};
 constexpr Option kWidth{"width", "PIXELS", "of the pictures, 160 to 4000 (960); 4:3"};
 constexpr Option kBoard{"board", "N",
                         "writes N pictures of the calibration board into DIR/board, 1 to 200"};
+constexpr Option kDistance{"distance-mm", "MM",
+                           "of the camera from what it looks at, 300 to 1500 (640)"};
+constexpr Option kCompare{"compare", "",
+                          "reads the video again as the tracker does, and compares with where the "
+                          "tools were"};
 } // namespace video_option
 
 namespace video_key
@@ -36,6 +45,10 @@ constexpr Key kPictures{"pictures", "of the video"};
 constexpr Key kBoard{"board_pictures", "in DIR/board, for carina-lab camera calibrate"};
 constexpr Key kTracker{"tracker", "the description of the tracker, for --tracker"};
 constexpr Key kSite{"site", "where the patient lies before the camera, for --site"};
+constexpr Key kCompared{"compared",
+                        "with --compare: an object for each tool and distance, to the nearest "
+                        "100 mm:"};
+constexpr Key kTool{"tool", "its name", 1};
 constexpr Key kSchema{"schema", "carina.camera-video/1"};
 } // namespace video_key
 
@@ -59,10 +72,10 @@ std::vector<PrintedTool> shownTools()
     return shown;
 }
 
-/// Where the camera is, and what it looks at: metres from the incisors, in axes of A. To the left
-/// of the patient and above the face.
-const Vec3 kCameraAt{0.30, -0.65, -0.05};
+/// What the camera looks at, metres from the incisors, and from where, in axes of A: to the left of
+/// the patient and above the face.
 const Vec3 kLooksAt{-0.02, -0.10, -0.06};
+const Vec3 kLooksFrom{0.32, -0.55, 0.01};
 
 /// X_AC of a camera at a place in A that looks at another, with the patient's head up.
 RigidTransform cameraAt(const Vec3& p_A, const Vec3& p_A_target)
@@ -92,8 +105,8 @@ struct VideoScene {
     StationRegistration registration; ///< of the camera
 };
 
-/// The scripted hands at a patient's manikin, seen from the camera C.
-Result<VideoScene> sceneOf(const PatientParameters& parameters)
+/// The scripted hands at a patient's manikin, seen from the camera C at a distance, metres.
+Result<VideoScene> sceneOf(const PatientParameters& parameters, double distance)
 {
     const auto dimensions = dimensionsFor(parameters);
     if (!dimensions)
@@ -108,8 +121,9 @@ Result<VideoScene> sceneOf(const PatientParameters& parameters)
     auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
     if (!station)
         return tl::unexpected(station.error());
+    const Vec3 p_A_target = airway.p_A_incisors + kLooksAt;
     const RigidTransform X_AC =
-        cameraAt(airway.p_A_incisors + kCameraAt, airway.p_A_incisors + kLooksAt);
+        cameraAt(p_A_target + distance * kLooksFrom.normalized(), p_A_target);
     return VideoScene{.tools = shownTools(),
                       .truth = std::move(station->truth),
                       .X_CT = X_AC.inverse() * station->exactly.X_AT,
@@ -177,6 +191,28 @@ Result<int> writeVideo(const std::filesystem::path& file, const VideoScene& scen
     return pictures;
 }
 
+/// How the tools are found in the video that was rendered.
+Result<QJsonArray> comparedVideo(const std::filesystem::path& video, const VideoScene& scene,
+                                 const CameraModel& camera)
+{
+    WatchedBodies watched{camera, kPrintedDictionary, {}};
+    for (const PrintedTool& tool : scene.tools)
+        watched.bodies.push_back(tool.body);
+    const auto truth = [&scene](std::size_t body, Duration t) -> std::optional<RigidTransform> {
+        const auto X_TO = scene.truth(scene.tools[body].role, SessionTime{t});
+        return X_TO ? std::optional{scene.X_CT * *X_TO} : std::nullopt;
+    };
+    return compareVideo(video, watched, truth).map([&](const std::vector<BodyInVideo>& found) {
+        QJsonArray all;
+        for (const BodyInVideo& at : found) {
+            QJsonObject object = accuracyFigures(at.accuracy);
+            object[video_key::kTool] = QString::fromStdString(scene.tools[at.body].name);
+            all.append(object);
+        }
+        return all;
+    });
+}
+
 /// The board all over the picture, tilted to all sides.
 Result<void> writeBoards(const std::filesystem::path& folder, const CameraModel& camera, int count)
 {
@@ -216,13 +252,17 @@ Result<QJsonObject> renderVideo(const Words& words)
     const auto rate = words.whole(video_option::kRate, 1, 120, 30);
     const auto width = words.whole(video_option::kWidth, 160, 4000, 960);
     const auto boards = words.whole(video_option::kBoard, 1, 200, 0);
-    for (const auto* whole : {&seconds, &rate, &width, &boards})
+    const auto distance = words.whole(video_option::kDistance, 300, 1500, 640);
+    for (const auto* whole : {&seconds, &rate, &width, &boards, &distance})
         if (!*whole)
             return tl::unexpected(whole->error());
     const std::filesystem::path folder{words.files()[1].toStdString()};
     if (const auto opened = openFolder(folder); !opened)
         return tl::unexpected(opened.error());
-    const auto scene = patientOption(words, BuiltinPatient::TwelveYears).and_then(&sceneOf);
+    const auto scene =
+        patientOption(words, BuiltinPatient::TwelveYears).and_then([&](const auto& patient) {
+            return sceneOf(patient, 1e-3 * double(*distance));
+        });
     if (!scene)
         return tl::unexpected(scene.error());
     const CameraModel camera = videoCamera(int(*width));
@@ -241,28 +281,36 @@ Result<QJsonObject> renderVideo(const Words& words)
     const auto text = [&](const char* name) {
         return QString::fromStdString((folder / name).string());
     };
-    return QJsonObject{{video_key::kSchema, QLatin1StringView{video_key::kSchema.help}},
+    QJsonObject object{{video_key::kSchema, QLatin1StringView{video_key::kSchema.help}},
                        {video_key::kFolder, words.files()[1]},
                        {video_key::kPictures, *pictures},
                        {video_key::kBoard, qint64(*boards)},
                        {video_key::kTracker, text("tracker.json")},
                        {video_key::kSite, text("site.json")}};
+    if (!words.has(video_option::kCompare))
+        return object;
+    return comparedVideo(video, *scene, camera).map([&](const QJsonArray& compared) {
+        object[video_key::kCompared] = compared;
+        return object;
+    });
 }
 
 Use videoUse()
 {
     return {.lines = {"video DIR [--patient WHO] [--seconds N] [--rate HZ] [--width PIXELS] "
-                      "[--board N]"},
+                      "[--distance-mm MM] [--board N] [--compare]"},
             .text = "Renders scripted hands with the printed markers at the patient's "
                     "manikin, as a camera sees them, into DIR/markers.avi. "
                     "DIR/tracker.json describes it for --tracker, and DIR/site.json says "
                     "where the patient lies: ./carina demo --tracker DIR/tracker.json "
-                    "--site DIR/site.json.",
+                    "--site DIR/site.json. With --compare it says how far the poses found in "
+                    "the video are from those rendered.",
             .options = {kPatient, video_option::kSeconds, video_option::kRate, video_option::kWidth,
-                        video_option::kBoard},
+                        video_option::kDistance, video_option::kBoard, video_option::kCompare},
             .schema = video_key::kSchema,
-            .keys = {video_key::kFolder, video_key::kPictures, video_key::kBoard,
-                     video_key::kTracker, video_key::kSite}};
+            .keys = withAccuracyKeys({video_key::kFolder, video_key::kPictures, video_key::kBoard,
+                                      video_key::kTracker, video_key::kSite, video_key::kCompared,
+                                      video_key::kTool})};
 }
 
 } // namespace carina::lab

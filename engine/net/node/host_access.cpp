@@ -129,6 +129,8 @@ bool HostAccess::isDeriving(Role role) const
 void HostAccess::connected(PeerAddress peer, const Credential& who)
 {
     m_peers.insert_or_assign(peer, who);
+    if (who.participant)
+        m_unshown.erase(*who.participant);
 }
 
 void HostAccess::disconnected(PeerAddress peer)
@@ -137,7 +139,8 @@ void HostAccess::disconnected(PeerAddress peer)
     m_displaced.erase(peer);
 }
 
-Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId participant) const
+Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId participant,
+                               bool isSameRun) const
 {
     if (m_displaced.contains(peer))
         return fail(Errc::UsedElsewhere);
@@ -146,6 +149,8 @@ Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId partic
         return fail(Errc::NotPermitted, "the code is one for another role");
     if (known->second.participant && *known->second.participant != participant)
         return fail(Errc::NotPermitted, "the token is somebody else's");
+    if (isSameRun && m_unshown.contains(participant))
+        return {};
     const std::scoped_lock lock{m_mutex};
     if (!known->second.participant && m_secrets.token(role, participant))
         return fail(Errc::NameTaken, "only its token proves who it is");
@@ -172,6 +177,7 @@ void HostAccess::displace(PeerAddress peer)
 
 AccessKey HostAccess::replaceToken(Role role, ParticipantId participant)
 {
+    m_unshown.erase(participant);
     const std::scoped_lock lock{m_mutex};
     m_isUnwritten = true;
     return m_secrets.newToken(role, participant);
@@ -179,6 +185,7 @@ AccessKey HostAccess::replaceToken(Role role, ParticipantId participant)
 
 void HostAccess::revokeToken(Role role, ParticipantId participant)
 {
+    m_unshown.erase(participant);
     const std::scoped_lock lock{m_mutex};
     if (!m_secrets.token(role, participant))
         return;
@@ -194,7 +201,9 @@ Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId partici
     const Role role = known->second.role;
     if (const auto issued = m_secrets.token(role, participant))
         return *issued;
-    return replaceToken(role, participant);
+    const AccessKey token = replaceToken(role, participant);
+    m_unshown.insert(participant);
+    return token;
 }
 
 } // namespace carina

@@ -58,8 +58,12 @@ public:
     /// @returns NotPermitted for a peer that proved another role, or another participant;
     ///          UsedElsewhere for one that was displaced; NameTaken
     ///          for one that proved a role by its code, where the participant has a token: once
-    ///          there is one, nothing else proves a return.
-    [[nodiscard]] Result<void> check(PeerAddress peer, Role role, ParticipantId participant) const;
+    ///          there is one, nothing else proves a return. But a token that nobody has come in
+    ///          with may not have arrived: until then the same run of the program returns by its
+    ///          code.
+    /// @param isSameRun whether the peer proved that it is the run that came in as the participant
+    [[nodiscard]] Result<void> check(PeerAddress peer, Role role, ParticipantId participant,
+                                     bool isSameRun = false) const;
     /// From now on this peer is that participant, and nobody else.
     void admitted(PeerAddress peer, ParticipantId participant);
     /// Whether the peer proved which participant it is: by a token, or by coming in before.
@@ -89,6 +93,7 @@ private:
     std::map<PeerAddress, Credential> m_peers;
     std::set<PeerAddress> m_displaced;
     std::map<Role, Error> m_faults; ///< why a role's code has no key
+    std::set<ParticipantId> m_unshown; // whose token was issued, and nobody has come in with
     KeyDeriver m_deriver;
 };
 

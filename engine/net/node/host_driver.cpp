@@ -106,9 +106,9 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
 {
     HostRules rules{
         [this](const Hello& hello, LocalTime now) {
-            return m_paths.hearsHello(m_speaker, now)
-                       ? m_entry->identify(m_speaker, hello, m_core->sessionTime(now))
-                       : Result<Identity>{fail(Errc::TooMuchSent)};
+            return m_paths.hearsHello(m_speaker, now) ? m_entry->identify(
+                       m_speaker, hello, m_core->log(), m_core->sessionTime(now))
+                                                      : Result<Identity>{fail(Errc::TooMuchSent)};
         },
         [this](const Hello& hello, LocalTime now) {
             return m_entry->admit(m_speaker, hello, m_core->log(), m_core->sessionTime(now), now,

@@ -46,7 +46,7 @@ Result<Proposal> HostEntry::joinOf(const Hello& hello) const
 }
 
 Result<Identity> HostEntry::identify(PeerAddress from, const Hello& hello,
-                                     SessionTime session) const
+                                     const std::vector<FactRecord>& log, SessionTime session) const
 {
     const auto proposal = joinOf(hello);
     if (!proposal)
@@ -59,7 +59,7 @@ Result<Identity> HostEntry::identify(PeerAddress from, const Hello& hello,
         return Identity{kOfHost};
     return m_ledger.decided().judge(*proposal, session, Duration{}).and_then([&](const Fact& fact) {
         const ParticipantId id = std::get<fact::ParticipantJoined>(fact.body).participant;
-        return m_access.check(from, joined->role, id)
+        return m_access.check(from, joined->role, id, isJoinOf(sealed(hello.join.id), id, log))
             .and_then([&] { return checkReturn(from, id, hello.join.id); })
             .map([&] {
                 return Identity{id, m_access.isProven(from)};
@@ -84,7 +84,7 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
                                                   SessionTime session, LocalTime now,
                                                   const Decide& decide)
 {
-    const auto who = identify(from, hello, session);
+    const auto who = identify(from, hello, log, session);
     auto proposal = joinOf(hello);
     if (!who || !proposal)
         return tl::unexpected(who ? proposal.error() : who.error());

@@ -31,7 +31,9 @@ public:
     }
 
     /// Whom a Hello over this path would be admitted as.
+    /// @param log the facts that are stored
     [[nodiscard]] Result<Identity> identify(PeerAddress from, const Hello& hello,
+                                            const std::vector<FactRecord>& log,
                                             SessionTime session) const;
     /// @param log the facts that are stored
     [[nodiscard]] Result<std::optional<Admission>> admit(PeerAddress from, const Hello& hello,

@@ -128,7 +128,7 @@ private Q_SLOTS:
                 ->truth;
         };
         const auto alone = simulatedStation(patient->landmarks, *tube, noClock)->truth;
-        const std::array people{truthOf(0), truthOf(1), truthOf(2)};
+        const std::array people{truthOf(0), truthOf(1), truthOf(2), truthOf(3), truthOf(4)};
         const auto p_T = [](const TrueToolPose& truth, ToolRole tool, Duration t) {
             return truth(tool, SessionTime{t}).value().translation();
         };
@@ -137,8 +137,11 @@ private Q_SLOTS:
         for (Duration t = 0s; t < kPeriod; t += kStep) {
             QCOMPARE(p_T(people[0], ToolRole::Tube, t), p_T(alone, ToolRole::Tube, t));
             QCOMPARE(p_T(people[0], ToolRole::Head, t), p_T(alone, ToolRole::Head, t));
-            for (std::size_t i = 0; i < people.size(); ++i) {
-                const std::size_t j = (i + 1) % people.size();
+            for (std::size_t k = 0; k < people.size() * people.size(); ++k) {
+                const std::size_t i = k / people.size();
+                const std::size_t j = k % people.size();
+                if (i >= j)
+                    continue;
                 const auto apart = [&](ToolRole tool) {
                     return (p_T(people[i], tool, t) - p_T(people[j], tool, t)).norm();
                 };
@@ -148,6 +151,34 @@ private Q_SLOTS:
             }
         }
         QVERIFY(together < times / 3);
+    }
+
+    void seesEverybodysToolsAtAllTimes_data()
+    {
+        QTest::addColumn<BuiltinPatient>("who");
+        QTest::newRow("the adult") << BuiltinPatient::Adult;
+        QTest::newRow("twelve years") << BuiltinPatient::TwelveYears;
+    }
+
+    /// Nobody stands where the simulated tracker never sees their head.
+    void seesEverybodysToolsAtAllTimes()
+    {
+        QFETCH(BuiltinPatient, who);
+        const auto patient = builtinPatient(who);
+        const auto tube = makeTube(dimensionsOf(who).tubeInnerDiameter, patient->landmarks.path_A,
+                                   patient->landmarks.p_A_incisors);
+        const auto noClock = [] { return std::optional<SessionTime>{}; };
+        for (unsigned number = 0; number < 7; ++number) {
+            const auto truth =
+                simulatedStation(patient->landmarks, *tube, noClock, {}, {}, [number] {
+                    return number;
+                })->truth;
+            for (Duration t = 0s; t < kPeriod; t += kStep)
+                for (const ToolRole tool : {ToolRole::Head, ToolRole::Tube, ToolRole::Hand}) {
+                    const Vec3 p_T = truth(tool, SessionTime{t}).value().translation();
+                    QVERIFY2(WorkingVolume{}.contains(p_T), qPrintable(QString::number(number)));
+                }
+        }
     }
 };
 

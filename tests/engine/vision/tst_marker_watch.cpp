@@ -157,6 +157,36 @@ private Q_SLOTS:
         QVERIFY(!watchOf(body).look(seen, {})[0].pose);
     }
 
+    void boundsTheMisfitByTheSizeInThePicture_data()
+    {
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<double>("share");
+        QTest::addColumn<bool>("isBody");
+        QTest::newRow("paper that is not flat, near") << 0.15 << 0.025 << true;
+        QTest::newRow("the same far away") << 0.8 << 0.025 << true;
+        QTest::newRow("something else, near") << 0.15 << 0.12 << false;
+        QTest::newRow("something else, far away") << 0.8 << 0.12 << false;
+    }
+
+    /// By a share of a marker's side, of every other corner.
+    void boundsTheMisfitByTheSizeInThePicture()
+    {
+        QFETCH(const double, distance);
+        QFETCH(const double, share);
+        QFETCH(const bool, isBody);
+        const MarkerBody& body = vision_test::printed("Manikin").body;
+        const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -distance}, 25.0);
+        std::vector<DetectedMarker> seen;
+        for (const BodyMarker& marker : body) {
+            seen.push_back(exactly(marker, X_TB));
+            auto& corners = seen.back().corners;
+            const double off = share * (corners[1] - corners[0]).norm();
+            for (std::size_t i = 0; i < 4; ++i)
+                corners[i].x() += i % 2 == 0 ? off : -off;
+        }
+        QCOMPARE(watchOf(body).look(seen, {})[0].pose.has_value(), isBody);
+    }
+
     void statesTheFitErrorInMetres()
     {
         const MarkerBody& body = vision_test::printed("Manikin").body;

@@ -1,6 +1,5 @@
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"
-#include "engine/session/facts/facts.h"
 #include "evaluation/scene/drawn_scene.h"
 #include "tests/support/test_class.h"
 
@@ -79,6 +78,9 @@ private Q_SLOTS:
                 objects.erase(kHeadOfAnna);
         const auto compared = compareScenes(scenes, 0.0, 2.0, kGap);
         QVERIFY(std::abs(compared.leastShare - 0.5) < 0.1);
+        QCOMPARE(compared.leastDrawn.viewer, 2);
+        QCOMPARE(compared.leastDrawn.owner, 1);
+        QCOMPARE(int(compared.leastDrawn.kind), int(ObjectKind::Head));
     }
 
     void expectsNobodyFromAnotherStation()

@@ -58,6 +58,7 @@ private Q_SLOTS:
                 .arg(found.wrong)
                 .arg(found.cornerRms);
         };
+        qInfo("%s", qPrintable(told()));
         QVERIFY2(found.seen >= 30, qPrintable(told()));
         QCOMPARE(found.wrong, 0);
         QVERIFY2(1e3 * found.acrossRms < across_mm, qPrintable(told()));

@@ -165,6 +165,21 @@ private Q_SLOTS:
         QCOMPARE(m_tries, 2);
     }
 
+    void refusalStaysWhenASessionIsFound()
+    {
+        const std::uint16_t port = freePort();
+        FoundSessionsModel sessions{port};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, complete()};
+        dialog.show();
+        dialog.accept();
+        m_node->isRefused({Errc::WrongCode, {}});
+        entrance.look();
+        const auto beacon = SessionBeacon::open(ward(), false, port);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QCOMPARE(find<QLabel>(dialog, "missing").text(), errorText({Errc::WrongCode, {}}));
+    }
+
     void cancelStopsJoiningAndThenLeaves()
     {
         FoundSessionsModel sessions{freePort()};

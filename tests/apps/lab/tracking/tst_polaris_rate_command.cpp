@@ -6,6 +6,13 @@
 namespace carina::lab::polaris_rate_command_test
 {
 
+namespace
+{
+
+constexpr double kBack_s = 2.0; ///< from when a device is back until its tools are tracked
+
+} // namespace
+
 class PolarisRateCommandTest : public QObject
 {
     Q_OBJECT
@@ -26,6 +33,8 @@ private Q_SLOTS:
             QVERIFY(measured[QLatin1StringView{"client_core_percent"}].toDouble() > 0.0);
             QVERIFY(measured[QLatin1StringView{"device_core_percent"}].toDouble() > 0.0);
         }
+        const double back = (*object)[QLatin1StringView{"back_s"}].toDouble();
+        QVERIFY2(back > 0.0 && back < kBack_s, qPrintable(QString::number(back)));
     }
 
     void refusesOtherWords()

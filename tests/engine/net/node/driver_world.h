@@ -74,6 +74,15 @@ public:
         return *m_guests.back();
     }
 
+    /// From now on the guest comes by another path, with the role's code; what is on its way to it
+    /// on the old one is lost.
+    void movePath(Guest& guest, Role role = Role::Trainee)
+    {
+        guest.address = m_nextMoved++;
+        host->connected(guest.address, {role, std::nullopt}, now);
+        guest.driver->connected(kPathToHost, {}, now);
+    }
+
     /// Lets virtual time pass; the disk is waited for at each turn, unless it is held.
     void run(Duration length, const std::function<void()>& each = {})
     {
@@ -134,6 +143,7 @@ private:
 
     HeldStore::Disk& m_disk;
     std::vector<std::unique_ptr<Guest>> m_guests;
+    PeerAddress m_nextMoved = 10'000;
     bool m_hostHasNews = true; // since its last turn
 };
 

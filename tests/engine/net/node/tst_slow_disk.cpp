@@ -30,6 +30,18 @@ bool hasKeyOfTrainees(const HostDriver& host)
     return host.access().keyOf(trainee).state == HostTransport::KeyAnswer::State::Known;
 }
 
+constexpr PeerAddress kNowhere = 99; ///< a path that the host does not know
+
+/// Lets a guest in and ask for a token, which the host has issued and the held disk not stored.
+void issueLostToken(DriverWorld& world, DriverWorld::Guest& guest)
+{
+    while (guest.board.part(&NodeBoard::View::self) == kNobody)
+        world.run(1ms);
+    world.disk().hold();
+    world.host->propose(kStation, kVolume, world.now);
+    world.run(1ms);
+}
+
 /// A tube that is seen anew at each turn.
 PoseSource tubeOf(const DriverWorld& world, const NodeBoard& board)
 {
@@ -173,6 +185,43 @@ private Q_SLOTS:
         QVERIFY(world.host->access().codes().at(Role::Trainee) != before);
         QCOMPARE(anna.board.part(&NodeBoard::View::self), ParticipantId{1});
         QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
+    }
+
+    /// A token holds at once and is sent when it is on disk; meanwhile its owner was silent for so
+    /// long that her program took another path. She is in again, and not told that her name is
+    /// taken.
+    void whoNeverReceivedTheTokenComesBackByTheCode()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        auto& anna = world.add("Anna");
+        issueLostToken(world, anna);
+        world.movePath(anna);
+        disk.letGo();
+        world.run(3s);
+        QVERIFY(!anna.board.part(&NodeBoard::View::refusal));
+        QCOMPARE(anna.board.part(&NodeBoard::View::self), ParticipantId{1});
+        QCOMPARE(anna.board.part(&NodeBoard::View::links)->at(0).report.state,
+                 LinkState::Connected);
+        QCOMPARE(guestsOf(world.board), std::ptrdiff_t{1});
+        world.host->propose(kStation, kRate, world.now);
+        world.run(20ms);
+        QCOMPARE(rateOf(anna.board), 25.0);
+    }
+
+    /// But nobody else who knows the code and her name.
+    void nobodyElseComesInInsteadOfWhoNeverReceivedTheToken()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        auto& anna = world.add("Anna");
+        issueLostToken(world, anna);
+        anna.address = kNowhere;
+        const auto& other = world.add("Anna");
+        disk.letGo();
+        world.run(3s);
+        QCOMPARE(other.board.part(&NodeBoard::View::refusal)->code, Errc::NameTaken);
+        QCOMPARE(other.board.part(&NodeBoard::View::self), kNobody);
     }
 
     /// Each would cost a second of processor time.

@@ -1,20 +1,17 @@
 #include "engine/net/devices/device_client.h"
 
 #include "engine/net/devices/device_port.h"
+#include "engine/net/devices/serial_ports.h"
 #include "engine/tracking/igtl/igtl_client.h"
 #include "engine/tracking/ndi/ndi_client.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 namespace carina
 {
 namespace
 {
-
-/// What an adapter at a serial port usually holds, best first.
-constexpr std::array kUsualRates{921600, 230400, 115200, 57600, 38400, 19200, 9600};
 
 NdiClientSettings ndiSettingsOf(const TrackerDescription& description)
 {
@@ -24,7 +21,7 @@ NdiClientSettings ndiSettingsOf(const TrackerDescription& description)
     settings.rates.clear();
     for (const DescribedTool& tool : description.tools)
         settings.tools.push_back({tool.name, tool.definition});
-    std::ranges::copy_if(kUsualRates, std::back_inserter(settings.rates),
+    std::ranges::copy_if(usualSerialRates(), std::back_inserter(settings.rates),
                          [&](int rate) { return rate <= description.fastestRate; });
     return settings;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace carina
 {
@@ -70,7 +71,8 @@ public:
         const auto found = m_client.found();
         return found ? std::optional{DeviceFound{found->name, found->pluggedIn, {}}} : std::nullopt;
     }
-    [[nodiscard]] std::string farewell() const override { return NdiClient::farewell(); }
+    void leave() override { m_client.leave(); }
+    [[nodiscard]] bool hasLeft() const override { return m_client.hasLeft(); }
 
 private:
     NdiClient m_client;
@@ -91,7 +93,10 @@ public:
     }
     [[nodiscard]] NdiPortAction advance(LocalTime now) override
     {
-        return {.bytes = asText(m_client.advance(now))};
+        NdiPortAction action{.bytes = asText(m_client.advance(now))};
+        if (m_leaves && !std::exchange(m_hasLeft, true))
+            action.bytes += asText(m_client.farewell());
+        return action;
     }
     [[nodiscard]] LocalTime nextWake() const override { return m_client.nextWake(); }
     [[nodiscard]] std::vector<DeviceSight> takeSights() override
@@ -109,10 +114,13 @@ public:
         std::vector<std::string> sent = m_client.sentTools();
         return sent.empty() ? std::nullopt : std::optional{DeviceFound{{}, {}, std::move(sent)}};
     }
-    [[nodiscard]] std::string farewell() const override { return asText(m_client.farewell()); }
+    void leave() override { m_leaves = true; }
+    [[nodiscard]] bool hasLeft() const override { return m_hasLeft; }
 
 private:
     IgtlClient m_client;
+    bool m_leaves = false;
+    bool m_hasLeft = false;
 };
 
 } // namespace

@@ -53,8 +53,10 @@ public:
     [[nodiscard]] virtual std::string trouble() const = 0;
     /// The device, while it answers.
     [[nodiscard]] virtual std::optional<DeviceFound> found() const = 0;
-    /// To leave the device idle: what is to be sent before the port is closed.
-    [[nodiscard]] virtual std::string farewell() const = 0;
+    /// Leaves the device idle before the port is closed: what that takes is for advance() and
+    /// take(), until hasLeft().
+    virtual void leave() = 0;
+    [[nodiscard]] virtual bool hasLeft() const = 0;
 };
 
 /// The client that a description needs, not started.

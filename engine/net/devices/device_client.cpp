@@ -60,8 +60,8 @@ public:
         for (const NdiMeasurement& measured : m_client.takeMeasurements())
             for (std::size_t i = 0; i < measured.tools.size(); ++i)
                 if (const auto& tool = measured.tools[i])
-                    sights.push_back(
-                        {i, measured.exposed, tool->X_TO, validityOf(*tool), tool->error});
+                    sights.push_back({i, measured.exposed, tool->X_TO, validityOf(*tool),
+                                      tool->error, toolSightOf(*tool)});
         return sights;
     }
     [[nodiscard]] bool isLost() const override { return false; } // it is asked again
@@ -104,7 +104,7 @@ public:
         std::vector<DeviceSight> sights;
         for (const IgtlSight& sight : m_client.takeSights())
             sights.push_back({sight.tool, sight.exposed, sight.X_TO,
-                              sight.X_TO ? Validity::Tracked : Validity::Lost, 0.0});
+                              sight.X_TO ? Validity::Tracked : Validity::Lost});
         return sights;
     }
     [[nodiscard]] bool isLost() const override { return m_client.isLost(); }

@@ -2,6 +2,7 @@
 
 #include "engine/core/session_time.h"
 #include "engine/io/site/tracker_file.h"
+#include "engine/tracking/tool_sight.h"
 
 #include <memory>
 #include <optional>
@@ -18,7 +19,8 @@ struct DeviceSight {
     LocalTime exposed{};
     std::optional<RigidTransform> X_TO{};  ///< nothing: there is no pose of it
     Validity validity = Validity::Tracked; ///< of the pose
-    double error = 0.0;                    ///< RMS of the fit, metres; where the device tells it
+    double error = 0.0; ///< RMS of the fit, metres; 0 where the device does not tell it
+    ToolSight sight = ToolSight::Unsaid;
 };
 
 /// What answers at an address.

@@ -172,6 +172,7 @@ DeviceTracker::DeviceTracker(TrackerDescription description, ReadSessionClock cl
     for (const DescribedTool& tool : m_description.tools)
         m_tools.push_back({tool.name, tool.role, &m_tracked.emplace_back().history, probeOf(tool),
                            kPolarisNoise});
+    m_sights.resize(m_tools.size());
     m_thread.setObjectName(QStringLiteral("carina-tracker"));
 }
 
@@ -205,6 +206,12 @@ std::string DeviceTracker::trouble() const
     return m_trouble;
 }
 
+ToolSight DeviceTracker::sightOf(std::size_t tool) const
+{
+    const std::lock_guard lock{m_mutex};
+    return m_found ? m_sights.at(tool) : ToolSight::Unsaid; // of a device that answers
+}
+
 std::optional<DeviceFound> DeviceTracker::found() const
 {
     const std::lock_guard lock{m_mutex};
@@ -220,6 +227,10 @@ void DeviceTracker::say(std::string trouble, std::optional<DeviceFound> found)
 
 void DeviceTracker::take(const DeviceSight& sight, LocalTime now)
 {
+    {
+        const std::lock_guard lock{m_mutex};
+        m_sights[sight.tool] = sight.sight;
+    }
     const auto present = m_clock();
     if (!present)
         return;

@@ -107,7 +107,7 @@ private Q_SLOTS:
     {
         MarkerWatch watch = watchOf(kSmall);
         Duration time{};
-        for (double away = 0.15; away < 1.2; away += 0.15, time += kFrame) {
+        for (double away = 0.15; away < 1.1; away += 0.15, time += kFrame) {
             const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -away}, 25.0);
             DetectedMarker seen = exactly(kSmall[0], X_TB);
             if (away > 0.8) { // as if it were tilted to the other side

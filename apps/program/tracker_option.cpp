@@ -32,7 +32,8 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
     parser.addOption(
         {kRecordDevice,
          QCoreApplication::translate("TrackerOption",
-                                     "Record the bytes to and from the tracking device; "
+                                     "Record the bytes to and from a Polaris or a server of "
+                                     "OpenIGTLink, also of one that is chosen in a window; "
                                      "recorded:FILE plays them. A file that is there is kept: the "
                                      "next one is named FILE-2."),
          QStringLiteral("FILE")});
@@ -40,14 +41,24 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
 
 QString recordOption(const QCommandLineParser& parser) { return parser.value(kRecord); }
 
+std::string recordDeviceOption(const QCommandLineParser& parser)
+{
+    return parser.value(kRecordDevice).toStdString();
+}
+
 Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser)
 {
     if (!parser.isSet(kTracker))
         return std::nullopt;
-    return trackerNamed(parser.value(kTracker)).map([&](TrackerChoice choice) {
-        choice.conversation = parser.value(kRecordDevice).toStdString();
+    auto named = trackerNamed(parser.value(kTracker)).map([&](TrackerChoice choice) {
+        choice.conversation = recordDeviceOption(parser);
         return std::optional{std::move(choice)};
     });
+    if (named && parser.isSet(kRecordDevice) && !hasConversation(**named))
+        return fail(Errc::WrongOption, "--record-device: a Polaris or a server of OpenIGTLink has "
+                                       "bytes to record, not "
+                                           + trackerName(**named).toStdString());
+    return named;
 }
 
 } // namespace carina::program

@@ -5,6 +5,7 @@
 #include <QCommandLineParser>
 
 #include <optional>
+#include <string>
 
 namespace carina::program
 {
@@ -18,8 +19,13 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without);
 /// `--record FILE`: records the poses of the tracker from the start on.
 [[nodiscard]] QString recordOption(const QCommandLineParser& parser);
 
+/// `--record-device FILE`: records the bytes to and from a tracker that a person chooses; empty
+/// without it.
+[[nodiscard]] std::string recordDeviceOption(const QCommandLineParser& parser);
+
 /// The tracker that `--tracker` names; std::nullopt without it.
-/// @returns the errors of trackerNamed.
+/// @returns the errors of trackerNamed; WrongOption for `--record-device` with a tracker that
+///          exchanges no bytes.
 [[nodiscard]] Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser);
 
 } // namespace carina::program

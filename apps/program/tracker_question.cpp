@@ -1,29 +1,25 @@
 #include "apps/program/tracker_question.h"
 
+#include "models/tracker/kept_trackers.h"
 #include "ui/tracker/tracker_dialog.h"
 
 namespace carina::program
 {
 
 Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept,
-                                                   QWidget* parent)
+                                                   const std::string& conversation, QWidget* parent)
 {
-    TrackerForm begin;
-    std::error_code ignored;
-    if (std::filesystem::exists(kept, ignored)) {
-        begin.source = TrackerSource::Description;
-        begin.description = QString::fromStdString(kept.string());
-    }
-    TrackerDialog dialog{begin, offeredAddresses(), parent};
+    TrackerDialog dialog{formOfKept(kept), offeredAddresses(), parent};
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
+    TrackerChoice chosen = dialog.choice();
+    chosen.conversation = conversation;
     if (dialog.form().source == TrackerSource::Polaris
         || dialog.form().source == TrackerSource::OpenIgtLink)
-        if (const auto wrote =
-                writeTrackerFile(kept, std::get<TrackerDescription>(dialog.choice().device));
+        if (const auto wrote = keepTracker(kept, std::get<TrackerDescription>(chosen.device));
             !wrote)
             return tl::unexpected(wrote.error());
-    return std::optional{dialog.choice()};
+    return std::optional{std::move(chosen)};
 }
 
 } // namespace carina::program

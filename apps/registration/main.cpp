@@ -19,6 +19,7 @@
 #include <QStandardPaths>
 
 #include <cstdio>
+#include <utility>
 
 namespace carina
 {
@@ -107,9 +108,38 @@ Result<std::unique_ptr<RegistrationJournal>> journalOf(const RegistrationModel& 
 /// What the wizard's window ends with where another tracker is to be used.
 constexpr int kAnotherTracker = 100;
 
+/// The recording of the poses, which goes on through one tracker after another.
+struct Record {
+    PoseRecording poses{workplaceNow};
+    QString wanted{}; ///< the file of `--record`; empty once it has begun
+};
+
+/// Records the tools of a workplace while both are there.
+class RecordedWorkplace
+{
+public:
+    RecordedWorkplace(Record& record, const Workplace& workplace) : m_record{record}
+    {
+        m_record.poses.follow(workplace.tracker().tools(), {});
+    }
+    ~RecordedWorkplace() { m_record.poses.follow({}, {}); }
+    RecordedWorkplace(const RecordedWorkplace&) = delete;
+    RecordedWorkplace& operator=(const RecordedWorkplace&) = delete;
+
+    /// Begins what `--record` asks for, once.
+    [[nodiscard]] Result<void> begin()
+    {
+        const QString file = std::exchange(m_record.wanted, {});
+        return file.isEmpty() ? Result<void>{} : m_record.poses.begin(file);
+    }
+
+private:
+    Record& m_record;
+};
+
 /// The wizard with this tracker, until its window is closed.
 Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient& patient,
-                 const TrackerChoice& tracker)
+                 const TrackerChoice& tracker, Record& record)
 {
     const std::string siteFile = parser.value(kSite).toStdString();
     auto site = RegistrationModel::siteOf(siteFile, *patient.model);
@@ -138,12 +168,10 @@ Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient&
     std::optional<ScriptedHand> hand;
     if (workplace->simulated && parser.value(kHands) == kScripted)
         hand.emplace(registration, *workplace->simulated);
-    PoseRecording recording{workplace->clock};
-    recording.follow(workplace->tracker().tools(), {});
-    if (const QString file = program::recordOption(parser); !file.isEmpty())
-        if (const auto begun = recording.begin(file); !begun)
-            return tl::unexpected(begun.error());
-    RegistrationWindow window{registration, recording};
+    RecordedWorkplace recorded{record, *workplace};
+    if (const auto begun = recorded.begin(); !begun)
+        return tl::unexpected(begun.error());
+    RegistrationWindow window{registration, record.poses};
     QObject::connect(&window, &RegistrationWindow::anotherTrackerWanted, &window,
                      [] { QApplication::exit(kAnotherTracker); });
     window.resize(*program::sizeOption(parser));
@@ -158,9 +186,10 @@ Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& par
 {
     const QFileInfo site{parser.value(kSite)};
     const QString kept = site.absoluteDir().filePath(QStringLiteral("tracker.json"));
-    return program::askForTracker(kept.toStdString()).map([&](std::optional<TrackerChoice> chosen) {
-        return chosen ? std::move(chosen) : std::move(present);
-    });
+    return program::askForTracker(kept.toStdString(), program::recordDeviceOption(parser))
+        .map([&](std::optional<TrackerChoice> chosen) {
+            return chosen ? std::move(chosen) : std::move(present);
+        });
 }
 
 /// The wizard with one tracker after another.
@@ -176,6 +205,7 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
         return fail(lock.error() == QLockFile::LockFailedError ? Errc::SiteInUse
                                                                : Errc::FileUnwritable,
                     siteFile);
+    Record record{.wanted = program::recordOption(parser)};
     for (bool asks = !tracker;; asks = true) {
         if (asks) {
             auto chosen = chosenTracker(parser, std::move(tracker));
@@ -185,7 +215,7 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
         }
         if (!tracker)
             return 0;
-        const auto ended = work(parser, patient, *tracker);
+        const auto ended = work(parser, patient, *tracker, record);
         if (!ended || *ended != kAnotherTracker)
             return ended;
     }

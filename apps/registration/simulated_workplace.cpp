@@ -21,9 +21,9 @@ RigidTransform parkedStylus(const Vec3& p_A_incisors)
     return {rotationFromVector(0.5 * std::numbers::pi * Vec3::UnitX()), p_A_incisors + kParked};
 }
 
-std::optional<SessionTime> now() { return SessionTime{monotonicNow().time_since_epoch()}; }
-
 } // namespace
+
+std::optional<SessionTime> workplaceNow() { return SessionTime{monotonicNow().time_since_epoch()}; }
 
 Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway, const TubeShape& tube)
 {
@@ -43,12 +43,13 @@ Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway, con
             return X_TJ;
         return tool == ToolRole::Stylus ? std::optional{hand->at(t)} : std::nullopt;
     };
-    auto tracker = std::make_unique<SimulatedTracker>(SimulatedTrackerSettings{}, truth, now);
+    auto tracker =
+        std::make_unique<SimulatedTracker>(SimulatedTrackerSettings{}, truth, workplaceNow);
     return SimulatedWorkplace{.X_TA = X_TA,
                               .p_TQ_divot = X_TA * Vec3{p_A_incisors + kDivot},
                               .hand = std::move(hand),
                               .tracker = std::move(tracker),
-                              .clock = now};
+                              .clock = workplaceNow};
 }
 
 } // namespace carina

@@ -19,6 +19,9 @@ struct SimulatedWorkplace {
     ReadSessionClock clock; ///< of the tracker's samples
 };
 
+/// The clock of the samples of every workplace, so that one recording goes through several.
+[[nodiscard]] std::optional<SessionTime> workplaceNow();
+
 /// @returns the errors of ScriptedHands::make.
 [[nodiscard]] Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway,
                                                             const TubeShape& tube);

@@ -1,7 +1,5 @@
 #include "apps/registration/workplace.h"
 
-#include "engine/core/monotonic_clock.h"
-
 namespace carina
 {
 
@@ -13,9 +11,8 @@ Result<Workplace> workplaceWith(const TrackerChoice& choice, const program::Chos
                 const ReadSessionClock clock = simulated.clock;
                 return Workplace{trackerName(choice), clock, std::move(simulated), {}};
             });
-    const auto clock = [] { return std::optional{SessionTime{monotonicNow().time_since_epoch()}}; };
-    return makeTracker(choice, clock).map([&](std::unique_ptr<Tracker> device) {
-        return Workplace{trackerName(choice), clock, {}, std::move(device)};
+    return makeTracker(choice, workplaceNow).map([&](std::unique_ptr<Tracker> device) {
+        return Workplace{trackerName(choice), workplaceNow, {}, std::move(device)};
     });
 }
 

@@ -238,7 +238,7 @@ Result<int> run(const QCommandLineParser& parser)
     auto chosen = trackerFor(parser);
     if (!chosen)
         return tl::unexpected(chosen.error());
-    TrackerChange change{program::siteOption(parser), *chosen};
+    TrackerChange change{program::siteOption(parser), *chosen, program::recordDeviceOption(parser)};
     const auto site = change.placeOf(*patient->model);
     if (!site)
         return tl::unexpected(site.error());

@@ -43,8 +43,11 @@ QString wizardsFolder()
 
 } // namespace
 
-TrackerChange::TrackerChange(QString site, const std::optional<TrackerChoice>& tracker)
-    : m_site{std::move(site)}, m_identity{identityOf(tracker)}
+TrackerChange::TrackerChange(QString site, const std::optional<TrackerChoice>& tracker,
+                             std::string conversation)
+    : m_site{std::move(site)},
+      m_identity{identityOf(tracker)},
+      m_conversation{std::move(conversation)}
 {
 }
 
@@ -58,7 +61,7 @@ void TrackerChange::ask(TraineeWindow& window, TraineeStation& station,
 {
     const QString beside = m_site.isEmpty() ? wizardsFolder() : m_site;
     const QString kept = QFileInfo{beside}.absoluteDir().filePath(QStringLiteral("tracker.json"));
-    auto chosen = program::askForTracker(kept.toStdString(), &window);
+    auto chosen = program::askForTracker(kept.toStdString(), m_conversation, &window);
     if (!chosen)
         return showProblem(window, chosen.error());
     if (!*chosen)

@@ -11,7 +11,9 @@ class TrackerChange
 {
 public:
     /// @param site file of the site; empty: none
-    explicit TrackerChange(QString site, const std::optional<TrackerChoice>& tracker);
+    /// @param conversation of a tracker that is chosen (TrackerChoice)
+    TrackerChange(QString site, const std::optional<TrackerChoice>& tracker,
+                  std::string conversation);
 
     /// The site as of now, for a patient.
     [[nodiscard]] Result<TraineeStation::Place> placeOf(const PatientModel& patient) const;
@@ -35,6 +37,7 @@ private:
 
     QString m_site;
     QString m_identity; ///< of the tracker
+    std::string m_conversation;
     std::function<void()> m_written;
 };
 

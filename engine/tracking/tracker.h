@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/tracking/markers/probe.h"
 #include "engine/tracking/pose_history.h"
+#include "engine/tracking/tool_sight.h"
 
 #include <string>
 #include <vector>
@@ -51,6 +52,13 @@ public:
     /// What keeps the device, or one of its tools, from tracking, for the person who can mend it;
     /// empty where nothing does. May be called from any thread.
     [[nodiscard]] virtual std::string trouble() const { return {}; }
+
+    /// What the device says now of how it sees a tool, by its index in tools(). May be called from
+    /// any thread.
+    [[nodiscard]] virtual ToolSight sightOf(std::size_t /*tool*/) const
+    {
+        return ToolSight::Unsaid;
+    }
 };
 
 } // namespace carina

@@ -88,7 +88,8 @@ BodySight MarkerWatch::sightOfBody(std::size_t body, const std::vector<DetectedM
     std::optional<Known>& known = m_known[body];
     if (known && (time - known->time > kMemory || time < known->time))
         known.reset();
-    if (fit->rival && fit->evidence < kSure) {
+    const bool isSure = !fit->rival || fit->evidence >= kSure;
+    if (!isSure) {
         if (!known) {
             sight.isAmbiguous = true;
             return sight;
@@ -104,7 +105,8 @@ BodySight MarkerWatch::sightOfBody(std::size_t body, const std::vector<DetectedM
             sight.evidence = -fit->evidence;
         }
     }
-    known = Known{sight.pose->X_TB, time};
+    if (isSure) // and not a guess by the last one
+        known = Known{sight.pose->X_TB, time};
     return sight;
 }
 

@@ -168,6 +168,7 @@ PolarisExposure PolarisDevice::exposureAt(LocalTime now) const
         if (port.isEnabled)
             seen.tools.push_back({handle, port.status(), m_poseOf(port.tool, seen.time)});
     seen.strays_mm = m_settings.strays(seen.time);
+    seen.time += m_faults.clockSetBy;
     return seen;
 }
 

@@ -19,6 +19,7 @@ struct PolarisFaults {
     bool isSilent = false;     ///< answers nothing
     bool corruptsNext = false; ///< one bit of the next reply is wrong
     bool cutsNext = false;     ///< the second half of the next reply is missing
+    Duration clockSetBy{};     ///< its clock, which BX2 tells, was set by so much
 };
 
 /// A Polaris without hardware: answers commands as the table of NDI's commands says, and paces the

@@ -43,11 +43,57 @@ std::optional<double> ageOf(const std::vector<PoseSample>& samples, SessionTime 
     return seen == samples.rend() ? std::nullopt : std::optional{toSeconds(now - seen->time)};
 }
 
-QString visibleState(Validity validity)
+/// Why a tool has no pose, or one with care; empty where the device tells nothing.
+QString reasonOf(ToolSight sight)
 {
+    switch (sight) {
+    case ToolSight::PartlyOutOfVolume:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "partly outside the working volume"));
+    case ToolSight::OutOfVolume:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "outside the working volume"));
+    case ToolSight::TooFewMarkers:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "too few of its markers are seen"));
+    case ToolSight::Interference:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "other infrared light disturbs"));
+    case ToolSight::BadFit:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "its markers do not fit its definition"));
+    case ToolSight::Failed:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "the tracker reports a fault"));
+    case ToolSight::Unsaid:
+        break;
+    }
+    return {};
+}
+
+QString visibleState(Validity validity, const QString& reason)
+{
+    if (!reason.isEmpty())
+        return reason;
     return validity == Validity::PartlyOccluded
                ? toolWords(QT_TRANSLATE_NOOP("ToolStatus", "partly out of view"))
                : toolWords(QT_TRANSLATE_NOOP("ToolStatus", "visible"));
+}
+
+QString neverSeen(const QString& reason)
+{
+    return reason.isEmpty()
+               ? toolWords(QT_TRANSLATE_NOOP("ToolStatus", "never seen"))
+               : toolWords(QT_TRANSLATE_NOOP("ToolStatus", "never seen: %1")).arg(reason);
+}
+
+/// State, rate, fit and age in a line.
+QString visibleText(const ToolStatus& status)
+{
+    const QString fit =
+        status.error_mm
+            ? toolWords(QT_TRANSLATE_NOOP("ToolStatus", ", markers fit to %1\u00a0mm (RMS)"))
+                  .arg(*status.error_mm, 0, 'f', 2)
+            : QString{};
+    return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "%1, %2\u00a0Hz%3, %4\u00a0ms old"))
+        .arg(status.state)
+        .arg(qRound(status.rate_Hz))
+        .arg(fit)
+        .arg(qRound(1e3 * status.age_s.value_or(0.0)));
 }
 
 /// Beside what its markers and its motion make of the pose.
@@ -71,11 +117,13 @@ void addExpected(ToolStatus& status, const TrackedTool& tool,
     status.held_mm = inMillimetres(metres(effect.held.position));
 }
 
-ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
+ToolStatus statusOf(const TrackedTool& tool, ToolSight sight, SessionTime now)
 {
+    const QString reason = reasonOf(sight);
+    const QString away = toolWords(QT_TRANSLATE_NOOP("ToolStatus", "out of view"));
     ToolStatus status{.role = tool.role, .name = toolName(tool)};
-    status.text = toolWords(QT_TRANSLATE_NOOP("ToolStatus", "out of view"));
-    status.state = toolWords(QT_TRANSLATE_NOOP("ToolStatus", "never seen"));
+    status.text = reason.isEmpty() ? away : reason;
+    status.state = neverSeen(reason);
     const std::vector<PoseSample> samples = tool.history->samples();
     status.age_s = ageOf(samples, now);
     if (!status.age_s)
@@ -84,20 +132,17 @@ ToolStatus statusOf(const TrackedTool& tool, SessionTime now)
     status.p_T = newest.X_FO.translation();
     const bool isDelivered = now - newest.time <= kSilent;
     status.rate_Hz = isDelivered ? rateOf(samples) : 0.0;
+    if (!isDelivered)
+        status.text = away; // what was said of it is over
     status.state = status.text;
     if (!isDelivered || newest.validity == Validity::Lost)
         return status;
     status.isVisible = true;
-    status.state = visibleState(newest.validity);
-    status.error_mm = 1e3 * newest.error;
+    status.state = visibleState(newest.validity, reason);
+    if (newest.error > 0.0) // none is told: markers fit exactly nowhere
+        status.error_mm = 1e3 * newest.error;
     addExpected(status, tool, samples);
-    status.text =
-        toolWords(QT_TRANSLATE_NOOP(
-                      "ToolStatus",
-                      "visible, %1\u00a0Hz, markers fit to %2\u00a0mm (RMS), %3\u00a0ms old"))
-            .arg(qRound(status.rate_Hz))
-            .arg(*status.error_mm, 0, 'f', 2)
-            .arg(qRound(1e3 * toSeconds(now - newest.time)));
+    status.text = visibleText(status);
     return status;
 }
 
@@ -132,7 +177,7 @@ std::vector<ToolStatus> toolStatus(const Tracker& tracker, SessionTime now)
 {
     std::vector<ToolStatus> all;
     for (const TrackedTool& tool : tracker.tools())
-        all.push_back(statusOf(tool, now));
+        all.push_back(statusOf(tool, tracker.sightOf(all.size()), now));
     return all;
 }
 

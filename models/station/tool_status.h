@@ -21,13 +21,16 @@ inline constexpr Duration kPredictedAhead = std::chrono::milliseconds{40};
 /// The visibility of one tool of a tracker.
 struct ToolStatus {
     ToolRole role = ToolRole::Other;
-    QString name{};                ///< as shown: "Stylus"
-    bool isVisible = false;        ///< tracked, with recent samples
-    QString text{};                ///< "out of view", or sample rate and quality
-    QString state{};               ///< "visible", "partly out of view", "out of view", "never seen"
+    QString name{};         ///< as shown: "Stylus"
+    bool isVisible = false; ///< tracked, with recent samples
+    QString text{};         ///< its state, and of a visible one sample rate and quality
+    /// "visible", "partly out of view", "out of view", "never seen", or where the device tells it
+    /// why: "other infrared light disturbs"
+    QString state{};
     double rate_Hz = 0.0;          ///< samples a second, the lost ones included; 0 while none come
     std::optional<double> age_s{}; ///< of the newest sample in which it was seen
-    std::optional<double> error_mm{}; ///< how well its markers fit, RMS; while it is visible
+    /// How well its markers fit, RMS; while it is visible and its tracker tells it
+    std::optional<double> error_mm{};
     /// The error of its pose at its origin (RMS), predicted from its markers; while it is visible
     std::optional<double> expected_mm{};
     std::optional<double> expected_deg{}; ///< the same, of its rotation

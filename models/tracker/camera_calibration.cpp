@@ -1,6 +1,7 @@
 #include "models/tracker/camera_calibration.h"
 
 #include "engine/core/expects.h"
+#include "engine/io/files/unused_name.h"
 #include "engine/io/site/camera_file.h"
 
 #include <QDateTime>
@@ -10,14 +11,29 @@
 namespace carina
 {
 
+namespace
+{
+
+/// The file that a calibration is written to: the present one; beside one of OpenCV a new one.
+std::filesystem::path calibrationToWrite(const std::filesystem::path& present)
+{
+    if (!isOpenCvCamera(present))
+        return present;
+    std::filesystem::path own = present;
+    return unusedName(own.replace_extension(".json"));
+}
+
+} // namespace
+
 std::optional<CameraToCalibrate> cameraOf(const TrackerChoice& choice)
 {
     const auto* described = std::get_if<TrackerDescription>(&choice.device);
     if (described == nullptr || described->kind != TrackerKind::Camera)
         return std::nullopt;
-    return CameraToCalibrate{QString::fromStdString(described->address),
-                             QString::fromStdString(described->calibration),
-                             {described->camera.width, described->camera.height}};
+    return CameraToCalibrate{
+        QString::fromStdString(described->address),
+        QString::fromStdString(calibrationToWrite(described->calibration).string()),
+        {described->camera.width, described->camera.height}};
 }
 
 void CameraCalibration::begin(const CameraToCalibrate& camera, double square_mm)

@@ -17,7 +17,7 @@ namespace carina
 /// A camera whose calibration is to be made.
 struct CameraToCalibrate {
     QString place{}; ///< "/dev/video0", a video, or a folder of pictures
-    QString file{};  ///< where its calibration is kept
+    QString file{};  ///< where its calibration is written; never one of OpenCV, which is kept
     QSize size{};    ///< of its pictures, as the present calibration says
 };
 

@@ -1,5 +1,6 @@
 #include "models/tracker/pose_recording.h"
 
+#include "engine/io/files/unused_name.h"
 #include "engine/net/devices/any_recording.h"
 
 #include <QFileInfo>
@@ -30,7 +31,7 @@ Result<void> PoseRecording::begin(const QString& file)
         return fail(Errc::UnknownFormat, asked.string());
     std::filesystem::path record = asked;
     if (asked.extension() != ".csv")
-        record += ".csv";
+        record = unusedName(record += ".csv"); // nobody was asked for this name
     auto begun = PoseRecorder::begin(record, m_clock);
     if (!begun)
         return tl::unexpected(begun.error());

@@ -27,8 +27,8 @@ public:
     void follow(std::vector<TrackedTool> tools, std::shared_ptr<const void> owner);
     [[nodiscard]] bool hasTools() const { return !m_tools.empty(); }
 
-    /// Begins a recording. The record is this file where its extension is .csv, else a file beside
-    /// it with .csv behind the name.
+    /// Begins a recording. The record is this file, which is replaced, where its extension is .csv;
+    /// else a new file beside it with .csv behind the name.
     /// @returns UnknownFormat for an extension that no recording has; FileUnwritable;
     /// TrackerFailed.
     [[nodiscard]] Result<void> begin(const QString& file);

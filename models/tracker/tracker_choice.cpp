@@ -1,6 +1,7 @@
 #include "models/tracker/tracker_choice.h"
 
 #include "engine/core/expects.h"
+#include "engine/io/files/unused_name.h"
 #include "engine/io/site/plus_device_set.h"
 #include "engine/net/devices/any_recording.h"
 #include "engine/net/devices/described_tracker.h"
@@ -18,17 +19,6 @@ const QString kRecorded = QStringLiteral("recorded:");
 const QString kLooped = QStringLiteral("looped:");
 
 QString choiceWords(const char* text) { return QCoreApplication::translate("TrackerChoice", text); }
-
-/// A name like this one that no file has.
-std::filesystem::path unusedName(const std::filesystem::path& file)
-{
-    std::filesystem::path unused = file;
-    std::error_code ignored;
-    for (int number = 2; std::filesystem::exists(unused, ignored); ++number)
-        unused.replace_filename(file.stem().string() + '-' + std::to_string(number)
-                                + file.extension().string());
-    return unused;
-}
 
 const char* nameOfKind(TrackerKind kind)
 {
@@ -95,6 +85,12 @@ KnownVolume usualVolume(const TrackerChoice& choice)
                                                             : KnownVolume::None;
 }
 
+bool hasConversation(const TrackerChoice& choice)
+{
+    const auto* described = std::get_if<TrackerDescription>(&choice.device);
+    return described != nullptr && described->kind != TrackerKind::Camera;
+}
+
 Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSessionClock clock)
 {
     if (const auto* recording = std::get_if<PlayedRecording>(&choice.device))
@@ -102,7 +98,7 @@ Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSe
                                                  recording->playing);
     const auto* described = std::get_if<TrackerDescription>(&choice.device);
     CARINA_EXPECTS(described != nullptr);
-    if (choice.conversation.empty())
+    if (choice.conversation.empty() || !hasConversation(choice))
         return describedTracker(*described, std::move(clock));
     return DeviceLog::create(unusedName(choice.conversation), *described)
         .and_then([&](std::unique_ptr<DeviceLog> log) {

@@ -47,11 +47,6 @@ struct TrackerChoice {
 /// @returns the errors of reading it.
 [[nodiscard]] Result<TrackerChoice> describedIn(const std::filesystem::path& file);
 
-/// What a file describes: Carina's own description (readTrackerFile), or where its name ends in
-/// .xml a device set of PLUS (readPlusDeviceSet).
-/// @returns the errors of reading it.
-[[nodiscard]] Result<TrackerChoice> describedIn(const std::filesystem::path& file);
-
 /// The recording in a file. @returns the errors of reading it.
 [[nodiscard]] Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing);
 
@@ -66,6 +61,9 @@ struct TrackerChoice {
 
 /// The volume in which such a tracker usually sees.
 [[nodiscard]] KnownVolume usualVolume(const TrackerChoice& choice);
+
+/// Whether bytes are exchanged with it, which can be recorded: a Polaris or a server.
+[[nodiscard]] bool hasConversation(const TrackerChoice& choice);
 
 /// The tracker itself, not started.
 /// @pre the choice is not the simulated tracker.

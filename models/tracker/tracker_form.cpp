@@ -95,6 +95,8 @@ Result<TrackerDescription> describedBy(const TrackerForm& form)
 {
     TrackerDescription described;
     described.address = form.address.trimmed().toStdString();
+    described.poses = form.poses;
+    described.fastestRate = form.fastestRate;
     for (const FormTool& tool : form.tools) {
         DescribedTool& added = described.tools.emplace_back();
         added.name = TrackerFormWords::nameOf(tool, described.tools.size() - 1);
@@ -123,6 +125,8 @@ std::vector<OfferedAddress> offeredAddresses()
     }
     return offered;
 }
+
+std::span<const int> offeredRates() { return usualSerialRates(); }
 
 std::span<const ToolRole> offeredRoles()
 {

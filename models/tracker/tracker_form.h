@@ -41,10 +41,12 @@ struct TrackerForm {
     TrackerSource source = TrackerSource::Simulated;
     QString address{}; ///< of a Polaris: a serial port, or host and port
     std::vector<FormTool> tools{{}};
-    QString recording{};   ///< a file
-    bool isLooped = false; ///< whether it is played again and again
-    QString description{}; ///< a file
-    QString server{};      ///< of OpenIGTLink: host and port
+    NdiPoseReply poses = NdiPoseReply::Bx; ///< how a Polaris is asked for them
+    int fastestRate = 921600;              ///< of its serial port, bits a second
+    QString recording{};                   ///< a file
+    bool isLooped = false;                 ///< whether it is played again and again
+    QString description{};                 ///< a file
+    QString server{};                      ///< of OpenIGTLink: host and port
     IgtlPoses asked = IgtlPoses::Transform;
     std::vector<ServedTool> served{};
 
@@ -59,6 +61,9 @@ struct OfferedAddress {
 
 /// The serial ports of this computer.
 [[nodiscard]] std::vector<OfferedAddress> offeredAddresses();
+
+/// The rates of a serial port that are offered as the fastest, in bits a second, best first.
+[[nodiscard]] std::span<const int> offeredRates();
 
 /// The roles of a tool, in the order in which they are offered.
 [[nodiscard]] std::span<const ToolRole> offeredRoles();

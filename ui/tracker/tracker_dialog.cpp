@@ -51,6 +51,8 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
     : QDialog{parent},
       m_sources{new QButtonGroup{this}},
       m_address{new QComboBox},
+      m_poses{new QComboBox},
+      m_rate{new QComboBox},
       m_tools{new TrackerTools},
       m_server{new ServerFields},
       m_try{new QPushButton{tr("&Look whether it answers")}},
@@ -113,8 +115,23 @@ void TrackerDialog::addSource(TrackerSource source, const QString& text, QWidget
     column->insertWidget(behind + 1, details);
 }
 
+/// How a Polaris is asked for poses, and how fast its serial port may be.
+void TrackerDialog::offerPoses()
+{
+    m_poses->setObjectName(QStringLiteral("poses"));
+    m_poses->setAccessibleName(tr("How the tracker is asked for poses"));
+    m_poses->addItem(tr("it is asked by BX: binary and short"), int(NdiPoseReply::Bx));
+    m_poses->addItem(tr("it is asked by BX2: with the device's own time"), int(NdiPoseReply::Bx2));
+    m_poses->addItem(tr("it is asked by TX: text"), int(NdiPoseReply::Tx));
+    m_rate->setObjectName(QStringLiteral("fastestRate"));
+    m_rate->setAccessibleName(tr("Fastest rate of the serial port"));
+    for (const int rate : offeredRates())
+        m_rate->addItem(tr("%1 bits/s").arg(rate), rate);
+}
+
 QWidget* TrackerDialog::polarisFields(const std::vector<OfferedAddress>& offered)
 {
+    offerPoses();
     m_address->setObjectName(QStringLiteral("address"));
     m_address->setAccessibleName(tr("Serial port, or address and port on the network"));
     m_address->setEditable(true);
@@ -135,6 +152,8 @@ QWidget* TrackerDialog::polarisFields(const std::vector<OfferedAddress>& offered
     auto* form = new QFormLayout{fields};
     form->addRow(tr("&Address"), m_address);
     form->addRow(QString{}, ports);
+    form->addRow(tr("Pos&es"), m_poses);
+    form->addRow(tr("Fas&test rate"), m_rate);
     form->addRow(tr("Tools"), m_tools);
     form->addRow(m_try, m_found);
     return fields;
@@ -175,6 +194,10 @@ void TrackerDialog::fill(const TrackerForm& form)
     m_sources->button(int(form.source))->setChecked(true);
     if (!form.address.isEmpty())
         m_address->setEditText(form.address);
+    m_poses->setCurrentIndex(m_poses->findData(int(form.poses)));
+    if (m_rate->findData(form.fastestRate) < 0) // one that was written by hand
+        m_rate->addItem(tr("%1 bits/s").arg(form.fastestRate), form.fastestRate);
+    m_rate->setCurrentIndex(m_rate->findData(form.fastestRate));
     m_tools->setTools(form.tools);
     m_server->fill(form);
     m_recording->setText(form.recording);
@@ -186,6 +209,8 @@ void TrackerDialog::connectFields()
 {
     connect(m_sources, &QButtonGroup::idToggled, this, &TrackerDialog::edited);
     connect(m_address, &QComboBox::editTextChanged, this, &TrackerDialog::edited);
+    for (const QComboBox* choice : {m_poses, m_rate})
+        connect(choice, &QComboBox::currentIndexChanged, this, &TrackerDialog::edited);
     connect(m_tools, &TrackerTools::changed, this, &TrackerDialog::edited);
     connect(m_server, &ServerFields::changed, this, &TrackerDialog::edited);
     connect(m_recording, &QLineEdit::textChanged, this, &TrackerDialog::edited);
@@ -202,6 +227,8 @@ TrackerForm TrackerDialog::form() const
                      .address = offered < 0 ? m_address->currentText()
                                             : m_address->itemData(offered).toString(),
                      .tools = m_tools->tools(),
+                     .poses = NdiPoseReply(m_poses->currentData().toInt()),
+                     .fastestRate = m_rate->currentData().toInt(),
                      .recording = m_recording->text(),
                      .isLooped = m_isLooped->isChecked(),
                      .description = m_description->text()};
@@ -234,7 +261,12 @@ void TrackerDialog::calibrate()
     const auto camera = cameraOf(*chosen);
     if (!camera)
         return m_missing->setText(tr("This file describes a tracker that is no camera."));
-    CalibrationDialog{*camera, this}.exec();
+    if (CalibrationDialog{*camera, this}.exec() != QDialog::Accepted)
+        return;
+    const auto named =
+        nameCalibration(form().description.trimmed().toStdString(), camera->file.toStdString());
+    if (!named)
+        m_missing->setText(errorText(named.error()));
 }
 
 void TrackerDialog::accept()

@@ -45,6 +45,7 @@ private:
     [[nodiscard]] QWidget* polarisFields(const std::vector<OfferedAddress>& offered);
     [[nodiscard]] QWidget* fileFields(QLineEdit& file, const QString& title, const QString& kinds,
                                       QCheckBox* choice = nullptr);
+    void offerPoses();
     void layOut();
     void connectFields();
     void fill(const TrackerForm& form);
@@ -59,6 +60,8 @@ private:
     QButtonGroup* m_sources;
     std::array<QWidget*, 5> m_details{}; ///< of each source; null where it has none
     QComboBox* m_address;
+    QComboBox* m_poses;
+    QComboBox* m_rate;
     TrackerTools* m_tools;
     ServerFields* m_server;
     QPushButton* m_try;

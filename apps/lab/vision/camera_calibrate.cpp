@@ -136,6 +136,9 @@ Result<CalibrationRequest> requestOf(const Words& words)
         .seconds = *seconds};
     if (*columns * *rows / 2 > sizeOf(request.board.dictionary))
         return words.refuse(QStringLiteral("calibrate knows boards of at most 100 squares."));
+    if (isOpenCvCamera(words.text(calibrate_option::kOut).toStdString()))
+        return words.refuse(
+            QStringLiteral("calibrate writes no YAML: give --out a name that ends in .json."));
     const std::filesystem::path path{words.files()[1].toStdString()};
     request.place = {
         .kind = kindOfPlace(path), .path = path, .width = int(*width), .height = int(*height)};

@@ -2,6 +2,7 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/vision/printed_pieces.h"
 #include "engine/io/files/whole_file.h"
+#include "engine/io/site/camera_file.h"
 #include "engine/io/site/tracker_file.h"
 
 #include <QJsonArray>
@@ -34,6 +35,18 @@ CameraModel usualWebcam()
     return {.width = 1280, .height = 720, .focal = {1065.0, 1065.0}, .centre = {639.5, 359.5}};
 }
 
+/// A calibration that is there already is kept.
+Result<void> takeCalibration(const std::filesystem::path& file, TrackerDescription& described)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        return {};
+    return readCameraFile(file).map([&](const CalibratedCamera& camera) {
+        described.camera = camera.model;
+        described.calibration = file.string();
+    });
+}
+
 Result<QJsonObject> printMarkers(const Words& words)
 {
     if (words.files().size() != 1)
@@ -51,6 +64,8 @@ Result<QJsonObject> printMarkers(const Words& words)
                                  .camera = usualWebcam()};
     if (!described.address.starts_with("/dev/"))
         return words.refuse(QStringLiteral("takes a device such as /dev/video0 for --camera."));
+    if (const auto taken = takeCalibration(folder / "tracker-camera.json", described); !taken)
+        return tl::unexpected(taken.error());
     for (const PrintedTool& tool : printedTools()) {
         pieces.push_back(pieceOf(tool));
         described.tools.push_back({.name = tool.name,
@@ -86,25 +101,27 @@ Result<QJsonObject> printMarkers(const Words& words)
 
 Command printMarkersCommand()
 {
-    return {.name = "print-markers",
-            .theme = "tracking",
-            .summary = "makes a PDF of markers to print, and their description",
-            .uses = {{.lines = {"DIR [--camera DEVICE]"},
-                      .text = "Writes DIR/markers.pdf: sheets for the manikin's chest and chin, "
-                              "sleeves for tube, stylus and laryngoscope, and a board to calibrate "
-                              "the camera with. DIR/tracker.json, which is written with the "
-                              "markers of each tool, is for --tracker of carina-registration and "
-                              "carina-trainee; until carina-lab camera calibrate has written "
-                              "DIR/tracker-camera.json it assumes a usual webcam.",
-                      .options = {print_option::kCamera},
-                      .schema = print_key::kSchema,
-                      .keys = {print_key::kFolder, print_key::kPdf, print_key::kTracker,
-                               print_key::kPieces, print_key::kName, print_key::kMarkerSide,
-                               print_key::kMarkers}}},
-            .mostFiles = 1,
-            .reminder = "print-markers needs DIR.",
-            .draws = true,
-            .experiment = printMarkers};
+    return {
+        .name = "print-markers",
+        .theme = "tracking",
+        .summary = "makes a PDF of markers to print, and their description",
+        .uses = {{.lines = {"DIR [--camera DEVICE]"},
+                  .text = "Writes DIR/markers.pdf: sheets for the manikin's chest and chin, "
+                          "sleeves for tube, stylus and laryngoscope, and a board to calibrate "
+                          "the camera with. DIR/tracker.json, which is written with the "
+                          "markers of each tool, is for --tracker of carina-registration and "
+                          "carina-trainee; until carina-lab camera calibrate has written "
+                          "DIR/tracker-camera.json it assumes a usual webcam. A calibration that "
+                          "is there already is kept.",
+                  .options = {print_option::kCamera},
+                  .schema = print_key::kSchema,
+                  .keys = {print_key::kFolder, print_key::kPdf, print_key::kTracker,
+                           print_key::kPieces, print_key::kName, print_key::kMarkerSide,
+                           print_key::kMarkers}}},
+        .mostFiles = 1,
+        .reminder = "print-markers needs DIR.",
+        .draws = true,
+        .experiment = printMarkers};
 }
 
 } // namespace carina::lab

@@ -44,10 +44,10 @@ inline constexpr double kCollinearShare = 0.01;
 /// @param weights w of each pair; all 1 where there are none
 /// @pre no weights, or as many as pairs.
 /// @returns TooFewLandmarks below three pairs; OutOfRange for a weight that is not above 0;
-/// NotFinite for NaN or infinity and OutOfRange for a
-///          kilometre or more in either set; DegenerateLandmarks if either set is coincident or
-///          (nearly) collinear, or if more than one rotation fits best, as when one set is the
-///          mirror image of the other or landmarks were touched in another order.
+///          NotFinite for NaN or infinity and OutOfRange for a kilometre or more in either set;
+///          DegenerateLandmarks if either set is coincident or (nearly) collinear, or if more than
+///          one rotation fits best, as when one set is the mirror image of the other or landmarks
+///          were touched in another order.
 [[nodiscard]] Result<RigidFit> fitRigid(std::span<const LandmarkPair> pairs,
                                         std::span<const double> weights = {});
 

@@ -48,11 +48,14 @@ QJsonArray pairOf(const Vec2& v) { return {v.x(), v.y()}; }
 
 } // namespace
 
+bool isOpenCvCamera(const std::filesystem::path& file)
+{
+    return file.extension() == ".yml" || file.extension() == ".yaml";
+}
+
 Result<CalibratedCamera> readCameraFile(const std::filesystem::path& file)
 {
-    const std::string kind = file.extension().string();
-    const bool isYaml = kind == ".yml" || kind == ".yaml";
-    auto camera = isYaml
+    auto camera = isOpenCvCamera(file)
                       ? readWholeFile(file, kDescriptionLimit)
                             .and_then([&](const std::string& text) {
                                 return cameraFromYaml(text).map_error([&](const Error& error) {
@@ -68,6 +71,8 @@ Result<CalibratedCamera> readCameraFile(const std::filesystem::path& file)
 
 Result<void> writeCameraFile(const std::filesystem::path& file, const CalibratedCamera& camera)
 {
+    if (isOpenCvCamera(file))
+        return fail(Errc::FileUnwritable, file.string() + ": its name has to end in .json");
     QJsonArray distortion;
     std::ranges::copy(camera.model.distortion, std::back_inserter(distortion));
     QJsonObject object{{QStringLiteral("schema"), kCameraSchema},

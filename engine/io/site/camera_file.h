@@ -26,13 +26,16 @@ struct CalibratedCamera {
 ///     distortion   [k1, k2, p1, p2, k3]; see CameraModel
 ///     rms_px, pictures, made_at   of the calibration; may be left out
 ///
-/// or, where its name ends in .yml or .yaml, a file of OpenCV (cameraFromYaml).
+/// or, where its name ends in .yml or .yaml (isOpenCvCamera), a file of OpenCV (cameraFromYaml).
 ///
 /// @returns the errors of readJsonFile; FileMalformed for a fault, and for a camera that is not
 ///          usable. The detail names file and field.
 [[nodiscard]] Result<CalibratedCamera> readCameraFile(const std::filesystem::path& file);
 
-/// @returns FileUnwritable
+/// Whether a file is one of OpenCV, by its name.
+[[nodiscard]] bool isOpenCvCamera(const std::filesystem::path& file);
+
+/// @returns FileUnwritable, also for the name of a file of OpenCV: it would not be read again.
 [[nodiscard]] Result<void> writeCameraFile(const std::filesystem::path& file,
                                            const CalibratedCamera& camera);
 

@@ -193,8 +193,10 @@ Result<void> writeCamera(const std::filesystem::path& file, const TrackerDescrip
     object[QStringLiteral("calibration")] = QString::fromStdString(calibration);
     object[QStringLiteral("looped")] = description.isLooped;
     object[QStringLiteral("rate")] = description.rate_hz;
-    return writeCameraFile(file.parent_path() / calibration,
-                           CalibratedCamera{.model = description.camera});
+    const std::filesystem::path path = file.parent_path() / calibration;
+    if (std::filesystem::equivalent(path, description.calibration, error))
+        return {}; // with when and how well it was made
+    return writeCameraFile(path, CalibratedCamera{.model = description.camera});
 }
 
 } // namespace
@@ -262,6 +264,22 @@ Result<void> writeTrackerFile(const std::filesystem::path& file,
         object[QStringLiteral("rate")] = description.rate_hz;
     }
     return writeJsonFile(file, object);
+}
+
+Result<void> nameCalibration(const std::filesystem::path& file,
+                             const std::filesystem::path& calibration)
+{
+    auto object = readJsonFile(file, kTrackerSchema);
+    if (!object)
+        return tl::unexpected(object.error());
+    const auto folder = file.parent_path();
+    const auto name = folder.empty() ? calibration : calibration.lexically_proximate(folder);
+    const QString key = QStringLiteral("calibration");
+    const QString now = QString::fromStdString(name.string());
+    if (object->value(key).toString() == now)
+        return {};
+    object->insert(key, now);
+    return writeJsonFile(file, *object);
 }
 
 Result<NdiToolDefinition> readToolDefinition(const std::filesystem::path& file)

@@ -72,8 +72,7 @@ struct TrackerDescription {
 /// or, of kind "camera", with
 ///
 ///     address       of a webcam, such as "/dev/video0"; or a video, or a folder of pictures,
-///     beside
-///                   this file or below
+///                   beside this file or below
 ///     calibration   of the camera (readCameraFile), a file beside this one or below
 ///     looped        true: a video is played again and again; false without it
 ///     rate          of a folder, and asked of a webcam, pictures a second; 30 without it
@@ -85,14 +84,20 @@ struct TrackerDescription {
 ///          The detail names file and field.
 [[nodiscard]] Result<TrackerDescription> readTrackerFile(const std::filesystem::path& file);
 
-/// Writes a description, and beside it the definition of
-/// its first wireless tool as FILE-1.rom, of the second as FILE-2.rom and so on, where FILE is the
-/// name of the file without its extension.
-/// Of a camera it writes the calibration as FILE-camera.json, and the markers of the first tool as
-/// FILE-1.json and so on; the address of a video or folder is that relative to the file.
+/// Writes a description, and beside it the definition of its first wireless tool as FILE-1.rom, of
+/// the second as FILE-2.rom and so on, where FILE is the name of the file without its extension. Of
+/// a camera it writes the calibration as FILE-camera.json, unless that is the file that it is from,
+/// and the markers of the first tool as FILE-1.json and so on; the address of a video or folder is
+/// that relative to the file.
 /// @returns FileUnwritable
 [[nodiscard]] Result<void> writeTrackerFile(const std::filesystem::path& file,
                                             const TrackerDescription& description);
+
+/// Has the description of a camera name another calibration, a file beside it or below; the rest of
+/// it stays as it is.
+/// @returns the errors of readJsonFile; FileUnwritable
+[[nodiscard]] Result<void> nameCalibration(const std::filesystem::path& file,
+                                           const std::filesystem::path& calibration);
 
 /// Reads the definition of a wireless tool, a .rom file.
 /// @returns the errors of reading a file and of NdiToolDefinition::read; the detail begins with the

@@ -1,20 +1,18 @@
 #include "engine/net/devices/device_client.h"
 
 #include "engine/net/devices/device_port.h"
+#include "engine/net/devices/serial_ports.h"
 #include "engine/tracking/igtl/igtl_client.h"
 #include "engine/tracking/ndi/ndi_client.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
+#include <utility>
 
 namespace carina
 {
 namespace
 {
-
-/// What an adapter at a serial port usually holds, best first.
-constexpr std::array kUsualRates{921600, 230400, 115200, 57600, 38400, 19200, 9600};
 
 NdiClientSettings ndiSettingsOf(const TrackerDescription& description)
 {
@@ -24,7 +22,7 @@ NdiClientSettings ndiSettingsOf(const TrackerDescription& description)
     settings.rates.clear();
     for (const DescribedTool& tool : description.tools)
         settings.tools.push_back({tool.name, tool.definition});
-    std::ranges::copy_if(kUsualRates, std::back_inserter(settings.rates),
+    std::ranges::copy_if(usualSerialRates(), std::back_inserter(settings.rates),
                          [&](int rate) { return rate <= description.fastestRate; });
     return settings;
 }
@@ -62,8 +60,8 @@ public:
         for (const NdiMeasurement& measured : m_client.takeMeasurements())
             for (std::size_t i = 0; i < measured.tools.size(); ++i)
                 if (const auto& tool = measured.tools[i])
-                    sights.push_back(
-                        {i, measured.exposed, tool->X_TO, validityOf(*tool), tool->error});
+                    sights.push_back({i, measured.exposed, tool->X_TO, validityOf(*tool),
+                                      tool->error, toolSightOf(*tool)});
         return sights;
     }
     [[nodiscard]] bool isLost() const override { return false; } // it is asked again
@@ -73,7 +71,8 @@ public:
         const auto found = m_client.found();
         return found ? std::optional{DeviceFound{found->name, found->pluggedIn, {}}} : std::nullopt;
     }
-    [[nodiscard]] std::string farewell() const override { return NdiClient::farewell(); }
+    void leave() override { m_client.leave(); }
+    [[nodiscard]] bool hasLeft() const override { return m_client.hasLeft(); }
 
 private:
     NdiClient m_client;
@@ -94,7 +93,10 @@ public:
     }
     [[nodiscard]] NdiPortAction advance(LocalTime now) override
     {
-        return {.bytes = asText(m_client.advance(now))};
+        NdiPortAction action{.bytes = asText(m_client.advance(now))};
+        if (m_leaves && !std::exchange(m_hasLeft, true))
+            action.bytes += asText(m_client.farewell());
+        return action;
     }
     [[nodiscard]] LocalTime nextWake() const override { return m_client.nextWake(); }
     [[nodiscard]] std::vector<DeviceSight> takeSights() override
@@ -102,7 +104,7 @@ public:
         std::vector<DeviceSight> sights;
         for (const IgtlSight& sight : m_client.takeSights())
             sights.push_back({sight.tool, sight.exposed, sight.X_TO,
-                              sight.X_TO ? Validity::Tracked : Validity::Lost, 0.0});
+                              sight.X_TO ? Validity::Tracked : Validity::Lost});
         return sights;
     }
     [[nodiscard]] bool isLost() const override { return m_client.isLost(); }
@@ -112,10 +114,13 @@ public:
         std::vector<std::string> sent = m_client.sentTools();
         return sent.empty() ? std::nullopt : std::optional{DeviceFound{{}, {}, std::move(sent)}};
     }
-    [[nodiscard]] std::string farewell() const override { return asText(m_client.farewell()); }
+    void leave() override { m_leaves = true; }
+    [[nodiscard]] bool hasLeft() const override { return m_hasLeft; }
 
 private:
     IgtlClient m_client;
+    bool m_leaves = false;
+    bool m_hasLeft = false;
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/core/session_time.h"
 #include "engine/io/site/tracker_file.h"
+#include "engine/tracking/tool_sight.h"
 
 #include <memory>
 #include <optional>
@@ -18,7 +19,8 @@ struct DeviceSight {
     LocalTime exposed{};
     std::optional<RigidTransform> X_TO{};  ///< nothing: there is no pose of it
     Validity validity = Validity::Tracked; ///< of the pose
-    double error = 0.0;                    ///< RMS of the fit, metres; where the device tells it
+    double error = 0.0; ///< RMS of the fit, metres; 0 where the device does not tell it
+    ToolSight sight = ToolSight::Unsaid;
 };
 
 /// What answers at an address.
@@ -53,8 +55,10 @@ public:
     [[nodiscard]] virtual std::string trouble() const = 0;
     /// The device, while it answers.
     [[nodiscard]] virtual std::optional<DeviceFound> found() const = 0;
-    /// To leave the device idle: what is to be sent before the port is closed.
-    [[nodiscard]] virtual std::string farewell() const = 0;
+    /// Leaves the device idle before the port is closed: what that takes is for advance() and
+    /// take(), until hasLeft().
+    virtual void leave() = 0;
+    [[nodiscard]] virtual bool hasLeft() const = 0;
 };
 
 /// The client that a description needs, not started.

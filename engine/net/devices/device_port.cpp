@@ -2,6 +2,7 @@
 
 #include "engine/net/devices/keep_alive.h"
 
+#include <QDeadlineTimer>
 #include <QSerialPort>
 #include <QTcpSocket>
 #include <QTimer>
@@ -55,6 +56,8 @@ public:
     [[nodiscard]] QByteArray readAll() override { return m_port.readAll(); }
 
 private:
+    [[nodiscard]] QIODevice& line() override { return m_port; }
+
     Callbacks m_callbacks;
     QSerialPort m_port;
     QTimer m_break;
@@ -90,6 +93,8 @@ public:
     [[nodiscard]] QByteArray readAll() override { return m_socket.readAll(); }
 
 private:
+    [[nodiscard]] QIODevice& line() override { return m_socket; }
+
     QString m_host;
     std::uint16_t m_port;
     Callbacks m_callbacks;
@@ -97,6 +102,18 @@ private:
 };
 
 } // namespace
+
+void DevicePort::flush(std::chrono::milliseconds patience)
+{
+    const QDeadlineTimer end{patience};
+    while (line().bytesToWrite() > 0 && line().waitForBytesWritten(int(end.remainingTime()))) {}
+}
+
+void DevicePort::await(std::chrono::milliseconds patience)
+{
+    if (line().bytesAvailable() == 0)
+        static_cast<void>(line().waitForReadyRead(int(patience.count())));
+}
 
 bool isSerialPort(const std::string& address) { return address.starts_with('/'); }
 

@@ -5,6 +5,7 @@
 
 #include <QIODevice>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -41,6 +42,14 @@ public:
     /// @pre isOpen()
     virtual void act(const NdiPortAction& action) = 0;
     [[nodiscard]] virtual QByteArray readAll() = 0;
+
+    /// Waits, without the event loop, until all of act() has left, but not longer than this.
+    void flush(std::chrono::milliseconds patience);
+    /// Waits, without the event loop, until bytes have arrived, but not longer than this.
+    void await(std::chrono::milliseconds patience);
+
+protected:
+    [[nodiscard]] virtual QIODevice& line() = 0;
 };
 
 } // namespace carina

@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kBeforeReopening{200};
+constexpr std::chrono::milliseconds kFarewell{500}; ///< at most
 
 std::optional<Probe> probeOf(const DescribedTool& tool)
 {
@@ -53,10 +54,8 @@ public:
     void end()
     {
         m_timer.stop();
-        if (m_port->isOpen()) {
-            m_port->act({.bytes = m_client->farewell()});
-            static_cast<void>(m_port->readAll());
-        }
+        if (!std::exchange(m_isClosed, true)) // nothing is served any more
+            leave();
         m_port->close();
         m_port.reset();
     }
@@ -72,6 +71,26 @@ private:
         if (m_tracker.m_log && m_tracker.m_log->hasFailed())
             text += (text.empty() ? "" : "; ") + m_tracker.m_log->file() + " cannot be written";
         return text;
+    }
+
+    /// Leaves the device idle. The event loop does not run, so the port is waited for here.
+    void leave()
+    {
+        const LocalTime end = monotonicNow() + kFarewell;
+        m_client->leave();
+        for (LocalTime now = monotonicNow(); m_port->isOpen() && now < end; now = monotonicNow()) {
+            exchange(now);
+            m_port->flush(timeUntil(end, now));
+            if (m_client->hasLeft())
+                return;
+            m_port->await(timeUntil(std::min(end, m_client->nextWake()), now));
+        }
+    }
+
+    [[nodiscard]] static std::chrono::milliseconds timeUntil(LocalTime then, LocalTime now)
+    {
+        return std::max(std::chrono::ceil<std::chrono::milliseconds>(then - now),
+                        std::chrono::milliseconds{1});
     }
 
     void open()
@@ -103,22 +122,29 @@ private:
         if (m_isClosed || !m_port->isOpen())
             return;
         const LocalTime now = monotonicNow();
+        exchange(now);
+        if (m_client->isLost())
+            return reopenLater(m_client->trouble());
+        for (const DeviceSight& sight : m_client->takeSights())
+            m_tracker.take(sight, now);
+        m_tracker.say(trouble(), m_client->found());
+        m_timer.start(timeUntil(m_client->nextWake(), now));
+    }
+
+    /// What has arrived, and what is to be done then.
+    void exchange(LocalTime now)
+    {
         const QByteArray bytes = m_port->readAll();
         if (!bytes.isEmpty())
             m_client->take(std::as_bytes(std::span{bytes.constData(), std::size_t(bytes.size())}),
                            now);
         if (m_client->isLost())
-            return reopenLater(m_client->trouble());
+            return;
         const NdiPortAction action = m_client->advance(now);
         if (m_tracker.m_log)
             m_tracker.m_log->exchanged({bytes.constData(), std::size_t(bytes.size())}, action.bytes,
                                        now);
         m_port->act(action);
-        for (const DeviceSight& sight : m_client->takeSights())
-            m_tracker.take(sight, now);
-        m_tracker.say(trouble(), m_client->found());
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(m_client->nextWake() - now);
-        m_timer.start(std::max(left, std::chrono::milliseconds{1}));
     }
 
     DeviceTracker& m_tracker;
@@ -146,6 +172,7 @@ DeviceTracker::DeviceTracker(TrackerDescription description, ReadSessionClock cl
     for (const DescribedTool& tool : m_description.tools)
         m_tools.push_back({tool.name, tool.role, &m_tracked.emplace_back().history, probeOf(tool),
                            kPolarisNoise});
+    m_sights.resize(m_tools.size());
     m_thread.setObjectName(QStringLiteral("carina-tracker"));
 }
 
@@ -179,6 +206,12 @@ std::string DeviceTracker::trouble() const
     return m_trouble;
 }
 
+ToolSight DeviceTracker::sightOf(std::size_t tool) const
+{
+    const std::lock_guard lock{m_mutex};
+    return m_found ? m_sights.at(tool) : ToolSight::Unsaid; // of a device that answers
+}
+
 std::optional<DeviceFound> DeviceTracker::found() const
 {
     const std::lock_guard lock{m_mutex};
@@ -194,6 +227,10 @@ void DeviceTracker::say(std::string trouble, std::optional<DeviceFound> found)
 
 void DeviceTracker::take(const DeviceSight& sight, LocalTime now)
 {
+    {
+        const std::lock_guard lock{m_mutex};
+        m_sights[sight.tool] = sight.sight;
+    }
     const auto present = m_clock();
     if (!present)
         return;

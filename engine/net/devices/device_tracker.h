@@ -32,6 +32,7 @@ public:
     void stop() override;
     [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
     [[nodiscard]] std::string trouble() const override;
+    [[nodiscard]] ToolSight sightOf(std::size_t tool) const override;
     /// The device, while it answers. May be called from any thread.
     [[nodiscard]] std::optional<DeviceFound> found() const;
 
@@ -56,6 +57,7 @@ private:
     mutable std::mutex m_mutex;
     std::string m_trouble;
     std::optional<DeviceFound> m_found;
+    std::vector<ToolSight> m_sights; ///< of each tool, at the newest exposure
     QThread m_thread;
     std::unique_ptr<Line> m_line; ///< of m_thread, while that runs
 };

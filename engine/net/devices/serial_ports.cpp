@@ -3,6 +3,7 @@
 #include <QSerialPortInfo>
 
 #include <algorithm>
+#include <array>
 
 namespace carina
 {
@@ -15,6 +16,12 @@ std::vector<SerialPortFound> serialPorts()
     std::ranges::stable_partition(
         found, [](const SerialPortFound& port) { return !port.description.empty(); });
     return found;
+}
+
+std::span<const int> usualSerialRates()
+{
+    static constexpr std::array kUsual{921600, 230400, 115200, 57600, 38400, 19200, 9600};
+    return kUsual;
 }
 
 } // namespace carina

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,8 @@ struct SerialPortFound {
 
 /// The serial ports that are there now, adapters first.
 [[nodiscard]] std::vector<SerialPortFound> serialPorts();
+
+/// The rates that an adapter at a serial port usually holds, in bits a second, best first.
+[[nodiscard]] std::span<const int> usualSerialRates();
 
 } // namespace carina

@@ -29,6 +29,7 @@ std::vector<IgtlMetadata> readMetadata(IgtlBytes heads, IgtlBytes words, bool& i
     const std::size_t count = heads.number<std::uint16_t>();
     heads.require(heads.remaining() == count * kMetadataEntryBytes, "metadata");
     std::vector<IgtlMetadata> metadata;
+    metadata.reserve(heads.ok() ? count : 0);
     for (std::size_t i = 0; i < count && heads.ok() && words.ok(); ++i) {
         const auto keyBytes = heads.number<std::uint16_t>();
         IgtlMetadata entry;

@@ -37,7 +37,8 @@ inline constexpr std::uint64_t kLongestIgtlBody = 256U << 20U;
 /// The type of a message with this content: "TRANSFORM", "STT_TDATA" and so on.
 [[nodiscard]] std::string typeOf(const IgtlContent& content);
 
-/// Decodes a body. What is allocated for it is at most twice its size.
+/// Decodes a body. What is allocated for it is at most eleven times its size; the most for the
+/// attributes of a surface, of which one has six bytes and a name.
 ///
 /// @returns DeviceReplyDamaged for a wrong checksum, and for a length or number that contradicts
 ///          another one.

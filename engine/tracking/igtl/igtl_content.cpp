@@ -23,6 +23,7 @@ std::vector<Entry> entriesOf(IgtlBytes& bytes, std::size_t entryBytes, const Rea
 {
     bytes.require(bytes.remaining() % entryBytes == 0, "size of the list");
     std::vector<Entry> entries;
+    entries.reserve(bytes.remaining() / entryBytes);
     while (bytes.ok() && bytes.remaining() > 0)
         entries.push_back(read());
     return entries;

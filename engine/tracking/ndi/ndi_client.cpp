@@ -13,10 +13,13 @@ namespace
 using namespace std::chrono_literals;
 
 constexpr Duration kSetUpPatience = 2s;
-constexpr Duration kInitPatience = 5s; // INIT tests the hardware
-constexpr Duration kPosePatience = 250ms;
+constexpr Duration kInitPatience = 5s;    // INIT tests the hardware
+constexpr Duration kPosePatience = 250ms; // besides the time of the reply on the line
+// No reply has more bytes: TX has 70 for a tool, BX2 has 60 besides.
+constexpr std::size_t kReplyBytes = 128;
+constexpr std::size_t kReplyBytesOfATool = 80;
 constexpr Duration kBeforeRetry = 500ms;
-constexpr std::size_t kMissedPosesBeforeRestart = 4;
+constexpr int kMissedPosesBeforeRestart = 4;
 constexpr std::uint16_t kPoseOptions = kNdiPoses | kNdiOutOfVolumeToo;
 const std::string kNoAnswer = "it does not answer";
 
@@ -57,6 +60,7 @@ NdiClient::NdiClient(NdiClientSettings settings)
 void NdiClient::start(LocalTime now)
 {
     m_now = now;
+    m_hasLeft = false;
     m_connection.startOver();
     begin();
 }
@@ -65,9 +69,8 @@ void NdiClient::start(LocalTime now)
 void NdiClient::begin()
 {
     m_dialogue.clear(m_now);
-    m_exposures.restart();
+    m_deviceClock = {};
     m_lastFrame.reset();
-    m_missedPoses = 0;
     m_phase = Phase::Connecting;
     if (m_isSerial)
         m_connection.connect([this] { setUp(); });
@@ -107,6 +110,7 @@ void NdiClient::startTracking()
         if (!isFine(reply))
             return fallSilent("it does not track: " + whyRefused(reply));
         m_phase = Phase::Tracking;
+        m_heard = m_now;
         askForPoses();
     };
     m_dialogue.queue(std::move(start));
@@ -114,15 +118,40 @@ void NdiClient::startTracking()
 
 void NdiClient::askForPoses()
 {
-    NdiStep ask{.command = poseCommand(m_poses), .patience = kPosePatience};
+    NdiStep ask{.command = poseCommand(m_poses), .patience = posePatience(), .isRepeatable = true};
     ask.then = [this](const NdiReply& reply) { takePoses(reply); };
     ask.inVain = [this] {
-        if (++m_missedPoses >= kMissedPosesBeforeRestart)
+        if (m_now - m_heard >= kMissedPosesBeforeRestart * posePatience())
             fallSilent(kNoAnswer);
         else
             askForPoses();
     };
     m_dialogue.queue(std::move(ask));
+}
+
+/// The time that the largest reply takes on the line, and a margin.
+Duration NdiClient::posePatience() const
+{
+    if (!m_isSerial)
+        return kPosePatience;
+    const std::size_t tools = m_tools.count() + m_tools.pluggedIn();
+    return kPosePatience + m_dialogue.wireTime(kReplyBytes + tools * kReplyBytesOfATool);
+}
+
+void NdiClient::leave()
+{
+    m_hasLeft = m_phase == Phase::Connecting || m_phase == Phase::Silent;
+    if (m_phase != Phase::Tracking)
+        m_dialogue.clear(m_now);
+    if (m_hasLeft)
+        return;
+    const auto done = [this] {
+        m_hasLeft = true;
+        m_dialogue.dropSteps();
+    };
+    NdiStep stop{.command = {"TSTOP"}, .patience = kSetUpPatience, .inVain = done};
+    stop.then = [done](const NdiReply&) { done(); };
+    m_dialogue.queue(std::move(stop));
 }
 
 void NdiClient::take(std::span<const std::byte> bytes, LocalTime now)
@@ -139,7 +168,7 @@ NdiPortAction NdiClient::advance(LocalTime now)
 
 void NdiClient::takePoses(const NdiReply& reply)
 {
-    m_missedPoses = 0;
+    m_heard = m_now;
     if (const auto code = errorCode(reply))
         return fallSilent("it does not track: " + errorMeaning(*code));
     askForPoses();
@@ -163,10 +192,16 @@ Result<NdiFrame> NdiClient::decoded(const NdiReply& reply) const
     return decodeBx2(body);
 }
 
-void NdiClient::measure(const NdiFrame& frame)
+/// By the device's clock where it tells it, else when the reply was sent.
+LocalTime NdiClient::exposureOf(const NdiFrame& frame)
 {
     const LocalTime sent = m_isSerial ? m_now - m_dialogue.replyTime() : m_now;
-    NdiMeasurement measured{m_exposures.exposureOf(sent, frame.deviceTime), {}};
+    return frame.deviceTime ? m_deviceClock.local(*frame.deviceTime, sent) : sent;
+}
+
+void NdiClient::measure(const NdiFrame& frame)
+{
+    NdiMeasurement measured{exposureOf(frame), {}};
     measured.tools.resize(m_tools.count());
     std::optional<std::uint32_t> number;
     for (const NdiTool& tool : frame.tools) {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/tracking/device_clock.h"
 #include "engine/tracking/ndi/ndi_connection.h"
-#include "engine/tracking/ndi/ndi_exposure_clock.h"
 #include "engine/tracking/ndi/ndi_frame.h"
 #include "engine/tracking/ndi/ndi_tools.h"
 
@@ -50,7 +50,7 @@ struct NdiFound {
 ///
 /// The time of a sample is that of the arrival of its reply less the time that the reply took on
 /// the wire (10 bits a byte); for BX2, which has the device's own time, that time by the least
-/// delay of the last 256 replies (NdiExposureClock). An exposure is passed on once, although a
+/// delay of the last 256 replies (DeviceClock). An exposure is passed on once, although a
 /// device may be asked more often than it exposes.
 class NdiClient
 {
@@ -89,8 +89,10 @@ public:
         return m_dialogue.damagedReplies() + m_undecoded;
     }
 
-    /// To leave the device idle: what is to be sent before the port is closed.
-    [[nodiscard]] static std::string farewell() { return encoded({"TSTOP"}); }
+    /// Leaves the device idle: what it was asked is awaited, then it is told to stop tracking.
+    void leave();
+    /// Whether nothing more is to be sent or awaited since leave().
+    [[nodiscard]] bool hasLeft() const { return m_hasLeft; }
 
 private:
     void begin();
@@ -98,6 +100,8 @@ private:
     void initialise();
     void startTracking();
     void askForPoses();
+    [[nodiscard]] Duration posePatience() const;
+    [[nodiscard]] LocalTime exposureOf(const NdiFrame& frame);
     void takePoses(const NdiReply& reply);
     [[nodiscard]] Result<NdiFrame> decoded(const NdiReply& reply) const;
     void measure(const NdiFrame& frame);
@@ -108,12 +112,13 @@ private:
     NdiDialogue m_dialogue;
     NdiConnection m_connection;
     NdiTools m_tools;
-    NdiExposureClock m_exposures;
+    DeviceClock m_deviceClock;
     LocalTime m_now{};
     Phase m_phase = Phase::Connecting;
     std::string m_name;    ///< of the device
     std::string m_silence; ///< why it is silent
-    std::size_t m_missedPoses = 0;
+    LocalTime m_heard{};   ///< poses, or that it tracks
+    bool m_hasLeft = false;
     std::size_t m_undecoded = 0; ///< replies whose checksum was right
     std::optional<std::uint32_t> m_lastFrame;
     std::vector<NdiMeasurement> m_measured;

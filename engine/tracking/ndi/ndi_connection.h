@@ -6,8 +6,9 @@ namespace carina
 {
 
 /// Brings a device at a serial port from whatever state to the best rate that both sides hold: it
-/// is reset by a break, or where that does not pass, as at many adapters, by a command at each
-/// rate, and then set to the first of the rates that it accepts.
+/// is reset by a command at the rate after switching on; where that is not answered by a break; and
+/// where that does not pass, as at many adapters, by a command at each rate. Then it is set to the
+/// first of the rates that it accepts.
 class NdiConnection
 {
 public:

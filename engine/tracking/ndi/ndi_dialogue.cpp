@@ -1,5 +1,6 @@
 #include "engine/tracking/ndi/ndi_dialogue.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -9,6 +10,7 @@ namespace
 {
 
 constexpr Duration kIdleWake = std::chrono::milliseconds{500};
+constexpr Duration kQuiet = std::chrono::milliseconds{5};
 constexpr int kBitsPerByte = 10;
 
 } // namespace
@@ -18,8 +20,7 @@ void NdiDialogue::clear(LocalTime now)
     m_reader.clear();
     m_replyBytes = 0;
     m_steps.clear();
-    m_deadline.reset();
-    m_wake = now;
+    endStep(now);
 }
 
 void NdiDialogue::queueFirst(std::vector<NdiStep> steps)
@@ -30,29 +31,46 @@ void NdiDialogue::queueFirst(std::vector<NdiStep> steps)
 
 void NdiDialogue::take(std::span<const std::byte> bytes, LocalTime now)
 {
+    if (m_quiet)
+        m_quiet = now + kQuiet; // the rest of what was damaged
     m_replyBytes += bytes.size();
     m_reader.take(bytes);
     while (const auto reply = m_reader.next()) {
         if (*reply)
             takeReply(**reply, now);
         else
-            ++m_damaged; // its step ends when its patience does
+            takeDamage(now);
         m_replyBytes = 0;
     }
+}
+
+/// The reply to a step is lost; the step ends with its patience, or sooner.
+void NdiDialogue::takeDamage(LocalTime now)
+{
+    ++m_damaged;
+    if (waits() && m_steps.front().isRepeatable)
+        m_quiet = now + kQuiet;
+}
+
+bool NdiDialogue::waits() const { return m_deadline && !m_steps.empty() && m_steps.front().asks(); }
+
+void NdiDialogue::endStep(LocalTime now)
+{
+    m_deadline.reset();
+    m_quiet.reset();
+    m_wake = now;
 }
 
 void NdiDialogue::takeReply(const NdiReply& reply, LocalTime now)
 {
     const bool isReset = reply.bytes == "RESET";
-    const bool waits = m_deadline && !m_steps.empty() && m_steps.front().asks();
-    if (isReset && !(waits && m_steps.front().isReset))
+    if (isReset && !(waits() && m_steps.front().isReset))
         return m_events.wasReset();
-    if (!waits || isReset != m_steps.front().isReset)
+    if (!waits() || isReset != m_steps.front().isReset)
         return; // too late, or of nobody
     const NdiStep step = std::move(m_steps.front());
     m_steps.pop_front();
-    m_deadline.reset();
-    m_wake = now;
+    endStep(now);
     if (step.then)
         step.then(reply);
 }
@@ -61,8 +79,7 @@ void NdiDialogue::endInVain(LocalTime now)
 {
     const NdiStep step = std::move(m_steps.front());
     m_steps.pop_front();
-    m_deadline.reset();
-    m_wake = now;
+    endStep(now);
     m_reader.clear();
     m_replyBytes = 0;
     if (step.inVain)
@@ -75,11 +92,12 @@ NdiPortAction NdiDialogue::advance(LocalTime now)
 {
     NdiPortAction action;
     while (!m_steps.empty()) {
-        if (m_deadline && now < *m_deadline) {
-            m_wake = *m_deadline;
+        const auto end = m_quiet ? std::min(m_deadline, m_quiet) : m_deadline;
+        if (end && now < *end) {
+            m_wake = *end;
             return action;
         }
-        if (m_deadline) {
+        if (end) {
             endInVain(now);
             continue;
         }
@@ -97,9 +115,9 @@ NdiPortAction NdiDialogue::advance(LocalTime now)
     return action;
 }
 
-Duration NdiDialogue::replyTime() const
+Duration NdiDialogue::wireTime(std::size_t bytes) const
 {
-    return std::chrono::nanoseconds{std::int64_t(m_replyBytes) * kBitsPerByte * 1'000'000'000
+    return std::chrono::nanoseconds{std::int64_t(bytes) * kBitsPerByte * 1'000'000'000
                                     / m_bitsPerSecond};
 }
 

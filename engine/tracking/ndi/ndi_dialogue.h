@@ -28,6 +28,7 @@ struct NdiStep {
     std::function<void(const NdiReply&)> then{};
     std::function<void()> inVain{}; ///< without it the device counts as silent
     bool isReset = false;           ///< answered by RESET
+    bool isRepeatable = false;      ///< in vain as soon as the line is quiet behind a damaged reply
     bool sendsBreak = false;
     std::optional<int> rate{}; ///< of the host's port from now on
 
@@ -60,18 +61,24 @@ public:
     [[nodiscard]] LocalTime nextWake() const { return m_wake; }
 
     /// How long the reply that is being handled took on a serial line, 10 bits a byte.
-    [[nodiscard]] Duration replyTime() const;
+    [[nodiscard]] Duration replyTime() const { return wireTime(m_replyBytes); }
+    /// How long so many bytes take on a serial line.
+    [[nodiscard]] Duration wireTime(std::size_t bytes) const;
     /// Replies that were damaged, since the construction.
     [[nodiscard]] std::size_t damagedReplies() const { return m_damaged; }
 
 private:
     void takeReply(const NdiReply& reply, LocalTime now);
+    void takeDamage(LocalTime now);
     void endInVain(LocalTime now);
+    void endStep(LocalTime now);
+    [[nodiscard]] bool waits() const;
 
     Events m_events;
     NdiReplyReader m_reader;
     std::deque<NdiStep> m_steps;
     std::optional<LocalTime> m_deadline; ///< of the step that is under way; nothing: not begun
+    std::optional<LocalTime> m_quiet;    ///< when a step with a damaged reply ends before that
     LocalTime m_wake{};
     int m_bitsPerSecond = 9600;
     std::size_t m_replyBytes = 0; ///< of the reply that is arriving

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr double kUnitLength = 0.01; // four digits of a quaternion leave 2e-4
-constexpr double kFarthest_mm = 1e5; // no volume of theirs reaches 10 m
+constexpr double kFarthest_mm = 1e5; // no volume of theirs reaches 100 m
 constexpr std::uint32_t kOutOfVolume = 0x40;
 constexpr std::uint32_t kPartlyOut = 0x80;
 
@@ -39,6 +39,31 @@ Validity validityOf(const NdiTool& tool)
         break;
     }
     return Validity::Lost;
+}
+
+ToolSight toolSightOf(const NdiTool& tool)
+{
+    switch (tool.sight) {
+    case NdiSight::PartlyOutOfVolume:
+        return ToolSight::PartlyOutOfVolume;
+    case NdiSight::OutOfVolume:
+        return ToolSight::OutOfVolume;
+    case NdiSight::TooFewMarkers:
+        return ToolSight::TooFewMarkers;
+    case NdiSight::Interference:
+        return ToolSight::Interference;
+    case NdiSight::BadFit:
+        return ToolSight::BadFit;
+    case NdiSight::Failed:
+        return ToolSight::Failed;
+    case NdiSight::Tracked:
+    case NdiSight::PartlyAveraged:
+    case NdiSight::Missing:
+    case NdiSight::Disabled:
+    case NdiSight::Unoccupied:
+        break;
+    }
+    return ToolSight::Unsaid;
 }
 
 namespace ndi

@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/tracking/pose_sample.h"
+#include "engine/tracking/tool_sight.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,6 +44,9 @@ struct NdiTool {
 
 /// How a sample of the tool is to be taken; Lost without a pose.
 [[nodiscard]] Validity validityOf(const NdiTool& tool);
+
+/// The same for a person: why it has no pose, or one with care.
+[[nodiscard]] ToolSight toolSightOf(const NdiTool& tool);
 
 /// What one reply to TX, BX or BX2 tells.
 struct NdiFrame {

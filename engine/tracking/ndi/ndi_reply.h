@@ -27,7 +27,7 @@ struct NdiReply {
 };
 
 /// The longest reply that is read. A tracker has at most 255 tools, of which each takes less than
-/// 256 bytes in any reply.
+/// 256 bytes in the replies that are asked for here, which are without positions of markers.
 inline constexpr std::size_t kLongestNdiReply = 64 * 1024;
 
 /// A text with its checksum behind it, without the CR. @returns DeviceReplyDamaged

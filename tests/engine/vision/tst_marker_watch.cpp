@@ -101,12 +101,13 @@ private Q_SLOTS:
         QVERIFY(!sampleOf(sights[0], 560.0, SessionTime{}));
     }
 
-    /// Moved away from where it was sure, and with corners that favour the mirror image.
+    /// Moved away from where it was sure, for less than it remembers, and with corners that favour
+    /// the mirror image.
     void keepsToTheSideThatItWasSureOf()
     {
         MarkerWatch watch = watchOf(kSmall);
         Duration time{};
-        for (double away = 0.15; away < 1.2; away += 0.05, time += kFrame) {
+        for (double away = 0.15; away < 1.1; away += 0.15, time += kFrame) {
             const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -away}, 25.0);
             DetectedMarker seen = exactly(kSmall[0], X_TB);
             if (away > 0.8) { // as if it were tilted to the other side
@@ -119,6 +120,19 @@ private Q_SLOTS:
             QVERIFY(sights[0].pose && !sights[0].isAmbiguous);
             QVERIFY(angleBetween(sights[0].pose->X_TB.rotation(), X_TB.rotation()) < degrees(15.0));
         }
+    }
+
+    /// Each pose continues the one before, but none of them is sure.
+    void doesNotGoOnGuessingFromGuesses()
+    {
+        MarkerWatch watch = watchOf(kSmall);
+        const auto isAmbiguousAt = [&](double away, Duration time) {
+            const RigidTransform X_TB = vision_test::facing({0.0, 0.0, -away}, 25.0);
+            return watch.look({exactly(kSmall[0], X_TB)}, time)[0].isAmbiguous;
+        };
+        QVERIFY(!isAmbiguousAt(0.15, {}));
+        for (Duration time = kFrame; time < 4 * MarkerWatch::kMemory; time += kFrame)
+            QCOMPARE(isAmbiguousAt(1.2, time), time > MarkerWatch::kMemory);
     }
 
     void forgetsTheSideAfterAWhile()

@@ -48,7 +48,6 @@ public:
 
     [[nodiscard]] NdiClient& client() { return m_client; }
     [[nodiscard]] PolarisDevice& device() { return m_device; }
-    [[nodiscard]] LocalTime now() const { return m_now; }
     void hide(const std::string& tool) { m_hidden = tool; }
     void plug(bool isPlugged) { m_isPlugged = isPlugged; }
     void passBreaks(bool passes) { m_passesBreaks = passes; }
@@ -304,11 +303,48 @@ private Q_SLOTS:
         static_cast<void>(line.run(5s));
         const std::size_t before = line.client().damagedReplies();
         line.device().faults().corruptsNext = true;
-        QVERIFY(line.run(1s).size() >= 40); // of 60, less a quarter of a second of waiting
+        QVERIFY(line.run(1s).size() >= 58); // of 60
         QVERIFY(line.client().damagedReplies() > before);
+        // Nothing tells that the rest of a reply does not come, but its time.
         line.device().faults().cutsNext = true;
         QVERIFY(line.run(1s).size() >= 40);
         QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+    }
+
+    /// 303 ms are what the replies take on the line.
+    void tracksFourToolsByTextAtTheSlowestRate()
+    {
+        NdiClientSettings settings = threeTools(NdiPoseReply::Tx, 9600);
+        settings.tools.push_back(wireless("jaw"));
+        Line line{settings, {}};
+        line.start();
+        static_cast<void>(line.run(10s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QVERIFY(line.run(10s).size() >= 31);
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+    }
+
+    void noticesThatTheClockOfADeviceWasSet_data()
+    {
+        QTest::addColumn<int>("seconds");
+        QTest::newRow("back") << -5;
+        QTest::newRow("ahead") << 5;
+    }
+
+    void noticesThatTheClockOfADeviceWasSet()
+    {
+        QFETCH(const int, seconds);
+        Line line{threeTools(NdiPoseReply::Bx2, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.device().faults().clockSetBy = std::chrono::seconds{seconds};
+        const auto measured = line.run(1s);
+        QVERIFY(measured.size() > 30);
+        for (const NdiMeasurement& each : measured) {
+            const double exposed = each.tools[0]->X_TO->translation().x() / 0.1;
+            const double late = toSeconds(each.exposed.time_since_epoch()) - exposed;
+            QVERIFY2(late >= -1e-4 && late <= 0.1, qPrintable(QString::number(late)));
+        }
     }
 
     void worksWithoutARateOverANetwork()
@@ -328,9 +364,9 @@ private Q_SLOTS:
         line.start();
         static_cast<void>(line.run(5s));
         QVERIFY(line.device().isTracking());
-        const std::string farewell = NdiClient::farewell();
-        static_cast<void>(
-            line.device().take(std::as_bytes(std::span{farewell}), 115200, line.now()));
+        line.client().leave();
+        static_cast<void>(line.run(100ms));
+        QVERIFY(line.client().hasLeft());
         QVERIFY(!line.device().isTracking());
     }
 };

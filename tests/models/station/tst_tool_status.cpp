@@ -33,6 +33,8 @@ public:
                             .validity = validity,
                             .error = 0.25e-3});
     }
+    [[nodiscard]] ToolSight sightOf(std::size_t) const override { return told; }
+    ToolSight told = ToolSight::Unsaid;
     void push(const PoseSample& sample) { m_history.push(sample); }
     std::optional<Probe> probe{};
     MarkerNoise noise{};
@@ -131,6 +133,52 @@ private Q_SLOTS:
         QVERIFY(!status.isVisible);
         QCOMPARE(status.rate_Hz, 0.0);
         QVERIFY(std::abs(status.age_s.value() - 2.0) < 1e-9);
+    }
+
+    void saysWhyAToolHasNoPose()
+    {
+        OneTool tracker;
+        tracker.told = ToolSight::BadFit;
+        QCOMPARE(tracker.status().state,
+                 QStringLiteral("never seen: its markers do not fit its definition"));
+        tracker.see(50, 400ms);
+        tracker.see(20, 10ms, Validity::Lost);
+        tracker.told = ToolSight::Interference;
+        QCOMPARE(tracker.status().state, QStringLiteral("other infrared light disturbs"));
+        QCOMPARE(tracker.status().text, QStringLiteral("other infrared light disturbs"));
+    }
+
+    void saysThatAPoseIsOutsideTheVolume()
+    {
+        OneTool tracker;
+        tracker.see(50, 10ms, Validity::PartlyOccluded);
+        tracker.told = ToolSight::OutOfVolume;
+        const ToolStatus status = tracker.status();
+        QVERIFY(status.isVisible);
+        QCOMPARE(status.state, QStringLiteral("outside the working volume"));
+        QVERIFY(status.text.startsWith(QStringLiteral("outside the working volume, 50")));
+    }
+
+    void forgetsTheReasonOfATrackerThatDeliversNothing()
+    {
+        OneTool tracker;
+        tracker.see(50, 2s, Validity::Lost);
+        tracker.see(1, 2s);
+        tracker.told = ToolSight::Interference;
+        QCOMPARE(tracker.status().state, QStringLiteral("out of view"));
+    }
+
+    /// Servers of OpenIGTLink and many recordings tell none.
+    void statesNoFitThatNobodyTold()
+    {
+        OneTool tracker;
+        for (int i = 50; i-- > 0;)
+            tracker.push(
+                {.time = kNow - i * 20ms, .X_FO = RigidTransform::translation({0.0, 0.0, -1.0})});
+        const ToolStatus status = tracker.status();
+        QVERIFY(status.isVisible);
+        QVERIFY(!status.error_mm);
+        QCOMPARE(status.text, QStringLiteral("visible, 50\u00a0Hz, 0\u00a0ms old"));
     }
 
     void aToolThatIsPartlyOutIsStillVisible()

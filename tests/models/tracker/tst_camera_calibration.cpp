@@ -88,6 +88,19 @@ private Q_SLOTS:
         QCOMPARE(camera->size, (QSize{640, 480}));
         QCOMPARE(trackerName({described}), QStringLiteral("Markers before the camera /dev/video3"));
     }
+
+    void writesBesideACalibrationOfOpenCv()
+    {
+        const QTemporaryDir folder;
+        const QString own = folder.filePath(QStringLiteral("lens.json"));
+        TrackerDescription described{.address = "/dev/video3", .kind = TrackerKind::Camera};
+        described.camera = vision_test::webcam();
+        described.calibration = folder.filePath(QStringLiteral("lens.yml")).toStdString();
+        QCOMPARE(cameraOf({described})->file, own);
+        QFile there{own};
+        QVERIFY(there.open(QIODevice::WriteOnly));
+        QCOMPARE(cameraOf({described})->file, folder.filePath(QStringLiteral("lens-2.json")));
+    }
 };
 
 CARINA_TEST(TestCameraCalibration)

@@ -79,10 +79,14 @@ private Q_SLOTS:
             reinterpret_cast<const char*>(tube->bytes().data()), NdiToolDefinition::kBytes);
         TrackerForm form = polaris();
         form.tools = {{ToolRole::Stylus, {}}, {ToolRole::Tube, file}, {ToolRole::Other, {}}};
+        form.poses = NdiPoseReply::Bx2;
+        form.fastestRate = 57600;
         const auto choice = choiceOf(form);
         QVERIFY(choice);
         const auto& described = std::get<TrackerDescription>(choice->device);
         QCOMPARE(described.address, std::string{"192.0.2.7:8765"});
+        QCOMPARE(described.poses, NdiPoseReply::Bx2);
+        QCOMPARE(described.fastestRate, 57600);
         QCOMPARE(described.tools.size(), std::size_t{3});
         QCOMPARE(described.tools[0].name, std::string{"Stylus"});
         QVERIFY(!described.tools[0].definition);

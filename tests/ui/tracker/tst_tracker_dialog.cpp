@@ -67,6 +67,25 @@ private Q_SLOTS:
         QCOMPARE(described.tools[0].role, ToolRole::Stylus);
     }
 
+    void keepsHowAPolarisIsAsked()
+    {
+        TrackerDialog dialog{
+            {.source = TrackerSource::Polaris, .poses = NdiPoseReply::Bx2, .fastestRate = 14400},
+            onePort()};
+        QCOMPARE(dialog.form().poses, NdiPoseReply::Bx2);
+        QCOMPARE(dialog.form().fastestRate, 14400); // is in no list
+        dialog.show();
+        dialog.grab().save(QStringLiteral("/tmp/h6_dialog.png"));
+        auto& poses = find<QComboBox>(dialog, "poses");
+        poses.setCurrentIndex(poses.findData(int(NdiPoseReply::Tx)));
+        auto& rate = find<QComboBox>(dialog, "fastestRate");
+        rate.setCurrentIndex(rate.findData(115200));
+        find<QAbstractButton>(dialog, "use").click();
+        const auto& described = std::get<TrackerDescription>(dialog.choice().device);
+        QCOMPARE(described.poses, NdiPoseReply::Tx);
+        QCOMPARE(described.fastestRate, 115200);
+    }
+
     void saysWhatIsMissing()
     {
         TrackerDialog dialog{{}, {}};

@@ -57,6 +57,18 @@ private Q_SLOTS:
         QVERIFY(written->pictures >= 10 && !written->madeAt.empty());
     }
 
+    /// Such a file is read as OpenCV's, by its name.
+    void writesNothingOverAFileOfOpenCv()
+    {
+        const QString out = m_folder.filePath(QStringLiteral("lens.yml"));
+        const auto found = cameraCommand().run(
+            {QStringLiteral("calibrate"), m_boards, QStringLiteral("--out"), out});
+        QVERIFY(!found);
+        QVERIFY2(found.error().detail.find(".json") != std::string::npos,
+                 found.error().detail.c_str());
+        QVERIFY(!QFile::exists(out));
+    }
+
     void refusesTooFewAndWritesNothing()
     {
         const QDir boards{m_boards};

@@ -1,4 +1,5 @@
 #include "apps/lab/commands.h"
+#include "engine/io/site/camera_file.h"
 #include "engine/io/site/tracker_file.h"
 #include "engine/vision/marker_detector.h"
 #include "engine/vision/printed_tools.h"
@@ -124,6 +125,27 @@ private Q_SLOTS:
         QCOMPARE(tracker->tools.size(), printedTools().size());
         for (std::size_t i = 0; i < tracker->tools.size(); ++i)
             QCOMPARE(tracker->tools[i].body->markers.size(), printedTools()[i].body.size());
+    }
+
+    void keepsACalibrationThatIsThere()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(printMarkersCommand().run({folder.path()}));
+        const auto file = folder.filePath(QStringLiteral("tracker-camera.json")).toStdString();
+        auto camera = readCameraFile(file);
+        QVERIFY2(camera, camera ? "" : camera.error().detail.c_str());
+        camera->model.focal *= 0.9;
+        camera->pictures = 12;
+        QVERIFY(writeCameraFile(file, *camera));
+        QVERIFY(printMarkersCommand().run({folder.path()}));
+        const auto kept = readCameraFile(file);
+        QVERIFY(kept);
+        QCOMPARE(kept->model.focal, camera->model.focal);
+        QCOMPARE(kept->pictures, 12);
+        const auto tracker =
+            readTrackerFile(folder.filePath(QStringLiteral("tracker.json")).toStdString());
+        QVERIFY(tracker);
+        QCOMPARE(tracker->camera.focal, camera->model.focal);
     }
 
 private:

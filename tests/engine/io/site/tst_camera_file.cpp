@@ -152,6 +152,15 @@ private Q_SLOTS:
         QVERIFY(camera.error().detail.find(name.toStdString()) != std::string::npos);
     }
 
+    void writesNoFileOfOpenCv()
+    {
+        const Written file{"lens.yml", "the camera of somebody"};
+        const auto wrote = writeCameraFile(file.path(), {});
+        QVERIFY(!wrote);
+        QCOMPARE(wrote.error().code, Errc::FileUnwritable);
+        QCOMPARE(std::filesystem::file_size(file.path()), std::uintmax_t{22});
+    }
+
     void readsTheMarkersThatItWrote()
     {
         const Written file{"tube.json", kMarkers};

@@ -1,3 +1,4 @@
+#include "engine/io/site/camera_file.h"
 #include "engine/io/site/tracker_file.h"
 
 #include "tests/support/test_class.h"
@@ -95,6 +96,38 @@ private Q_SLOTS:
         QCOMPARE(again->camera.focal, tracker->camera.focal);
         QCOMPARE(again->tools[0].role, ToolRole::Tube);
         QCOMPARE(again->tools[0].body->markers[0].side, 0.03);
+    }
+
+    void keepsTheCalibrationThatItIsFrom()
+    {
+        const CameraFolder folder;
+        const auto file = folder.pathOf("again.json");
+        const auto calibration = folder.pathOf("again-camera.json");
+        auto tracker = folder.read();
+        QVERIFY(tracker);
+        QVERIFY(writeCameraFile(
+            calibration, {.model = tracker->camera, .rms = 0.3, .pictures = 12, .madeAt = "noon"}));
+        tracker->calibration = calibration;
+        QVERIFY(writeTrackerFile(file, *tracker));
+        QCOMPARE(readCameraFile(calibration)->pictures, 12);
+        QCOMPARE(readCameraFile(calibration)->madeAt, std::string{"noon"});
+    }
+
+    void namesAnotherCalibrationAndKeepsTheRest()
+    {
+        const CameraFolder folder;
+        auto tracker = folder.read();
+        QVERIFY(tracker);
+        const auto file = folder.pathOf("tracker.json");
+        tracker->camera.focal *= 2.0;
+        QVERIFY(writeCameraFile(folder.pathOf("own.json"), {.model = tracker->camera}));
+        QVERIFY(nameCalibration(file, folder.pathOf("own.json")));
+        const auto again = readTrackerFile(file);
+        QVERIFY2(again, again ? "" : again.error().detail.c_str());
+        QCOMPARE(again->camera.focal, tracker->camera.focal);
+        QCOMPARE(again->address, tracker->address);
+        QVERIFY(again->isLooped);
+        QCOMPARE(again->tools.size(), std::size_t{2});
     }
 
     void takesAWebcamAsItIsNamed()

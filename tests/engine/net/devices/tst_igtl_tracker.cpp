@@ -83,6 +83,25 @@ private Q_SLOTS:
         QCOMPARE(tracker->trouble(), std::string{});
     }
 
+    void tellsTheServerToStop()
+    {
+        QTcpServer server;
+        QVERIFY(server.listen(QHostAddress::LocalHost));
+        const auto tracker =
+            trackerAt("127.0.0.1:" + std::to_string(server.serverPort()), IgtlPoses::Tdata);
+        QVERIFY(tracker->start());
+        QTRY_VERIFY(server.hasPendingConnections());
+        auto& socket = *server.nextPendingConnection();
+        QByteArray heard;
+        const auto hears = [&](const char* type) {
+            heard += socket.readAll();
+            return heard.contains(type);
+        };
+        QTRY_VERIFY(hears("STT_TDATA"));
+        tracker->stop();
+        QTRY_VERIFY(hears("STP_TDATA"));
+    }
+
     void comesBackWhenTheServerDoes()
     {
         auto server = IgtlServer::listen({"127.0.0.1", 0}).value();

@@ -4,6 +4,7 @@
 #include "tests/evaluation/polaris/served_device.h"
 #include "tests/support/test_class.h"
 
+#include <QTcpServer>
 #include <QTemporaryDir>
 
 namespace carina::ndi_tracker_test
@@ -23,6 +24,13 @@ double xAt(SessionTime t)
 {
     static const SessionTime start{monotonicNow().time_since_epoch()};
     return kSpeed * toSeconds(t - start);
+}
+
+std::uint16_t freeTcpPort()
+{
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost);
+    return server.serverPort();
 }
 
 /// A device at a pseudo-terminal whose tool moves along x.
@@ -84,6 +92,40 @@ private Q_SLOTS:
             QVERIFY2(late > -0.002 && late < kLateness, qPrintable(QString::number(late)));
         }
         QCOMPARE((*tracker)->trouble(), std::string{});
+    }
+
+    void leavesTheDeviceIdle()
+    {
+        const QTemporaryDir folder;
+        const std::string link = folder.filePath(QStringLiteral("port")).toStdString();
+        const ServedTerminal device{link};
+        const auto tracker = DeviceTracker::make(describedAt(link), sessionNow);
+        QVERIFY(tracker);
+        for (int times = 0; times < 2; ++times) {
+            const std::size_t before = samplesOf(**tracker);
+            QVERIFY((*tracker)->start());
+            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, 20000);
+            QVERIFY(device.isTracking());
+            (*tracker)->stop();
+            QTRY_VERIFY(!device.isTracking());
+        }
+    }
+
+    void leavesADeviceOnTheNetworkIdle()
+    {
+        const std::uint16_t port = freeTcpPort();
+        const ServedDevice device{
+            PolarisLine::tcp(port).value(), {.hasRate = false}, [](const std::string&, LocalTime) {
+                return std::optional{PolarisPose{Quat::Identity(), {0.0, 0.0, -1500.0}, 0.1}};
+            }};
+        const auto tracker =
+            DeviceTracker::make(describedAt("127.0.0.1:" + std::to_string(port)), sessionNow);
+        QVERIFY(tracker);
+        QVERIFY((*tracker)->start());
+        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, 20000);
+        QVERIFY(device.isTracking());
+        (*tracker)->stop();
+        QTRY_VERIFY(!device.isTracking());
     }
 
     void comesBackWhenTheDeviceDoes()

@@ -122,6 +122,29 @@ private Q_SLOTS:
                  (std::pair{NdiSight::OutOfVolume, Validity::PartlyOccluded}));
     }
 
+    void keepsTheReasonForAPerson_data()
+    {
+        QTest::addColumn<int>("sight");
+        QTest::addColumn<int>("told");
+        QTest::newRow("tracked") << int(NdiSight::Tracked) << int(ToolSight::Unsaid);
+        QTest::newRow("missing") << int(NdiSight::Missing) << int(ToolSight::Unsaid);
+        QTest::newRow("at the edge")
+            << int(NdiSight::PartlyOutOfVolume) << int(ToolSight::PartlyOutOfVolume);
+        QTest::newRow("outside") << int(NdiSight::OutOfVolume) << int(ToolSight::OutOfVolume);
+        QTest::newRow("turned away")
+            << int(NdiSight::TooFewMarkers) << int(ToolSight::TooFewMarkers);
+        QTest::newRow("sunlight") << int(NdiSight::Interference) << int(ToolSight::Interference);
+        QTest::newRow("bent") << int(NdiSight::BadFit) << int(ToolSight::BadFit);
+        QTest::newRow("behind") << int(NdiSight::Failed) << int(ToolSight::Failed);
+    }
+
+    void keepsTheReasonForAPerson()
+    {
+        QFETCH(const int, sight);
+        QFETCH(const int, told);
+        QCOMPARE(int(toolSightOf({.sight = NdiSight(sight)})), told);
+    }
+
     void readsSeveralToolsAndTheSystemStatus()
     {
         const auto frame = tx("0301MISSING00000031000003A3\n02DISABLED\n03" + kRecordedPose

@@ -7,6 +7,7 @@
 #include <QFile>
 
 #include <algorithm>
+#include <array>
 
 namespace carina::tool_definition_test
 {
@@ -154,7 +155,7 @@ private Q_SLOTS:
         }
     }
 
-    // The pointer of NDI has four markers in a row along z.
+    // The pointer of NDI has two markers on its shaft and two beside it.
     void readsThePointerOfNdi()
     {
         const auto file = test::testData("tracker/rom/8700340.rom");
@@ -165,10 +166,11 @@ private Q_SLOTS:
         QCOMPARE(kindName(tool->kind()), std::string{"pointer"});
         QCOMPARE(tool->partNumber(), std::string{"8700340"});
         QCOMPARE(inMillimetres(tool->largestMarkerError()), 0.75);
-        std::vector<double> z_mm;
-        for (const ToolMarker& marker : tool->markers())
-            z_mm.push_back(std::round(1e3 * marker.p_OQ.z()));
-        QCOMPARE(z_mm, (std::vector{0.0, 50.0, 100.0, 135.0}));
+        const std::array<Vec3, 4> due_mm{
+            {{0.0, 0.0, 0.0}, {0.0, 0.0, 50.0}, {0.0, 25.0, 100.0}, {0.0, -25.0, 135.0}}};
+        QCOMPARE(tool->markers().size(), due_mm.size());
+        for (std::size_t i = 0; i < due_mm.size(); ++i)
+            QVERIFY((1e3 * tool->markers()[i].p_OQ - due_mm[i]).norm() < 1e-3);
     }
 };
 

@@ -1,0 +1,80 @@
+#include "models/tracker/pose_recording.h"
+
+#include "engine/net/devices/any_recording.h"
+#include "tests/support/test_class.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace carina::pose_recording_test
+{
+namespace
+{
+
+std::optional<SessionTime> noTimeYet() { return std::nullopt; }
+
+PoseSample atMillisecond(int ms)
+{
+    return {.time = SessionTime{std::chrono::milliseconds{ms}},
+            .X_FO = RigidTransform::translation({1e-3 * ms, 0.0, -1.0})};
+}
+
+} // namespace
+
+class TestPoseRecording : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Another tracker is connected while it records.
+    void goesOnThroughOneTrackerAfterAnother()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("poses.csv"));
+        PoseRecording recording{noTimeYet};
+        {
+            PoseHistory first;
+            recording.follow({{"Tube", ToolRole::Tube, &first}}, {});
+            QVERIFY(recording.begin(file));
+            first.push(atMillisecond(1));
+            first.push(atMillisecond(2));
+            recording.follow({}, {});
+        }
+        PoseHistory second;
+        recording.follow({{"Tube", ToolRole::Tube, &second}}, {});
+        QVERIFY(recording.isUnderWay());
+        second.push(atMillisecond(3));
+        QVERIFY(recording.end());
+        const auto sequence = readAnyRecording(file.toStdString());
+        QVERIFY2(sequence, sequence ? "" : sequence.error().detail.c_str());
+        QCOMPARE(sequence->tools.size(), std::size_t{1});
+        QCOMPARE(sequence->tools[0].samples.size(), std::size_t{3});
+    }
+
+    /// The person was asked for poses.igs.mha, and not whether poses.igs.mha.csv may be replaced.
+    void replacesNoRecordThatNobodyWasAskedFor()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("poses.igs.mha"));
+        QFile before{file + QStringLiteral(".csv")};
+        QVERIFY(before.open(QIODevice::WriteOnly));
+        QVERIFY(before.write("of yesterday") > 0);
+        before.close();
+        PoseRecording recording{noTimeYet};
+        PoseHistory history;
+        recording.follow({{"Tube", ToolRole::Tube, &history}}, {});
+        QVERIFY(recording.begin(file));
+        history.push(atMillisecond(1));
+        QVERIFY(recording.text().contains(QStringLiteral("poses.igs.mha-2.csv")));
+        QVERIFY(recording.end());
+        QVERIFY(before.open(QIODevice::ReadOnly));
+        QCOMPARE(before.readAll(), QByteArray{"of yesterday"});
+        QVERIFY(readAnyRecording(file.toStdString()));
+    }
+};
+
+CARINA_TEST(TestPoseRecording)
+
+} // namespace carina::pose_recording_test
+
+#include "tst_pose_recording.moc"

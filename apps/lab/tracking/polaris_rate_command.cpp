@@ -29,9 +29,9 @@ constexpr std::array kReplies{NamedReply{"bx", NdiPoseReply::Bx},
                               NamedReply{"tx", NdiPoseReply::Tx},
                               NamedReply{"bx2", NdiPoseReply::Bx2}};
 constexpr int kRate = 115200;
-constexpr Duration kPatience = 20s;  // until it tracks
-constexpr Duration kSettling = 1s;   // after it does, and after a tool was hidden
-constexpr Duration kCountEvery = 1s; // of eight that a history holds
+constexpr Duration kPatience = 20s;    // until it tracks
+constexpr Duration kRateSettling = 1s; // after it does, and after a tool was hidden
+constexpr Duration kCountEvery = 1s;   // of eight that a history holds
 const std::string kHiddenTool = "stylus";
 
 namespace rate_option
@@ -150,7 +150,7 @@ QJsonObject measured(const Tracker& tracker, MeasuredDevice& device, Duration du
     const auto clientTime = [&] {
         return timeOn(CLOCK_PROCESS_CPUTIME_ID) - device.processorTime();
     };
-    std::this_thread::sleep_for(kSettling);
+    std::this_thread::sleep_for(kRateSettling);
     SampleCount count{tracker};
     const LocalTime begin = monotonicNow();
     const Duration clientBefore = clientTime();

@@ -12,7 +12,7 @@ std::span<const Command> commands()
                                 mechanicsCommand(), //
                                 deformCommand(),    //
                                 fitCommand(),         icpCommand(),          pivotCommand(),
-                                treCommand(), //
+                                toolCommand(),        treCommand(), //
                                 igtlCommand(),        ndiCommand(),          polarisCommand(),
                                 polarisRateCommand(), predictCommand(),      probeCommand(),
                                 lagCommand(),         romCommand(),          trackCommand(),

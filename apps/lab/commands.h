@@ -27,6 +27,7 @@ namespace carina::lab
 [[nodiscard]] Command fitCommand();
 [[nodiscard]] Command icpCommand();
 [[nodiscard]] Command pivotCommand();
+[[nodiscard]] Command toolCommand();
 [[nodiscard]] Command treCommand();
 
 [[nodiscard]] Command renderCommand();

@@ -2,10 +2,12 @@
 
 #include "apps/registration/overlay_error.h"
 #include "apps/registration/scripted_hand.h"
+#include "engine/tracking/tool_role.h"
 
 #include <QJsonArray>
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
@@ -63,6 +65,24 @@ QJsonArray overlayErrors(const Site& site, const AirwayLandmarks& airway,
     return errors;
 }
 
+/// The tip of each tool, as it was found and as it is.
+QJsonArray toolsOf(const Site& site, const SimulatedTools& truth)
+{
+    QJsonArray tools;
+    for (const SiteTool& tool : site.tools) {
+        const Vec3 p_NQ = tool.role == ToolRole::Tube ? truth.X_NE * tipOfTube(truth.tube)
+                                                      : truth.X_NL * truth.blade.p_L_tip;
+        tools.append(
+            QJsonObject{{QStringLiteral("role"), QString::fromLatin1(toolRoleWord(tool.role))},
+                        {QStringLiteral("rms_mm"), inMillimetres(metres(tool.rms))},
+                        {QStringLiteral("tip_expected_mm"),
+                         inMillimetres(metres(std::sqrt(tool.covariance_N.trace())))},
+                        {QStringLiteral("tip_error_mm"),
+                         inMillimetres(metres((tool.p_NQ_tip() - p_NQ).norm()))}});
+    }
+    return tools;
+}
+
 } // namespace
 
 QJsonObject registrationReport(const Site& site, const AirwayLandmarks& airway,
@@ -75,7 +95,8 @@ QJsonObject registrationReport(const Site& site, const AirwayLandmarks& airway,
         {QStringLiteral("X_AT_mm"), poseInMillimetres(site.registration->X_AT)},
         {QStringLiteral("X_TA_true_mm"), poseInMillimetres(workplace.X_TA)},
         {QStringLiteral("localisation_error_mm_rms"), inMillimetres(kLocalisationError)},
-        {QStringLiteral("overlay_error_mm"), overlayErrors(site, airway, workplace.X_TA)}};
+        {QStringLiteral("overlay_error_mm"), overlayErrors(site, airway, workplace.X_TA)},
+        {QStringLiteral("tools"), toolsOf(site, workplace.tools)}};
     if (!site.styluses.empty()) {
         const StylusTip& stylus = site.styluses.front();
         report[QStringLiteral("stylus")] =

@@ -32,6 +32,8 @@ ScriptedHand::Order ScriptedHand::wanted() const
     if (m_registration.stylus().isLookingForTip())
         return {.task = Task::Swing};
     const SiteStep step = m_registration.step();
+    if (step == SiteStep::Tools)
+        return wantedOfTool();
     if (step != SiteStep::Touch && step != SiteStep::Verify
         && !m_registration.manikin().isTouching())
         return {};
@@ -39,7 +41,23 @@ ScriptedHand::Order ScriptedHand::wanted() const
     const auto next = std::ranges::find_if(places, &LandmarkRow::isNext);
     if (next == places.end())
         return {};
-    return {.task = Task::Hold, .place = next->name, .p_AQ = next->p_AQ};
+    return {.task = Task::Hold, .place = next->name, .p_TQ = m_workplace.X_TA * next->p_AQ};
+}
+
+ScriptedHand::Order ScriptedHand::wantedOfTool() const
+{
+    const ToolTask& task = m_registration.toolTask();
+    const auto next = task.next();
+    if (!next)
+        return {};
+    Order order{.task = Task::Hold, .place = task.nextName(), .error = kToolTouchError};
+    const SimulatedTools& tools = m_workplace.tools;
+    if (const auto* onTube = std::get_if<TubePlace>(&*next))
+        order.p_TQ = m_workplace.X_TN_tube * (tools.X_NE * placeOnTube(tools.tube, *onTube));
+    else
+        order.p_TQ = m_workplace.X_TN_laryngoscope
+                     * (tools.X_NL * placeOnBlade(tools.blade, std::get<BladePlace>(*next)));
+    return order;
 }
 
 void ScriptedHand::obey(const Order& order)
@@ -51,17 +69,17 @@ void ScriptedHand::obey(const Order& order)
     case Task::Swing:
         return m_workplace.hand->swing(m_workplace.p_TQ_divot, now);
     case Task::Hold:
-        return m_workplace.hand->hold(localised(order.p_AQ), now);
+        return m_workplace.hand->hold(localised(order), now);
     }
 }
 
-/// Where the technician takes a place to be on the manikin, in T.
-Vec3 ScriptedHand::localised(const Vec3& p_AQ)
+/// Where the technician takes a place to be, in T.
+Vec3 ScriptedHand::localised(const Order& order)
 {
     // Of three equal and independent components.
-    std::normal_distribution<double> component{0.0, kLocalisationError.si / std::sqrt(3.0)};
+    std::normal_distribution<double> component{0.0, order.error.si / std::sqrt(3.0)};
     const Vec3 error{component(m_random), component(m_random), component(m_random)};
-    return m_workplace.X_TA * p_AQ + error;
+    return order.p_TQ + error;
 }
 
 } // namespace carina

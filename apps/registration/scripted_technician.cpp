@@ -3,6 +3,7 @@
 #include "engine/io/site/site_json.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QScreen>
 
 namespace carina
@@ -12,13 +13,13 @@ namespace
 
 constexpr int kActInterval_ms = 100;
 constexpr qint64 kRead_ms = 1200;        ///< a person reads a page before acting
-constexpr qint64 kPatience_ms = 120'000; ///< a loaded computer draws slowly
+constexpr qint64 kPatience_ms = 200'000; ///< a loaded computer draws slowly
 constexpr double kMidway = 0.5;
 
 /// Pages in the order in which they are worked at, the overview last.
 QString pictureName(SiteStep step)
 {
-    const int page = step == SiteStep::Overview ? 7 : int(step);
+    const int page = step == SiteStep::Overview ? 8 : int(step);
     return QStringLiteral("registration-%1-%2.png")
         .arg(page)
         .arg(QLatin1StringView{kStepWords[std::size_t(step)]});
@@ -69,6 +70,8 @@ void ScriptedTechnician::workAtStep()
         return fit();
     case SiteStep::Verify:
         return verify();
+    case SiteStep::Tools:
+        return tools();
     case SiteStep::Overview:
         return overview();
     }
@@ -107,6 +110,26 @@ void ScriptedTechnician::verify()
         return;
     photographOnce();
     press(m_registration.task(m_step).state == TaskState::Done ? "next" : "primary");
+}
+
+/// One tool after the other; the first is shown half way.
+void ScriptedTechnician::tools()
+{
+    const ToolTask& task = m_registration.toolTask();
+    if (task.isTouching()) {
+        const auto places = task.places();
+        if (places[places.size() / 2].isTouched)
+            photographOnce();
+        return;
+    }
+    const auto& offered = task.offered();
+    for (std::size_t i = 0; i < offered.size(); ++i) {
+        if (toolOfRole(m_registration.site().tools, offered[i]))
+            continue;
+        m_window.findChild<QComboBox*>(QStringLiteral("tool"))->setCurrentIndex(int(i));
+        return press("primary");
+    }
+    press("next");
 }
 
 /// Everything is done, or a run before has ended before it was.

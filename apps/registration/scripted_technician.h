@@ -37,6 +37,7 @@ private:
     void touch();
     void fit();
     void verify();
+    void tools();
     void overview();
     void photographOnce();
     void press(const char* button);

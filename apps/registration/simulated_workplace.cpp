@@ -14,6 +14,8 @@ namespace
 const Vec3 kTip_S{0.0, 0.0, -0.150};  ///< of the stylus, below its markers
 const Vec3 kParked{0.13, 0.0, -0.05}; ///< of the markers from the incisors, in A
 const Vec3 kDivot{0.14, 0.05, -0.08}; ///< from the incisors, in A
+const Vec3 kTubeMarkers{0.2, 0.02, 0.1};
+const Vec3 kLaryngoscopeMarkers{-0.18, -0.02, 0.1};
 
 /// The stylus upright over the patient, who lies: +z of S anterior, -y of A.
 RigidTransform parkedStylus(const Vec3& p_A_incisors)
@@ -38,15 +40,27 @@ Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway, con
         return tl::unexpected(hands.error());
     const RigidTransform X_TJ = X_TA * hands->closedJaw();
     auto hand = std::make_shared<StylusHand>(X_TA * parkedStylus(p_A_incisors), kTip_S);
-    const auto truth = [hand, X_TJ](ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
+    const RigidTransform X_TN_tube =
+        X_TA * RigidTransform::translation(p_A_incisors + kTubeMarkers);
+    const RigidTransform X_TN_laryngoscope =
+        X_TA * RigidTransform::translation(p_A_incisors + kLaryngoscopeMarkers);
+    const auto truth = [=](ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
         if (tool == ToolRole::Jaw)
             return X_TJ;
+        if (tool == ToolRole::Tube)
+            return X_TN_tube;
+        if (tool == ToolRole::Laryngoscope)
+            return X_TN_laryngoscope;
         return tool == ToolRole::Stylus ? std::optional{hand->at(t)} : std::nullopt;
     };
-    auto tracker =
-        std::make_unique<SimulatedTracker>(SimulatedTrackerSettings{}, truth, workplaceNow);
+    SimulatedTrackerSettings device;
+    device.laryngoscope = true;
+    auto tracker = std::make_unique<SimulatedTracker>(device, truth, workplaceNow);
     return SimulatedWorkplace{.X_TA = X_TA,
                               .p_TQ_divot = X_TA * Vec3{p_A_incisors + kDivot},
+                              .tools = simulatedTools(tube),
+                              .X_TN_tube = X_TN_tube,
+                              .X_TN_laryngoscope = X_TN_laryngoscope,
                               .hand = std::move(hand),
                               .tracker = std::move(tracker),
                               .clock = workplaceNow};

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/shapes/tube.h"
+#include "engine/session/simulated_tools.h"
 #include "engine/tracking/simulated_tracker.h"
 #include "engine/tracking/stylus_hand.h"
 
@@ -10,10 +11,14 @@
 namespace carina
 {
 
-/// A manikin with a chin probe in front of a simulated tracker, and a hand that holds a stylus.
+/// A manikin with a chin probe in front of a simulated tracker, a hand that holds a stylus, and to
+/// both sides of the manikin a tube and a laryngoscope, which lie still.
 struct SimulatedWorkplace {
-    RigidTransform X_TA;              ///< true pose of the anatomy
-    Vec3 p_TQ_divot = Vec3::Zero();   ///< beside the manikin
+    RigidTransform X_TA;            ///< true pose of the anatomy
+    Vec3 p_TQ_divot = Vec3::Zero(); ///< beside the manikin
+    SimulatedTools tools;
+    RigidTransform X_TN_tube;         ///< the markers of the tube
+    RigidTransform X_TN_laryngoscope; ///< the markers of the laryngoscope
     std::shared_ptr<StylusHand> hand; ///< shared with the tracker's thread, which reads it
     std::unique_ptr<SimulatedTracker> tracker;
     ReadSessionClock clock; ///< of the tracker's samples

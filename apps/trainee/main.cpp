@@ -14,6 +14,7 @@
 #include "models/patient/shared_patient.h"
 #include "models/station/own_station.h"
 #include "ui/trainee/trainee_window.h"
+#include "widgets/scene/figures/figure_shapes.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QApplication>
@@ -136,6 +137,18 @@ TreatmentChoice treatmentOf(TraineeStation& station)
 {
     return {station.treatment(),
             [&station](const PoseTreatment& chosen) { station.treat(chosen); }};
+}
+
+/// The blade of the laryngoscope as it was touched; null where it was not.
+FigureShapes::Mesh bladeOf(const TraineeStation& station)
+{
+    const auto blade = station.blade();
+    if (!blade)
+        return nullptr;
+    return std::make_shared<const TriangleMesh>(bladeMesh({.reach = -blade->p_L_tip.z(),
+                                                           .rise = blade->p_L_tip.y(),
+                                                           .sag = blade->sag().si,
+                                                           .width = blade->heelWidth.si}));
 }
 
 /// How to come in, as far as the options say it.
@@ -285,12 +298,12 @@ Result<int> run(const QCommandLineParser& parser)
                           .canBeGiven = entered->role == Role::Trainee,
                           .treatment = treatmentOf(station)}};
     const auto show = [&] {
-        window.show(*sessionPatient.patient(), station.view(), station.chinProbe());
+        window.show(station.patient(), station.view(), station.chinProbe());
+        window.stationScene().showBlade(bladeOf(station));
     };
-    sessionPatient.follow([&](const SharedPatientModel& another) {
-        return station.lay(another,
-                           [&] { window.show(*another, station.view(), station.chinProbe()); });
-    });
+    show(); // with the tools of the site
+    sessionPatient.follow(
+        [&](const SharedPatientModel& another) { return station.lay(another, show); });
     change.watch(window, station, show);
     QObject::connect(&window, &TraineeWindow::trackerWanted, &window,
                      [&] { change.ask(window, station, show); });

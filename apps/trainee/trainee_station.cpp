@@ -122,12 +122,12 @@ void TraineeStation::setStation(StationId station)
 Result<void> TraineeStation::lay(const SharedPatientModel& patient,
                                  const std::function<void()>& show)
 {
-    auto next = std::make_unique<Laid>(Laid{patient, nullptr, {}, nullptr, nullptr, {}});
+    auto next = std::make_unique<Laid>(Laid{patient, patient, nullptr, {}, nullptr, nullptr, {}});
     if (m_hardware.tracker)
         if (const auto tracked = track(*next); !tracked)
             return tracked;
     next->view =
-        std::make_unique<StationView>(*m_node, m_station, patient->lungs(),
+        std::make_unique<StationView>(*m_node, m_station, next->patient->lungs(),
                                       next->tracking ? posesOf(*next->tracking) : ObjectPoses{});
     const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
     publishPoses();
@@ -146,7 +146,7 @@ Result<void> TraineeStation::setTracker(std::optional<TrackerChoice> tracker,
 {
     CARINA_EXPECTS(m_laid != nullptr);
     std::optional<TrackerChoice> before = std::exchange(m_hardware.tracker, std::move(tracker));
-    auto laid = lay(SharedPatientModel{m_laid->patient}, show);
+    auto laid = lay(SharedPatientModel{m_laid->given}, show);
     if (!laid)
         m_hardware.tracker = std::move(before);
     else if (m_hardware.tracker)
@@ -179,6 +179,9 @@ Result<void> TraineeStation::track(Laid& laid)
         return fail(Errc::NotRegistered, trackerName(*m_hardware.tracker).toStdString());
     if (laid.place && !laid.place->setup)
         return {}; // nothing tells where the tools are in the patient
+    if (laid.place && laid.place->setup->tube)
+        laid.patient = std::make_shared<const PatientModel>(laid.given->withTube(
+            centrelineOfTube(*laid.place->setup->tube), laid.place->setup->tube->outerDiameter));
     if (const auto made = m_hardware.tracker->isSimulated() ? simulate(laid) : connect(laid); !made)
         return made;
     laid.guard = guardOf(*laid.tracking, laid.place);
@@ -226,7 +229,11 @@ void TraineeStation::takePlace(const std::function<void()>& show)
     if (!place.setup)
         return; // what was registered before is shown on, and said to be out of date
     if (!m_laid->tracking) {
-        (void)lay(SharedPatientModel{m_laid->patient}, show);
+        (void)lay(SharedPatientModel{m_laid->given}, show);
+        return;
+    }
+    if (!areSameTools(*place.setup, *m_laid->place->setup)) { // which are drawn otherwise
+        (void)lay(SharedPatientModel{m_laid->given}, show);
         return;
     }
     // The file is also written for another page or name, which lays nothing and keeps the guard.
@@ -238,6 +245,12 @@ void TraineeStation::takePlace(const std::function<void()>& show)
         m_laid->guard = guardOf(*m_laid->tracking, m_laid->place);
         publishPoses();
     }
+}
+
+std::optional<BladeShape> TraineeStation::blade() const
+{
+    return m_laid && m_laid->place && m_laid->place->setup ? m_laid->place->setup->blade
+                                                           : std::nullopt;
 }
 
 void TraineeStation::treat(const PoseTreatment& treatment)

@@ -65,7 +65,10 @@ public:
     [[nodiscard]] SessionNode& node() { return *m_node; }
     // @pre lay() succeeded. Results are valid until the next lay().
     [[nodiscard]] const StationView& view() const { return *m_laid->view; }
+    /// With the tube of the site, where that is calibrated.
     [[nodiscard]] const PatientModel& patient() const { return *m_laid->patient; }
+    /// The shape of the laryngoscope, where the site has it calibrated.
+    [[nodiscard]] std::optional<BladeShape> blade() const;
     /// Null without a tracker, and while the site has no registration that can be used.
     [[nodiscard]] std::shared_ptr<const StationTracking> tracking() const
     {
@@ -87,7 +90,8 @@ public:
 
 private:
     struct Laid {
-        SharedPatientModel patient;
+        SharedPatientModel given;   ///< as the session has it
+        SharedPatientModel patient; ///< with the tube of the site
         /// Shared with the node's thread, which reads poses; null without a tracker, and while the
         /// site has no registration that can be used.
         std::shared_ptr<StationTracking> tracking;

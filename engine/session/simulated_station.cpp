@@ -1,6 +1,7 @@
 #include "engine/session/simulated_station.h"
 
 #include "engine/geometry/rotation.h"
+#include "engine/session/simulated_tools.h"
 #include "engine/tracking/scripted_hands.h"
 
 #include <array>
@@ -71,6 +72,17 @@ TrueToolPose withManikin(TrueToolPose hands, const RigidTransform& X_TA, Frequen
     };
 }
 
+/// The markers of the tube instead of its connector.
+TrueToolPose withTubeMarkers(TrueToolPose hands, const RigidTransform& X_EN)
+{
+    return [hands = std::move(hands), X_EN](ToolRole tool, SessionTime t) {
+        auto X_TO = hands(tool, t);
+        if (X_TO && tool == ToolRole::Tube)
+            X_TO = *X_TO * X_EN;
+        return X_TO;
+    };
+}
+
 } // namespace
 
 RigidTransform simulatedBodyProbe() { return RigidTransform::translation({-0.12, -0.06, 0.05}); }
@@ -93,6 +105,8 @@ Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const T
     SimulatedTrackerSettings device;
     device.handProbe = static_cast<bool>(person);
     TrueToolPose truth = withManikin(of(std::move(person), *hands, script), X_TA, manikinBreathes);
+    if (registration && registration->X_NE)
+        truth = withTubeMarkers(std::move(truth), simulatedTools(tube).X_NE.inverse());
     device.chestMarker = manikinBreathes.si > 0.0;
     device.bodyProbe = registration && registration->X_BA;
     auto tracker = std::make_unique<SimulatedTracker>(device, truth, std::move(clock));

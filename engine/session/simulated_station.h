@@ -26,7 +26,8 @@ struct SimulatedStation {
 using SimulatedPerson = std::function<unsigned()>;
 
 /// @param registration of the manikin; without one the error-free registration is used. If it has
-///        X_BA, the manikin wears a body probe, whose true pose is simulatedBodyProbe()
+///        X_BA, the manikin wears a body probe, whose true pose is simulatedBodyProbe(); if it has
+///        X_NE, the markers of the tube are where those of simulatedTools() are
 /// @param manikinBreathes breathing rate at which the chest rises by kManikinRise; 0: no breathing
 ///        and no marker
 /// @returns the errors of ScriptedHands::make for this airway.

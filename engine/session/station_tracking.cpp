@@ -79,6 +79,10 @@ std::optional<PoseSample> StationTracking::at(ToolRole role, SessionTime t) cons
     } else {
         sample_A = reframed(registration.X_AT, *X_TO);
     }
+    if (role == ToolRole::Tube && registration.X_NE)
+        return attached(sample_A, *registration.X_NE);
+    if (role == ToolRole::Laryngoscope && registration.X_NL)
+        return attached(sample_A, *registration.X_NL);
     if (role != ToolRole::Jaw)
         return sample_A;
     return registration.X_JA ? std::optional{attached(sample_A, *registration.X_JA)} : std::nullopt;

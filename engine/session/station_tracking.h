@@ -20,6 +20,10 @@ struct StationRegistration {
     /// The anatomy in the frame B of the body probe, X_BM * X_MA; nothing without a probe on the
     /// torso.
     std::optional<RigidTransform> X_BA{};
+    /// The connector of the tube in the frame N of its markers; nothing where it is not calibrated:
+    /// then the frame of the markers is taken for that of the connector.
+    std::optional<RigidTransform> X_NE{};
+    std::optional<RigidTransform> X_NL{}; ///< likewise the blade of the laryngoscope
 };
 
 /// How motion of the chin probe is interpreted; one probe alone cannot distinguish the two.
@@ -52,6 +56,8 @@ enum class MotionAssumption : std::uint8_t {
 /// with the chin probe, and the mandible is in its closed position:
 ///
 ///     X_AO = X_AJ * X_JT * X_TO
+///
+/// The poses of tube and laryngoscope are those of connector and blade, where these are calibrated.
 ///
 /// All functions may be called from any thread.
 class StationTracking

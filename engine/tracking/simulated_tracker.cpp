@@ -69,6 +69,8 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
         add("body", ToolRole::Manikin);
     if (m_settings.handProbe)
         add("hand", ToolRole::Hand);
+    if (m_settings.laryngoscope)
+        add("laryngoscope", ToolRole::Laryngoscope);
 }
 
 SessionTime SimulatedTracker::advance(SessionTime now)

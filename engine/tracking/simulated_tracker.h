@@ -39,9 +39,10 @@ struct SimulatedTrackerSettings {
     Duration latency = std::chrono::milliseconds{14}; ///< from exposure to delivery
     WorkingVolume volume;                             ///< a tool's origin outside it is lost
     std::vector<Occlusion> occlusions;
-    bool chestMarker = false; ///< also simulate a marker on the manikin's chest
-    bool bodyProbe = false;   ///< also simulate a probe on its torso
-    bool handProbe = false;   ///< also simulate a probe on the hand that holds the tube
+    bool chestMarker = false;  ///< also simulate a marker on the manikin's chest
+    bool bodyProbe = false;    ///< also simulate a probe on its torso
+    bool handProbe = false;    ///< also simulate a probe on the hand that holds the tube
+    bool laryngoscope = false; ///< also simulate a laryngoscope
     std::uint32_t seed = 1;
 };
 

@@ -129,6 +129,17 @@ std::optional<Vec3> PatientModel::centreOf(OrganGroup group) const
     return found == m_groups.end() ? std::nullopt : std::optional{found->second.centre()};
 }
 
+PatientModel PatientModel::withTube(std::span<const Vec3> p_E_centre, Length outerDiameter) const
+{
+    PatientModel model = *this;
+    model.m_tube = tubeAlong(m_tube, p_E_centre, outerDiameter);
+    std::erase_if(model.m_surfaces,
+                  [](const PatientSurface& surface) { return surface.body == SurfaceBody::Tube; });
+    model.m_tubeBounds = {};
+    model.addTube();
+    return model;
+}
+
 double PatientModel::top() const
 {
     Box all;

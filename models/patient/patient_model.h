@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,9 @@ public:
     /// The finest mesh of a surface with the mouth closed, as for landmarks touched on a manikin.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
+    /// The same patient with a tube of another shape (tubeAlong), as it was touched.
+    [[nodiscard]] PatientModel withTube(std::span<const Vec3> p_E_centre,
+                                        Length outerDiameter) const;
     /// The groups of organs that it has.
     [[nodiscard]] std::vector<OrganGroup> groups() const;
     /// The centre in A of a group's bounds at rest, about which it is turned and scaled when it is

@@ -62,7 +62,8 @@ RegistrationModel::RegistrationModel(Workplace workplace, Site site, const Patie
       m_touchTask{m_editor, m_watch, m_landmarkTask},
       m_fitTask{m_editor, m_watch, patient, m_surfaces},
       m_verifyTask{m_editor, m_watch, patient, m_surfaces, placesToCheck(m_workplace)},
-      m_manikinTask{m_editor, patient, m_landmarkTask}
+      m_manikinTask{m_editor, patient, m_landmarkTask},
+      m_toolTask{m_editor, m_watch, patient}
 {
     connect(&m_editor, &SiteEditor::changed, this, &RegistrationModel::followStep);
     connect(&m_editor, &SiteEditor::told, this, &RegistrationModel::told);
@@ -77,19 +78,29 @@ void RegistrationModel::followStep()
     const StylusTip* tip = m_stylusTask.tip();
     const std::optional<Vec3> p_SQ = tip ? std::optional{tip->p_SQ} : std::nullopt;
     const bool isAirway = m_manikinTask.isTouching();
-    if (m_followed != step() || m_followedTip != p_SQ || m_followedAirway != isAirway) {
+    if (m_followed != step() || m_followedTip != p_SQ || m_followedAirway != isAirway
+        || m_followedTool != touchedTool()) {
         m_followed = step();
         m_followedAirway = isAirway;
         m_followedTip = p_SQ;
+        m_followedTool = touchedTool();
+        m_watch.touchOn(m_followedTool);
         m_watch.setTip(p_SQ);
         m_watch.watchFor(use());
     }
     Q_EMIT changed();
 }
 
+std::optional<ToolRole> RegistrationModel::touchedTool() const
+{
+    return step() == SiteStep::Tools && m_toolTask.isTouching() ? std::optional{m_toolTask.chosen()}
+                                                                : std::nullopt;
+}
+
 StylusUse RegistrationModel::use() const
 {
-    if (step() == SiteStep::Touch || step() == SiteStep::Verify || m_manikinTask.isTouching())
+    if (step() == SiteStep::Touch || step() == SiteStep::Verify || m_manikinTask.isTouching()
+        || touchedTool())
         return StylusUse::Touch;
     return step() == SiteStep::Stylus && !m_stylusTask.tip() ? StylusUse::Pivot
                                                              : StylusUse::Nothing;
@@ -97,6 +108,8 @@ StylusUse RegistrationModel::use() const
 
 SiteTask RegistrationModel::task(SiteStep step) const
 {
+    if (step == SiteStep::Tools)
+        return m_toolTask.task();
     return siteTask(site(), step, m_watch.tool(), trackerName(), m_editor.today());
 }
 
@@ -200,6 +213,8 @@ bool RegistrationModel::awaitsTouch() const
 {
     if (m_manikinTask.isTouching())
         return true;
+    if (step() == SiteStep::Tools)
+        return m_toolTask.next().has_value();
     return step() == SiteStep::Touch ? m_touchTask.next().has_value()
                                      : step() == SiteStep::Verify && m_verifyTask.next();
 }
@@ -248,6 +263,8 @@ void RegistrationModel::take(const StylusTouch& touch)
 {
     if (m_manikinTask.isTouching())
         m_manikinTask.take(touch);
+    else if (step() == SiteStep::Tools)
+        m_toolTask.take(touch);
     else if (step() == SiteStep::Touch)
         m_touchTask.take(touch);
     else if (step() == SiteStep::Verify)
@@ -266,12 +283,15 @@ void RegistrationModel::forgetChoices()
     m_touchTask.choose(std::nullopt);
     m_verifyTask.choose(std::nullopt);
     m_manikinTask.endTouch();
+    if (m_toolTask.isTouching())
+        m_toolTask.stop();
     m_followed.reset();
 }
 
 bool RegistrationModel::canUndo() const
 {
-    return m_editor.canUndo() || (step() == SiteStep::Verify && m_verifyTask.hasPicked());
+    return m_editor.canUndo() || m_toolTask.canUndo()
+           || (step() == SiteStep::Verify && m_verifyTask.hasPicked());
 }
 
 void RegistrationModel::setOperator(const QString& name)
@@ -299,6 +319,8 @@ void RegistrationModel::pick(const Vec3& p_A_eye, const Vec3& dir_A)
 
 void RegistrationModel::undo()
 {
+    if (m_toolTask.canUndo())
+        return m_toolTask.undo();
     forgetChoices();
     if (step() == SiteStep::Verify && m_verifyTask.hasPicked())
         m_verifyTask.dropPicked();

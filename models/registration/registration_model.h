@@ -7,6 +7,7 @@
 #include "models/registration/stylus_task.h"
 #include "models/registration/stylus_watch.h"
 #include "models/registration/surface_finder.h"
+#include "models/registration/tool_task.h"
 #include "models/registration/touch_task.h"
 #include "models/registration/verify_task.h"
 #include "models/site/site_editor.h"
@@ -106,6 +107,9 @@ public:
     [[nodiscard]] VerifyTask& verifying() { return m_verifyTask; }
     [[nodiscard]] const VerifyTask& verifying() const { return m_verifyTask; }
 
+    [[nodiscard]] ToolTask& toolTask() { return m_toolTask; }
+    [[nodiscard]] const ToolTask& toolTask() const { return m_toolTask; }
+
     [[nodiscard]] ManikinTask& manikin() { return m_manikinTask; }
     [[nodiscard]] const ManikinTask& manikin() const { return m_manikinTask; }
 
@@ -155,6 +159,7 @@ Q_SIGNALS:
 private:
     void followStep();
     void forgetChoices();
+    [[nodiscard]] std::optional<ToolRole> touchedTool() const;
     [[nodiscard]] std::vector<LandmarkRow> airwayPlaces() const;
     /// What the stylus is used for on this page.
     [[nodiscard]] StylusUse use() const;
@@ -173,9 +178,11 @@ private:
     FitTask m_fitTask;
     VerifyTask m_verifyTask;
     ManikinTask m_manikinTask;
+    ToolTask m_toolTask;
     std::optional<SiteStep> m_followed; ///< the page that the present stylus use belongs to
     std::optional<Vec3> m_followedTip;
-    bool m_followedAirway = false; ///< whether the airway is touched
+    bool m_followedAirway = false;          ///< whether the airway is touched
+    std::optional<ToolRole> m_followedTool; ///< which tool is touched
     QTimer m_timer;
 };
 

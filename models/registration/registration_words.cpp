@@ -108,6 +108,23 @@ public:
         return tr("All points are checked. Record the verdict.");
     }
 
+    static QString tools(const RegistrationModel& model)
+    {
+        const ToolTask& tools = model.toolTask();
+        if (const QString why = tools.whyNoTouch(); !why.isEmpty())
+            return why;
+        const QString name = toolRoleName(tools.chosen());
+        if (tools.next())
+            return tr("%1: touch this place with the stylus and hold still: %2.")
+                .arg(name, tools.nextName());
+        if (tools.isTouching())
+            return tr("%1: undo the last touch and make it again, or start again.").arg(name);
+        return tools.calibration()
+                   ? tr("%1: calibrated. Touch its tip to check it, or calibrate it again.")
+                         .arg(name)
+                   : tr("%1: calibrate it by touching its places with the stylus.").arg(name);
+    }
+
 private:
     static QString missing(PivotNeed need)
     {
@@ -149,6 +166,8 @@ QString registrationInstruction(const RegistrationModel& model)
         return RegistrationWords::fit(model);
     case SiteStep::Verify:
         return RegistrationWords::verify(model);
+    case SiteStep::Tools:
+        return RegistrationWords::tools(model);
     }
     return {};
 }

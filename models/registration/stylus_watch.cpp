@@ -2,6 +2,7 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/tracking/markers/tool_error.h"
+#include "engine/tracking/reframed.h"
 
 #include <algorithm>
 #include <utility>
@@ -40,6 +41,12 @@ StylusWatch::StylusWatch(const Tracker& tracker, ReadSessionClock clock)
 bool StylusWatch::has(ToolRole role) const
 {
     return std::ranges::find(m_tools, role, &TrackedTool::role) != m_tools.end();
+}
+
+std::string StylusWatch::nameOf(ToolRole role) const
+{
+    const auto tool = std::ranges::find(m_tools, role, &TrackedTool::role);
+    return tool == m_tools.end() ? std::string{} : tool->name;
 }
 
 std::optional<TrackedTool> StylusWatch::stylusTool() const
@@ -86,7 +93,7 @@ StylusNews StylusWatch::look()
         if (m_looked && sample.time <= *m_looked)
             continue;
         m_looked = sample.time;
-        take(sample, news);
+        take(m_use == StylusUse::Touch ? onTouched(sample) : sample, news);
     }
     return news;
 }
@@ -185,7 +192,10 @@ bool StylusWatch::restsWhereTaken() const
 
 std::optional<StylusTouch> StylusWatch::pointNow() const
 {
-    const std::vector<PoseSample> samples = latest(ToolRole::Stylus, kTakenOf);
+    std::vector<PoseSample> samples = latest(ToolRole::Stylus, kTakenOf);
+    std::ranges::transform(samples, samples.begin(),
+                           [this](const PoseSample& sample) { return onTouched(sample); });
+    std::erase_if(samples, [](const PoseSample& s) { return s.validity == Validity::Lost; });
     if (samples.empty() || !m_p_SQ)
         return std::nullopt;
     StylusTouch touch{.point = {.samples = int(samples.size()),
@@ -198,6 +208,19 @@ std::optional<StylusTouch> StylusWatch::pointNow() const
         touch.point.spread =
             std::max(touch.point.spread, (sample.X_FO * *m_p_SQ - touch.point.p_FQ).norm());
     return touch;
+}
+
+PoseSample StylusWatch::onTouched(const PoseSample& X_TS) const
+{
+    if (!m_touched)
+        return X_TS;
+    const auto tool = std::ranges::find(m_tools, *m_touched, &TrackedTool::role);
+    const auto X_TN = tool == m_tools.end() ? std::nullopt : tool->history->at(X_TS.time);
+    if (X_TN && X_TN->validity != Validity::Lost)
+        return seenFrom(*X_TN, X_TS);
+    PoseSample lost = X_TS;
+    lost.validity = Validity::Lost;
+    return lost;
 }
 
 std::optional<RigidTransform> StylusWatch::stylus() const

@@ -24,7 +24,7 @@ enum class StylusUse : std::uint8_t {
 
 /// A touched point, and the orientation of the stylus.
 struct StylusTouch {
-    DwellPoint point; ///< in T
+    DwellPoint point; ///< in T, or in the frame of the touched tool
     Quat q_TS = Quat::Identity();
 };
 
@@ -50,6 +50,8 @@ public:
     /// The error with which the tracker sees the tip now (RMS), predicted from the markers of the
     /// stylus; std::nullopt while it is not seen, and where they or the tip are not known.
     [[nodiscard]] std::optional<Length> expectedTipError() const;
+    /// The tracker's name for a tool with this role; empty if it has none.
+    [[nodiscard]] std::string nameOf(ToolRole role) const;
     /// Whether the tracker has such a tool, seen or not.
     [[nodiscard]] bool has(ToolRole role) const;
 
@@ -61,6 +63,10 @@ public:
 
     /// Sets the tip in the stylus frame S, metres; without it Spin, Touch and Swab give no result.
     void setTip(const std::optional<Vec3>& p_SQ) { m_p_SQ = p_SQ; }
+
+    /// What the tip touches moves with this tool: touches are given in the frame of its markers;
+    /// while it is not seen there are none. std::nullopt: touches are given in T.
+    void touchOn(const std::optional<ToolRole>& tool) { m_touched = tool; }
 
     [[nodiscard]] StylusNews look();
 
@@ -93,6 +99,8 @@ private:
     void takeSpun(const RigidTransform& X_TS, StylusNews& news);
     void takeSwabbed(const Vec3& p_TQ);
     [[nodiscard]] std::optional<StylusTouch> pointNow() const;
+    /// A sample of the stylus as seen from the touched tool.
+    [[nodiscard]] PoseSample onTouched(const PoseSample& X_TS) const;
     /// The samples of a tool; empty if it has delivered none lately.
     [[nodiscard]] std::vector<PoseSample> seen(ToolRole role) const;
     /// The samples of the last `time` that are not lost.
@@ -103,6 +111,7 @@ private:
     std::optional<SessionTime> m_looked; ///< samples up to this time were processed
     StylusUse m_use = StylusUse::Nothing;
     std::optional<Vec3> m_p_SQ;
+    std::optional<ToolRole> m_touched;
     PivotCollector m_pivot;
     std::vector<RigidTransform> m_spun; ///< X_TS
     DwellDetector m_dwell;

@@ -25,6 +25,12 @@ void makeTouchesStale(Site& site, StaleCause cause)
     makeFitStale(site, cause);
 }
 
+void makeToolsStale(Site& site, StaleCause cause)
+{
+    for (SiteTool& tool : site.tools)
+        makeStale(tool.stale, cause);
+}
+
 void putTouch(std::vector<TouchedPoint>& touched, const std::string& landmark,
               const StylusTouch& touch)
 {
@@ -49,6 +55,7 @@ Site withTracker(Site site, std::string tracker)
     site.tracker = std::move(tracker);
     site.relay.reset();
     makeTouchesStale(site, StaleCause::Tracker);
+    makeToolsStale(site, StaleCause::Tracker);
     return site;
 }
 
@@ -60,6 +67,26 @@ Site withStylus(Site site, StylusTip stylus)
     site.styluses.push_back(std::move(stylus));
     site.relay.reset();
     makeTouchesStale(site, StaleCause::Stylus);
+    makeToolsStale(site, StaleCause::Stylus);
+    return site;
+}
+
+Site withTool(Site site, SiteTool tool)
+{
+    std::erase_if(site.tools, [&](const SiteTool& before) { return before.role == tool.role; });
+    site.tools.push_back(std::move(tool));
+    return site;
+}
+
+Site withToolCheck(Site site, ToolRole role, SiteToolCheck check)
+{
+    for (SiteTool& tool : site.tools) {
+        if (tool.role != role)
+            continue;
+        if (!check.tip.isBent() && tool.stale == StaleCause::Stylus)
+            tool.stale.reset();
+        tool.check = check;
+    }
     return site;
 }
 

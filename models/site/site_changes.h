@@ -20,6 +20,13 @@ namespace carina
 /// Replaces the tool's earlier calibration.
 [[nodiscard]] Site withStylus(Site site, StylusTip stylus);
 
+/// Replaces the earlier calibration of a tube or laryngoscope.
+[[nodiscard]] Site withTool(Site site, SiteTool tool);
+
+/// Sets the check of a tool that is calibrated. A tool that is found as it was is no longer stale
+/// by a stylus that was calibrated after it: the check was made with that.
+[[nodiscard]] Site withToolCheck(Site site, ToolRole role, SiteToolCheck check);
+
 /// Sets the axis of a tool whose tip is known.
 [[nodiscard]] Site withStylusAxis(Site site, const std::string& tool, StylusAxis axis);
 

@@ -21,6 +21,22 @@ std::optional<GuardedRegistration> guardOf(const Site& site)
                                .fle = metres(fitted.fle)};
 }
 
+/// The tools as they were calibrated; with another tracker their markers may be others.
+void addTools(SiteSetup& setup, const std::vector<SiteTool>& tools)
+{
+    for (const SiteTool& tool : tools) {
+        if (tool.stale == StaleCause::Tracker)
+            continue;
+        if (tool.role == ToolRole::Tube) {
+            setup.registration.X_NE = tool.X_NO;
+            setup.tube = tool.tube;
+        } else {
+            setup.registration.X_NL = tool.X_NO;
+            setup.blade = tool.blade;
+        }
+    }
+}
+
 bool isSame(const RigidTransform& a, const RigidTransform& b)
 {
     return a.translation() == b.translation() && a.rotation().coeffs() == b.rotation().coeffs();
@@ -37,7 +53,14 @@ bool isSamePlace(const SiteSetup& a, const SiteSetup& b)
 {
     return isSame(a.registration.X_AT, b.registration.X_AT)
            && isSame(a.registration.X_JA, b.registration.X_JA)
-           && isSame(a.registration.X_BA, b.registration.X_BA);
+           && isSame(a.registration.X_BA, b.registration.X_BA)
+           && isSame(a.registration.X_NE, b.registration.X_NE)
+           && isSame(a.registration.X_NL, b.registration.X_NL);
+}
+
+bool areSameTools(const SiteSetup& a, const SiteSetup& b)
+{
+    return a.tube == b.tube && a.blade == b.blade;
 }
 
 bool isSameGuard(const SiteSetup& a, const SiteSetup& b)
@@ -76,6 +99,7 @@ Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
     if (fitted.X_BM)
         setup->registration.X_BA = *fitted.X_BM * fitted.X_AM.inverse();
     setup->guard = guardOf(site);
+    addTools(*setup, site.tools);
     return setup;
 }
 

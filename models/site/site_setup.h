@@ -14,6 +14,8 @@ struct SiteSetup {
     StationRegistration registration;
     /// For monitoring the registration; std::nullopt if its error is unknown.
     std::optional<GuardedRegistration> guard{};
+    std::optional<TubeRest> tube{};    ///< the shape of the tube, where it is calibrated
+    std::optional<BladeShape> blade{}; ///< likewise of the laryngoscope
 };
 
 /// A site as a station uses it.
@@ -25,6 +27,9 @@ struct SitePlace {
 
 /// Whether both place the anatomy alike; a site file also changes for other reasons.
 [[nodiscard]] bool isSamePlace(const SiteSetup& a, const SiteSetup& b);
+
+/// Whether both draw the same tube and laryngoscope.
+[[nodiscard]] bool areSameTools(const SiteSetup& a, const SiteSetup& b);
 
 /// Whether both have the same data for monitoring.
 [[nodiscard]] bool isSameGuard(const SiteSetup& a, const SiteSetup& b);

@@ -2,6 +2,7 @@
 
 #include "models/site/site_changes.h"
 #include "models/site/site_standing.h"
+#include "models/station/tool_status.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -141,6 +142,26 @@ public:
                      .arg(worst.bound_mm, 0, 'f', 1);
     }
 
+    static QString staleTool(const SiteTool& tool)
+    {
+        const QString name = toolRoleName(tool.role);
+        if (tool.isBent())
+            return tr("%1: bent, or its markers were moved. Calibrate it again.").arg(name);
+        if (tool.stale == StaleCause::Tracker)
+            return tr("%1: the tracker was changed afterwards. Calibrate it again.").arg(name);
+        if (tool.stale)
+            return tr("%1: the stylus was calibrated afterwards. Touch its tip to check it.")
+                .arg(name);
+        return {};
+    }
+
+    static QString oldTool(const SiteTool& tool, const QDateTime& today)
+    {
+        return tr("%1: calibrated or checked %2. Touch its tip to check it.")
+            .arg(toolRoleName(tool.role))
+            .arg(howLongAgo(tool.check ? tool.check->at : tool.calibratedAt, today));
+    }
+
     static QString oldStylus(const StylusTip& tip, const QDateTime& today)
     {
         return tr("The stylus was calibrated %1: find its tip again before you touch landmarks "
@@ -189,9 +210,13 @@ SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool, cons
         return TaskWords::fit(site, siteStanding(site, {.tracker = tracker, .today = today}));
     case SiteStep::Verify:
         return TaskWords::verify(site, siteStanding(site, {.tracker = tracker, .today = today}));
+    case SiteStep::Tools:
+        return {.state = site.tools.empty() ? TaskState::Open : TaskState::Done};
     }
     return {};
 }
+
+QString whyStale(const SiteTool& tool) { return TaskWords::staleTool(tool); }
 
 QString stepTitle(SiteStep step)
 {
@@ -210,6 +235,8 @@ QString stepTitle(SiteStep step)
         return TaskWords::tr("Fit");
     case SiteStep::Verify:
         return TaskWords::tr("Verify");
+    case SiteStep::Tools:
+        return TaskWords::tr("Tools");
     }
     return {};
 }
@@ -249,6 +276,12 @@ QStringList siteHealth(const Site& site, const std::string& tool, const QString&
         if (const SiteTask task = siteTask(site, step, tool, tracker, today);
             task.state == TaskState::Stale)
             sentences << QStringLiteral("%1: %2").arg(stepTitle(step), task.why);
+    for (const SiteTool& each : site.tools) {
+        if (const QString why = whyStale(each); !why.isEmpty())
+            sentences << why;
+        else if (isLongAgo(each.check ? each.check->at : each.calibratedAt, today))
+            sentences << TaskWords::oldTool(each, today);
+    }
     return sentences;
 }
 

@@ -32,6 +32,9 @@ struct SiteTask {
 [[nodiscard]] SiteTask siteTask(const Site& site, SiteStep step, const std::string& tool,
                                 const QString& tracker, const QDateTime& today);
 
+/// One sentence: why a calibrated tube or laryngoscope is out of date; empty if it is not.
+[[nodiscard]] QString whyStale(const SiteTool& tool);
+
 /// The title of a page.
 [[nodiscard]] QString stepTitle(SiteStep step);
 

@@ -31,7 +31,7 @@ private Q_SLOTS:
                            folder.filePath(QStringLiteral("technician.jsonl"))};
         QJsonObject last;
         for (const char* step :
-             {"tracker", "stylus", "landmarks", "touch", "fit", "verify", "overview"}) {
+             {"tracker", "stylus", "landmarks", "touch", "fit", "verify", "tools", "overview"}) {
             technician.start();
             QTRY_VERIFY_WITH_TIMEOUT(isAt(technician.shown(), QLatin1String{step}), kPatience_ms);
             if (!last.isEmpty())

@@ -6,6 +6,7 @@
 #include "ui/registration/overview_page.h"
 #include "ui/registration/registration_paper.h"
 #include "ui/registration/stylus_page.h"
+#include "ui/registration/tools_page.h"
 #include "ui/registration/touch_page.h"
 #include "ui/registration/tracker_page.h"
 #include "ui/registration/verify_page.h"
@@ -30,7 +31,7 @@ constexpr int kLiveInterval_ms = 66;
 constexpr int kToolsInterval_ms = 500; ///< slow enough to read the numbers
 constexpr std::array kSteps{SiteStep::Overview,  SiteStep::Tracker, SiteStep::Stylus,
                             SiteStep::Landmarks, SiteStep::Touch,   SiteStep::Fit,
-                            SiteStep::Verify};
+                            SiteStep::Verify,    SiteStep::Tools};
 
 StepState stateOf(TaskState state)
 {
@@ -49,9 +50,12 @@ StepState stateOf(TaskState state)
     return StepState::Open;
 }
 
-/// What a registration needs to see.
-bool isOfUse(const ToolStatus& tool)
+/// What the page needs to see.
+bool isOfUse(const ToolStatus& tool, SiteStep step)
 {
+    if (step == SiteStep::Tools)
+        return tool.role == ToolRole::Stylus || tool.role == ToolRole::Tube
+               || tool.role == ToolRole::Laryngoscope;
     return tool.role == ToolRole::Stylus || tool.role == ToolRole::Jaw
            || tool.role == ToolRole::Manikin;
 }
@@ -106,7 +110,8 @@ void RegistrationWindow::addPages()
                new LandmarksPage{m_registration},
                new TouchPage{m_registration},
                new FitPage{m_registration},
-               new VerifyPage{m_registration}};
+               new VerifyPage{m_registration},
+               new ToolsPage{m_registration}};
     for (RegistrationPage* each : m_pages)
         m_ui->pages->addWidget(each);
 }
@@ -253,8 +258,7 @@ void RegistrationWindow::refreshButtons()
     m_ui->primary->setEnabled(page().canAct());
     m_ui->undo->setEnabled(m_registration.canUndo());
     m_ui->next->setVisible(m_registration.step() != SiteStep::Overview);
-    m_ui->next->setText(m_registration.step() == SiteStep::Verify ? tr("To the &overview")
-                                                                  : tr("Ne&xt"));
+    m_ui->next->setText(nextStep() == SiteStep::Overview ? tr("To the &overview") : tr("Ne&xt"));
     for (QPushButton* button : {m_ui->primary, m_ui->next})
         button->setDefault(page().isReady() && button == &mainButton());
 }
@@ -264,15 +268,22 @@ QPushButton& RegistrationWindow::mainButton() const
     if (m_registration.step() == SiteStep::Overview) // the last
         return *m_ui->primary;
     const bool goesOn = m_registration.task(m_registration.step()).state == TaskState::Done
-                        && !m_registration.stylus().isLookingForTip();
+                        && !m_registration.stylus().isLookingForTip()
+                        && !m_registration.toolTask().isTouching();
     return *(goesOn || !page().canAct() ? m_ui->next : m_ui->primary);
 }
 
-void RegistrationWindow::enterNext()
+/// A tracker without tools to calibrate leads past their page.
+SiteStep RegistrationWindow::nextStep() const
 {
     const std::size_t next = std::size_t(m_registration.step()) + 1;
-    m_registration.enter(next < kSteps.size() ? kSteps[next] : SiteStep::Overview);
+    if (next == kSteps.size())
+        return SiteStep::Overview;
+    const bool hasNone = m_registration.toolTask().offered().empty();
+    return kSteps[next] == SiteStep::Tools && hasNone ? SiteStep::Overview : kSteps[next];
 }
+
+void RegistrationWindow::enterNext() { m_registration.enter(nextStep()); }
 
 void RegistrationWindow::refreshProgress()
 {
@@ -302,7 +313,7 @@ void RegistrationWindow::refreshTools()
     if (const QString trouble = m_registration.trackerTrouble(); !trouble.isEmpty())
         texts << QStringLiteral("▲ ") + trouble;
     for (const ToolStatus& tool : m_registration.tools())
-        if (isOfUse(tool))
+        if (isOfUse(tool, m_registration.step()))
             texts << toolText(tool);
     m_ui->tools->setText(texts.join(QLatin1Char('\n')));
 }

@@ -57,6 +57,7 @@ private:
     void askForReport();
     void hear(const QString& words);
     void enterNext();
+    [[nodiscard]] SiteStep nextStep() const;
     [[nodiscard]] RegistrationPage& page() const;
     /// The button for the next thing to do: the action of the present page or, if that is done or
     /// not possible, the button to the next page.

@@ -2,9 +2,9 @@
 
 #include "models/station/people_words.h"
 #include "ui/scene/scene_parts.h"
-#include "widgets/scene/figures/figure_shapes.h"
 
 #include <array>
+#include <utility>
 
 namespace carina
 {
@@ -51,7 +51,10 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
 class FigureMaker
 {
 public:
-    explicit FigureMaker(const PatientModel& patient) : m_patient{patient} {}
+    FigureMaker(const PatientModel& patient, FigureShapes::Mesh ownBlade)
+        : m_patient{patient}, m_ownBlade{std::move(ownBlade)}
+    {
+    }
 
     SceneFigure figureOf(const DrawnPerson& person)
     {
@@ -75,7 +78,8 @@ public:
             add("Direction", shapes.ray, color);
             break;
         case ObjectKind::Laryngoscope:
-            add("Laryngoscope", shapes.blade, kBladeColor);
+            add("Laryngoscope", person.isOwn && m_ownBlade ? m_ownBlade : shapes.blade,
+                kBladeColor);
             add("Handle", shapes.handle, color);
             break;
         case ObjectKind::Tube:
@@ -111,6 +115,7 @@ private:
     }
 
     const PatientModel& m_patient;
+    FigureShapes::Mesh m_ownBlade;
     SceneFigure m_figure;
     std::uint16_t m_nextId = kFirstId;
 };
@@ -126,14 +131,16 @@ std::vector<DrawnPerson> drawnPeople(const StationMoment& moment)
                               .owner = person.owner,
                               .kind = person.kind,
                               .name = nameBeside(person, moment.worker),
-                              .isAtWork = person.isAtWork});
+                              .isAtWork = person.isAtWork,
+                              .isOwn = person.isOwn});
     return people;
 }
 
 std::vector<SceneFigure> peopleFigures(const std::vector<DrawnPerson>& people,
-                                       const PatientModel& patient)
+                                       const PatientModel& patient,
+                                       const FigureShapes::Mesh& ownBlade)
 {
-    FigureMaker maker{patient};
+    FigureMaker maker{patient, ownBlade};
     std::vector<SceneFigure> figures;
     for (const DrawnPerson& person : people)
         figures.push_back(maker.figureOf(person));

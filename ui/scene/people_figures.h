@@ -2,6 +2,7 @@
 
 #include "models/patient/patient_model.h"
 #include "models/station/station_view.h"
+#include "widgets/scene/figures/figure_shapes.h"
 #include "widgets/scene/figures/scene_figure.h"
 #include "widgets/scene/view/scene_frame.h"
 
@@ -18,6 +19,7 @@ struct DrawnPerson {
     ObjectKind kind = ObjectKind::Head;
     QString name;          ///< written beside it
     bool isAtWork = false; ///< the tube that is drawn with the patient: named only
+    bool isOwn = false;    ///< of this program's participant
 
     friend bool operator==(const DrawnPerson&, const DrawnPerson&) = default;
 };
@@ -27,8 +29,10 @@ struct DrawnPerson {
 [[nodiscard]] std::vector<DrawnPerson> drawnPeople(const StationMoment& moment);
 
 /// Their figures; tubes are that of the patient.
+/// @param ownBlade of the own laryngoscope, as it was touched; null: as all others
 [[nodiscard]] std::vector<SceneFigure> peopleFigures(const std::vector<DrawnPerson>& people,
-                                                     const PatientModel& patient);
+                                                     const PatientModel& patient,
+                                                     const FigureShapes::Mesh& ownBlade = {});
 
 /// An object of a person in a frame.
 struct ObjectInFrame {

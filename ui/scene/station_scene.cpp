@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace carina
 {
@@ -48,7 +49,7 @@ void StationScene::showFigures()
         return;
     m_people = std::move(people);
     m_lifts = std::move(lifts);
-    std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient);
+    std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient, m_ownBlade);
     std::ranges::move(liftedFigures(m_lifts, *m_patient), std::back_inserter(figures));
     m_scene.setFigures(figures);
 }
@@ -61,6 +62,12 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
     m_people.clear(); // whose tubes are those of the patient before
     m_lifts.clear();
     m_scene.setFigures({});
+}
+
+void StationScene::showBlade(FigureShapes::Mesh blade)
+{
+    m_ownBlade = std::move(blade);
+    m_people.clear(); // whose figures are made anew
 }
 
 void StationScene::showTo(const HeadsetView& headset, ViewOutput output)

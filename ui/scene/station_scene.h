@@ -29,6 +29,9 @@ public:
     /// Draws another patient from now on. @pre both outlive this, or live until the next show().
     void show(const PatientModel& patient, const StationView& view);
 
+    /// Draws the blade of the own laryngoscope so from now on; null: as that of others.
+    void showBlade(FigureShapes::Mesh blade);
+
     /// Selects the output: the eyes of a headset, or a screen.
     void showTo(const HeadsetView& headset, ViewOutput output);
     [[nodiscard]] ViewOutput output() const { return m_output; }
@@ -59,6 +62,7 @@ private:
     const StationView* m_view;
     std::vector<DrawnPerson> m_people; ///< whose figures the scene has
     std::vector<DrawnLift> m_lifts;    ///< likewise
+    FigureShapes::Mesh m_ownBlade;
     std::vector<Listener> m_listeners;
     HeadsetView m_standardHeadset; ///< for views through the eyes of others
     std::optional<ParticipantId> m_throughEyesOf;

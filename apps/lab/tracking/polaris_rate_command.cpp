@@ -30,7 +30,7 @@ constexpr std::array kReplies{NamedReply{"bx", NdiPoseReply::Bx},
                               NamedReply{"bx2", NdiPoseReply::Bx2}};
 constexpr int kRate = 115200;
 constexpr Duration kPatience = 20s; // until it tracks
-constexpr Duration kSettling = 1s;  // after it does, and after a tool was hidden
+constexpr Duration kRateSettling = 1s;  // after it does, and after a tool was hidden
 constexpr int kRestarts = 3;
 constexpr Duration kGone = 1s;        // before the first of these
 constexpr Duration kMoreGone = 170ms; // before each other one: at another phase of the attempts
@@ -156,7 +156,7 @@ QJsonObject measured(const Tracker& tracker, MeasuredDevice& device, Duration du
     const auto clientTime = [&] {
         return timeOn(CLOCK_PROCESS_CPUTIME_ID) - device.processorTime();
     };
-    std::this_thread::sleep_for(kSettling);
+    std::this_thread::sleep_for(kRateSettling);
     SampleCount count{tracker};
     const LocalTime begin = monotonicNow();
     const Duration clientBefore = clientTime();

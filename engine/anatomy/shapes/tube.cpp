@@ -81,6 +81,14 @@ TriangleMesh connector(const SweptLine& tube)
     return sweptSurface(line, rings);
 }
 
+std::vector<TubePiece> piecesOf(const SweptLine& tube, double radius)
+{
+    return {{"Tube", wall(tube, radius)},
+            {"Depth marks", depthMarks(tube, radius)},
+            {"Cuff", cuff(tube, radius)},
+            {"Connector", connector(tube)}};
+}
+
 /// The connector's frame where the tube begins.
 RigidTransform connectorPose(const LinePlace& start)
 {
@@ -130,16 +138,28 @@ Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,
         centre.push_back(X_EA * placeAt(path, from + (until - from) * i / steps).point);
     const SweptLine tube = sweptLine(centre);
     const Length outer = outerDiameterOf(innerDiameter);
-    const double radius = 0.5 * outer.si;
     return TubeShape{.X_AE = X_AE,
                      .p_E_centre = tube.points,
                      .p_E_tip = tube.points.back(),
                      .tipAboveCarina = tipAboveCarina,
                      .outerDiameter = outer,
-                     .pieces = {{"Tube", wall(tube, radius)},
-                                {"Depth marks", depthMarks(tube, radius)},
-                                {"Cuff", cuff(tube, radius)},
-                                {"Connector", connector(tube)}}};
+                     .pieces = piecesOf(tube, 0.5 * outer.si)};
+}
+
+TubeShape tubeAlong(const TubeShape& tube, std::span<const Vec3> p_E_centre, Length outerDiameter)
+{
+    const SweptLine line = sweptLine(p_E_centre);
+    const Vec3 p_E_tip = line.points.back();
+    const Vec3 p_A_tip = tube.X_AE * tube.p_E_tip;
+    const Quat q_AE = tube.X_AE.rotation()
+                      * Quat::FromTwoVectors(p_E_tip - line.points.front(),
+                                             tube.p_E_tip - tube.p_E_centre.front());
+    return {.X_AE = {q_AE, p_A_tip - q_AE * p_E_tip},
+            .p_E_centre = line.points,
+            .p_E_tip = p_E_tip,
+            .tipAboveCarina = tube.tipAboveCarina,
+            .outerDiameter = outerDiameter,
+            .pieces = piecesOf(line, 0.5 * outerDiameter.si)};
 }
 
 } // namespace carina

@@ -47,4 +47,10 @@ struct TubeShape {
                                          const Vec3& p_A_incisors,
                                          Length tipAboveCarina = millimetres(30.0));
 
+/// The tube with another centreline, as one that was touched has it at rest: at the final depth its
+/// tip lies at the same place, and its ends lie along the same line.
+/// @pre at least two points, no two neighbours equal; the outer diameter is above 0.
+[[nodiscard]] TubeShape tubeAlong(const TubeShape& tube, std::span<const Vec3> p_E_centre,
+                                  Length outerDiameter);
+
 } // namespace carina

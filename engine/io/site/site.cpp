@@ -15,4 +15,10 @@ const StylusTip* tipOfTool(const std::vector<StylusTip>& styluses, const std::st
     return nullptr;
 }
 
+const SiteTool* toolOfRole(const std::vector<SiteTool>& tools, ToolRole role)
+{
+    const auto found = std::ranges::find(tools, role, &SiteTool::role);
+    return found == tools.end() ? nullptr : &*found;
+}
+
 } // namespace carina

@@ -4,6 +4,7 @@
 #include "engine/geometry/fit/motion_covariance.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/io/site/site_manikin.h"
+#include "engine/io/site/site_tool.h"
 #include "engine/registration/landmarks/landmark_catalogue.h"
 
 #include <cstdint>
@@ -15,7 +16,16 @@ namespace carina
 {
 
 /// The pages of site preparation, in their order.
-enum class SiteStep : std::uint8_t { Overview, Tracker, Stylus, Landmarks, Touch, Fit, Verify };
+enum class SiteStep : std::uint8_t {
+    Overview,
+    Tracker,
+    Stylus,
+    Landmarks,
+    Touch,
+    Fit,
+    Verify,
+    Tools
+};
 
 /// Why a result is out of date: the input that was changed after it was computed, the most basic
 /// first.
@@ -136,6 +146,7 @@ struct Site {
     std::string operatorName{};        ///< empty where it is not known
     std::string tracker{};             ///< which tracker, in words; empty before it is chosen
     std::vector<StylusTip> styluses{}; ///< one for each tool
+    std::vector<SiteTool> tools{};     ///< tube and laryngoscope, one for each role
     std::string patient{};             ///< its name as shown; empty where it is not known
     std::optional<LandmarkCatalogue> catalogue{};
     std::vector<TouchedPoint> touched{}; ///< of the catalogue, none twice

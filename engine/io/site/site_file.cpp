@@ -30,7 +30,8 @@ QJsonObject withDigest(const QJsonObject& object)
 
 Result<Site> siteIn(QJsonObject object, const std::filesystem::path& file)
 {
-    const bool needsDigest = object.value(QStringLiteral("schema")) == kSiteSchema;
+    const QJsonValue schema = object.value(QStringLiteral("schema"));
+    const bool needsDigest = schema == kSiteSchema || schema == kSiteSchemaBefore;
     const QJsonValue digest = object.take(kDigest);
     if ((needsDigest || !digest.isUndefined()) && digest != QJsonValue{digestOf(object)})
         return fail(Errc::FileMalformed, file.string() + ": its content does not match its digest");

@@ -2,32 +2,14 @@
 
 #include "engine/core/units.h"
 #include "engine/io/site/catalogue_json.h"
-#include "engine/io/site/json_text.h"
 #include "engine/io/site/manikin_json.h"
+#include "engine/io/site/site_fields.h"
+#include "engine/io/site/tool_json.h"
 
 namespace carina
 {
 namespace
 {
-
-double jsonLength(double length) { return inMillimetres(metres(length)); }
-
-/// A cause that is none is left out.
-void insertStale(QJsonObject& object, const std::optional<StaleCause>& stale)
-{
-    if (stale)
-        object.insert(QStringLiteral("stale"),
-                      QString::fromLatin1(kStaleWords[static_cast<std::size_t>(*stale)]));
-}
-
-template <class Matrix> QJsonArray jsonTriangle(const Matrix& matrix)
-{
-    QJsonArray numbers;
-    for (int row = 0; row < matrix.rows(); ++row)
-        for (int column = row; column < matrix.cols(); ++column)
-            numbers.append(matrix(row, column) / kCovarianceUnit);
-    return numbers;
-}
 
 QJsonObject jsonStylus(const StylusTip& stylus)
 {
@@ -173,6 +155,8 @@ QJsonObject jsonSite(const Site& site)
     insertText(object, "tracker", site.tracker);
     if (!site.styluses.empty())
         object.insert(QStringLiteral("styluses"), jsonList(site.styluses, jsonStylus));
+    if (!site.tools.empty())
+        object.insert(QStringLiteral("tools"), jsonList(site.tools, jsonTool));
     insertText(object, "patient", site.patient);
     if (site.catalogue)
         object.insert(QStringLiteral("catalogue"), jsonCatalogue(*site.catalogue));

@@ -9,14 +9,16 @@ namespace carina
 {
 
 /// The schema of a site file (site_file.h), and the words for its enumerators, in their order.
-inline const QString kSiteSchema = QStringLiteral("carina.site/4");
+inline const QString kSiteSchema = QStringLiteral("carina.site/5");
+/// The version before, which has a digest too but no tools.
+inline const QString kSiteSchemaBefore = QStringLiteral("carina.site/4");
 /// Versions that are read too: /3 has no digest, /2 no manikin and no localisations either, /1 one
 /// "stylus" and fewer fields.
-inline const std::array kEarlierSiteSchemas{QStringLiteral("carina.site/3"),
+inline const std::array kEarlierSiteSchemas{kSiteSchemaBefore, QStringLiteral("carina.site/3"),
                                             QStringLiteral("carina.site/2"),
                                             QStringLiteral("carina.site/1")};
 inline constexpr std::array kStepWords{"overview", "tracker", "stylus", "landmarks",
-                                       "touch",    "fit",     "verify"};
+                                       "touch",    "fit",     "verify", "tools"};
 inline constexpr std::array kStaleWords{"tracker", "stylus",  "landmarks",
                                         "manikin", "touches", "fit"};
 inline constexpr std::array kVerdictWords{"open", "good", "not good"};

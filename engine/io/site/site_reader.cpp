@@ -1,10 +1,8 @@
 #include "engine/core/units.h"
 #include "engine/io/site/catalogue_json.h"
-#include "engine/io/site/json_text.h"
 #include "engine/io/site/manikin_json.h"
-#include "engine/io/site/site_json.h"
-
-#include <QDateTime>
+#include "engine/io/site/site_fields.h"
+#include "engine/io/site/tool_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,39 +14,6 @@ namespace
 {
 
 constexpr double kUnitTolerance = 1e-6; ///< of a direction and a quaternion that a person wrote
-
-std::string readTime(JsonFields& fields, const char* key)
-{
-    std::string time = fields.text(key);
-    if (!QDateTime::fromString(QString::fromStdString(time), Qt::ISODate).isValid())
-        fields.refuse(key, "a date and time as in ISO 8601 is expected");
-    return time;
-}
-
-std::optional<StaleCause> readStale(JsonFields& fields)
-{
-    if (!fields.has("stale"))
-        return std::nullopt;
-    return static_cast<StaleCause>(fields.oneOf("stale", kStaleWords));
-}
-
-/// A covariance of that many dimensions from its upper triangle; zero where it is not there.
-template <int Size>
-Eigen::Matrix<double, Size, Size> readCovariance(JsonFields& fields, const char* key)
-{
-    using Matrix = Eigen::Matrix<double, Size, Size>;
-    Matrix covariance = Matrix::Zero();
-    if (!fields.has(key))
-        return covariance;
-    const std::vector<double> numbers = fields.numbers(key, Size * (Size + 1) / 2);
-    auto next = numbers.begin();
-    for (int row = 0; row < Size; ++row)
-        for (int column = row; column < Size; ++column)
-            covariance(row, column) = covariance(column, row) = kCovarianceUnit * *next++;
-    if (!isCovariance(covariance))
-        fields.refuse(key, "no error has such a covariance");
-    return covariance;
-}
 
 StylusAxis readAxis(JsonFields fields)
 {
@@ -93,6 +58,18 @@ std::vector<StylusTip> readStyluses(JsonFields& fields)
         styluses.push_back(std::move(stylus));
     }
     return styluses;
+}
+
+std::vector<SiteTool> readSiteTools(JsonFields& fields)
+{
+    std::vector<SiteTool> tools;
+    for (JsonFields& each : fields.objects("tools")) {
+        SiteTool tool = readTool(each);
+        if (toolOfRole(tools, tool.role))
+            each.refuse("role", "it is there twice");
+        tools.push_back(std::move(tool));
+    }
+    return tools;
 }
 
 Quat readTurn(JsonFields& fields, const char* key)
@@ -269,14 +246,16 @@ DisplayGeometry readDisplay(JsonFields fields)
 
 Site readSite(JsonFields& fields)
 {
-    fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "patient",
-                      "catalogue", "touched", "registration", "localisations", "relay",
+    fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "tools",
+                      "patient", "catalogue", "touched", "registration", "localisations", "relay",
                       "verification", "display", "manikin"});
     Site site{.step = static_cast<SiteStep>(fields.oneOf("step", kStepWords)),
               .operatorName = readText(fields, "operator"),
               .tracker = readText(fields, "tracker"),
               .styluses = readStyluses(fields),
               .patient = readText(fields, "patient")};
+    if (fields.has("tools"))
+        site.tools = readSiteTools(fields);
     if (fields.has("catalogue")) {
         JsonFields object = fields.object("catalogue");
         site.catalogue = readCatalogue(object);

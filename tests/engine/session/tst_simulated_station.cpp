@@ -1,6 +1,7 @@
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/geometry/mesh/surface_tree.h"
 #include "engine/session/simulated_station.h"
+#include "engine/session/simulated_tools.h"
 #include "engine/tracking/scripted_hands.h"
 
 #include "tests/support/test_class.h"
@@ -112,6 +113,47 @@ private Q_SLOTS:
             if (name.find("upper") != std::string::npos)
                 QVERIFY2(depth < radius, name.c_str()); // its centreline stays outside
         QVERIFY(into.at("Mandible") < kIntoFloorOfMouth);
+    }
+
+    /// A site that has its tube calibrated: the tracker sees its markers, and the calibration leads
+    /// back to the connector.
+    void holdsTheTubeByItsMarkersWhereItIsCalibrated()
+    {
+        const auto patient = builtinPatient(BuiltinPatient::Adult);
+        const auto tube = makeTube(dimensionsOf(BuiltinPatient::Adult).tubeInnerDiameter,
+                                   patient->landmarks.path_A, patient->landmarks.p_A_incisors);
+        const auto noClock = [] { return std::optional<SessionTime>{}; };
+        const auto plain = simulatedStation(patient->landmarks, *tube, noClock);
+        StationRegistration registration = plain->exactly;
+        registration.X_NE = simulatedTools(*tube).X_NE;
+        const auto marked = simulatedStation(patient->landmarks, *tube, noClock, registration);
+        constexpr double kExact = 1e-12;
+        for (const SessionTime t : {SessionTime{1s}, SessionTime{7s}}) {
+            const RigidTransform X_TN = marked->truth(ToolRole::Tube, t).value();
+            const RigidTransform X_TE = plain->truth(ToolRole::Tube, t).value();
+            QVERIFY(((X_TN * *registration.X_NE).matrix() - X_TE.matrix()).norm() < kExact);
+            QVERIFY((X_TN.translation() - X_TE.translation()).norm() > 0.02);
+        }
+    }
+
+    /// Not shaped as this airway is: its tip comes to the same place all the same.
+    void bringsInATubeAsItIsSold()
+    {
+        for (const BuiltinPatient who : {BuiltinPatient::Adult, BuiltinPatient::TwelveYears}) {
+            const auto patient = builtinPatient(who);
+            const auto fitting =
+                makeTube(dimensionsOf(who).tubeInnerDiameter, patient->landmarks.path_A,
+                         patient->landmarks.p_A_incisors);
+            const TubeRest sold = simulatedTools(*fitting).tube;
+            const TubeShape tube = tubeAlong(*fitting, centrelineOfTube(sold), sold.outerDiameter);
+            const auto station = simulatedStation(patient->landmarks, tube,
+                                                  [] { return std::optional<SessionTime>{}; });
+            QVERIFY2(station.has_value(), station ? "" : station.error().detail.c_str());
+            const RigidTransform X_TE =
+                station->truth(ToolRole::Tube, SessionTime{12s}).value(); // it is in place
+            const Vec3 p_A_tip = station->X_TA.inverse() * (X_TE * tube.p_E_tip);
+            QVERIFY((p_A_tip - fitting->X_AE * fitting->p_E_tip).norm() < 2e-3);
+        }
     }
 
     /// Their heads are apart at all times, their tubes at most times: two of them are in the

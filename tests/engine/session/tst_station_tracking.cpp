@@ -100,6 +100,21 @@ private Q_SLOTS:
         QVERIFY(told->time == at(0.5));
     }
 
+    /// The connector where it is calibrated to be on the markers; its tip moves as a part of both.
+    void tellsTheConnectorOfACalibratedTube()
+    {
+        StationRegistration calibrated = kRegistration;
+        calibrated.X_NE = RigidTransform{rotationFromVector({0.3, 0.1, -0.2}), {0.01, -0.05, 0.02}};
+        m_station->takeRegistration(calibrated);
+        m_tracker->tube.push(m_screw.sample(0.5));
+        const auto told = m_station->at(ToolRole::Tube, at(0.5));
+        QVERIFY(told.has_value());
+        QVERIFY(same(told->X_FO, calibrated.X_AT * m_screw.X_TO(0.5) * *calibrated.X_NE));
+        m_station->takeRegistration(kRegistration);
+        QVERIFY(same(m_station->at(ToolRole::Tube, at(0.5))->X_FO,
+                     kRegistration.X_AT * m_screw.X_TO(0.5)));
+    }
+
     void tellsTheMandibleWithTheMouthClosedAtTheAnatomy()
     {
         // The chin probe stands where it stood when the mouth was closed: X_TJ = X_TA X_AJ.

@@ -5,6 +5,7 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <array>
 
 namespace carina::patient_model_test
 {
@@ -99,6 +100,30 @@ private Q_SLOTS:
         QCOMPARE((patient.throat(RigidTransform{}).X_AJ * chin - chin).norm(), 0.0);
         const PatientSurface& jaw = jawOf(patient);
         QVERIFY(patient.shutMesh(jaw)->positions == jaw.levels.front()->positions);
+    }
+
+    /// Only the tube is another, and in place its tip lies where that of the other does.
+    void takesATubeOfAnotherShape()
+    {
+        const std::array straight{Vec3{0.0, 0.0, 0.0}, Vec3{0.0, 0.0, -0.1}, Vec3{0.0, 0.0, -0.2}};
+        const PatientModel other = m_patient->withTube(straight, millimetres(9.0));
+        QCOMPARE(other.surfaces().size(), m_patient->surfaces().size());
+        QCOMPARE(other.contentHash(), m_patient->contentHash());
+        QVERIFY((other.tube().p_E_tip - straight.back()).norm() < 1e-12);
+        QVERIFY((other.tube().X_AE * other.tube().p_E_tip
+                 - m_patient->tube().X_AE * m_patient->tube().p_E_tip)
+                    .norm()
+                < 1e-12);
+        for (std::size_t i = 0; i < other.surfaces().size(); ++i) {
+            const PatientSurface& was = m_patient->surfaces()[i];
+            const PatientSurface& is = other.surfaces()[i];
+            QCOMPARE(is.name, was.name);
+            QCOMPARE(is.levels.front() == was.levels.front(), is.body != SurfaceBody::Tube);
+        }
+        const Box wall = boundsOf(
+            *std::ranges::find(other.surfaces(), std::string{"Tube"}, &PatientSurface::name)
+                 ->levels.front());
+        QVERIFY(std::abs(wall.min.z() + 0.2) < 1e-4 && std::abs(wall.max.x() - 0.0045) < 1e-4);
     }
 
 private:

@@ -15,7 +15,8 @@
 namespace carina
 {
 
-/// A tracker of a stylus and a chin probe whose samples a test writes by hand.
+/// A tracker of a stylus and a chin probe, and of a tube and a laryngoscope if it is asked for
+/// them, whose samples a test writes by hand.
 class WrittenTracker : public Tracker
 {
 public:
@@ -23,11 +24,20 @@ public:
     void stop() override {}
     [[nodiscard]] std::vector<TrackedTool> tools() const override
     {
-        return {{"Stylus", ToolRole::Stylus, &m_stylus}, {"Chin", ToolRole::Jaw, &m_chin}};
+        std::vector<TrackedTool> tools{{"Stylus", ToolRole::Stylus, &m_stylus},
+                                       {"Chin", ToolRole::Jaw, &m_chin}};
+        if (m_hasTools) {
+            tools.push_back({"ETT", ToolRole::Tube, &m_tube});
+            tools.push_back({"Scope", ToolRole::Laryngoscope, &m_laryngoscope});
+        }
+        return tools;
     }
 
     mutable PoseHistory m_stylus;
     mutable PoseHistory m_chin;
+    mutable PoseHistory m_tube;
+    mutable PoseHistory m_laryngoscope;
+    bool m_hasTools = false;
 };
 
 /// A technician's desk without hardware and without time: the manikin truly lies at X_TA and the
@@ -37,6 +47,8 @@ class RegistrationSite
 public:
     static constexpr Duration kPeriod = std::chrono::microseconds{16'667};
     static constexpr Length kHeight = metres(1.5);
+
+    explicit RegistrationSite(bool hasTools = false) { m_tracker.m_hasTools = hasTools; }
 
     [[nodiscard]] std::filesystem::path file() const
     {
@@ -88,6 +100,12 @@ public:
         const Vec3 p_TS = p_TQ - q_TS * p_SQ + stray(m_noise);
         m_tracker.m_stylus.push({.time = m_now, .X_FO = {q_TS, p_TS}});
         m_tracker.m_chin.push({.time = m_now, .X_FO = X_TJ});
+        if (!m_tracker.m_hasTools)
+            return;
+        const auto validity = m_areToolsSeen ? Validity::Tracked : Validity::Lost;
+        m_tracker.m_tube.push({.time = m_now, .X_FO = m_X_TN_tube, .validity = validity});
+        m_tracker.m_laryngoscope.push(
+            {.time = m_now, .X_FO = m_X_TN_laryngoscope, .validity = validity});
     }
 
     /// So many samples of the stylus as it is swung about a divot, from wherever that stands.
@@ -160,6 +178,9 @@ public:
     const RigidTransform X_TA{rotationFromVector({0.2, 1.0, -0.4}), {0.05, -0.1, -1.1}};
     const RigidTransform X_TJ{rotationFromVector({0.1, 0.0, 0.3}), {0.0, 0.1, -1.2}};
     const Vec3 p_SQ{0.002, -0.001, -0.12};
+    RigidTransform m_X_TN_tube{rotationFromVector({0.3, -0.2, 0.5}), {0.2, 0.1, -1.2}};
+    RigidTransform m_X_TN_laryngoscope = RigidTransform::translation({-0.2, 0.1, -1.2});
+    bool m_areToolsSeen = true;
     Length m_noise{}; ///< of each sample's position, RMS
     Length m_hand{};  ///< of each touch from its place, RMS
     std::mt19937 m_random{2004};

@@ -73,6 +73,30 @@ private Q_SLOTS:
         QCOMPARE(siteSetup(model->site(), site.patient()).error().code, Errc::NotRegistered);
     }
 
+    /// Until the tracker is changed, with which their markers may be others.
+    void drawsTubeAndLaryngoscopeAsTheyWereTouched()
+    {
+        RegistrationSite site;
+        const auto model = site.model();
+        site.fitAll(*model);
+        const auto plain = siteSetup(model->site(), site.patient());
+        QVERIFY(plain && !plain->registration.X_NE && !plain->tube && !plain->blade);
+        SiteTool tube{.role = ToolRole::Tube,
+                      .X_NO = RigidTransform::translation({0.0, -0.05, 0.0}),
+                      .tube = TubeRest{.length = millimetres(280.0),
+                                       .bends = {7.0, 7.0},
+                                       .outerDiameter = millimetres(9.6)}};
+        const Site with = withTool(model->site(), tube);
+        const auto setup = siteSetup(with, site.patient());
+        QVERIFY(setup && setup->registration.X_NE);
+        QVERIFY(setup->registration.X_NE->translation() == tube.X_NO.translation());
+        QVERIFY(setup->tube == tube.tube);
+        QVERIFY(!areSameTools(*plain, *setup) && !isSamePlace(*plain, *setup));
+        Site moved = with;
+        moved.tools.front().stale = StaleCause::Tracker;
+        QVERIFY(!siteSetup(moved, site.patient())->registration.X_NE);
+    }
+
     /// X_AT is of the tracker that the landmarks were touched with.
     void refusesASiteOfAnotherTracker()
     {

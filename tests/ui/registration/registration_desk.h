@@ -19,7 +19,7 @@ struct RegistrationDesk {
     std::unique_ptr<RegistrationWindow> window =
         std::make_unique<RegistrationWindow>(*model, recording);
 
-    RegistrationDesk()
+    explicit RegistrationDesk(bool hasTools = false) : site{hasTools}
     {
         window->resize(1280, 900);
         window->show();

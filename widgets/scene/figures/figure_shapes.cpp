@@ -88,32 +88,6 @@ TriangleMesh madeStylus()
                           Ring{0.05, kRadius}, Ring{0.15, kRadius}});
 }
 
-/// A flat strip that first bends away from the handle and rises at its tip, as the tongue does.
-TriangleMesh madeBlade()
-{
-    constexpr int kPoints = 24;
-    constexpr double kThickness = 0.0025; // half of it
-    constexpr double kWidth = 3.2;        // times the thickness
-    constexpr double kSag = 0.016;
-    constexpr double kTipRise = 0.012;
-    std::vector<Vec3> centre;
-    for (int i = 0; i <= kPoints; ++i) {
-        const double along = double(i) / kPoints;
-        centre.push_back({0.0, kTipRise * along * along - kSag * std::sin(std::numbers::pi * along),
-                          -kBladeLength * along});
-    }
-    const SweptLine line = sweptLine(centre);
-    const double length = line.along.back();
-    std::vector<Ring> rings; // the surface is straight between two of them
-    for (int i = 0; i <= kPoints; ++i)
-        rings.push_back({length * i / kPoints, i < kPoints ? kThickness : 0.5 * kThickness});
-    TriangleMesh blade = sweptSurface(line, rings);
-    for (auto& position : blade.positions)
-        position.x() *= float(kWidth);
-    computeNormals(blade);
-    return blade;
-}
-
 TriangleMesh madeHandle()
 {
     return rod({0.0, -0.004, 0.0}, {0.0, kHandleLength, 0.0},
@@ -123,6 +97,32 @@ TriangleMesh madeHandle()
 }
 
 } // namespace
+
+/// A flat strip that first bends away from the handle and rises at its tip, as the tongue does.
+TriangleMesh bladeMesh(const BladeForm& form)
+{
+    constexpr int kPoints = 24;
+    constexpr double kThickness = 0.0025; // half of it
+    std::vector<Vec3> centre;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double along = double(i) / kPoints;
+        // The rise bends the strip too: half way, by a quarter of it.
+        centre.push_back({0.0,
+                          form.rise * along * along
+                              - (form.sag - 0.25 * form.rise) * std::sin(std::numbers::pi * along),
+                          -form.reach * along});
+    }
+    const SweptLine line = sweptLine(centre);
+    const double length = line.along.back();
+    std::vector<Ring> rings; // the surface is straight between two of them
+    for (int i = 0; i <= kPoints; ++i)
+        rings.push_back({length * i / kPoints, i < kPoints ? kThickness : 0.5 * kThickness});
+    TriangleMesh blade = sweptSurface(line, rings);
+    for (auto& position : blade.positions)
+        position.x() *= float(0.5 * form.width / kThickness);
+    computeNormals(blade);
+    return blade;
+}
 
 TriangleMesh superellipsoid(const Vec3& p_F_centre, const Vec3& radii, double exponent)
 {
@@ -172,7 +172,7 @@ const FigureShapes& figureShapes()
                                      .hand = keptMesh(madeHand()),
                                      .stylus = keptMesh(madeStylus()),
                                      .ray = keptMesh(arrow(0.01, kRayLength)),
-                                     .blade = keptMesh(madeBlade()),
+                                     .blade = keptMesh(bladeMesh({})),
                                      .handle = keptMesh(madeHandle())};
     return shapes;
 }

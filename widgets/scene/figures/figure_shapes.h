@@ -33,6 +33,16 @@ inline constexpr double kBladeLength = 0.13;
 inline constexpr double kHandleLength = 0.155;
 inline constexpr double kHandleRadius = 0.014;
 
+/// A laryngoscope's blade in the frame of FigureShapes::blade, metres: its tip at (0, rise,
+/// -reach), its underside half way lower than the line from heel to tip by `sag`.
+struct BladeForm {
+    double reach = kBladeLength;
+    double rise = 0.012;
+    double sag = 0.019;
+    double width = 0.016;
+};
+[[nodiscard]] TriangleMesh bladeMesh(const BladeForm& form);
+
 /// The surface |x/a|^n + |y/b|^n + |z/c|^n = 1 about a centre, as points on rays from it: an
 /// ellipsoid for n = 2, nearly a box for a large n (Barr 1981, with one exponent).
 /// @pre all radii above 0, exponent at least 2

@@ -74,6 +74,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("words");
         QTest::newRow("tre") << QStringLiteral("tre --height 1.75 --limit 2");
+        QTest::newRow("tool") << QStringLiteral("tool --draws 20");
         QTest::newRow("drift") << QStringLiteral(
             "drift --scenario wan --actions 2 --strategy asa-adaptive");
         QTest::newRow("mechanics") << QStringLiteral("mechanics --condition ards");

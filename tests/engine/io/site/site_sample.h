@@ -82,6 +82,37 @@ inline ManikinProfile wholeManikin()
             .teethToCarina = SourcedLength{millimetres(251.0), "CT of 2003"}};
 }
 
+inline std::vector<SiteTool> wholeTools()
+{
+    return {{.role = ToolRole::Tube,
+             .tool = "ETT",
+             .X_NO = {rotationFromVector({0.2, 0.5, -0.1}), {0.01, -0.05, 0.02}},
+             .tube = TubeRest{.length = millimetres(301.0),
+                              .bends = {7.0, 6.5},
+                              .outerDiameter = millimetres(10.2)},
+             .rms = 0.21e-3,
+             .fle = 0.35e-3,
+             .degrees = 5.0,
+             .covariance_N = someCovariance<3>(),
+             .touches = 9,
+             .calibratedAt = "2004-03-27T10:19:00Z",
+             .operatorName = "A. Frei",
+             .check = SiteToolCheck{.tip = {millimetres(0.4), millimetres(1.2)},
+                                    .at = "2004-03-28T10:19:00Z"},
+             .stale = StaleCause::Stylus},
+            {.role = ToolRole::Laryngoscope,
+             .X_NO = RigidTransform::translation({0.0, -0.17, 0.01}),
+             .blade = BladeShape{.heelWidth = millimetres(16.0),
+                                 .handle = millimetres(152.0),
+                                 .p_L_tip = {0.0, 0.011, -0.131},
+                                 .p_L_half = {0.0, -0.012, -0.066}},
+             .rms = 0.3e-3,
+             .fle = 0.5e-3,
+             .degrees = 3.0,
+             .touches = 5,
+             .calibratedAt = "2004-03-27T10:25:00Z"}};
+}
+
 /// A site with everything in it, each value another.
 inline Site wholeSite()
 {
@@ -91,6 +122,7 @@ inline Site wholeSite()
     site.operatorName = "A. Frei";
     site.tracker = "simulated";
     site.styluses = wholeStyluses();
+    site.tools = wholeTools();
     site.patient = "Adult";
     site.catalogue = catalogue;
     for (const Landmark& landmark : catalogue.landmarks)

@@ -207,7 +207,7 @@ private Q_SLOTS:
 
     void readsBackEveryWordOfAState()
     {
-        for (int step = 0; step <= int(SiteStep::Verify); ++step) {
+        for (int step = 0; step <= int(SiteStep::Tools); ++step) {
             const auto back = kept({.step = static_cast<SiteStep>(step)});
             QVERIFY(back.has_value());
             QCOMPARE(int(back->step), step);
@@ -253,7 +253,7 @@ private Q_SLOTS:
         QVERIFY(site->registration->covariance_A.isZero());
         QVERIFY(site->registration->madeAt.empty() && !site->verification);
         QVERIFY(writeSiteFile(path(), *site));
-        QVERIFY(bytes().contains("carina.site/4"));
+        QVERIFY(bytes().contains("carina.site/5"));
         QVERIFY(readSiteFile(path()).has_value());
     }
 
@@ -263,6 +263,66 @@ private Q_SLOTS:
         const auto site = readSiteFile(path());
         QVERIFY2(site.has_value(), site ? "" : site.error().detail.c_str());
         QVERIFY(site->manikin.isEmpty());
+    }
+
+    /// The version before has a digest, but no tools.
+    void readsAFileWithoutTools()
+    {
+        QVERIFY(kept(test::wholeSite()).has_value());
+        QByteArray before = bytes();
+        before.replace("carina.site/5", "carina.site/4");
+        test::writeFile(path(), before.toStdString());
+        QVERIFY(!readSiteFile(path())); // the digest is of the newer one
+        test::writeFile(path(), test::siteWith("'tracker': 'simulated'", "carina.site/3"));
+        const auto site = readSiteFile(path());
+        QVERIFY2(site.has_value(), site ? "" : site.error().detail.c_str());
+        QVERIFY(site->tools.empty());
+    }
+
+    void readsBackTheTools()
+    {
+        const Site site = test::wholeSite();
+        const auto back = kept(site);
+        QVERIFY2(back.has_value(), back ? "" : back.error().detail.c_str());
+        QCOMPARE(back->tools.size(), 2U);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const SiteTool& is = back->tools[i];
+            const SiteTool& was = site.tools[i];
+            QCOMPARE(is.role, was.role);
+            QCOMPARE(is.tool, was.tool);
+            QVERIFY(near(is.X_NO, was.X_NO));
+            QVERIFY(near(is.rms, was.rms) && near(is.fle, was.fle));
+            QCOMPARE(is.degrees, was.degrees);
+            QVERIFY(alike(is.covariance_N, was.covariance_N));
+            QCOMPARE(is.touches, was.touches);
+            QCOMPARE(is.calibratedAt, was.calibratedAt);
+            QCOMPARE(is.operatorName, was.operatorName);
+            QVERIFY(is.stale == was.stale);
+            QVERIFY(near(is.p_NQ_tip(), was.p_NQ_tip()));
+        }
+        QVERIFY(near(back->tools[0].tube->length.si, 0.301));
+        QVERIFY(back->tools[0].tube->bends == site.tools[0].tube->bends);
+        QVERIFY(near(back->tools[0].check->tip.error.si, 0.4e-3));
+        QCOMPARE(back->tools[0].check->at, site.tools[0].check->at);
+        QVERIFY(near(back->tools[1].blade->p_L_half, site.tools[1].blade->p_L_half));
+        QVERIFY(!back->tools[1].check && !back->tools[1].tube);
+    }
+
+    void refusesToolsThatNobodyHolds()
+    {
+        const auto refuses = [&](const auto& spoil) {
+            Site site = test::wholeSite();
+            spoil(site.tools);
+            const auto written = writeSiteFile(path(), site);
+            return !written && written.error().code == Errc::FileMalformed;
+        };
+        QVERIFY(refuses([](auto& tools) { tools[0].tube->length = metres(2.0); }));
+        QVERIFY(refuses([](auto& tools) { tools[0].tube->bends[1] = 101.0; }));
+        QVERIFY(refuses([](auto& tools) { tools[0].tube->outerDiameter = millimetres(80.0); }));
+        QVERIFY(refuses([](auto& tools) { tools[1].blade->p_L_tip.z() = 0.1; }));
+        QVERIFY(refuses([](auto& tools) { tools[0].degrees = 0.0; }));
+        QVERIFY(refuses([](auto& tools) { tools[0].blade = tools[1].blade; }));
+        QVERIFY(refuses([](auto& tools) { tools[1] = tools[0]; }));
     }
 
     void readsBackTheManikin()

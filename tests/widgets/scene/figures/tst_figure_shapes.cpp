@@ -52,6 +52,20 @@ private Q_SLOTS:
         QVERIFY((box.size().array() < 2.0 * radii.array() + kSize).all());
     }
 
+    void endsABladeWhereItsTipWasTouched()
+    {
+        const TriangleMesh straight =
+            bladeMesh({.reach = 0.155, .rise = 0.0, .sag = 0.0, .width = 0.014});
+        const Box flat = boundsOf(straight);
+        QVERIFY(std::abs(flat.min.z() + 0.155) < 1e-4 && std::abs(flat.max.z()) < 1e-4);
+        QVERIFY(std::abs(flat.size().x() - 0.014) < 1e-3 && flat.size().y() < 0.006);
+        const TriangleMesh curved = bladeMesh({.reach = 0.13, .rise = 0.012, .sag = 0.018});
+        const Box bent = boundsOf(curved);
+        // Half way the line from heel to tip is 6 mm up, the blade 18 mm below it.
+        QVERIFY(bent.min.y() < -0.012 && bent.min.y() > -0.018);
+        QVERIFY(std::abs(bent.max.y() - 0.012) < 3e-3);
+    }
+
     void facesOutwardWithNormals()
     {
         for (const FigureShapes::Mesh& mesh : allShapes()) {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ui/registration/registration_page.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace carina
+{
+
+/// Calibrates tube and laryngoscope by touches with the stylus, and checks them by one.
+class ToolsPage : public RegistrationPage
+{
+    Q_OBJECT
+
+public:
+    explicit ToolsPage(RegistrationModel& registration);
+
+    void refresh() override;
+    [[nodiscard]] QString actionText() const override;
+    [[nodiscard]] bool canAct() const override;
+    void act() override;
+
+private:
+    void connectControls();
+    void layOut();
+    void refreshTools();
+    void refreshPlaces();
+    [[nodiscard]] ToolTask& task() const { return registration().toolTask(); }
+
+    QComboBox* m_tools; ///< children of this
+    QLabel* m_diameterLabel;
+    QDoubleSpinBox* m_diameter;
+    QLabel* m_described;
+    QListWidget* m_places;
+    QPushButton* m_check;
+    QPushButton* m_stop;
+};
+
+} // namespace carina

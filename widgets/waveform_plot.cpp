@@ -2,6 +2,8 @@
 
 #include "engine/core/expects.h"
 
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionFocusRect>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace carina
 {
@@ -19,8 +22,10 @@ constexpr int kPlotMargin = 6; ///< pixels
 constexpr int kTitleGap = 2;   ///< between the title and the frame beneath it
 constexpr int kPlotWidth = 320;
 constexpr int kPlotHeight = 72;
-constexpr double kGapShare = 0.04; ///< of a sweep, ahead of the newest value
-constexpr int kTimeMarks_s = 1;
+constexpr double kGapShare = 0.04;    ///< of a sweep, ahead of the newest value
+constexpr double kTickSpacing = 1.4;  ///< least, in lines of text
+constexpr double kTimeSpacing = 24.0; ///< least, pixels
+constexpr std::ptrdiff_t kFewValues = 10;
 
 /// The smallest of a few round numbers that is not below a value: a scale of no more than half as
 /// much again as is needed.
@@ -28,6 +33,16 @@ double roundUp(double value)
 {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
     for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+        if (value <= factor * power)
+            return factor * power;
+    return 10.0 * power;
+}
+
+/// The smallest of the steps 1, 2 and 5 times a power of ten that is not below a value.
+double stepUp(double value)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0})
         if (value <= factor * power)
             return factor * power;
     return 10.0 * power;
@@ -46,7 +61,7 @@ WaveformPlot::WaveformPlot(QWidget* parent) : QWidget{parent}
 void WaveformPlot::setUp(const QString& name, const QString& unit, double span_s, double least,
                          const QString& timeUnit)
 {
-    CARINA_EXPECTS(span_s > 0.0 && least > 0.0);
+    CARINA_EXPECTS(span_s > 0.0 && span_s <= kLongestSweep_s && least > 0.0);
     m_name = name;
     m_unit = unit;
     m_timeUnit = timeUnit;
@@ -54,6 +69,55 @@ void WaveformPlot::setUp(const QString& name, const QString& unit, double span_s
     m_least = least;
     setMinimumHeight(kPlotHeight + (timeUnit.isEmpty() ? 0 : fontMetrics().height()));
     clear();
+}
+
+void WaveformPlot::setSpan(double span_s)
+{
+    CARINA_EXPECTS(span_s > 0.0 && span_s <= kLongestSweep_s);
+    m_span_s = span_s;
+    rescale(true);
+    update();
+}
+
+void WaveformPlot::setFrozen(bool frozen)
+{
+    if (std::exchange(m_isFrozen, frozen) == frozen)
+        return;
+    m_cursor_s.reset();
+    if (!frozen)
+        clear();
+    update();
+}
+
+void WaveformPlot::setCursor(std::optional<double> time_s)
+{
+    m_cursor_s = time_s;
+    update();
+}
+
+std::optional<WaveformPlot::Value> WaveformPlot::atCursor() const
+{
+    if (!m_cursor_s || firstShown() == m_values.end())
+        return std::nullopt;
+    return *std::min_element(firstShown(), m_values.end(), [this](const Value& a, const Value& b) {
+        return std::abs(a.time_s - *m_cursor_s) < std::abs(b.time_s - *m_cursor_s);
+    });
+}
+
+/// The first value of the present sweep, and of what of the one before is not swept over.
+std::deque<WaveformPlot::Value>::const_iterator WaveformPlot::firstShown() const
+{
+    if (m_values.empty())
+        return m_values.end();
+    const double after = m_values.back().time_s - (1.0 - kGapShare) * m_span_s;
+    return std::find_if(m_values.begin(), m_values.end(),
+                        [after](const Value& v) { return v.time_s > after; });
+}
+
+double WaveformPlot::xOf(double time_s, const QRectF& frame) const
+{
+    const double along = time_s / m_span_s - static_cast<double>(sweepOf(time_s));
+    return frame.left() + along * frame.width();
 }
 
 void WaveformPlot::clear()
@@ -71,13 +135,15 @@ qint64 WaveformPlot::sweepOf(double time_s) const
 void WaveformPlot::add(double time_s, double value)
 {
     CARINA_EXPECTS(std::isfinite(time_s) && std::isfinite(value));
+    if (m_isFrozen)
+        return;
     const bool follows = !m_values.empty() && time_s > m_values.back().time_s
                          && time_s < m_values.back().time_s + m_span_s;
     if (!follows)
         m_values.clear();
     const bool begins = m_values.empty() || sweepOf(time_s) != sweepOf(m_values.back().time_s);
     m_values.push_back({time_s, value});
-    while (m_values.front().time_s <= time_s - (1.0 - kGapShare) * m_span_s)
+    while (m_values.front().time_s <= time_s - kLongestSweep_s)
         m_values.pop_front();
     rescale(begins);
     update();
@@ -87,9 +153,9 @@ void WaveformPlot::rescale(bool mayShrink)
 {
     double least = 0.0;
     double greatest = 0.0;
-    for (const Value& v : m_values) {
-        least = std::min(least, v.value);
-        greatest = std::max(greatest, v.value);
+    for (auto v = firstShown(); v != m_values.end(); ++v) {
+        least = std::min(least, v->value);
+        greatest = std::max(greatest, v->value);
     }
     const double top = roundUp(std::max(greatest, m_least));
     // A little below zero is no reason to halve the curve.
@@ -122,16 +188,37 @@ WaveformPlot::Drawing WaveformPlot::drawing() const
     };
     drawn.zero = y(0.0);
     std::optional<qint64> sweep;
-    for (const Value& v : m_values) {
-        if (sweep != sweepOf(v.time_s)) {
-            sweep = sweepOf(v.time_s);
+    for (auto v = firstShown(); v != m_values.end(); ++v) {
+        if (sweep != sweepOf(v->time_s)) {
+            sweep = sweepOf(v->time_s);
             drawn.curves.emplace_back();
         }
-        const double along = v.time_s / m_span_s - static_cast<double>(*sweep);
-        drawn.now = drawn.frame.left() + along * drawn.frame.width();
-        drawn.curves.back() << QPointF{drawn.now, y(v.value)};
+        drawn.now = xOf(v->time_s, drawn.frame);
+        drawn.curves.back() << QPointF{drawn.now, y(v->value)};
     }
+    if (const auto value = atCursor())
+        drawn.cursor = xOf(value->time_s, drawn.frame);
+    addTicks(drawn);
     return drawn;
+}
+
+/// Both ends, and of the round values between them those that have room for their text.
+void WaveformPlot::addTicks(Drawing& drawn) const
+{
+    const double perPixel = (drawn.top - drawn.bottom) / drawn.frame.height();
+    const double apart = kTickSpacing * fontMetrics().height() * perPixel;
+    const double step = stepUp(apart);
+    const auto tick = [&](double value) {
+        drawn.ticks.push_back({value, drawn.frame.bottom() - (value - drawn.bottom) / perPixel});
+    };
+    tick(drawn.bottom);
+    for (double value = step * std::ceil((drawn.bottom + apart) / step);
+         value <= drawn.top - 0.999 * apart; value += step)
+        tick(std::abs(value) < 0.5 * step ? 0.0 : value);
+    tick(drawn.top);
+    const double every_s = std::max(1.0, stepUp(kTimeSpacing * m_span_s / drawn.frame.width()));
+    for (double time_s = every_s; time_s < m_span_s; time_s += every_s)
+        drawn.times.push_back(drawn.frame.left() + time_s / m_span_s * drawn.frame.width());
 }
 
 void WaveformPlot::drawScale(QPainter& painter, const Drawing& drawn) const
@@ -140,15 +227,18 @@ void WaveformPlot::drawScale(QPainter& painter, const Drawing& drawn) const
     painter.drawRect(drawn.frame);
     painter.drawLine(QPointF{drawn.frame.left(), drawn.zero},
                      QPointF{drawn.frame.right(), drawn.zero});
-    for (int mark = kTimeMarks_s; mark < m_span_s; mark += kTimeMarks_s) {
-        const double x = drawn.frame.left() + mark / m_span_s * drawn.frame.width();
-        painter.drawLine(QPointF{x, drawn.frame.bottom() - 3.0}, QPointF{x, drawn.frame.bottom()});
-    }
+    QColor faint = palette().color(QPalette::Mid);
+    faint.setAlphaF(0.5F);
+    painter.setPen({faint, 0.0, Qt::DotLine});
+    for (const double x : drawn.times)
+        painter.drawLine(QPointF{x, drawn.frame.top()}, QPointF{x, drawn.frame.bottom()});
+    for (const Tick& tick : drawn.ticks)
+        painter.drawLine(QPointF{drawn.frame.left(), tick.y}, QPointF{drawn.frame.right(), tick.y});
     painter.setPen(palette().color(QPalette::Text));
-    const QRectF column{QPointF{0.0, drawn.frame.top() - kTitleGap},
-                        QPointF{drawn.frame.left() - kPlotMargin, drawn.frame.bottom()}};
-    painter.drawText(column, Qt::AlignRight | Qt::AlignTop, plain(drawn.top));
-    painter.drawText(column, Qt::AlignRight | Qt::AlignBottom, plain(drawn.bottom));
+    const double line = fontMetrics().height();
+    for (const Tick& tick : drawn.ticks)
+        painter.drawText(QRectF{0.0, tick.y - 0.5 * line, drawn.frame.left() - kPlotMargin, line},
+                         Qt::AlignRight | Qt::AlignVCenter, plain(tick.value));
     painter.drawText(drawn.title, Qt::AlignLeft | Qt::AlignVCenter,
                      QStringLiteral("%1 (%2)").arg(m_name, m_unit));
     if (m_timeUnit.isEmpty())
@@ -174,11 +264,53 @@ void WaveformPlot::paintEvent(QPaintEvent*)
         painter.drawLine(QPointF{drawn.now, drawn.frame.top()},
                          QPointF{drawn.now, drawn.frame.bottom()});
     }
+    if (drawn.cursor) {
+        painter.setPen({palette().color(QPalette::Text), 1.0, Qt::DashLine});
+        painter.drawLine(QPointF{*drawn.cursor, drawn.frame.top()},
+                         QPointF{*drawn.cursor, drawn.frame.bottom()});
+    }
     if (hasFocus()) {
         QStyleOptionFocusRect focus;
         focus.initFrom(this);
         style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, &painter, this);
     }
+}
+
+void WaveformPlot::mousePressEvent(QMouseEvent* event) { point(event->position().x()); }
+
+void WaveformPlot::mouseMoveEvent(QMouseEvent* event)
+{
+    if (event->buttons().testFlag(Qt::LeftButton))
+        point(event->position().x());
+}
+
+/// At the value that is drawn nearest to this x.
+void WaveformPlot::point(double x)
+{
+    if (!m_isFrozen || firstShown() == m_values.cend())
+        return;
+    const QRectF frame = drawing().frame;
+    const auto nearest =
+        std::min_element(firstShown(), m_values.cend(), [&](const Value& a, const Value& b) {
+            return std::abs(xOf(a.time_s, frame) - x) < std::abs(xOf(b.time_s, frame) - x);
+        });
+    Q_EMIT pointedAt(nearest->time_s);
+}
+
+void WaveformPlot::keyPressEvent(QKeyEvent* event)
+{
+    const bool isBack = event->key() == Qt::Key_Left;
+    const auto first = firstShown();
+    if (!m_isFrozen || first == m_values.cend() || (!isBack && event->key() != Qt::Key_Right))
+        return QWidget::keyPressEvent(event);
+    const auto present = atCursor();
+    const auto at = std::find_if(first, m_values.cend(), [&](const Value& v) {
+        return !present || v.time_s >= present->time_s;
+    });
+    const std::ptrdiff_t wide = event->modifiers().testFlag(Qt::ShiftModifier) ? kFewValues : 1;
+    const std::ptrdiff_t last = m_values.cend() - first - 1;
+    const std::ptrdiff_t next = (at - first) + (isBack ? -wide : wide);
+    Q_EMIT pointedAt((first + std::clamp<std::ptrdiff_t>(next, 0, last))->time_s);
 }
 
 } // namespace carina

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace carina
@@ -12,12 +13,26 @@ namespace carina
 /// A waveform drawn as on patient monitors: the newest point sweeps from left to right and starts
 /// again at the left; to its right, after a gap, is the previous sweep. Curves already drawn do not
 /// move. The scale has round ends and covers zero and both extremes; it grows as needed and shrinks
-/// only at the start of a sweep.
+/// only at the start of a sweep. Both ends and round values between them are written at their
+/// height, with a line across; lines down mark round times.
+///
+/// While it is frozen, values that arrive are not shown, and a cursor can be set by mouse (click or
+/// drag) or by keyboard (left and right: to the next value; with Shift by ten).
 class WaveformPlot : public QWidget
 {
     Q_OBJECT
 
 public:
+    /// A value written beside the frame, at its height.
+    struct Tick {
+        double value = 0.0;
+        double y = 0.0; ///< pixels
+    };
+    /// A value that was added.
+    struct Value {
+        double time_s = 0.0;
+        double value = 0.0;
+    };
     /// What is drawn, in pixels.
     struct Drawing {
         QRectF title; ///< above the frame, so that no curve lies on it
@@ -26,7 +41,10 @@ public:
         double top = 1.0;    ///< the value at the top of the frame
         double zero = 0.0;   ///< y of the value 0
         std::vector<QPolygonF> curves;
-        double now = 0.0; ///< x of the newest value
+        double now = 0.0;             ///< x of the newest value
+        std::vector<Tick> ticks;      ///< from bottom to top, with both ends
+        std::vector<double> times;    ///< x of the lines down
+        std::optional<double> cursor; ///< its x
     };
 
     explicit WaveformPlot(QWidget* parent = nullptr);
@@ -42,21 +60,40 @@ public:
     /// @pre both are finite
     void add(double time_s, double value);
 
+    /// Duration of a sweep from now on; what was drawn stays as far as it is within the new one.
+    /// @pre above 0 and at most kLongestSweep_s, as in setUp.
+    void setSpan(double span_s);
+    [[nodiscard]] double span() const { return m_span_s; }
+    /// Holds the picture as it is, or lets it run on, from an empty frame.
+    void setFrozen(bool frozen);
+    [[nodiscard]] bool isFrozen() const { return m_isFrozen; }
+    /// Marks the value nearest to a time; std::nullopt: none.
+    void setCursor(std::optional<double> time_s);
+    /// The value at the cursor.
+    [[nodiscard]] std::optional<Value> atCursor() const;
     /// Removes all values.
     void clear();
 
     [[nodiscard]] Drawing drawing() const;
     [[nodiscard]] QSize sizeHint() const override;
 
+    static constexpr double kLongestSweep_s = 60.0;
+
+Q_SIGNALS:
+    /// A place was pointed at while the plot is frozen: the time of the nearest value.
+    void pointedAt(double time_s);
+
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    struct Value {
-        double time_s = 0.0;
-        double value = 0.0;
-    };
-
+    [[nodiscard]] std::deque<Value>::const_iterator firstShown() const;
+    [[nodiscard]] double xOf(double time_s, const QRectF& frame) const;
+    void addTicks(Drawing& drawn) const;
+    void point(double x);
     [[nodiscard]] qint64 sweepOf(double time_s) const;
     void rescale(bool mayShrink);
     [[nodiscard]] int axisWidth() const;
@@ -69,7 +106,9 @@ private:
     double m_least = 1.0;
     double m_bottom = 0.0;
     double m_top = 1.0;
-    std::deque<Value> m_values; ///< of one span
+    bool m_isFrozen = false;
+    std::optional<double> m_cursor_s;
+    std::deque<Value> m_values; ///< of the longest sweep
 };
 
 } // namespace carina

@@ -53,6 +53,13 @@ public:
             integrateFrom(place);
     }
 
+    /// Removes the changes at and after a time.
+    void forgetFrom(SessionTime from)
+    {
+        m_changes.erase(std::lower_bound(m_changes.begin(), m_changes.end(), from, isEarlier),
+                        m_changes.end());
+    }
+
     [[nodiscard]] T at(SessionTime t) const
     {
         const auto next = after(t);

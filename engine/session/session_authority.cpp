@@ -35,7 +35,8 @@ bool takesEffectLater(const FactBody& body)
     return isOneOf<fact::PhaseChanged, fact::AnatomyChosen, fact::BreathingRateSet,
                    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::PatientBuildSet,
                    fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
-                   fact::BodyPositionSet, fact::ManikinBreathed>(body);
+                   fact::BodyPositionSet, fact::BreathingStopped, fact::BagSqueezed,
+                   fact::ManikinBreathed>(body);
 }
 
 /// The id of the entry that is the same, else the next free one; 0 where none is left.

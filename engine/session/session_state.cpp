@@ -204,6 +204,16 @@ struct SessionState::Applier {
             station.respiration.setPosition(around.effect, body.position);
         });
     }
+    void operator()(const fact::BreathingStopped& body) const
+    {
+        forStations([&](Station& station) {
+            station.respiration.setOwnBreathing(around.effect, {body.stopped, body.over});
+        });
+    }
+    void operator()(const fact::BagSqueezed& body) const
+    {
+        forStations([&](Station& station) { station.respiration.setBag(around.effect, body.bag); });
+    }
     void operator()(const fact::ManikinBreathed& body) const
     {
         forStations([&](Station& station) {

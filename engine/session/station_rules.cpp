@@ -21,7 +21,8 @@ bool changesPatient(const FactBody& body)
 {
     return isAnyOf<fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
                    fact::InspiratoryFractionSet, fact::PatientBuildSet, fact::LungConditionsSet,
-                   fact::VentilatorSet, fact::TubePlaced, fact::BodyPositionSet>(body);
+                   fact::VentilatorSet, fact::TubePlaced, fact::BodyPositionSet,
+                   fact::BreathingStopped, fact::BagSqueezed>(body);
 }
 
 bool isOfNoStation(const FactBody& body)

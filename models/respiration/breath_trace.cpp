@@ -66,7 +66,8 @@ void BreathTrace::take(const RespirationRun& run, SessionTime t)
         const ChestContent rest = restingContent(fold.system());
         m_traced.functionalResidual = rest[0].gas + rest[1].gas;
     }
-    m_traced.isVentilated = fold.settings().ventilator.mode != VentilationMode::Spontaneous;
+    m_traced.isVentilated = fold.isVentilated();
+    m_traced.isStill = fold.isStill();
     m_traced.breathSteps = breath.steps;
     m_traced.figures = fold.lastBreath();
     Q_EMIT sampled({toSeconds(t.time_since_epoch()),

@@ -51,7 +51,9 @@ public:
     /// Traces the patient of another station from now on.
     void setStation(StationId station);
 
-    /// std::nullopt before the first complete breath.
+    /// Whether nothing breathes: the patient has stopped, and is not ventilated.
+    [[nodiscard]] bool hasStopped() const { return m_traced.isStill; }
+    /// std::nullopt before the first complete breath, and in apnoea.
     [[nodiscard]] std::optional<Figures> lastBreath() const;
 
     /// Emits the samples that are due; a timer calls it.
@@ -75,6 +77,7 @@ private:
         std::int64_t breathSteps = 0;
         BreathFigures figures{};
         Volume functionalResidual{};
+        bool isStill = false;       ///< no breath at the latest sample
         bool isVentilated = false;  ///< the breath of the latest sample
         bool wasVentilated = false; ///< the last complete breath
     };

@@ -25,11 +25,6 @@ RespiratorySettings settingsAt(const SessionNode& node, StationId stationId, Ses
                                               : RespiratorySettings{};
 }
 
-BreathingPattern patternAt(const SessionNode& node, StationId stationId, SessionTime t)
-{
-    return settingsAt(node, stationId, t).pattern;
-}
-
 double expirationOf(double inspiratoryFraction)
 {
     return (1.0 - inspiratoryFraction) / inspiratoryFraction;
@@ -37,15 +32,22 @@ double expirationOf(double inspiratoryFraction)
 
 double fractionOf(double expiration) { return 1.0 / (1.0 + expiration); }
 
-double valueOf(const BreathingPattern& pattern, BreathingParameter parameter)
+double valueOf(const RespiratorySettings& settings, const OwnBreathing& own,
+               BreathingParameter parameter)
 {
     switch (parameter) {
     case BreathingParameter::Rate:
-        return inPerMinute(pattern.rate);
+        return inPerMinute(settings.pattern.rate);
     case BreathingParameter::TidalVolume:
-        return inMillilitres(pattern.tidalVolume);
+        return inMillilitres(settings.pattern.tidalVolume);
     case BreathingParameter::Expiration:
-        return expirationOf(pattern.inspiratoryFraction);
+        return expirationOf(settings.pattern.inspiratoryFraction);
+    case BreathingParameter::Own:
+        return own.stopped ? 0.0 : 1.0;
+    case BreathingParameter::BagRate:
+        return inPerMinute(settings.bag.rate);
+    case BreathingParameter::BagVolume:
+        return inMillilitres(settings.bag.tidalVolume);
     }
     return 0.0;
 }
@@ -69,6 +71,8 @@ void BreathingModel::setStation(StationId station)
         return;
     m_wishes = {};
     m_undo.clear();
+    if (m_history)
+        m_history->forget(*this);
     refresh();
     Q_EMIT changed();
 }
@@ -82,7 +86,23 @@ void BreathingModel::setForAll(bool all)
 double BreathingModel::value(BreathingParameter parameter) const
 {
     const SessionTime now = m_session.node().now().value_or(SessionTime{});
-    return valueOf(patternAt(m_session.node(), m_stations.shown, now), parameter);
+    return valueAt(m_stations.shown, now, parameter);
+}
+
+double BreathingModel::valueAt(StationId id, SessionTime t, BreathingParameter parameter) const
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(id);
+    const OwnBreathing own = station != state->stations().end()
+                                 ? station->second.respiration.ownBreathingAt(t)
+                                 : OwnBreathing{};
+    return valueOf(settingsAt(m_session.node(), id, t), own, parameter);
+}
+
+double BreathingModel::ownBreathing() const
+{
+    const SessionTime now = m_session.node().now().value_or(SessionTime{});
+    return settingsAt(m_session.node(), m_stations.shown, now).ownBreathing;
 }
 
 std::optional<double> BreathingModel::pending(BreathingParameter parameter) const
@@ -106,13 +126,29 @@ int BreathingModel::largestTidalVolume_ml() const
 QString BreathingModel::travellingText() const
 {
     QStringList lines;
-    if (const auto rate = pending(BreathingParameter::Rate))
-        lines << tr("Breathing rate → %1\u00a0/min").arg(*rate);
-    if (const auto volume = pending(BreathingParameter::TidalVolume))
-        lines << tr("Tidal volume → %1\u00a0ml").arg(*volume);
-    if (const auto expiration = pending(BreathingParameter::Expiration))
-        lines << tr("Inspiration : expiration → 1 : %1").arg(*expiration, 0, 'f', 2);
+    for (const BreathingParameter parameter : kBreathingParameters)
+        if (const auto value = pending(parameter))
+            lines << textOf(parameter, *value);
     return lines.join(QLatin1Char('\n'));
+}
+
+QString BreathingModel::textOf(BreathingParameter parameter, double value)
+{
+    switch (parameter) {
+    case BreathingParameter::Rate:
+        return tr("Breathing rate → %1\u00a0/min").arg(value);
+    case BreathingParameter::TidalVolume:
+        return tr("Tidal volume → %1\u00a0ml").arg(value);
+    case BreathingParameter::Expiration:
+        return tr("Inspiration : expiration → 1 : %1").arg(value, 0, 'f', 2);
+    case BreathingParameter::Own:
+        return value > 0.0 ? tr("Breathing → goes on") : tr("Breathing → stops");
+    case BreathingParameter::BagRate:
+        return value > 0.0 ? tr("Bag by hand → %1\u00a0/min").arg(value) : tr("Bag by hand → none");
+    case BreathingParameter::BagVolume:
+        return tr("Volume of the bag → %1\u00a0ml").arg(value);
+    }
+    return {};
 }
 
 /// The values that a change would replace, at the shown station also one that is under way.
@@ -121,8 +157,7 @@ std::vector<BreathingModel::Setting> BreathingModel::present(BreathingParameter 
     const SessionNode& node = m_session.node();
     std::vector<Setting> settings;
     for (const StationId station : stationsOf(*node.state(), m_stations.target()))
-        settings.push_back(
-            {station, valueOf(patternAt(node, station, SessionTime::max()), parameter)});
+        settings.push_back({station, valueAt(station, SessionTime::max(), parameter)});
     const auto underWay = pending(parameter);
     for (Setting& setting : settings)
         if (setting.station == m_stations.shown)
@@ -136,8 +171,14 @@ void BreathingModel::set(BreathingParameter parameter, double value)
     if (std::ranges::all_of(before, [&](const Setting& at) { return same(value, at.value); }))
         return;
     // A drag is one change: only its first step is what undo goes back to.
-    if (!pending(parameter) || m_undo.empty() || m_undo.back().parameter != parameter)
+    const QString text = textOf(parameter, value);
+    if (!pending(parameter) || m_undo.empty() || m_undo.back().parameter != parameter) {
         m_undo.push_back({parameter, before});
+        if (m_history)
+            m_history->add(*this, text, [this] { undo(); });
+    } else if (m_history) {
+        m_history->retitle(*this, text);
+    }
     ask(parameter, {m_stations.target(), value});
 }
 
@@ -169,6 +210,7 @@ void BreathingModel::ask(BreathingParameter parameter, const Setting& setting)
 void BreathingModel::propose(BreathingParameter parameter, const Setting& setting)
 {
     SessionNode& node = m_session.node();
+    const auto asked = [this](BreathingParameter of) { return pending(of).value_or(value(of)); };
     switch (parameter) {
     case BreathingParameter::Rate:
         node.propose(setting.station, fact::BreathingRateSet{perMinute(setting.value)});
@@ -178,6 +220,19 @@ void BreathingModel::propose(BreathingParameter parameter, const Setting& settin
         break;
     case BreathingParameter::Expiration:
         node.propose(setting.station, fact::InspiratoryFractionSet{fractionOf(setting.value)});
+        break;
+    case BreathingParameter::Own:
+        node.propose(setting.station, fact::BreathingStopped{setting.value == 0.0, m_over});
+        break;
+    case BreathingParameter::BagRate:
+        node.propose(setting.station,
+                     fact::BagSqueezed{{perMinute(setting.value),
+                                        millilitres(asked(BreathingParameter::BagVolume))}});
+        break;
+    case BreathingParameter::BagVolume:
+        node.propose(setting.station,
+                     fact::BagSqueezed{{perMinute(asked(BreathingParameter::BagRate)),
+                                        millilitres(setting.value)}});
         break;
     }
 }
@@ -190,7 +245,7 @@ bool BreathingModel::isUnderWay(BreathingParameter parameter, double sent) const
     if (!node.pending().empty())
         return true; // the host has not answered yet
     // Decided for later, unless the host refused it or somebody decided otherwise since.
-    return same(valueOf(patternAt(node, m_stations.shown, SessionTime::max()), parameter), sent);
+    return same(valueAt(m_stations.shown, SessionTime::max(), parameter), sent);
 }
 
 void BreathingModel::refresh()
@@ -203,7 +258,7 @@ void BreathingModel::refresh()
                 ask(parameter, *next);
         }
     }
-    Shown shown{{}, largestTidalVolume_ml()};
+    Shown shown{{}, largestTidalVolume_ml(), ownBreathing()};
     for (const BreathingParameter parameter : kBreathingParameters)
         shown.values[std::size_t(parameter)] = {value(parameter), pending(parameter)};
     if (std::exchange(m_shown, shown) != shown)

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "engine/session/facts/fact_rules.h"
 #include "models/respiration/addressed_stations.h"
+#include "models/session/change_history.h"
 #include "models/session/session_model.h"
+
+#include <QPointer>
 
 #include <array>
 #include <optional>
@@ -16,9 +20,13 @@ enum class BreathingParameter : std::uint8_t {
     Rate,        ///< breaths per minute
     TidalVolume, ///< millilitres
     Expiration,  ///< expiratory / inspiratory time: 1.44 for an I:E ratio of 1:1.44
+    Own,         ///< 1 while the patient breathes; 0: breathing stops
+    BagRate,     ///< squeezes of a bag by hand, per minute; 0: no bag
+    BagVolume,   ///< of the bag, millilitres
 };
 inline constexpr std::array kBreathingParameters{
-    BreathingParameter::Rate, BreathingParameter::TidalVolume, BreathingParameter::Expiration};
+    BreathingParameter::Rate, BreathingParameter::TidalVolume, BreathingParameter::Expiration,
+    BreathingParameter::Own,  BreathingParameter::BagRate,     BreathingParameter::BagVolume};
 
 /// How one station's patient breathes, as an instructor sees and changes it.
 ///
@@ -35,6 +43,9 @@ public:
 
     /// Shows the patient of another station from now on. What was changed before cannot be undone.
     void setStation(StationId station);
+    /// Adds its changes to a history from now on, by which alone they are to be undone.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+    [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
     /// Whether a change is for the patients of all open stations, by one fact with one effect time.
     void setForAll(bool all);
 
@@ -50,6 +61,10 @@ public:
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
 
     void set(BreathingParameter parameter, double value);
+    /// How long breathing takes to stop or to go on again, from the next such change on.
+    void setStoppingTime(Duration over) { m_over = over; }
+    /// The share of the patient's own breathing that is left now, 0 to 1.
+    [[nodiscard]] double ownBreathing() const;
     /// Sets the parameter changed last back to what it was before, at each station.
     void undo();
 
@@ -76,10 +91,14 @@ private:
     struct Shown {
         std::array<std::pair<double, std::optional<double>>, kBreathingParameters.size()> values;
         int largestTidalVolume_ml = 0;
+        double ownBreathing = 1.0;
 
         friend bool operator==(const Shown&, const Shown&) = default;
     };
 
+    [[nodiscard]] static QString textOf(BreathingParameter parameter, double value);
+    [[nodiscard]] double valueAt(StationId station, SessionTime t,
+                                 BreathingParameter parameter) const;
     [[nodiscard]] std::vector<Setting> present(BreathingParameter parameter) const;
     void ask(BreathingParameter parameter, const Setting& setting);
     [[nodiscard]] bool isUnderWay(BreathingParameter parameter, double sent) const;
@@ -87,9 +106,11 @@ private:
     void refresh();
 
     SessionModel& m_session;
+    QPointer<ChangeHistory> m_history;
     AddressedStations m_stations;
     std::array<Wish, kBreathingParameters.size()> m_wishes;
     std::vector<Change> m_undo;
+    Duration m_over{};
     Shown m_shown; ///< at the latest changed()
 };
 

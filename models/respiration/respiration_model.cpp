@@ -65,6 +65,8 @@ void RespirationModel::setStation(StationId station)
         return;
     m_wishes = {};
     m_undo.clear();
+    if (m_history)
+        m_history->forget(*this);
     refresh();
     Q_EMIT changed();
 }
@@ -217,8 +219,14 @@ void RespirationModel::set(const Decision& decision)
     // A drag is one change: only its first step is what undo goes back to.
     const bool goesOn =
         !m_undo.empty() && m_undo.back().front().decision.index() == thing && pending(thing);
-    if (!goesOn)
+    const QString text = tr(kThingNames[thing]).arg(std::visit(DecisionText{}, decision));
+    if (!goesOn) {
         m_undo.push_back(before);
+        if (m_history)
+            m_history->add(*this, text, [this] { undo(); });
+    } else if (m_history) {
+        m_history->retitle(*this, text);
+    }
     ask({m_stations.target(), decision});
 }
 

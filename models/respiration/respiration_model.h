@@ -5,7 +5,10 @@
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
 #include "models/respiration/addressed_stations.h"
+#include "models/session/change_history.h"
 #include "models/session/session_model.h"
+
+#include <QPointer>
 
 #include <array>
 #include <optional>
@@ -33,6 +36,9 @@ public:
 
     /// Shows the patient of another station from now on. What was changed before cannot be undone.
     void setStation(StationId station);
+    /// Adds its changes to a history from now on, by which alone they are to be undone.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+    [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
     /// Whether a change is for the patients of all open stations, by one fact with one effect time.
     void setForAll(bool all) { m_stations.all = all; }
 
@@ -113,6 +119,7 @@ private:
     void refresh();
 
     SessionModel& m_session;
+    QPointer<ChangeHistory> m_history;
     AddressedStations m_stations;
     std::array<Wish, kThings> m_wishes;
     std::vector<std::vector<Setting>> m_undo; ///< before each change, at each station

@@ -1,5 +1,6 @@
 #include "models/session/participants_model.h"
 
+#include "models/network/network_figures.h"
 #include "models/site/standing_words.h"
 #include "models/text/shown_as_is.h"
 
@@ -15,6 +16,9 @@ namespace
 
 constexpr int kRefreshInterval_ms = 500;
 constexpr Duration kReplacementTold = std::chrono::minutes{1};
+/// Less than this nobody sees, whatever the delay allows.
+constexpr double kUnseen_deg = 0.1;
+constexpr double kUnseen_mm = 1.0;
 const QString kNothing = QStringLiteral("–");
 
 QString roleText(Role role)
@@ -40,6 +44,13 @@ QString stationName(const SessionState& state, StationId station)
 QString number(const std::optional<double>& value, int decimals, const QString& words)
 {
     return value ? words.arg(*value, 0, 'f', decimals) : kNothing;
+}
+
+/// Whether a drift is no more than the delay explains, or than anybody sees.
+bool isExplained(const std::optional<double>& drift, const std::optional<double>& bound,
+                 double unseen)
+{
+    return !drift || *drift <= std::max(bound.value_or(0.0), unseen);
 }
 
 void keepLargest(std::optional<double>& largest, std::optional<double> value)
@@ -115,7 +126,11 @@ QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
         return shownAsIs(row.reason);
     if (role == Qt::ToolTipRole && index.column() == Registration && row.registration)
         return shownAsIs(registrationTip(*row.registration));
-    if (role == Qt::TextAlignmentRole && index.column() >= Sends && index.column() <= DriftDistance)
+    if (role == Qt::ToolTipRole && index.column() == Same && row.seesTheSame)
+        return shownAsIs(figuresText(row));
+    if (role == Qt::ToolTipRole && index.column() == Name)
+        return shownAsIs(row.name);
+    if (role == Qt::TextAlignmentRole && index.column() >= Sends && index.column() <= Delay)
         return int{Qt::AlignRight | Qt::AlignVCenter};
     return {};
 }
@@ -128,6 +143,21 @@ QString ParticipantsModel::registrationTip(const RegistrationStanding& registrat
     return registration.state == RegistrationState::Simulated
                ? tr("A simulated manikin, registered without error")
                : tr("Verified. In 95 of 100 cases the error at the glottis is less than this");
+}
+
+/// Angle, distance, age, and what bounds the first two.
+QString ParticipantsModel::figuresText(const Row& row)
+{
+    return tr("Off by %1 (bound %2) and %3 (bound %4); newest sample %5 old", "degrees; mm; ms")
+        .arg(cell(row, DriftAngle), number(row.bound_deg, 2, tr("%1°")), cell(row, DriftDistance),
+             number(row.bound_mm, 1, tr("%1 mm")), cell(row, Age));
+}
+
+QString ParticipantsModel::sameText(const Row& row)
+{
+    if (!row.seesTheSame)
+        return kNothing;
+    return *row.seesTheSame ? tr("✓ same") : tr("▲ differs");
 }
 
 QString ParticipantsModel::cell(const Row& row, int column)
@@ -151,6 +181,10 @@ QString ParticipantsModel::cell(const Row& row, int column)
         return number(row.drift_deg, 2, tr("%1°"));
     case DriftDistance:
         return number(row.drift_mm, 1, tr("%1 mm"));
+    case Delay:
+        return number(row.delay_ms, 0, tr("%1 ms"));
+    case Same:
+        return sameText(row);
     default:
         return {};
     }
@@ -161,7 +195,7 @@ QString ParticipantsModel::spoken(const Row& row, int column) const
     QString words = cell(row, column);
     if (words == kNothing)
         words = column == Registration ? tr("none") : tr("unknown");
-    else if (column == State || column == Registration)
+    else if (column == State || column == Registration || column == Same)
         words = words.section(QLatin1Char(' '), 1);
     return headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() + QStringLiteral(": ")
            + words;
@@ -182,6 +216,11 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
         if (section == DriftAngle)
             return tr("Drift: angle between what was shown here and at the participant at the same "
                       "time");
+        if (section == Delay)
+            return tr("Time that data take between the participant and this program, one way");
+        if (section == Same)
+            return tr("Whether the participant sees shared objects where this program shows them, "
+                      "but for what the delay explains; figures in the tool tip of each");
         if (section == DriftDistance)
             return tr("Drift: distance between what was shown here and at the participant at the "
                       "same time");
@@ -208,6 +247,10 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
         return tr("Drift °");
     case DriftDistance:
         return tr("Drift mm");
+    case Delay:
+        return tr("Delay");
+    case Same:
+        return tr("Sees");
     default:
         return {};
     }
@@ -247,6 +290,7 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
     const std::vector<ObjectReport> reports = node.objectReports();
     const auto paths = node.paths();
     const std::vector<LinkReport> links = node.links();
+    const std::vector<NetworkFigures> figures = networkFigures(node);
     std::vector<Row> rows;
     for (const auto& [id, participant] : state->participants()) {
         Row row{.id = id,
@@ -276,9 +320,28 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
             keepLargest(row.drift_deg, report.driftDeg);
             keepLargest(row.drift_mm, report.driftMm);
         }
+        if (participant.present && !participant.muted)
+            addNetwork(figures, row);
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+void ParticipantsModel::addNetwork(const std::vector<NetworkFigures>& figures, Row& row)
+{
+    const auto found = std::ranges::find(figures, row.id, &NetworkFigures::id);
+    if (found == figures.end())
+        return;
+    row.delay_ms = found->meanDelay_ms;
+    for (const ObjectFigures& object : found->objects) {
+        keepLargest(row.bound_deg, object.limit_deg);
+        keepLargest(row.bound_mm, object.limit_mm);
+        if (!object.drift_deg && !object.drift_mm)
+            continue;
+        const bool isSame = isExplained(object.drift_deg, object.limit_deg, kUnseen_deg)
+                            && isExplained(object.drift_mm, object.limit_mm, kUnseen_mm);
+        row.seesTheSame = row.seesTheSame.value_or(true) && isSame;
+    }
 }
 
 QString ParticipantsModel::stateText(const Participant& participant,

@@ -11,6 +11,8 @@
 namespace carina
 {
 
+struct NetworkFigures;
+
 /// The participants of the session as a table: name, role and who is at work, station, connection
 /// state, how far the registration of their manikin can be relied on, how much they send to the
 /// host, age of the newest pose sample, and drift: how far this program's view of their objects was
@@ -30,6 +32,8 @@ public:
         Age,
         DriftAngle,
         DriftDistance,
+        Delay,
+        Same, ///< whether they see the same as this program; its tool tip has the figures
         ColumnCount
     };
     static constexpr int kIdRole = Qt::UserRole;
@@ -66,16 +70,23 @@ private:
         std::optional<double> age_ms{};
         std::optional<double> drift_deg{};
         std::optional<double> drift_mm{};
+        std::optional<double> bound_deg{}; ///< of the drift, by speed and delay
+        std::optional<double> bound_mm{};
+        std::optional<double> delay_ms{};  ///< to or from this program, one way
+        std::optional<bool> seesTheSame{}; ///< as far as is known
 
         friend bool operator==(const Row&, const Row&) = default;
     };
 
     void refresh();
     [[nodiscard]] std::vector<Row> currentRows() const;
+    static void addNetwork(const std::vector<NetworkFigures>& figures, Row& row);
     [[nodiscard]] QString stateText(const Participant& participant,
                                     std::span<const LinkReport> links) const;
     [[nodiscard]] static QString absenceText(const Participant& participant);
     [[nodiscard]] static QString registrationTip(const RegistrationStanding& registration);
+    [[nodiscard]] static QString figuresText(const Row& row);
+    [[nodiscard]] static QString sameText(const Row& row);
     [[nodiscard]] static QString cell(const Row& row, int column);
     /// The text of a cell for a screen reader: with its column name, without the state mark.
     [[nodiscard]] QString spoken(const Row& row, int column) const;

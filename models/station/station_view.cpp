@@ -72,6 +72,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     const auto station = state->stations().find(m_station);
     if (station != state->stations().end()) {
         moment.breathing = m_breathing.at(station->second.respiration, t).shape();
+        moment.position = station->second.respiration.settingsAt(t).position;
         moment.exaggeration = m_exaggeration;
         const ChestPose drawn = drawnPose(m_lungs, moment.breathing, level);
         moment.notDrawn = notDrawn(m_lungs, moment.breathing, drawn, level);

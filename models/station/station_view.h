@@ -19,6 +19,7 @@ namespace carina
 struct StationMoment {
     SessionTime time{};
     ChestShape breathing;               ///< from the respiratory mechanics
+    BodyPosition position{};            ///< how the patient lies or sits
     ChestPose pose;                     ///< the pose of the chest that shows `breathing`
     Volume notDrawn{};                  ///< volume of the lungs that the pose cannot show
     double exaggeration = 1.0;          ///< of the pose; unless 1, the drawn volumes are not true

@@ -68,6 +68,9 @@ const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
 const float kBeyond = 0.2;
 const float kTendon = 0.3;
 const float kSpread = 0.28;
+const float kAttachment = 0.65;
+const float kShiftFrom = -0.3;
+const float kShiftOver = 0.6;
 const float kRibsFade = 0.3;
 const float kRibsEnd = 1.0;
 
@@ -127,25 +130,30 @@ void chestValue(vec3 q, out vec3 f, out vec3 slope_u, out vec3 slope_v, out vec3
     float inside = clamp(1.0 - q.x * q.x, 0.0, 1.0);
     vec2 apart = vec2(1.0 - kTendon * inside * inside, 4.0 * kTendon * q.x * inside);
     vec2 middle = bulge(q.z);
-    vec3 base = profile(fore, step3(q.z));
+    float perAttachment = 1.0 / kAttachment;
+    vec2 below = step3((q.z - 1.0) * perAttachment) * vec2(1.0, perAttachment);
+    vec3 base = profile(fore, step3(q.z) - below);
     vec3 spread = profile(fore, kSpread * middle);
-    vec3 ribs = profile(vec2(1.0, 0.0) - faded, step3(3.0 * q.z) * vec2(1.0, 3.0));
+    vec2 grown = step3(3.0 * q.z) * vec2(1.0, 3.0);
+    vec3 ribs = profile(vec2(1.0, 0.0) - faded, grown);
+    vec3 raised = profile(vec2(1.0, 0.0) - faded, grown - below);
     vec3 bulk = profile(bulge(q.y), middle);
 
     vec3 widening = c0.z * ribs + c0.x * spread;
     vec3 outward = q.x * widening;
     vec3 backward = c0.y * ribs + c1.x * bulk;
-    vec3 down = c0.x * apart.x * base + c0.w * ribs + c1.y * bulk;
+    vec3 down = c0.x * apart.x * base + c0.w * raised + c1.y * bulk;
     float outward_u = widening.x + q.x * (slope0.z * ribs.x + slope0.x * spread.x);
     float backward_u = slope0.y * ribs.x + slope1.x * bulk.x;
-    float down_u = (c0.x * apart.y + slope0.x * apart.x) * base.x + slope0.w * ribs.x
+    float down_u = (c0.x * apart.y + slope0.x * apart.x) * base.x + slope0.w * raised.x
                    + slope1.y * bulk.x;
     f = away * vec3(outward.x, backward.x, down.x);
     slope_u = awaySlope * outward.x + away * vec3(outward_u, outward.yz);
     slope_v = awaySlope * backward.x + away * vec3(backward_u, backward.yz);
     slope_h = awaySlope * down.x + away * vec3(down_u, down.yz);
 
-    vec2 upper = step3(2.0 * q.z) * vec2(1.0, 2.0);
+    float perShift = 1.0 / kShiftOver;
+    vec2 upper = step3((q.z - kShiftFrom) * perShift) * vec2(1.0, perShift);
     f.x += c1.w * inside * inside * upper.x;
     slope_u.x += (slope1.w * inside - 4.0 * c1.w * q.x) * inside * upper.x;
     slope_u.z += c1.w * inside * inside * upper.y;

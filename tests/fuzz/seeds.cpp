@@ -162,7 +162,9 @@ std::vector<std::string> factBodies()
         fact::StationClosed{},
         fact::ParticipantMoved{self},
         fact::WorkTaken{ParticipantId{4}, self},
-        fact::PlaceChosen{self, degrees(90.0)}};
+        fact::PlaceChosen{self, degrees(90.0)},
+        fact::BreathingStopped{true, std::chrono::seconds{30}},
+        fact::BagSqueezed{{perMinute(10.0), millilitres(400.0)}}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
     for (const FactBody& body : bodies)

@@ -2,6 +2,7 @@
 #include "widgets/waveform_plot.h"
 
 #include <QImage>
+#include <QSignalSpy>
 
 #include <cmath>
 
@@ -133,6 +134,68 @@ private Q_SLOTS:
         }
         shown->add(10.0, 1.0);
         QCOMPARE(shown->drawing().top, 10.0);
+    }
+
+    // What is written as 5 stands where a curve at 5 does, and so do both ends.
+    void writesValuesAtTheirHeight()
+    {
+        const auto shown = plot();
+        shown->add(0.0, 5.0);
+        const auto drawn = shown->drawing();
+        QCOMPARE(drawn.ticks.front().value, 0.0);
+        QCOMPARE(drawn.ticks.back().value, 10.0);
+        QVERIFY(std::abs(drawn.ticks.front().y - drawn.frame.bottom()) < kPixel);
+        QVERIFY(std::abs(drawn.ticks.back().y - drawn.frame.top()) < kPixel);
+        QVERIFY(drawn.ticks.size() > 2);
+        for (const WaveformPlot::Tick& tick : drawn.ticks)
+            if (tick.value == 5.0)
+                QVERIFY(std::abs(tick.y - drawn.curves[0].first().y()) < kPixel);
+        for (std::size_t i = 1; i < drawn.ticks.size(); ++i)
+            QVERIFY(drawn.ticks[i - 1].y - drawn.ticks[i].y > shown->fontMetrics().height());
+        QCOMPARE(drawn.times.size(), std::size_t{9}); // each second of ten
+    }
+
+    void sweepsInAnotherTime()
+    {
+        const auto shown = plot();
+        for (double t = 0.0; t < 9.0; t += 0.5)
+            shown->add(t, 1.0);
+        shown->setSpan(30.0);
+        const auto longer = shown->drawing();
+        QCOMPARE(longer.curves[0].size(), 18);
+        QVERIFY(std::abs(longer.now - longer.frame.left() - 8.5 / 30.0 * longer.frame.width())
+                < kPixel);
+        shown->setSpan(6.0);
+        const auto shorter = shown->drawing();
+        QCOMPARE(shorter.curves.size(), std::size_t{2}); // 6 to 8.5 s, and before it what is left
+        QVERIFY(shorter.curves[0].size() + shorter.curves[1].size() < 13);
+    }
+
+    void holdsStillToBeMeasured()
+    {
+        const auto shown = plot();
+        for (double t = 0.0; t < 5.0; t += 0.5)
+            shown->add(t, t);
+        const QSignalSpy pointed{shown.get(), &WaveformPlot::pointedAt};
+        QTest::keyClick(shown.get(), Qt::Key_Right); // not frozen
+        QCOMPARE(pointed.count(), 0);
+        shown->setFrozen(true);
+        shown->add(5.0, 99.0);
+        QCOMPARE(shown->drawing().curves[0].size(), 10);
+        const auto drawn = shown->drawing();
+        const QPoint there{int(drawn.frame.left() + 0.31 * drawn.frame.width()), 50};
+        QTest::mouseClick(shown.get(), Qt::LeftButton, {}, there);
+        QCOMPARE(pointed.last()[0].toDouble(), 3.0);
+        shown->setCursor(3.0);
+        QCOMPARE(shown->atCursor()->value, 3.0);
+        QVERIFY(std::abs(*shown->drawing().cursor - drawn.frame.left() - 0.3 * drawn.frame.width())
+                < kPixel);
+        QTest::keyClick(shown.get(), Qt::Key_Left);
+        QCOMPARE(pointed.last()[0].toDouble(), 2.5);
+        shown->setFrozen(false);
+        QVERIFY(!shown->atCursor());
+        shown->add(5.5, 1.0);
+        QCOMPARE(shown->drawing().curves[0].size(), 1);
     }
 
     void paintsTheCurveInTheAccentColour()

@@ -2,6 +2,7 @@
 
 #include "models/errors/error_text.h"
 #include "models/objects/object_words.h"
+#include "ui/panels/undo_button.h"
 #include "ui_instructor_window.h"
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
@@ -68,6 +69,9 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
       m_status{new PlainLabel{this}}
 {
     m_ui->setupUi(this);
+    breathing.setHistory(m_history);
+    respiration.setHistory(m_history);
+    m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);
     m_ui->waveforms->setTrace(trace);

@@ -6,6 +6,7 @@
 #include "models/respiration/breath_trace.h"
 #include "models/respiration/breathing_model.h"
 #include "models/respiration/respiration_model.h"
+#include "models/session/change_history.h"
 #include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
 #include "models/session/people_model.h"
@@ -60,6 +61,7 @@ private:
     void refresh();
     void refreshStatus();
 
+    ChangeHistory m_history;
     std::unique_ptr<Ui::InstructorWindow> m_ui;
     SessionModel& m_session;
     ParticipantsModel& m_participants;

@@ -6,7 +6,9 @@
 
 #include <memory>
 
-class QAbstractSlider;
+class QCheckBox;
+class QComboBox;
+class QLabel;
 
 namespace Ui
 {
@@ -16,8 +18,12 @@ class BreathingPanel;
 namespace carina
 {
 
+class CheckedSpinBox;
+
 /// Shows and sets the patient's breathing. A control shows the value in force or, while a change is
-/// pending, the requested value; pending changes are listed below.
+/// pending, the requested value; pending changes are listed below. Breathing can stop, at once or
+/// over a time, and a bag by hand can take its place. A typed number outside its range is refused,
+/// with the range, in a line of its own.
 class BreathingPanel : public QWidget
 {
     Q_OBJECT
@@ -30,11 +36,21 @@ public:
     void setModel(BreathingModel& model);
 
 private:
+    void addApnoea();
+    void addBag();
+    void connectRefusals();
     void refresh();
+    void refreshApnoea(int largest_ml);
     [[nodiscard]] double shown(BreathingParameter parameter) const;
 
     std::unique_ptr<Ui::BreathingPanel> m_ui;
     BreathingModel* m_model = nullptr;
+    QCheckBox* m_stops;
+    QComboBox* m_over;
+    QLabel* m_left; ///< what is left of breathing
+    CheckedSpinBox* m_bagRate;
+    CheckedSpinBox* m_bagVolume;
+    QLabel* m_refused;
 };
 
 } // namespace carina

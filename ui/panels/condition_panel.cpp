@@ -3,6 +3,7 @@
 #include "engine/core/units.h"
 #include "models/respiration/respiration_words.h"
 #include "models/text/shown_as_is.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
@@ -59,11 +60,11 @@ ConditionPanel::ConditionPanel(QWidget* parent)
       m_add{new QPushButton{tr("&New")}},
       m_remove{new QPushButton{tr("&Remove")}},
       m_condition{new QComboBox},
-      m_severity{new QDoubleSpinBox},
+      m_severity{new CheckedDoubleSpinBox},
       m_severitySlider{new QSlider{Qt::Horizontal}},
       m_side{new QComboBox},
       m_mode{new QComboBox},
-      m_tube{new QDoubleSpinBox},
+      m_tube{new CheckedDoubleSpinBox},
       m_travelling{new PlainLabel},
       m_undo{new QPushButton{tr("&Undo last change")}}
 {
@@ -170,7 +171,7 @@ QDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* objectN
                                           const QString& label, const QString& accessibleName,
                                           const QString& unit)
 {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new CheckedDoubleSpinBox;
     box->setObjectName(QLatin1String{objectName});
     box->setAccessibleName(accessibleName);
     box->setSuffix(unit);
@@ -381,6 +382,7 @@ void ConditionPanel::refresh()
     refreshVentilator(m_model->ventilator());
     display(*m_tube, inMillimetres(m_model->tube()));
     m_travelling->setText(m_model->travellingText());
+    m_undo->setVisible(!m_model->hasHistory()); // which has one for all panels
     m_undo->setEnabled(obstacle.isEmpty() && m_model->canUndo());
 }
 

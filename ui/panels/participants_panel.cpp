@@ -6,12 +6,18 @@
 
 #include <QHeaderView>
 
+#include <array>
+
 namespace carina
 {
 namespace
 {
 
-constexpr int kWidestColumn = 230;   ///< pixels
+/// What everybody wants to know stands first; the others stand behind it, for who scrolls there,
+/// and the figures of the network have a panel of their own.
+constexpr std::array kFirst{ParticipantsModel::Name, ParticipantsModel::State,
+                            ParticipantsModel::Delay, ParticipantsModel::Same,
+                            ParticipantsModel::RoleColumn};
 constexpr qsizetype kMostDoubts = 1; ///< in whole sentences; the table has all
 
 } // namespace
@@ -32,10 +38,13 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
     m_stations = &stations;
     m_people = &people;
     m_ui->table->setModel(&participants);
-    // A long name gives way, and no number.
     QHeaderView* header = m_ui->table->horizontalHeader();
-    header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setMaximumSectionSize(kWidestColumn);
+    header->setSectionResizeMode(QHeaderView::ResizeToContents); // names whole
+    for (std::size_t place = 0; place < kFirst.size(); ++place)
+        header->moveSection(header->visualIndex(kFirst[place]), int(place));
+    for (const int figure : {ParticipantsModel::Sends, ParticipantsModel::Age,
+                             ParticipantsModel::DriftAngle, ParticipantsModel::DriftDistance})
+        m_ui->table->setColumnHidden(figure, true);
     header->setStretchLastSection(true);
     m_ui->move->setMenu(&m_moves);
     connect(&m_moves, &QMenu::aboutToShow, this, &ParticipantsPanel::offerStations);

@@ -3,16 +3,24 @@
 #include "widgets/plain_label.h"
 #include "widgets/waveform_plot.h"
 
+#include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
+
+#include <array>
+#include <cmath>
 
 namespace carina
 {
 namespace
 {
 
-constexpr double kSweep_s = 12.0;
+constexpr std::array kSweeps_s{6.0, 12.0, 30.0};
+constexpr int kUsualSweep = 1; ///< of these
+constexpr double kSweep_s = kSweeps_s[kUsualSweep];
 constexpr double kLeastFlow_lPerMin = 20.0;
 constexpr double kLeastPressure_cmH2O = 10.0;
 constexpr double kLeastVolume_ml = 200.0;
@@ -27,7 +35,10 @@ WaveformPanel::WaveformPanel(QWidget* parent)
       m_flow{new WaveformPlot},
       m_pressure{new WaveformPlot},
       m_volume{new WaveformPlot},
-      m_figures{new PlainLabel}
+      m_figures{new PlainLabel},
+      m_sweep{new QComboBox},
+      m_freeze{new QToolButton},
+      m_measured{new PlainLabel}
 {
     m_flow->setUp(tr("Flow"), tr("L/min"), kSweep_s, kLeastFlow_lPerMin, {});
     m_flow->setAccessibleName(tr("Flow into the patient, litres per minute"));
@@ -49,9 +60,93 @@ WaveformPanel::WaveformPanel(QWidget* parent)
     m_figures->setMinimumHeight(kFigureLines * m_figures->fontMetrics().lineSpacing());
     auto* column = new QVBoxLayout{this};
     column->setSpacing(0);
+    addControls();
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_sweep);
+    row->addWidget(m_freeze);
+    row->addWidget(m_measured, 1);
+    column->addLayout(row);
     for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
         column->addWidget(plot, 1);
     column->addWidget(m_figures);
+}
+
+void WaveformPanel::addControls()
+{
+    m_sweep->setObjectName(QStringLiteral("sweep"));
+    m_sweep->setAccessibleName(tr("Time across the curves"));
+    m_sweep->setToolTip(tr("Time across the curves, seconds"));
+    for (const double sweep_s : kSweeps_s)
+        m_sweep->addItem(tr("%1\u00a0s").arg(sweep_s));
+    m_sweep->setCurrentIndex(kUsualSweep);
+    m_freeze->setObjectName(QStringLiteral("freeze"));
+    m_freeze->setText(tr("Free&ze"));
+    m_freeze->setCheckable(true);
+    m_freeze->setAccessibleName(tr("Freeze the curves to measure them"));
+    m_freeze->setToolTip(tr("Holds the curves. Click two places in them, or use the left and right "
+                            "arrow keys in a curve, to read values and what lies between them."));
+    m_measured->setObjectName(QStringLiteral("measured"));
+    m_measured->setAccessibleName(tr("Values at the places pointed at"));
+    m_measured->setWordWrap(true);
+    connect(m_sweep, &QComboBox::currentIndexChanged, this, [this](int chosen) {
+        for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
+            plot->setSpan(kSweeps_s[std::size_t(chosen)]);
+    });
+    connect(m_freeze, &QToolButton::toggled, this, &WaveformPanel::freeze);
+    for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
+        connect(plot, &WaveformPlot::pointedAt, this, &WaveformPanel::measure);
+}
+
+void WaveformPanel::freeze(bool frozen)
+{
+    m_from.reset();
+    m_to.reset();
+    for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
+        plot->setFrozen(frozen);
+    showMeasured();
+}
+
+/// A step to the next value goes on with the last place; any other begins a new one.
+void WaveformPanel::measure(double time_s)
+{
+    constexpr double kStep_s = 0.25;
+    for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
+        plot->setCursor(time_s);
+    const auto valueOf = [](const WaveformPlot& plot) {
+        const auto value = plot.atCursor();
+        return value ? value->value : 0.0;
+    };
+    if (m_to && std::abs(m_to->time_s - time_s) > kStep_s)
+        m_from = m_to;
+    m_to = {time_s, valueOf(*m_flow), valueOf(*m_pressure), valueOf(*m_volume)};
+    showMeasured();
+}
+
+void WaveformPanel::showMeasured()
+{
+    if (!m_freeze->isChecked()) {
+        m_measured->clear();
+        return;
+    }
+    if (!m_to) {
+        m_measured->setText(tr("Frozen: point at a place in a curve"));
+        return;
+    }
+    const auto told = [](double flow, double pressure, double volume) {
+        return tr("%1\u00a0L/min, %2\u00a0cmH2O, %3\u00a0ml")
+            .arg(flow, 0, 'f', 1)
+            .arg(pressure, 0, 'f', 1)
+            .arg(volume, 0, 'f', 0);
+    };
+    QString text = told(m_to->flow_lPerMin, m_to->pressure_cmH2O, m_to->volume_ml);
+    if (m_from)
+        text += QLatin1Char{'\n'}
+                + tr("in %1\u00a0s: %2")
+                      .arg(m_to->time_s - m_from->time_s, 0, 'f', 2)
+                      .arg(told(m_to->flow_lPerMin - m_from->flow_lPerMin,
+                                m_to->pressure_cmH2O - m_from->pressure_cmH2O,
+                                m_to->volume_ml - m_from->volume_ml));
+    m_measured->setText(text);
 }
 
 void WaveformPanel::setTrace(BreathTrace& trace)
@@ -80,7 +175,7 @@ void WaveformPanel::refreshFigures()
 {
     const auto breath = m_trace->lastBreath();
     if (!breath) {
-        m_figures->setText(tr("No whole breath yet"));
+        m_figures->setText(m_trace->hasStopped() ? tr("No breathing") : tr("No whole breath yet"));
         return;
     }
     const auto whole = [](double value) { return QString::number(qRound(value)); };

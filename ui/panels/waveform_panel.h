@@ -4,7 +4,9 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace carina
 {
@@ -12,7 +14,8 @@ namespace carina
 class WaveformPlot;
 
 /// Flow, pressure and volume of the patient's breathing as a ventilator shows them, and the figures
-/// of the last breath.
+/// of the last breath. A sweep takes 6, 12 or 30 s. Frozen, the curves can be measured: the last
+/// two places pointed at, in any curve, by value and by what lies between them.
 class WaveformPanel : public QWidget
 {
     Q_OBJECT
@@ -26,12 +29,21 @@ public:
 private:
     void show(const BreathTrace::Sample& sample);
     void refreshFigures();
+    void addControls();
+    void freeze(bool frozen);
+    void measure(double time_s);
+    void showMeasured();
 
     BreathTrace* m_trace = nullptr;
     WaveformPlot* m_flow;
     WaveformPlot* m_pressure;
     WaveformPlot* m_volume;
     QLabel* m_figures;
+    QComboBox* m_sweep;
+    QToolButton* m_freeze;
+    QLabel* m_measured;
+    std::optional<BreathTrace::Sample> m_from; ///< the place pointed at before the last
+    std::optional<BreathTrace::Sample> m_to;
 };
 
 } // namespace carina

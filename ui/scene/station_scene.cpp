@@ -9,6 +9,27 @@
 
 namespace carina
 {
+namespace
+{
+
+Lie lieOf(BodyPosition position)
+{
+    switch (position) {
+    case BodyPosition::Supine:
+        return Lie::OnBack;
+    case BodyPosition::Sitting:
+        return Lie::Upright;
+    case BodyPosition::Prone:
+        return Lie::OnFront;
+    case BodyPosition::RightLateral:
+        return Lie::OnRightSide;
+    case BodyPosition::LeftLateral:
+        return Lie::OnLeftSide;
+    }
+    return Lie::Upright;
+}
+
+} // namespace
 
 StationScene::StationScene(SceneView& scene, const PatientModel& patient, const StationView& view)
     : m_scene{scene}, m_patient{&patient}, m_view{&view}, m_standardHeadset{HeadsetView::standard()}
@@ -26,6 +47,7 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
 {
     m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
     showFigures();
+    m_scene.setLie(lieOf(m_moment.position));
     SceneFrame frame =
         sceneFrame(m_moment, m_patient->lungs().field(), throatAt(m_moment, *m_patient));
     addLifted(frame, m_moment, *m_patient);

@@ -37,10 +37,11 @@ template <class T> struct ChestFrame {
 
 /// The coefficient of each term of the field, and the axes along which the term moves.
 template <class T> struct ChestTerms {
-    T descent{};  ///< h: the base moves down, most at the back; and u: outward with it
+    T descent{};  ///< h: the base moves down, most at the back; and u: outward with it; fades below
+                  ///< the lungs, where the diaphragm is attached
     T forward{};  ///< v: the ribs move forward (negative)
     T flare{};    ///< u: the ribs move away from the middle
-    T lift{};     ///< h: the ribs move up (negative)
+    T lift{};     ///< h: the ribs move up (negative); fades below the lungs
     T bulkBack{}; ///< v: the interior moves backward
     T bulkDown{}; ///< h: the interior moves down
     T shrink{};   ///< u, v and h: everything moves towards the hilum
@@ -74,6 +75,13 @@ inline constexpr double kBeyond = 0.2;
 inline constexpr double kTendon = 0.3;
 /// Outward motion per descent, as the chest is wider below.
 inline constexpr double kSpread = 0.28;
+/// How far below the base of the lungs at rest descent and lift fade to 0, in shares: the diaphragm
+/// slides along the wall there and keeps its attachment, and the belly's skin is not lifted.
+inline constexpr double kAttachment = 0.65;
+/// The h at which the shift of the mediastinum begins, above the lungs, and over what it grows:
+/// from the larynx, which stays, to below the carina.
+inline constexpr double kShiftFrom = -0.3;
+inline constexpr double kShiftOver = 0.6;
 /// The v at which the ribs' motion begins to decrease towards the back, and that at which it is 0.
 inline constexpr double kRibsFade = 0.3;
 inline constexpr double kRibsEnd = 1.0;
@@ -104,6 +112,14 @@ template <class T> Smooth<T> bulge(const T& x)
     const T t = clamped(x);
     const T b = T(4) * t * (T(1) - t);
     return {b * b, T(8) * b * (T(1) - T(2) * t)};
+}
+
+/// A function of h that fades to 0 below the lungs.
+template <class T> Smooth<T> fadingBelow(const Smooth<T>& along_h, const T& h)
+{
+    constexpr double kPerAttachment = 1.0 / kAttachment;
+    const Smooth<T> fade = step<T>((h - T(1)) * T(kPerAttachment));
+    return {along_h.value - fade.value, along_h.slope - T(kPerAttachment) * fade.slope};
 }
 
 /// The factor of the descent along u: 1 - kTendon max(1 - u^2, 0)^2.
@@ -217,23 +233,25 @@ template <bool kBothSides, class T>
     const Smooth<T> fore{frontShare + behind * back.value, behind * back.slope * T(kPerDepth)};
     const Smooth<T> apart = besideTheTendon<T>(q.u);
     const Smooth<T> middle = bulge<T>(q.h);
-    const Profile<T> base = product<T>(fore, step<T>(q.h));
+    const Profile<T> base = product<T>(fore, fadingBelow<T>(step<T>(q.h), q.h));
     const Profile<T> spread =
         product<T>(fore, {T(kSpread) * middle.value, T(kSpread) * middle.slope});
-    const Profile<T> ribs = product<T>({T(1) - faded.value, -faded.slope * T(kPerFade)},
-                                       {upper.value, T(3) * upper.slope});
+    const Smooth<T> inFront{T(1) - faded.value, -faded.slope * T(kPerFade)};
+    const Smooth<T> grown{upper.value, T(3) * upper.slope};
+    const Profile<T> ribs = product<T>(inFront, grown);
+    const Profile<T> raised = product<T>(inFront, fadingBelow<T>(grown, q.h));
     const Profile<T> bulk = product<T>(bulge<T>(q.v), middle);
     const Profile<T> widening = c.flare * ribs + c.descent * spread;
     const Profile<T> out = q.u * widening;
     const Profile<T> backward = c.forward * ribs + c.bulkBack * bulk;
-    const Profile<T> down = (c.descent * apart.value) * base + c.lift * ribs + c.bulkDown * bulk;
+    const Profile<T> down = (c.descent * apart.value) * base + c.lift * raised + c.bulkDown * bulk;
     T out_u = widening.value;
     T backward_u = T(0);
     T down_u = c.descent * apart.slope * base.value;
     if constexpr (kBothSides) {
         out_u = out_u + q.u * (slope.flare * ribs.value + slope.descent * spread.value);
         backward_u = slope.forward * ribs.value + slope.bulkBack * bulk.value;
-        down_u = down_u + slope.descent * apart.value * base.value + slope.lift * ribs.value
+        down_u = down_u + slope.descent * apart.value * base.value + slope.lift * raised.value
                  + slope.bulkDown * bulk.value;
     }
     return {{a.away * out.value, a.away * backward.value, a.away * down.value},
@@ -242,17 +260,18 @@ template <bool kBothSides, class T>
             slopeOfProduct(a, down, down_u)};
 }
 
-/// Adds the shift of the mediastinum, which decreases to 0 towards the apex.
+/// Adds the shift of the mediastinum, which decreases to 0 towards the larynx.
 template <class T>
 [[gnu::always_inline]] inline void addShift(const T& c, const T& slope, const Shares<T>& q,
                                             ChestValue<T>& sum)
 {
     const T inside = clamped<T>(T(1) - q.u * q.u);
     const T inside2 = inside * inside;
-    const Smooth<T> upper = step<T>(T(2) * q.h);
+    constexpr double kPerShift = 1.0 / kShiftOver;
+    const Smooth<T> upper = step<T>((q.h - T(kShiftFrom)) * T(kPerShift));
     sum.f.u = sum.f.u + c * inside2 * upper.value;
     sum.slope_u.u = sum.slope_u.u + (slope * inside2 - T(4) * c * q.u * inside) * upper.value;
-    sum.slope_u.h = sum.slope_u.h + T(2) * c * inside2 * upper.slope;
+    sum.slope_u.h = sum.slope_u.h + T(kPerShift) * c * inside2 * upper.slope;
 }
 
 /// Adds the contraction towards the curve between the hila.

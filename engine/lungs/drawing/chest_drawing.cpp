@@ -50,41 +50,63 @@ LungPose breathOf(const LungPair& lungs, Side side, double ribShare)
     return kDiaphragm + std::clamp(ribs, 0.0, kMostRibs) * kRibs;
 }
 
-/// A lung in a pose, and whether it encloses what it should.
+/// A lung in a pose, where its side of the chest stands, and whether the lung encloses what it
+/// should.
 struct PosedLung {
     LungPose pose;
+    LungPose wall;
     bool fits = true;
 };
 
+/// Where chest wall and diaphragm make a room, wherever mediastinum and inside of the lung are.
+/// What the diaphragm cannot make more, the ribs do.
+LungPose wallFor(const DrawnLung& lung, const LungPose& breath, Volume room)
+{
+    const auto amount = [&](const LungPose& given, const LungPose& along,
+                            const AmplitudeRange& range) {
+        return amountFor(lung.lungs.volumeAlong(lung.side, lung.level, given, along, 0.0), room,
+                         range);
+    };
+    const AmplitudeRange breaths = amplitudesWithin({}, breath, 0.0).value();
+    const double breathed = amount({}, breath, breaths);
+    if (breathed < breaths.greatest)
+        return breathed * breath;
+    const LungPose lowest = breaths.greatest * breath;
+    const double most = amplitudesWithin(lowest, kRibs, 0.0).value().greatest;
+    return lowest + amount(lowest, kRibs, {0.0, std::max(0.0, most)}) * kRibs;
+}
+
 /// Where the collapse that is within the range does not bring the volume: along the range's edge
 /// from there to where breathing takes none of it.
-PosedLung alongTheEdge(const DrawnLung& lung, const LungPose& breath, double collapse,
-                       Volume volume)
+void moveAlongTheEdge(const DrawnLung& lung, double collapse, Volume volume, PosedLung& posed)
 {
-    const LungPose from = breath + collapse * kCollapse;
+    const LungPose from = posed.pose + collapse * kCollapse;
     const bool shrinks = volume < lung.cubic(from, kCollapse).at(0.0);
     const double all = shrinks ? kMostCollapse : kLeastCollapse;
     const LungPose along = lung.room() * all * kCollapse + -1.0 * from;
     const VolumeCubic cubic = lung.cubic(from, along);
     const double amount = amountFor(cubic, volume, {0.0, 1.0});
     const double off_ml = inMillilitres(cubic.at(amount) - volume);
-    return {from + amount * along, std::abs(off_ml) < kUnseen_ml};
+    posed.pose = from + amount * along;
+    posed.fits = std::abs(off_ml) < kUnseen_ml;
 }
 
 PosedLung poseOf(const DrawnLung& lung, double sag, const LungPose& breath, Volume room,
                  Volume volume)
 {
     const LungPose lying{0.0, 0.0, lung.room() * sag, 0.0};
-    const AmplitudeRange breaths = amplitudesWithin(lying, breath, lung.shiftInto()).value();
-    // The wall stands where it does wherever mediastinum and inside of the lung are.
-    const VolumeCubic unshifted = lung.lungs.volumeAlong(lung.side, lung.level, {}, breath, 0.0);
-    const LungPose given = lying + amountFor(unshifted, room, breaths) * breath;
+    const LungPose wall = wallFor(lung, breath, room);
+    const AmplitudeRange along =
+        amplitudesWithin(lying, wall, lung.shiftInto()).value_or(AmplitudeRange{});
+    PosedLung posed{lying + std::min(1.0, along.greatest) * wall, lying + wall};
     const AmplitudeRange collapses =
-        amplitudesWithin(given, kCollapse, lung.shiftInto()).value_or(AmplitudeRange{});
-    const double collapse = amountFor(lung.cubic(given, kCollapse), volume, collapses);
+        amplitudesWithin(posed.pose, kCollapse, lung.shiftInto()).value_or(AmplitudeRange{});
+    const double collapse = amountFor(lung.cubic(posed.pose, kCollapse), volume, collapses);
     if (collapse > collapses.least && collapse < collapses.greatest)
-        return {given + collapse * kCollapse, true};
-    return alongTheEdge(lung, given, collapse, volume);
+        posed.pose = posed.pose + collapse * kCollapse;
+    else
+        moveAlongTheEdge(lung, collapse, volume, posed);
+    return posed;
 }
 
 struct PosedChest {
@@ -97,6 +119,7 @@ PosedChest posedWith(const LungPair& lungs, const ChestShape& shape, std::size_t
 {
     PosedChest posed;
     posed.pose.mediastinalShift = shift;
+    std::array<LungPose, 2>& walls = posed.pose.walls.emplace();
     for (const Side side : {Side::Right, Side::Left}) {
         if (lungs.restVolume(side).si == 0.0)
             continue;
@@ -105,6 +128,7 @@ PosedChest posedWith(const LungPair& lungs, const ChestShape& shape, std::size_t
             {lungs, side, level, shift}, shape.sag, breathOf(lungs, side, shape.ribShare),
             lungs.restVolume(side) + lung.room - lung.healthy, drawnVolume(lungs, shape, side));
         posed.pose.lungs[indexOf(side)] = drawn.pose;
+        walls[indexOf(side)] = drawn.wall;
         posed.fits = posed.fits && drawn.fits;
     }
     return posed;

@@ -14,16 +14,18 @@ namespace carina
 ///   drawn = restVolume + gas - healthy, exact to rounding. The volume cubic is solved for this
 ///   value.
 /// - Diaphragm and ribs stand where their side of the chest has the room that the mechanics give,
-///   the ribs making ribShare of its change. From there the lung collapses towards its hilum until
-///   it encloses the drawn volume.
+///   the ribs making ribShare of its change, and all of it from where the diaphragm is as low as it
+///   goes (kMostDescent). From there the lung collapses towards its hilum until it encloses the
+///   drawn volume.
 /// - The inside of a lung sinks by ChestShape::sag, less where the mediastinum is shifted into this
 ///   lung.
 /// - The mediastinum is shifted as far as the mechanics give, at most by kDrawnShift. The part of
 ///   the range (rangeTaken) that a shift takes is not available to the lung it is shifted into.
 ///
-/// Where all of this does not fit into the range in which the field keeps its orientation, chest
-/// wall and diaphragm move back towards rest as far as the lung's volume requires, then the
-/// mediastinum. A volume that is still out of reach is drawn as the nearest possible one.
+/// Where all of this does not fit into the range in which the field keeps its orientation, the lung
+/// leaves chest wall and diaphragm, towards rest, as far as its volume requires; then the
+/// mediastinum moves back. A volume that is still out of reach is drawn as the nearest possible
+/// one.
 [[nodiscard]] ChestPose drawnPose(const LungPair& lungs, const ChestShape& shape,
                                   std::size_t level);
 
@@ -35,7 +37,7 @@ namespace carina
 [[nodiscard]] Volume notDrawn(const LungPair& lungs, const ChestShape& shape,
                               const ChestPose& drawn, std::size_t level);
 
-/// The largest drawn shift, as a share of half the chest's width; 16 mm in the built-in adult.
-inline constexpr double kDrawnShift = 0.15;
+/// The largest drawn shift, as a share of half the chest's width; 29 mm in the built-in adult.
+inline constexpr double kDrawnShift = 0.25;
 
 } // namespace carina

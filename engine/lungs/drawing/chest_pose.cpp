@@ -66,7 +66,7 @@ double share(double s, double least, double greatest) { return std::max(s / leas
 
 double takenBy(const LungPose& lung, double shiftInto)
 {
-    return std::max({share(lung.diaphragm, kLeastBreath, kGreatestBreath),
+    return std::max({share(lung.diaphragm, kLeastBreath, kMostDescent),
                      share(lung.ribs, kLeastBreath, kGreatestBreath),
                      share(lung.gravity, -kMostGravity, kMostGravity)})
            + share(lung.collapse, kLeastCollapse, kMostCollapse)
@@ -90,6 +90,7 @@ ChestMotion motionOf(ChestRegion region, const ChestPose& pose, const ChestField
 {
     const Proportions proportions = proportionsOf(field);
     const auto& [right, left] = pose.lungs;
+    const auto& [rightWall, leftWall] = pose.walls ? *pose.walls : pose.lungs;
     const double shift = pose.mediastinalShift;
     const auto lung = [&](const LungPose& own) { return lungTerms(own, shift, proportions); };
     const auto both = [](const ChestTerms<double>& own) { return ChestMotion{own, own}; };
@@ -105,13 +106,13 @@ ChestMotion motionOf(ChestRegion region, const ChestPose& pose, const ChestField
     case ChestRegion::Bronchi:
         return {lung(right), lung(left)};
     case ChestRegion::Diaphragm: {
-        ChestMotion motion{lung(right), lung(left)};
+        ChestMotion motion{lung(rightWall), lung(leftWall)};
         motion.right.shrink = 0.0;
         motion.left.shrink = 0.0;
         return motion;
     }
     case ChestRegion::Wall:
-        return {wallTerms(right, proportions), wallTerms(left, proportions)};
+        return {wallTerms(rightWall, proportions), wallTerms(leftWall, proportions)};
     case ChestRegion::Mediastinum: {
         ChestTerms<double> c;
         c.shift = shift;
@@ -139,7 +140,7 @@ std::optional<AmplitudeRange> amplitudesWithin(const LungPose& given, const Lung
                 limitBy(along.*mode / most + along.collapse / collapsed,
                         room - given.*mode / most - given.collapse / collapsed, range);
     };
-    limit(&LungPose::diaphragm, kLeastBreath, kGreatestBreath);
+    limit(&LungPose::diaphragm, kLeastBreath, kMostDescent);
     limit(&LungPose::ribs, kLeastBreath, kGreatestBreath);
     limit(&LungPose::gravity, -kMostGravity, kMostGravity);
     if (!(range.least <= range.greatest))
@@ -151,15 +152,22 @@ double rangeTaken(const ChestPose& pose)
 {
     if (std::abs(pose.mediastinalShift) > kMostShift)
         return std::numeric_limits<double>::infinity();
-    return std::max(takenBy(pose.lungs[0], -pose.mediastinalShift),
-                    takenBy(pose.lungs[1], pose.mediastinalShift));
+    double taken = std::max(takenBy(pose.lungs[0], -pose.mediastinalShift),
+                            takenBy(pose.lungs[1], pose.mediastinalShift));
+    if (pose.walls)
+        for (const LungPose& wall : *pose.walls)
+            taken = std::max(taken, takenBy(wall, 0.0));
+    return taken;
 }
 
 ChestPose exaggerated(const ChestPose& pose, double factor)
 {
     const double taken = rangeTaken(pose);
     const double k = factor * taken > 1.0 ? 1.0 / taken : factor;
-    return {{k * pose.lungs[0], k * pose.lungs[1]}, k * pose.mediastinalShift};
+    ChestPose larger{{k * pose.lungs[0], k * pose.lungs[1]}, k * pose.mediastinalShift};
+    if (pose.walls)
+        larger.walls = {k * pose.walls->at(0), k * pose.walls->at(1)};
+    return larger;
 }
 
 } // namespace carina

@@ -48,6 +48,9 @@ struct ChestPose {
     std::array<LungPose, 2> lungs; ///< right, left
     /// Shift of the mediastinum towards the patient's left, as a share of half the chest's width.
     double mediastinalShift = 0.0;
+    /// Where chest wall and diaphragm of each side stand, when not with the lungs: gas or liquid
+    /// lies between. Their collapse is 0.
+    std::optional<std::array<LungPose, 2>> walls{};
 
     friend bool operator==(const ChestPose&, const ChestPose&) = default;
 };
@@ -58,16 +61,17 @@ struct ChestPose {
 /// How a region moves in a pose. Each lung moves by its own pose; what lies between or around the
 /// lungs moves on each side with the lung of that side.
 ///
-/// - Diaphragm and bronchi move with the lungs; the diaphragm does not follow a collapse.
-/// - The wall moves forward and outward with the lung beneath it, and upward besides, while the
-///   lung slides down along it.
+/// - Bronchi move with the lungs. So does the diaphragm, except by a collapse, unless
+///   ChestPose::walls says where it stands; its attachment below the lungs hardly moves.
+/// - The wall moves forward and outward with the lung beneath it (or as ChestPose::walls says), and
+///   upward besides, while the lung slides down along it.
 /// - Lower lobes slide along the oblique fissure, forward and down, by 0.15 % of the lungs' height
 ///   (0.4 mm in an adult) in the middle of the lung at diaphragm 1.
 /// - The mediastinum only shifts.
 [[nodiscard]] ChestMotion motionOf(ChestRegion region, const ChestPose& pose,
                                    const ChestField& field);
 
-/// The range of poses in which the field keeps its orientation, that is det(I + grad d) > 0.2
+/// The range of poses in which the field keeps its orientation, that is det(I + grad d) > 0.1
 /// everywhere in the box of the lungs and a fifth of its size around it. With the limits below,
 ///
 ///     max (diaphragm, ribs, gravity, each / its limit) + collapse / its limit
@@ -80,11 +84,13 @@ struct ChestPose {
 [[nodiscard]] double rangeTaken(const ChestPose& pose);
 
 inline constexpr double kLeastBreath = -3.0;    ///< diaphragm and ribs, expiration
-inline constexpr double kGreatestBreath = 10.0; ///< inspiration
+inline constexpr double kGreatestBreath = 10.0; ///< ribs, inspiration
+/// Diaphragm, inspiration: its sheet above the attachment is then flat, and lies within the skin.
+inline constexpr double kMostDescent = 4.2;
 inline constexpr double kMostGravity = 1.6;     ///< either way
-inline constexpr double kMostCollapse = 0.37;   ///< a quarter of the volume is left
+inline constexpr double kMostCollapse = 0.4;    ///< a fifth of the volume is left
 inline constexpr double kLeastCollapse = -0.55; ///< 3.7 times the volume
-inline constexpr double kMostShift = 0.25;      ///< of half the chest's width, either way
+inline constexpr double kMostShift = 0.4;       ///< of half the chest's width, either way
 
 /// The amplitudes s for which the pose given + s along of a lung is within the range, in a chest
 /// whose mediastinum is shifted towards this lung by `shiftInto` (negative away from it).

@@ -191,9 +191,17 @@ Result<ChestPose> LungPair::pose(const std::array<LungDemand, 2>& demands, doubl
 
 Result<ChestPose> LungPair::pose(Volume inspired, std::size_t level) const
 {
+    constexpr LungPose kRibs{.ribs = 1.0};
+    const LungPose deepest =
+        amplitudesWithin({}, kQuietBreath, 0.0).value().greatest * kQuietBreath;
     std::array<LungDemand, 2> demands;
-    for (const Side side : kSides)
-        demands[indexOf(side)].volume = volumeWith(inspired, side);
+    for (const Side side : kSides) {
+        LungDemand& demand = demands[indexOf(side)];
+        demand.volume = volumeWith(inspired, side);
+        if (!m_volumes.empty()
+            && volumeAlong(side, level, deepest, kRibs, 0.0).at(0.0) < demand.volume)
+            demand = {demand.volume, deepest, kRibs};
+    }
     return pose(demands, 0.0, level);
 }
 

@@ -70,7 +70,8 @@ public:
     [[nodiscard]] Result<ChestPose> pose(const std::array<LungDemand, 2>& demands,
                                          double mediastinalShift, std::size_t level) const;
 
-    /// The pose in quiet breathing: each lung at volumeWith(inspired).
+    /// The pose in quiet breathing: each lung at volumeWith(inspired). What the diaphragm cannot
+    /// make of a deeper breath, the ribs do.
     [[nodiscard]] Result<ChestPose> pose(Volume inspired, std::size_t level) const;
 
 private:

@@ -41,6 +41,19 @@ double fractionWith(double fraction, double ratio)
 /// Drive makes no patient breathe faster than this.
 constexpr Frequency kFastestOwn = perMinute(60.0);
 
+/// The ventilator, or the bag in its place.
+VentilatorSettings inUse(const RespiratorySettings& settings)
+{
+    if (settings.bag.rate.si == 0.0)
+        return settings.ventilator;
+    VentilatorSettings bag = settings.ventilator;
+    bag.mode = VentilationMode::VolumeControl;
+    bag.peep = {};
+    bag.pauseShare = 0.0;
+    bag.trigger = {};
+    return bag;
+}
+
 RespiratorySystem healthyIn(const RespiratorySettings& settings)
 {
     RespiratorySystem system = healthySystem(settings.build);
@@ -53,8 +66,10 @@ RespiratorySystem healthyIn(const RespiratorySettings& settings)
 RespiratorySystem systemOf(const RespiratorySettings& settings)
 {
     RespiratorySystem onBack = healthySystem(settings.build);
-    const VentilatorSettings& ventilator = settings.ventilator;
-    if (ventilator.mode != VentilationMode::Spontaneous && ventilator.ownEffort == 0.0)
+    const VentilatorSettings ventilator = inUse(settings);
+    const bool isVentilated = ventilator.mode != VentilationMode::Spontaneous;
+    const double own = isVentilated ? ventilator.ownEffort : 1.0;
+    if (own * settings.ownBreathing == 0.0)
         relax(onBack, settings.position == BodyPosition::Sitting ? 1.0 : kRelaxedRest);
     if (settings.tube.si > 0.0)
         intubate(onBack, settings.tube);
@@ -84,6 +99,7 @@ RespiratoryFold::RespiratoryFold(const RespiratorySettings& settings,
 void RespiratoryFold::set(const RespiratorySettings& settings)
 {
     m_settings = settings;
+    m_ventilator = inUse(settings);
     m_target = systemOf(settings);
     if (const RespiratorySystem healthy = healthyIn(settings); healthy != m_healthy) {
         m_healthy = healthy;
@@ -100,8 +116,10 @@ RespiratoryState RespiratoryFold::state() const
 
 bool RespiratoryFold::isVentilated() const
 {
-    return m_settings.ventilator.mode != VentilationMode::Spontaneous;
+    return m_ventilator.mode != VentilationMode::Spontaneous;
 }
+
+bool RespiratoryFold::isStill() const { return !isVentilated() && m_settings.ownBreathing <= 0.0; }
 
 Pressure RespiratoryFold::muscleAt(double breaths) const
 {
@@ -125,11 +143,11 @@ Pressure RespiratoryFold::relaxedTo(double breaths, double before, double second
 bool RespiratoryFold::ventilatorBegins() const
 {
     const VentilatorTiming timing =
-        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+        ventilatorTiming(m_ventilator, m_state.breath, kRespiratoryStep);
     const std::int64_t since = m_state.ventilator.sinceBreath;
     const auto listening =
         timing.inspiration + static_cast<std::int64_t>(kTriggerDelay / kRespiratoryStep);
-    const VolumeFlow trigger = m_settings.ventilator.trigger;
+    const VolumeFlow trigger = m_ventilator.trigger;
     const bool asked = trigger.si > 0.0 && since >= listening && m_moment.airwayFlow > trigger;
     return asked || since >= timing.breath;
 }
@@ -145,6 +163,8 @@ Pressure RespiratoryFold::effortOfHealth(const BreathingPattern& pattern)
 BreathingPattern RespiratoryFold::patternAsSet() const
 {
     BreathingPattern pattern = m_settings.pattern;
+    if (m_settings.bag.rate.si > 0.0)
+        pattern = {m_settings.bag.rate, m_settings.bag.tidalVolume, kBagInspiration};
     pattern.tidalVolume = std::min(pattern.tidalVolume, largestTidalVolume(m_settings.build));
     return pattern;
 }
@@ -152,8 +172,12 @@ BreathingPattern RespiratoryFold::patternAsSet() const
 /// Of spontaneous breathing, as set and driven.
 Frequency RespiratoryFold::ownRate() const
 {
+    const double left = m_settings.ownBreathing;
+    if (left <= 0.0)
+        return {};
     const Frequency set = m_settings.pattern.rate;
-    return std::max(set, std::min(kFastestOwn, drivenRate(m_state.drive) * set));
+    const Frequency whole = std::max(set, std::min(kFastestOwn, drivenRate(m_state.drive) * set));
+    return left < 1.0 ? std::max(std::min(whole, kSlowestOwn), left * whole) : whole;
 }
 
 void RespiratoryFold::sumUpBreath()
@@ -161,7 +185,9 @@ void RespiratoryFold::sumUpBreath()
     const BreathTally& tally = m_state.tally;
     BreathFigures& last = m_state.last;
     last.tidalVolume = tally.inspired;
-    last.tidalVolumeOfLung = {tally.most[0] - tally.least[0], tally.most[1] - tally.least[1]};
+    // Gas that swings from one lung to the other is not inspired.
+    const Volume right = std::clamp(tally.most[0] - tally.least[0], Volume{}, tally.inspired);
+    last.tidalVolumeOfLung = {right, tally.inspired - right};
     last.rate = {1.0 / (static_cast<double>(tally.steps) * kRespiratoryStep)};
     last.peak = tally.peak;
     last.plateau = tally.plateau;
@@ -176,7 +202,8 @@ void RespiratoryFold::sumUpBreath()
 /// or of quiet breathing where nothing of the set breath gets beyond the dead space.
 VolumeFlow RespiratoryFold::wantedVentilation() const
 {
-    BreathingPattern breath = patternAsSet();
+    BreathingPattern breath = m_settings.pattern;
+    breath.tidalVolume = std::min(breath.tidalVolume, largestTidalVolume(m_settings.build));
     if (breath.tidalVolume <= m_healthy.anatomicalDeadSpace)
         breath = restingPattern(m_settings.build);
     return {(breath.tidalVolume - m_healthy.anatomicalDeadSpace).si * breath.rate.si};
@@ -205,7 +232,7 @@ void RespiratoryFold::beginBreath()
     tally = {0, {}, gas, gas, m_moment.opening, {}};
     m_state.breath = patternAsSet();
     m_state.ventilator.sinceBreath = 0;
-    const double own = isVentilated() ? m_settings.ventilator.ownEffort : 1.0;
+    const double own = (isVentilated() ? m_ventilator.ownEffort : 1.0) * m_settings.ownBreathing;
     if (own == 0.0) {
         m_state.effort = {};
         return;
@@ -223,13 +250,39 @@ void RespiratoryFold::beginBreath()
         fractionWith(m_state.breath.inspiratoryFraction, system.inspiratoryRatio);
 }
 
+/// No breath is under way, and none is counted: the clock stands at the beginning of the next one.
+void RespiratoryFold::beStill()
+{
+    if (m_state.breath.rate.si > 0.0) {
+        BreathClock::State clock = m_clock.state();
+        clock.breaths = std::ceil(clock.breaths);
+        clock.rate = {};
+        m_clock = BreathClock{clock};
+        const std::array<Volume, 2> gas{m_state.content[0].gas, m_state.content[1].gas};
+        m_state.tally = {0, {}, gas, gas, m_moment.opening, {}};
+        m_state.breath.rate = {};
+        m_state.effort = {};
+        m_state.last = {};
+    }
+    m_state.drive.carbonDioxide =
+        carbonDioxideAfter(kRespiratoryStep, m_state.drive.carbonDioxide, wantedVentilation(), {});
+}
+
 void RespiratoryFold::step()
 {
     approach(m_state.system, m_target, kRespiratoryStep / kChangeTime);
-    if (isVentilated() && ventilatorBegins())
+    if (isStill()) {
+        beStill();
+    } else if (m_state.breath.rate.si == 0.0) {
+        m_state.tally.steps = 0; // of the time without a breath
         beginBreath();
+    } else if (isVentilated() && ventilatorBegins()) {
+        beginBreath();
+    }
     const double before = m_clock.state().breaths;
-    m_clock.advance(isVentilated() ? m_settings.ventilator.ownRate : ownRate(), kRespiratoryStep);
+    const Frequency own =
+        isVentilated() ? m_settings.ownBreathing * m_ventilator.ownRate : ownRate();
+    m_clock.advance(own, kRespiratoryStep);
     const double after = m_clock.state().breaths;
     const std::array<Pressure, 3> muscle{
         m_state.muscle, relaxedTo(0.5 * (before + after), before, 0.5 * kRespiratoryStep),
@@ -243,7 +296,7 @@ void RespiratoryFold::step()
     m_state.content = content;
     ++m_state.steps;
     ++m_state.ventilator.sinceBreath;
-    if (!isVentilated() && std::floor(after) > std::floor(before))
+    if (!isVentilated() && !isStill() && std::floor(after) > std::floor(before))
         beginBreath();
 }
 
@@ -252,9 +305,9 @@ AirwayOpening RespiratoryFold::openingNow() const
     if (!isVentilated())
         return AirwayOpening::at({});
     const VentilatorTiming timing =
-        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
-    return ventilatorOpening(m_settings.ventilator, timing, m_state.breath.tidalVolume,
-                             m_state.ventilator, kRespiratoryStep);
+        ventilatorTiming(m_ventilator, m_state.breath, kRespiratoryStep);
+    return ventilatorOpening(m_ventilator, timing, m_state.breath.tidalVolume, m_state.ventilator,
+                             kRespiratoryStep);
 }
 
 bool RespiratoryFold::inspires() const
@@ -262,7 +315,7 @@ bool RespiratoryFold::inspires() const
     if (!isVentilated())
         return m_clock.phase() <= m_state.breath.inspiratoryFraction;
     const VentilatorTiming timing =
-        ventilatorTiming(m_settings.ventilator, m_state.breath, kRespiratoryStep);
+        ventilatorTiming(m_ventilator, m_state.breath, kRespiratoryStep);
     return m_state.ventilator.sinceBreath < timing.inspiration;
 }
 
@@ -270,17 +323,19 @@ bool RespiratoryFold::inspires() const
 void RespiratoryFold::tally(const ChestContent& content)
 {
     BreathTally& tally = m_state.tally;
-    double gained = 0.0;
+    std::array<double, 2> gained{};
     for (std::size_t i = 0; i < 2; ++i) {
         const LungContent& before = m_state.content[i];
         const double lost =
             m_moment.uptake[i].si + m_state.system.lungs[i].relief.si * content[i].trapped.si;
-        gained += (content[i].gas - before.gas + content[i].trapped - before.trapped).si
-                  + lost * kRespiratoryStep;
-        tally.least[i] = std::min(tally.least[i], content[i].gas);
-        tally.most[i] = std::max(tally.most[i], content[i].gas);
+        gained[i] = (content[i].gas - before.gas + content[i].trapped - before.trapped).si
+                    + lost * kRespiratoryStep;
     }
-    tally.inspired.si += std::max(0.0, gained);
+    if (gained[0] + gained[1] > 0.0) {
+        tally.inspired.si += gained[0] + gained[1];
+        for (std::size_t i = 0; i < 2; ++i)
+            tally.most[i].si = std::max(0.0, tally.most[i].si + gained[i]);
+    }
     tally.peak = std::max(tally.peak, m_moment.opening);
     if (inspires())
         tally.plateau = m_moment.carina;

@@ -23,6 +23,8 @@ struct RespiratorySettings {
     BreathingPattern pattern;
     VentilatorSettings ventilator;
     BodyPosition position = BodyPosition::Supine;
+    double ownBreathing = 1.0; ///< share of the patient's own breathing that is left; 0: apnoea
+    HandBag bag;
 
     friend bool operator==(const RespiratorySettings&, const RespiratorySettings&) = default;
 };
@@ -34,7 +36,7 @@ struct RespiratorySettings {
 /// Measured values of one whole breath.
 struct BreathFigures {
     Volume tidalVolume;                      ///< inspired at the airway opening
-    std::array<Volume, 2> tidalVolumeOfLung; ///< greatest less least gas; right, left
+    std::array<Volume, 2> tidalVolumeOfLung; ///< each lung's part of it; right, left
     Frequency rate;                          ///< reciprocal of its duration
     Pressure peak;                           ///< greatest at the airway opening
     Pressure plateau;                        ///< at the carina at the end of inspiration
@@ -51,7 +53,8 @@ struct BreathFigures {
 struct BreathTally {
     std::int64_t steps = 0;
     Volume inspired;
-    std::array<Volume, 2> least;
+    std::array<Volume, 2> least; ///< gas in each lung as the breath began
+    /// That and what the lung gained while both together inspired.
     std::array<Volume, 2> most;
     Pressure peak;
     Pressure plateau;
@@ -91,6 +94,11 @@ struct RespiratoryState {
 /// the muscles tire (ventilatory_drive.h). A set tidal volume that does not exceed the anatomical
 /// dead space ventilates nobody: such a patient needs the ventilation of quiet breathing
 /// (restingPattern).
+///
+/// As ownBreathing decreases, rate and effort decrease in proportion, the rate not below
+/// kSlowestOwn. At 0 the patient does not breathe: the muscles let go, the present breath is not
+/// counted, and there is none until breathing goes on or something ventilates. A bag takes the
+/// place of the ventilator while its rate is above 0.
 class RespiratoryFold
 {
 public:
@@ -117,6 +125,10 @@ public:
     /// Running values of the present breath.
     [[nodiscard]] const BreathTally& breath() const { return m_state.tally; }
     [[nodiscard]] Pressure muscle() const { return m_state.muscle; }
+    /// Whether a ventilator or a bag delivers the breaths.
+    [[nodiscard]] bool isVentilated() const;
+    /// Whether nothing breathes: the patient has stopped, and is not ventilated.
+    [[nodiscard]] bool isStill() const;
 
 private:
     /// Result of effortFor with m_healthy, kept for the next breath.
@@ -125,7 +137,6 @@ private:
         Pressure effort;
     };
 
-    [[nodiscard]] bool isVentilated() const;
     [[nodiscard]] Pressure muscleAt(double breaths) const;
     [[nodiscard]] Pressure relaxedTo(double breaths, double before, double seconds) const;
     [[nodiscard]] bool ventilatorBegins() const;
@@ -138,9 +149,11 @@ private:
     void sumUpBreath();
     void takeDrive(double seconds);
     void beginBreath();
+    void beStill();
     void tally(const ChestContent& content);
 
     RespiratorySettings m_settings;
+    VentilatorSettings m_ventilator; ///< in use: that of the settings, or what a bag is
     RespiratorySystem m_target;
     RespiratorySystem m_healthy; ///< without condition, in the set position
     std::optional<FoundEffort> m_found;
@@ -150,6 +163,8 @@ private:
 };
 
 inline constexpr double kRespiratoryStep = 2e-3; ///< s
+/// Least rate of a patient whose breathing fails.
+inline constexpr Frequency kSlowestOwn = perMinute(4.0);
 inline constexpr double kChangeTime = 2.0; ///< s, time constant: 63 % of a change of the system
 /// Rate at which the muscle's pressure follows a change of effort within a breath: the effort of a
 /// quiet breath in 0.1 s.

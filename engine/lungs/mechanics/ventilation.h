@@ -26,6 +26,18 @@ struct VentilatorSettings {
     friend bool operator==(const VentilatorSettings&, const VentilatorSettings&) = default;
 };
 
+/// A bag that is squeezed by hand, in place of a ventilator; rate 0: none. It leaves no pressure
+/// between breaths, and gives way at the ventilator's pressure limit.
+struct HandBag {
+    Frequency rate;
+    Volume tidalVolume = millilitres(300.0);
+
+    friend bool operator==(const HandBag&, const HandBag&) = default;
+};
+
+/// Inspiration's share of a breath from the bag: 1:2.
+inline constexpr double kBagInspiration = 1.0 / 3.0;
+
 /// Pressure of the inspiratory muscles at a phase of the breath, as a share of its peak: a
 /// half-sine rise over kRiseShare of inspiration; constant to the end of inspiration; a half-sine
 /// fall over kFallShare of the duration of inspiration, or over all of expiration where that is

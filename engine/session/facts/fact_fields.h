@@ -111,6 +111,11 @@ template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePla
 template <>
 inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};
 template <>
+inline constexpr std::tuple kFields<fact::BreathingStopped>{&fact::BreathingStopped::stopped,
+                                                            &fact::BreathingStopped::over};
+template <> inline constexpr std::tuple kFields<fact::BagSqueezed>{&fact::BagSqueezed::bag};
+template <> inline constexpr std::tuple kFields<HandBag>{&HandBag::rate, &HandBag::tidalVolume};
+template <>
 inline constexpr std::tuple kFields<fact::ManikinBreathed>{&fact::ManikinBreathed::began};
 
 template <>

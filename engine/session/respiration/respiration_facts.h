@@ -36,6 +36,19 @@ struct BodyPositionSet {
 
     friend bool operator==(const BodyPositionSet&, const BodyPositionSet&) = default;
 };
+/// The patient's own breathing stops over a time, or goes on again over it.
+struct BreathingStopped {
+    bool stopped = true;
+    Duration over{};
+
+    friend bool operator==(const BreathingStopped&, const BreathingStopped&) = default;
+};
+/// A bag is squeezed by hand, in place of a ventilator; rate 0: no longer.
+struct BagSqueezed {
+    HandBag bag;
+
+    friend bool operator==(const BagSqueezed&, const BagSqueezed&) = default;
+};
 /// A sensor on the manikin's chest detected the beginning of a breath.
 struct ManikinBreathed {
     SessionTime began{};

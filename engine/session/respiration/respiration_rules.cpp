@@ -2,6 +2,7 @@
 
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/number_check.h"
+#include "engine/session/respiration/respiration_timeline.h"
 
 #include <initializer_list>
 #include <limits>
@@ -149,7 +150,9 @@ Result<void> checkFigures(const BreathFigures& last)
 
 Result<void> checkBreath(const BreathingPattern& breath)
 {
-    const Result<void> rate = checkBody(fact::BreathingRateSet{breath.rate});
+    // In apnoea there is no breath.
+    const Result<void> rate =
+        breath.rate.si == 0.0 ? Result<void>{} : checkBody(fact::BreathingRateSet{breath.rate});
     return rate.and_then([&] { return checkBody(fact::TidalVolumeSet{breath.tidalVolume}); })
         .and_then(
             [&] { return checkBody(fact::InspiratoryFractionSet{breath.inspiratoryFraction}); });
@@ -241,6 +244,20 @@ Result<void> checkRespiration(const fact::TubePlaced& fact)
 }
 
 Result<void> checkRespiration(const fact::BodyPositionSet&) { return {}; }
+
+Result<void> checkRespiration(const fact::BreathingStopped& fact)
+{
+    return checkNumber("time over which breathing changes", toSeconds(fact.over), 0.0,
+                       toSeconds(kLongestStopping), " s");
+}
+
+Result<void> checkRespiration(const fact::BagSqueezed& fact)
+{
+    const Result<void> volume = checkBody(fact::TidalVolumeSet{fact.bag.tidalVolume});
+    if (!volume || fact.bag.rate.si == 0.0)
+        return volume;
+    return checkBody(fact::BreathingRateSet{fact.bag.rate});
+}
 
 Result<void> checkRespiration(const fact::ManikinBreathed&) { return {}; }
 

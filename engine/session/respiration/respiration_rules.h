@@ -31,6 +31,8 @@ inline constexpr Length kWidestTube = millimetres(12.0);
 [[nodiscard]] Result<void> checkRespiration(const fact::VentilatorSet& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::TubePlaced& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::BodyPositionSet& fact);
+[[nodiscard]] Result<void> checkRespiration(const fact::BreathingStopped& fact);
+[[nodiscard]] Result<void> checkRespiration(const fact::BagSqueezed& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::ManikinBreathed& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::RespirationCheckpoint& fact);
 

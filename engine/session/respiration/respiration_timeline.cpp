@@ -65,6 +65,26 @@ void RespirationTimeline::setPosition(SessionTime from, BodyPosition position)
     decide(from);
 }
 
+void RespirationTimeline::setOwnBreathing(SessionTime from, const OwnBreathing& breathing)
+{
+    const double before = m_ownBreathing.at(from);
+    const double aim = breathing.stopped ? 0.0 : 1.0;
+    m_decided.set(from, breathing);
+    m_ownBreathing.forgetFrom(from);
+    for (Duration passed = kStoppingStep; passed < breathing.over; passed += kStoppingStep) {
+        const double share = toSeconds(passed) / toSeconds(breathing.over);
+        m_ownBreathing.set(from + passed, before + share * (aim - before));
+    }
+    m_ownBreathing.set(from + breathing.over, aim);
+    decide(from);
+}
+
+void RespirationTimeline::setBag(SessionTime from, const HandBag& bag)
+{
+    m_bag.set(from, bag);
+    decide(from);
+}
+
 void RespirationTimeline::setRunning(SessionTime from, bool running)
 {
     m_running.set(from, running);
@@ -97,15 +117,18 @@ RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
             m_tube.at(t),
             BreathingPattern{m_rate.at(t), m_tidalVolume.at(t), m_inspiratoryFraction.at(t)},
             m_ventilator.at(t),
-            m_position.at(t)};
+            m_position.at(t),
+            m_ownBreathing.at(t),
+            m_bag.at(t)};
 }
 
 SessionTime RespirationTimeline::changeAfter(SessionTime t) const
 {
-    return std::min({m_rate.changeAfter(t), m_tidalVolume.changeAfter(t),
-                     m_inspiratoryFraction.changeAfter(t), m_build.changeAfter(t),
-                     m_conditions.changeAfter(t), m_ventilator.changeAfter(t),
-                     m_tube.changeAfter(t), m_position.changeAfter(t), m_running.changeAfter(t)});
+    return std::min(
+        {m_rate.changeAfter(t), m_tidalVolume.changeAfter(t), m_inspiratoryFraction.changeAfter(t),
+         m_build.changeAfter(t), m_conditions.changeAfter(t), m_ventilator.changeAfter(t),
+         m_tube.changeAfter(t), m_position.changeAfter(t), m_ownBreathing.changeAfter(t),
+         m_bag.changeAfter(t), m_running.changeAfter(t)});
 }
 
 const RespirationState* RespirationTimeline::checkpointBefore(SessionTime t) const

@@ -22,6 +22,14 @@ struct RespirationState {
     RespiratoryState state;
 };
 
+/// Whether the patient's own breathing stops, and over what time it changes.
+struct OwnBreathing {
+    bool stopped = false;
+    Duration over{};
+
+    friend bool operator==(const OwnBreathing&, const OwnBreathing&) = default;
+};
+
 /// What was decided about the breathing of one patient over the session, and whether the session
 /// runs. Before the first change the patient is a healthy child of 12 years, 150 cm and 40 kg,
 /// supine, breathing spontaneously by the default BreathingPattern, and the session does not run.
@@ -43,6 +51,10 @@ public:
     void setVentilator(SessionTime from, const VentilatorSettings& settings);
     void setTube(SessionTime from, Length innerDiameter);
     void setPosition(SessionTime from, BodyPosition position);
+    /// Changes the share of own breathing evenly over the time, in steps of kStoppingStep, from
+    /// what is left at `from`. Replaces what of an earlier change was still to come.
+    void setOwnBreathing(SessionTime from, const OwnBreathing& breathing);
+    void setBag(SessionTime from, const HandBag& bag);
     void setRunning(SessionTime from, bool running);
     /// Ignored where it began after `heard`, or more than kLongestNews before.
     void addBreath(const HeardBreath& breath);
@@ -53,6 +65,8 @@ public:
 
     /// The settings in force at t (what a console shows).
     [[nodiscard]] RespiratorySettings settingsAt(SessionTime t) const;
+    /// What was decided last about the patient's own breathing.
+    [[nodiscard]] OwnBreathing ownBreathingAt(SessionTime t) const { return m_decided.at(t); }
     [[nodiscard]] bool runsAt(SessionTime t) const { return m_running.at(t); }
     /// The first change of a setting or of running after t; SessionTime::max() where there is none.
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
@@ -75,11 +89,18 @@ private:
     ParameterTimeline<VentilatorSettings> m_ventilator{{}};
     ParameterTimeline<Length> m_tube{{}};
     ParameterTimeline<BodyPosition> m_position{BodyPosition::Supine};
+    ParameterTimeline<OwnBreathing> m_decided{{}};
+    ParameterTimeline<double> m_ownBreathing{1.0}; ///< share that is left
+    ParameterTimeline<HandBag> m_bag{{}};
     ParameterTimeline<bool> m_running{false};
     std::vector<HeardBreath> m_breaths;
     std::vector<RespirationState> m_checkpoints;
     std::vector<SessionTime> m_decisions;
 };
+
+/// Longest time over which breathing may stop or go on again, and the steps in which it does.
+inline constexpr Duration kLongestStopping = std::chrono::minutes{10};
+inline constexpr Duration kStoppingStep = std::chrono::seconds{1};
 
 /// Longest time from a breath of the manikin to its effect.
 inline constexpr Duration kLongestNews = std::chrono::seconds{5};

@@ -90,6 +90,8 @@ void TestSessionPermissions::permitsByRole_data()
     row("sets the patient", "yynnnn", [](auto) { return fact::PatientBuildSet{}; });
     row("chooses the strategy", "yynnnn", [](auto) { return fact::StrategyChosen{}; });
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
+    row("stops the breathing", "yynnnn", [](auto) { return fact::BreathingStopped{}; });
+    row("squeezes a bag", "yynnnn", [](auto) { return fact::BagSqueezed{}; });
     row("places the tube", "yynnnn", [](auto) { return fact::TubePlaced{}; });
     row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{kNow}; });
     row("states how its registration stands", "yyynnn",

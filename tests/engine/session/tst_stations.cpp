@@ -381,6 +381,8 @@ void TestStations::changeTogetherInThePatientOnly_data()
     row("ventilator", fact::VentilatorSet{}, "fine");
     row("tube", fact::TubePlaced{}, "fine");
     row("position", fact::BodyPositionSet{BodyPosition::Prone}, "fine");
+    row("apnoea", fact::BreathingStopped{}, "fine");
+    row("bag", fact::BagSqueezed{}, "fine");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine"); // of no station
     row("breath", fact::ManikinBreathed{kNow}, "station unknown");

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void isSilentWhileTheSessionDoesNotRun();
     void makesNoLongGapGood();
     void tellsTheFiguresOfTheLastBreath();
+    void tellsSidesThatMakeTheBreath();
+    void tellsOfNoBreathInApnoea();
     void tellsThePressuresOfAVentilator();
     void keepsCheckpointsThatChangeNothing();
     void keepsNoneWhileTheSessionDoesNotRun();
@@ -178,6 +180,48 @@ void TestBreathTrace::tellsTheFiguresOfTheLastBreath()
     QVERIFY(!breath->airway); // nobody pushes
     QVERIFY(breath->alveolarVentilation_lPerMin > 2.5 && breath->alveolarVentilation_lPerMin < 5.3);
     QVERIFY(std::abs(breath->functionalResidual_ml - 30.0 * 40.0) < 1.0); // 30 ml/kg
+}
+
+/// Also in the breaths in which the patient changes, and gas swings between the lungs.
+void TestBreathTrace::tellsSidesThatMakeTheBreath()
+{
+    constexpr double kRounding_ml = 1e-6;
+    Desk desk;
+    desk.start();
+    desk.run(seconds{10});
+    desk.node.decide(
+        fact::LungConditionsSet{{{ConditionKind::SimplePneumothorax, 0.9, ConditionSide::Right}}});
+    std::optional<double> last_ml;
+    int breaths = 0;
+    for (int look = 0; look < 400; ++look) {
+        desk.run(milliseconds{50});
+        const auto breath = desk.trace.lastBreath();
+        QVERIFY(breath.has_value());
+        const double off_ml = breath->right_ml + breath->left_ml - breath->tidalVolume_ml;
+        QVERIFY2(std::abs(off_ml) < kRounding_ml, qPrintable(QString::number(off_ml)));
+        QVERIFY(breath->right_ml >= 0.0 && breath->left_ml >= 0.0);
+        breaths += last_ml != breath->tidalVolume_ml ? 1 : 0;
+        last_ml = breath->tidalVolume_ml;
+    }
+    QVERIFY(breaths > 4);
+}
+
+void TestBreathTrace::tellsOfNoBreathInApnoea()
+{
+    Desk desk;
+    desk.start();
+    desk.run(seconds{10});
+    QVERIFY(desk.trace.lastBreath() && !desk.trace.hasStopped());
+    desk.node.decide(fact::BreathingStopped{true, seconds{4}});
+    desk.run(seconds{3});
+    QVERIFY(!desk.trace.hasStopped());
+    desk.run(seconds{3});
+    QVERIFY(!desk.trace.lastBreath() && desk.trace.hasStopped());
+    desk.node.decide(fact::BagSqueezed{{perMinute(12.0), millilitres(300.0)}});
+    desk.run(seconds{20});
+    QVERIFY(!desk.trace.hasStopped());
+    QVERIFY(desk.trace.lastBreath()->airway.has_value());
+    QVERIFY(std::abs(desk.trace.lastBreath()->tidalVolume_ml - 300.0) < 5.0);
 }
 
 void TestBreathTrace::tellsThePressuresOfAVentilator()

@@ -30,6 +30,7 @@ private Q_SLOTS:
     void changesAllStationsByOneFact();
     void undoesAtEachStationWhatWasThere();
     void boundsABreathByAllPatients();
+    void stopsOverATimeAndGoesOn();
 };
 
 namespace
@@ -91,6 +92,33 @@ void TestBreathingModel::setsAndTellsWhatTravels_data()
                                   << QStringLiteral("Tidal volume → 450\u00a0ml");
     QTest::newRow("expiration") << int(Expiration) << 3.0
                                 << QStringLiteral("Inspiration : expiration → 1 : 3.00");
+    QTest::newRow("apnoea") << int(Own) << 0.0 << QStringLiteral("Breathing → stops");
+    QTest::newRow("bag") << int(BagRate) << 10.0 << QStringLiteral("Bag by hand → 10\u00a0/min");
+    QTest::newRow("volume of the bag")
+        << int(BagVolume) << 450.0 << QStringLiteral("Volume of the bag → 450\u00a0ml");
+}
+
+// What is left is what a console shows meanwhile; what others decide in between replaces the rest.
+void TestBreathingModel::stopsOverATimeAndGoesOn()
+{
+    Console console;
+    console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    console.breathing.setStoppingTime(std::chrono::seconds{20});
+    console.breathing.set(Own, 0.0);
+    console.settle();
+    COMPARE_NEAR(console.breathing.value(Own), 0.0); // decided
+    console.node.advance(std::chrono::seconds{10});
+    QVERIFY(std::abs(console.breathing.ownBreathing() - 0.5) < 0.06);
+    console.breathing.setStoppingTime(std::chrono::seconds{4});
+    console.breathing.set(Own, 1.0);
+    console.settle();
+    console.node.advance(std::chrono::seconds{2});
+    QVERIFY(std::abs(console.breathing.ownBreathing() - 0.75) < 0.15);
+    console.node.advance(std::chrono::seconds{15});
+    COMPARE_NEAR(console.breathing.ownBreathing(), 1.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.breathing.value(Own), 0.0);
 }
 
 void TestBreathingModel::setsAndTellsWhatTravels()

@@ -19,6 +19,7 @@ private Q_SLOTS:
     void saysWhoIsWhere();
     void saysWhoIsAtWork();
     void namesItsColumns();
+    void marksWhoSeesTheSame();
     void saysWhetherSomebodyIsThere_data();
     void saysWhetherSomebodyIsThere();
     void saysWhoMayNotTakePart();
@@ -104,7 +105,8 @@ void TestParticipantsModel::namesItsColumns()
     const QStringList expected{
         QStringLiteral("Name"),  QStringLiteral("Role"),         QStringLiteral("Station"),
         QStringLiteral("State"), QStringLiteral("Registration"), QStringLiteral("Sends"),
-        QStringLiteral("Age"),   QStringLiteral("Drift °"),      QStringLiteral("Drift mm")};
+        QStringLiteral("Age"),   QStringLiteral("Drift °"),      QStringLiteral("Drift mm"),
+        QStringLiteral("Delay"), QStringLiteral("Sees")};
     QStringList headers;
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
@@ -273,6 +275,30 @@ void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
     for (const int column : {Column::Age, Column::DriftAngle, Column::DriftDistance})
         QCOMPARE(table.cell(kObserverRow, column), kNoValue);
     QCOMPARE(table.model.oldestSample_ms(), std::optional{700.0});
+}
+
+// A tube that moves at 100 mm/s is shown elsewhere by 4 mm after 40 ms: the delay explains that.
+void TestParticipantsModel::marksWhoSeesTheSame()
+{
+    Table table;
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), kNoValue);
+    table.node.pathReports.push_back(
+        {.peer = FakeSessionNode::kTrainee, .meanDelay = milliseconds{40}});
+    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 3.5, 10.0, 100.0}};
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Delay), QStringLiteral("40 ms"));
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same"));
+    const QString figures = table.cell(kTraineeRow, Column::Same, Qt::ToolTipRole);
+    for (const char* part : {"0.03°", "3.5 mm", "4.0 mm", "41 ms", "0.40°"})
+        QVERIFY2(figures.contains(QString::fromUtf8(part)), qPrintable(figures));
+    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 4.5, 10.0, 100.0}};
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
+    QCOMPARE(table.cell(kTraineeRow, Column::Same, Qt::AccessibleTextRole),
+             QStringLiteral("Sees: differs"));
+    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 0.4, 0.0, 0.0}};
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same")); // nobody sees 0.4 mm
 }
 
 void TestParticipantsModel::forgetsTheObjectsOfWhoLeft()

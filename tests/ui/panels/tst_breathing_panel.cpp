@@ -2,6 +2,9 @@
 #include "tests/support/test_class.h"
 #include "ui/panels/breathing_panel.h"
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
 
@@ -16,6 +19,9 @@ class TestBreathingPanel : public QObject
 
 private Q_SLOTS:
     void offersOnlyVolumesOfThisPatient();
+    void refusesATypedVolumeWithItsRange();
+    void stopsTheBreathing();
+    void squeezesABag();
 };
 
 void TestBreathingPanel::offersOnlyVolumesOfThisPatient()
@@ -35,6 +41,69 @@ void TestBreathingPanel::offersOnlyVolumesOfThisPatient()
     QCOMPARE(box.maximum(), 1925);
     QCOMPARE(slider.maximum(), 1925);
     QCOMPARE(node.proposed, 0); // a bound asks for nothing
+}
+
+// It was 999.
+void TestBreathingPanel::refusesATypedVolumeWithItsRange()
+{
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathingModel model{session, FakeSessionNode::kStation};
+    BreathingPanel panel;
+    panel.setModel(model);
+    panel.show();
+    auto& box = *panel.findChild<QSpinBox*>(QStringLiteral("tidalVolume"));
+    const auto& refused = *panel.findChild<QLabel*>(QStringLiteral("refused"));
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("9999"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.value(), 280);
+    QCOMPARE(node.proposed, 0);
+    QVERIFY(refused.isVisible());
+    QVERIFY2(refused.text().contains(QStringLiteral("9999")), qPrintable(refused.text()));
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("400"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(node.proposed, 1);
+    QVERIFY(!refused.isVisible());
+}
+
+void TestBreathingPanel::stopsTheBreathing()
+{
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathingModel model{session, FakeSessionNode::kStation};
+    BreathingPanel panel;
+    panel.setModel(model);
+    panel.show();
+    auto& stops = *panel.findChild<QCheckBox*>(QStringLiteral("stops"));
+    const auto& left = *panel.findChild<QLabel*>(QStringLiteral("breathingLeft"));
+    QVERIFY(!stops.isChecked() && !left.isVisible());
+    stops.click();
+    node.advance(std::chrono::seconds{1});
+    node.announce();
+    QCoreApplication::sendPostedEvents();
+    const auto state = node.state();
+    const auto& respiration = state->stations().at(FakeSessionNode::kStation).respiration;
+    QCOMPARE(respiration.settingsAt(SessionTime::max()).ownBreathing, 0.0);
+    QVERIFY(stops.isChecked() && left.isVisible());
+    QVERIFY2(left.text().contains(QStringLiteral("Apnoea")), qPrintable(left.text()));
+}
+
+void TestBreathingPanel::squeezesABag()
+{
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathingModel model{session, FakeSessionNode::kStation};
+    BreathingPanel panel;
+    panel.setModel(model);
+    auto& rate = *panel.findChild<QSpinBox*>(QStringLiteral("bagRate"));
+    QCOMPARE(rate.text(), QStringLiteral("none"));
+    rate.setValue(12);
+    const auto state = node.state();
+    const auto& respiration = state->stations().at(FakeSessionNode::kStation).respiration;
+    QVERIFY(std::abs(inPerMinute(respiration.settingsAt(SessionTime::max()).bag.rate) - 12.0)
+            < 1e-9);
 }
 
 CARINA_SCREEN_TEST(TestBreathingPanel)

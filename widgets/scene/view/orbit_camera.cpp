@@ -35,6 +35,41 @@ double yawOf(ViewPreset preset)
     return 0.0;
 }
 
+/// From the patient to the eye.
+Vec3 directionOf(ViewPreset preset)
+{
+    const double yaw = yawOf(preset);
+    return {std::sin(yaw), -std::cos(yaw), 0.0};
+}
+
+/// What is up while the patient lies.
+Vec3 upOf(Lie lie)
+{
+    switch (lie) {
+    case Lie::OnBack:
+        return -Vec3::UnitY();
+    case Lie::OnFront:
+        return Vec3::UnitY();
+    case Lie::OnRightSide:
+        return Vec3::UnitX();
+    case Lie::OnLeftSide:
+        return -Vec3::UnitX();
+    case Lie::Upright:
+        break;
+    }
+    return Vec3::UnitZ();
+}
+
+Mat3 roomOf(Lie lie)
+{
+    if (lie == Lie::Upright)
+        return Mat3::Identity();
+    const Vec3 up = upOf(lie);
+    Mat3 R_AW;
+    R_AW << Vec3::UnitZ().cross(up), Vec3::UnitZ(), up;
+    return R_AW;
+}
+
 constexpr double kReach = 2.0;        ///< metres about the bounds within which tools are seen
 constexpr double kDepthRange = 500.0; ///< far plane over near plane
 
@@ -51,12 +86,42 @@ void OrbitCamera::setAspect(double widthOverHeight)
 void OrbitCamera::showFrom(ViewPreset preset)
 {
     m_preset = preset;
-    m_yaw = yawOf(preset);
-    m_level = preset == ViewPreset::Trainee ? std::numbers::pi : 0.0;
-    m_pitch = preset == ViewPreset::Trainee ? m_level - kTraineePitch : 0.0;
+    lookFrom(preset);
     m_target_A = m_bounds_A.empty() ? Vec3::Zero() : m_bounds_A.centre();
     m_distance = fittingDistance();
     m_fitted = true;
+}
+
+void OrbitCamera::setLie(Lie lie)
+{
+    if (lie == m_lie)
+        return;
+    m_lie = lie;
+    m_R_AW = roomOf(lie);
+    showFrom(m_preset);
+}
+
+void OrbitCamera::lookFrom(ViewPreset preset)
+{
+    const bool isTrainee = preset == ViewPreset::Trainee;
+    m_level = isTrainee && m_lie == Lie::Upright ? std::numbers::pi : 0.0;
+    if (m_lie == Lie::Upright) {
+        m_yaw = yawOf(preset);
+        m_pitch = isTrainee ? m_level - kTraineePitch : 0.0;
+        return;
+    }
+    if (isTrainee) {
+        m_yaw = std::numbers::pi;
+        m_pitch = std::numbers::pi / 2.0 - kTraineePitch;
+        return;
+    }
+    const Vec3 eye = m_R_AW.transpose() * directionOf(preset);
+    const bool isVertical = std::abs(eye.z()) > 0.5;
+    m_pitch = isVertical ? std::copysign(std::numbers::pi / 2.0, eye.z()) : 0.0;
+    if (isVertical)
+        m_yaw = eye.z() > 0.0 ? 0.0 : std::numbers::pi;
+    else
+        m_yaw = std::atan2(eye.x(), -eye.y());
 }
 
 void OrbitCamera::orbit(double right, double down)
@@ -125,14 +190,16 @@ CameraPose OrbitCamera::withPlanes(CameraPose pose) const
 
 Vec3 OrbitCamera::backward() const
 {
-    return {std::sin(m_yaw) * std::cos(m_pitch), -std::cos(m_yaw) * std::cos(m_pitch),
-            std::sin(m_pitch)};
+    return m_R_AW
+           * Vec3{std::sin(m_yaw) * std::cos(m_pitch), -std::cos(m_yaw) * std::cos(m_pitch),
+                  std::sin(m_pitch)};
 }
 
 Vec3 OrbitCamera::up() const
 {
-    return {-std::sin(m_yaw) * std::sin(m_pitch), std::cos(m_yaw) * std::sin(m_pitch),
-            std::cos(m_pitch)};
+    return m_R_AW
+           * Vec3{-std::sin(m_yaw) * std::sin(m_pitch), std::cos(m_yaw) * std::sin(m_pitch),
+                  std::cos(m_pitch)};
 }
 
 /// A corner at (r, u, b) to the right of, above and behind the target is in the picture when the

@@ -19,6 +19,15 @@ enum class ViewPreset : std::uint8_t {
     Trainee, ///< standing behind the head of the lying patient: the chest is ahead
 };
 
+/// How the patient lies or sits, which says what is up in the room.
+enum class Lie : std::uint8_t {
+    Upright, ///< head up
+    OnBack,
+    OnFront,
+    OnRightSide,
+    OnLeftSide,
+};
+
 /// The pose and clipping planes of a camera, in A, metres.
 struct CameraPose {
     Vec3 p_A_eye = Vec3::Zero();
@@ -28,8 +37,10 @@ struct CameraPose {
     double farPlane = 10.0;
 };
 
-/// A perspective camera that orbits a point: yaw about the patient's long axis, pitch from straight
-/// below to straight above.
+/// A perspective camera that orbits a point: yaw about the room's vertical, pitch from straight
+/// below to straight above. A preset shows the patient from the same side of the body however the
+/// patient lies; what is up in the room is up in the picture, or the head where the camera looks
+/// straight up or down.
 class OrbitCamera
 {
 public:
@@ -38,6 +49,8 @@ public:
     /// The box to look at, and the picture's width over its height.
     void setBounds(const Box& bounds_A) { m_bounds_A = bounds_A; }
     void setAspect(double widthOverHeight);
+    /// How the patient lies. Where that changes, the camera looks from its preset again.
+    void setLie(Lie lie);
 
     /// Looks from a preset, at the distance where the bounds fit into the picture with a small
     /// margin.
@@ -63,12 +76,16 @@ private:
     [[nodiscard]] Vec3 backward() const; ///< from the target to the eye
     [[nodiscard]] Vec3 up() const;
     [[nodiscard]] double fittingDistance() const;
+    void lookFrom(ViewPreset preset);
     [[nodiscard]] CameraPose withPlanes(CameraPose pose) const;
 
     Box m_bounds_A;
     double m_aspect = 1.6;
     Vec3 m_target_A = Vec3::Zero();
-    double m_yaw = 0.0; ///< 0 in front, positive towards the patient's left
+    Lie m_lie = Lie::Upright;
+    /// The room W: z up and, while the patient lies, y towards the head; that of A upright.
+    Mat3 m_R_AW = Mat3::Identity();
+    double m_yaw = 0.0; ///< about z of W, 0 at its -y; upright 0 in front, then to the left
     double m_pitch = 0.0;
     double m_level = 0.0; ///< pitch of the horizon: 0, or pi with the feet up in the picture
     double m_distance = 1.0;

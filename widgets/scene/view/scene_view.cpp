@@ -129,6 +129,8 @@ void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
 
 void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
 
+void SceneView::setLie(Lie lie) { m_window->camera().setLie(lie); }
+
 void SceneView::setBackground(const QColor& color) { m_renderer->setBackground(color); }
 
 QImage SceneView::picture() { return m_window->isExposed() ? m_renderer->picture() : QImage(); }

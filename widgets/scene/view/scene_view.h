@@ -83,6 +83,8 @@ public:
     }
 
     void showFrom(ViewPreset preset);
+    /// How the patient lies, for the view's own camera.
+    void setLie(Lie lie);
     /// The view's own camera, used for frames without a list of eyes.
     [[nodiscard]] const OrbitCamera& camera() const;
     /// Labels the right and left of a patient at the edges, except in a headset: of the body with

@@ -45,6 +45,8 @@ private Q_SLOTS:
     void collapsesTowardsTheHilum();
     void movesEachLungByItsOwnPose();
     void movesTheDiaphragmWithTheLungsAbove();
+    void lowersTheDiaphragmBesideACollapsedLung();
+    void keepsTheAttachmentOfTheDiaphragm();
     void movesTheBronchiWithTheLungsAround();
     void movesTheWallWithTheLungsBeneathAndUpward();
     void slidesLowerLobesAlongTheFissure();
@@ -140,6 +142,35 @@ void TestChestPose::movesTheDiaphragmWithTheLungsAbove()
     QCOMPARE(moved_mm(ChestRegion::Diaphragm, leftCollapsed, {0.07, 0.0, -0.09}).norm(), 0.0);
 }
 
+// Gas under tension lowers its half of the diaphragm and widens its ribs, whatever the lung does.
+void TestChestPose::lowersTheDiaphragmBesideACollapsedLung()
+{
+    ChestPose pose{{LungPose{.collapse = 0.35}, LungPose{}}, 0.0};
+    pose.walls = {3.0 * kQuietBreath, LungPose{}};
+    const ChestPose breathed{{3.0 * kQuietBreath, LungPose{}}, 0.0};
+    for (const Vec3& p_A : {kBaseBehind, kDome, kAxilla})
+        for (const ChestRegion region : {ChestRegion::Diaphragm, ChestRegion::Wall})
+            QCOMPARE(moved_mm(region, pose, p_A), moved_mm(region, breathed, p_A));
+    const ChestPose lung{pose.lungs, 0.0};
+    QCOMPARE(moved_mm(ChestRegion::RightUpperLung, pose, kDome),
+             moved_mm(ChestRegion::RightUpperLung, lung, kDome));
+    QCOMPARE(exaggerated(pose, 1.5).walls->at(0), 4.5 * kQuietBreath);
+    pose.walls->at(0).diaphragm = kMostDescent;
+    QCOMPARE(rangeTaken(pose), 1.0);
+}
+
+// 80 mm below the lungs, and half of that.
+void TestChestPose::keepsTheAttachmentOfTheDiaphragm()
+{
+    const ChestPose pose = bothLungs({.diaphragm = kMostDescent});
+    const double base = moved_mm(ChestRegion::Diaphragm, pose, {-0.09, 0.07, -0.15}).z();
+    const double edge = moved_mm(ChestRegion::Diaphragm, pose, {-0.09, 0.07, -0.23}).z();
+    QVERIFY2(base < -55.0 && edge > 0.6 * base, qPrintable(QString::number(edge / base)));
+    QCOMPARE(moved_mm(ChestRegion::Diaphragm, pose, {-0.09, 0.07, -0.33}).z(), 0.0);
+    const ChestPose raised = bothLungs({.ribs = 2.0});
+    QCOMPARE(moved_mm(ChestRegion::Wall, raised, {-0.01, -0.10, -0.33}).z(), 0.0);
+}
+
 void TestChestPose::movesTheBronchiWithTheLungsAround()
 {
     const ChestPose pose{{LungPose{2.0, 0.5, 0.3, 0.1}, LungPose{1.0, 0.2, 0.0, 0.2}}, 0.05};
@@ -183,6 +214,9 @@ void TestChestPose::shiftsTheMediastinumAlone()
     const ChestPose pose{{kQuietBreath, kQuietBreath}, 0.2};
     const Vec3 heart = moved_mm(ChestRegion::Mediastinum, pose, kHeart);
     QVERIFY(heart.x() > 23.0 && heart.x() < 26.0); // of 0.2 x 130 mm
+    // The trachea deviates in the neck, below the larynx, which stays.
+    QVERIFY(moved_mm(ChestRegion::Mediastinum, pose, {0.0, 0.0, 0.10}).x() > 12.0);
+    QCOMPARE(moved_mm(ChestRegion::Mediastinum, pose, {0.0, 0.0, 0.18}).x(), 0.0);
     QVERIFY(heart.y() == 0.0 && heart.z() == 0.0);
     QCOMPARE(moved_mm(ChestRegion::Wall, {{}, 0.2}, kSternum).norm(), 0.0);
 }
@@ -201,15 +235,15 @@ void TestChestPose::knowsHowMuchOfTheRangeIsTaken_data()
     QTest::addColumn<double>("taken");
     const double inf = std::numeric_limits<double>::infinity();
     QTest::newRow("rest") << LungPose{} << 0.0 << 0.0;
-    QTest::newRow("breathed in") << LungPose{.diaphragm = 5.0, .ribs = 2.0} << 0.0 << 0.5;
+    QTest::newRow("breathed in") << LungPose{.diaphragm = 2.1, .ribs = 2.0} << 0.0 << 0.5;
     QTest::newRow("ribs out") << LungPose{.diaphragm = 1.0, .ribs = -1.5} << 0.0 << 0.5;
     QTest::newRow("face down") << LungPose{.diaphragm = 1.0, .gravity = -1.2} << 0.0 << 0.75;
-    QTest::newRow("half collapsed") << LungPose{.diaphragm = 2.5, .collapse = 0.185} << 0.0 << 0.75;
-    QTest::newRow("air trapped") << LungPose{.diaphragm = 2.5, .collapse = -0.275} << 0.0 << 0.75;
-    QTest::newRow("shifted into it") << LungPose{.diaphragm = 2.5} << -0.125 << 0.75;
-    QTest::newRow("shifted away") << LungPose{.diaphragm = 7.5} << 0.125 << 0.75;
-    QTest::newRow("shifted too far") << LungPose{} << 0.2501 << inf;
-    QTest::newRow("shifted too far to the right") << LungPose{} << -0.2501 << inf;
+    QTest::newRow("half collapsed") << LungPose{.diaphragm = 1.05, .collapse = 0.2} << 0.0 << 0.75;
+    QTest::newRow("air trapped") << LungPose{.diaphragm = 1.05, .collapse = -0.275} << 0.0 << 0.75;
+    QTest::newRow("shifted into it") << LungPose{.diaphragm = 1.05} << -0.2 << 0.75;
+    QTest::newRow("shifted away") << LungPose{.diaphragm = 3.15} << 0.2 << 0.75;
+    QTest::newRow("shifted too far") << LungPose{} << 0.4001 << inf;
+    QTest::newRow("shifted too far to the right") << LungPose{} << -0.4001 << inf;
 }
 
 void TestChestPose::knowsHowMuchOfTheRangeIsTaken()
@@ -230,17 +264,18 @@ void TestChestPose::endsWhereTheRangeDoes_data()
     QTest::addColumn<double>("greatest");
     constexpr LungPose kDown{.diaphragm = 1.0};
     constexpr LungPose kShrink{.collapse = 1.0};
-    QTest::newRow("diaphragm") << LungPose{} << kDown << 0.0 << -3.0 << 10.0;
-    QTest::newRow("diaphragm the other way") << LungPose{} << -2.0 * kDown << 0.0 << -5.0 << 1.5;
-    QTest::newRow("from below rest") << LungPose{.diaphragm = -1.0} << kDown << 0.0 << -2.0 << 11.0;
-    QTest::newRow("beside ribs") << LungPose{.ribs = 10.0} << kDown << 0.0 << -3.0 << 10.0;
-    QTest::newRow("half collapsed") << LungPose{.collapse = 0.185} << kDown << 0.0 << -1.5 << 5.0;
-    QTest::newRow("shifted into it") << LungPose{} << kDown << 0.125 << -1.5 << 5.0;
-    QTest::newRow("shifted away") << LungPose{} << kDown << -0.25 << -3.0 << 10.0;
-    QTest::newRow("air trapped") << LungPose{.collapse = -0.275} << kDown << 0.0 << -1.5 << 5.0;
-    QTest::newRow("collapse") << LungPose{} << kShrink << 0.0 << -0.55 << 0.37;
+    QTest::newRow("diaphragm") << LungPose{} << kDown << 0.0 << -3.0 << 4.2;
+    QTest::newRow("ribs") << LungPose{} << LungPose{.ribs = 1.0} << 0.0 << -3.0 << 10.0;
+    QTest::newRow("diaphragm the other way") << LungPose{} << -2.0 * kDown << 0.0 << -2.1 << 1.5;
+    QTest::newRow("from below rest") << LungPose{.diaphragm = -1.0} << kDown << 0.0 << -2.0 << 5.2;
+    QTest::newRow("beside ribs") << LungPose{.ribs = 10.0} << kDown << 0.0 << -3.0 << 4.2;
+    QTest::newRow("half collapsed") << LungPose{.collapse = 0.2} << kDown << 0.0 << -1.5 << 2.1;
+    QTest::newRow("shifted into it") << LungPose{} << kDown << 0.2 << -1.5 << 2.1;
+    QTest::newRow("shifted away") << LungPose{} << kDown << -0.4 << -3.0 << 4.2;
+    QTest::newRow("air trapped") << LungPose{.collapse = -0.275} << kDown << 0.0 << -1.5 << 2.1;
+    QTest::newRow("collapse") << LungPose{} << kShrink << 0.0 << -0.55 << 0.4;
     QTest::newRow("collapse of half a breath")
-        << LungPose{.diaphragm = 5.0} << kShrink << 0.0 << -0.275 << 0.185;
+        << LungPose{.diaphragm = 2.1} << kShrink << 0.0 << -0.275 << 0.2;
     QTest::newRow("gravity") << LungPose{} << LungPose{.gravity = 0.4} << 0.0 << -4.0 << 4.0;
 }
 
@@ -268,11 +303,11 @@ void TestChestPose::hasNoAmplitudesOutsideTheRange()
     constexpr LungPose kDown{.diaphragm = 1.0};
     QVERIFY(!amplitudesWithin({.ribs = 10.1}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.gravity = -1.61}, kDown, 0.0));
-    QVERIFY(!amplitudesWithin({.collapse = 0.371}, kDown, 0.0));
+    QVERIFY(!amplitudesWithin({.collapse = 0.401}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.collapse = -0.551}, kDown, 0.0));
-    QVERIFY(!amplitudesWithin({}, kDown, 0.251));
-    QVERIFY(!amplitudesWithin({}, kDown, -0.251));
-    QVERIFY(!amplitudesWithin({.collapse = 0.2}, kDown, 0.2));
+    QVERIFY(!amplitudesWithin({}, kDown, 0.401));
+    QVERIFY(!amplitudesWithin({}, kDown, -0.401));
+    QVERIFY(!amplitudesWithin({.collapse = 0.3}, kDown, 0.2));
 }
 
 void TestChestPose::exaggeratesAsFarAsTheRangeGoes()
@@ -282,7 +317,7 @@ void TestChestPose::exaggeratesAsFarAsTheRangeGoes()
     const ChestPose twice = exaggerated(pose, 2.0);
     QCOMPARE(twice.lungs[0], (LungPose{2.0, 1.0, 0.4, 0.0}));
     QCOMPARE(twice.lungs[1], (LungPose{4.0, 0.0, 0.0, 0.0}));
-    QCOMPARE(exaggerated(pose, 100.0).lungs[1].diaphragm, 10.0);
+    QCOMPARE(exaggerated(pose, 100.0).lungs[1].diaphragm, 4.2);
     QCOMPARE(exaggerated(ChestPose{}, 3.0), ChestPose{});
     QCOMPARE(exaggerated({{}, 0.05}, 2.0).mediastinalShift, 0.1);
 }

@@ -17,7 +17,7 @@ namespace
 constexpr Length kWeld = millimetres(0.01);
 constexpr double kNormalTolerance_deg = 0.5;
 constexpr double kVolumeTolerance_ml = 0.1;
-constexpr double kLeastDeterminant = 0.2;
+constexpr double kLeastDeterminant = 0.1;
 constexpr double kStep_m = 1e-5;
 
 /// The five lobes of a man, closed, in the frame of their files moved to the middle of both lungs.
@@ -91,10 +91,10 @@ void TestRealChest::poses()
     QTest::addColumn<ChestPose>("pose");
     const auto both = [](const LungPose& lung) { return ChestPose{{lung, lung}, 0.0}; };
     QTest::newRow("quiet breath") << both(2.5 * kQuietBreath);
-    QTest::newRow("as deep as can be") << both(kGreatestBreath * kQuietBreath);
+    QTest::newRow("as deep as can be") << both(kMostDescent * kQuietBreath);
     QTest::newRow("breathed out") << both(kLeastBreath * kQuietBreath);
     QTest::newRow("right lung collapsed")
-        << ChestPose{{LungPose{.collapse = 0.37}, 3.0 * kQuietBreath}, 0.1};
+        << ChestPose{{LungPose{.collapse = kMostCollapse}, 3.0 * kQuietBreath}, 0.1};
 }
 
 void TestRealChest::turnsNormalsAsTheSurfaceTurns()

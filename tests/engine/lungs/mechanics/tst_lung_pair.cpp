@@ -268,7 +268,7 @@ void TestLungPair::refusesPosesOutsideTheRange()
     QCOMPARE(lungs.pose(demands, 0.0, 0).error().code, Errc::VolumeUnreachable);
     demands[1].given.ribs = 0.0;
     QVERIFY(lungs.pose(demands, 0.0, 0).has_value());
-    QCOMPARE(lungs.pose(demands, 0.3, 0).error().code, Errc::VolumeUnreachable);
+    QCOMPARE(lungs.pose(demands, 0.41, 0).error().code, Errc::VolumeUnreachable);
     demands[0].volume.si = std::numeric_limits<double>::quiet_NaN();
     QCOMPARE(lungs.pose(demands, 0.0, 0).error().code, Errc::NotFinite);
 }

@@ -57,6 +57,8 @@ void TestRespirationFacts::writesTheDocumentedBytes_data()
         "0000000000000040 000000000000f03f 0000000000000000");
     row("tube", fact::TubePlaced{metres(2.0)}, "10 0000000000000040");
     row("position", fact::BodyPositionSet{BodyPosition::LeftLateral}, "13 04");
+    row("stopped", fact::BreathingStopped{true, Duration{0x0102}}, "21 01 0201000000000000");
+    row("bag", fact::BagSqueezed{{hertz(0.25), {1.0}}}, "22 000000000000d03f 000000000000f03f");
     row("breath", fact::ManikinBreathed{SessionTime{Duration{0x0102}}}, "11 0201000000000000");
 }
 

@@ -49,6 +49,8 @@ class TestOrbitCamera : public QObject
 private Q_SLOTS:
     void looksFromWhereThePresetSays_data();
     void looksFromWhereThePresetSays();
+    void showsThePatientAsHeLies_data();
+    void showsThePatientAsHeLies();
     void framesTheBoundsFromEachPreset_data() { looksFromWhereThePresetSays_data(); }
     void framesTheBoundsFromEachPreset();
     void keepsTheBoundsFramedWhenTheWindowNarrows();
@@ -94,6 +96,49 @@ void TestOrbitCamera::looksFromWhereThePresetSays()
     QVERIFY((pose.up_A - up_A).norm() < kTolerance);
     QVERIFY((forward.cross(pose.up_A) - right_A).norm() < kTolerance);
     QVERIFY((pose.p_A_target - Vec3(0.0, 0.01, 0.05)).norm() < kTolerance);
+}
+
+void TestOrbitCamera::showsThePatientAsHeLies_data()
+{
+    QTest::addColumn<Lie>("lie");
+    QTest::addColumn<ViewPreset>("preset");
+    QTest::addColumn<Vec3>("forward_A");
+    QTest::addColumn<Vec3>("up_A");
+    const Vec3 left = Vec3::UnitX();
+    const Vec3 back = Vec3::UnitY();
+    const Vec3 head = Vec3::UnitZ();
+    using enum ViewPreset;
+    const auto row = [](const char* name, Lie lie, ViewPreset preset, const Vec3& forward,
+                        const Vec3& up) { QTest::newRow(name) << lie << preset << forward << up; };
+    row("on the back, from the side: the front is up", Lie::OnBack, Right, left, -back);
+    row("on the back, from the left: the front is up", Lie::OnBack, Left, -left, -back);
+    row("on the back, from the front: from above, head up", Lie::OnBack, Front, back, head);
+    row("on the back, from behind: from below, head up", Lie::OnBack, Back, -back, head);
+    row("on the front, from the side: the back is up", Lie::OnFront, Right, left, back);
+    row("on the front, from behind: from above, head up", Lie::OnFront, Back, -back, head);
+    row("on the front, from the front: from below", Lie::OnFront, Front, back, head);
+    row("on the right side, from the front: the left is up", Lie::OnRightSide, Front, back, left);
+    row("on the right side, from the left: from above", Lie::OnRightSide, Left, -left, head);
+    row("on the left side, from the front: the right is up", Lie::OnLeftSide, Front, back, -left);
+    row("on the left side, from behind: the right is up", Lie::OnLeftSide, Back, -back, -left);
+    row("upright again", Lie::Upright, Right, left, head);
+    // The same view as while upright.
+    row("on the back, from the head end", Lie::OnBack, Trainee,
+        {0.0, std::cos(0.9), -std::sin(0.9)}, {0.0, -std::sin(0.9), -std::cos(0.9)});
+}
+
+void TestOrbitCamera::showsThePatientAsHeLies()
+{
+    QFETCH(Lie, lie);
+    QFETCH(ViewPreset, preset);
+    QFETCH(Vec3, forward_A);
+    QFETCH(Vec3, up_A);
+    OrbitCamera camera = chestCamera(preset);
+    camera.setLie(Lie::OnFront);
+    camera.setLie(lie);
+    const CameraPose pose = camera.pose();
+    QVERIFY(((pose.p_A_target - pose.p_A_eye).normalized() - forward_A).norm() < kTolerance);
+    QVERIFY((pose.up_A - up_A).norm() < kTolerance);
 }
 
 void TestOrbitCamera::framesTheBoundsFromEachPreset()

@@ -1,0 +1,51 @@
+#include "models/session/change_history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+
+void ChangeHistory::add(const QObject& owner, const QString& text, std::function<void()> takeBack)
+{
+    if (m_changes.size() == kMost)
+        m_changes.erase(m_changes.begin());
+    m_changes.push_back({&owner, text, std::move(takeBack)});
+    Q_EMIT changed();
+}
+
+void ChangeHistory::retitle(const QObject& owner, const QString& text)
+{
+    const auto last = std::find_if(m_changes.rbegin(), m_changes.rend(),
+                                   [&owner](const Change& c) { return c.owner == &owner; });
+    if (last == m_changes.rend() || last->text == text)
+        return;
+    last->text = text;
+    Q_EMIT changed();
+}
+
+void ChangeHistory::forget(const QObject& owner)
+{
+    if (std::erase_if(m_changes, [&owner](const Change& c) { return c.owner == &owner; }) > 0)
+        Q_EMIT changed();
+}
+
+QStringList ChangeHistory::texts() const
+{
+    QStringList texts;
+    for (auto change = m_changes.rbegin(); change != m_changes.rend(); ++change)
+        texts << change->text;
+    return texts;
+}
+
+void ChangeHistory::undo(int count)
+{
+    for (; count > 0 && !m_changes.empty(); --count) {
+        const Change last = std::move(m_changes.back());
+        m_changes.pop_back();
+        last.takeBack();
+    }
+    Q_EMIT changed();
+}
+
+} // namespace carina

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include <functional>
+#include <vector>
+
+namespace carina
+{
+
+/// The changes that this person made in the session, over all panels, in their order: what one undo
+/// takes back, the last first.
+class ChangeHistory : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    /// Adds a change. @param owner whose change it is, for retitle and forget
+    /// @param text what it was: "Tidal volume → 400 ml"
+    void add(const QObject& owner, const QString& text, std::function<void()> takeBack);
+    /// The owner's last change goes on, as a slider that is dragged: it is called so from now on.
+    void retitle(const QObject& owner, const QString& text);
+    /// Removes the changes of an owner, which can no longer be taken back.
+    void forget(const QObject& owner);
+
+    [[nodiscard]] bool isEmpty() const { return m_changes.empty(); }
+    /// What each change was, the last first.
+    [[nodiscard]] QStringList texts() const;
+    /// Takes back the last changes, so many of them.
+    void undo(int count = 1);
+
+    static constexpr std::size_t kMost = 200; ///< older ones are forgotten
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    struct Change {
+        const QObject* owner = nullptr;
+        QString text;
+        std::function<void()> takeBack;
+    };
+
+    std::vector<Change> m_changes;
+};
+
+} // namespace carina

@@ -1,0 +1,116 @@
+#include "engine/anatomy/patient/patient_dimensions.h"
+#include "tests/engine/lungs/drawing/chest_in_skin.h"
+#include "tests/support/test_class.h"
+
+namespace carina::chest_in_skin_test
+{
+
+using namespace carina::test;
+
+namespace
+{
+
+const SkinnedChest& adult()
+{
+    static const SkinnedChest chest{BuiltinPatient::Adult};
+    return chest;
+}
+
+RespiratorySettings adultWith(const LungCondition& condition, VentilationMode mode)
+{
+    RespiratorySettings settings;
+    settings.build = buildOf(dimensionsFor(parametersOf(BuiltinPatient::Adult)).value());
+    settings.pattern = restingPattern(settings.build);
+    if (condition.kind != ConditionKind::Normal)
+        settings.conditions = {condition};
+    settings.ventilator.mode = mode;
+    return settings;
+}
+
+} // namespace
+
+/// What is drawn of diseased lungs and of the diaphragm, beside the skin.
+class TestChestInSkin : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void staysInTheSkinAndWhole_data();
+    void staysInTheSkinAndWhole();
+    void movesAsideUnderTension_data();
+    void movesAsideUnderTension();
+};
+
+void TestChestInSkin::staysInTheSkinAndWhole_data()
+{
+    QTest::addColumn<LungCondition>("condition");
+    QTest::addColumn<VentilationMode>("mode");
+    QTest::addColumn<BodyPosition>("position");
+    QTest::addColumn<bool>("isDeep");
+    using enum ConditionKind;
+    using enum VentilationMode;
+    using enum BodyPosition;
+    constexpr auto kRight = ConditionSide::Right;
+    constexpr auto kLeft = ConditionSide::Left;
+    constexpr auto kBoth = ConditionSide::Both;
+    QTest::newRow("health") << LungCondition{} << Spontaneous << Supine << false;
+    QTest::newRow("health, the deepest breath")
+        << LungCondition{} << Spontaneous << Sitting << true;
+    QTest::newRow("tension on the right, ventilated")
+        << LungCondition{TensionPneumothorax, 1.0, kRight} << VolumeControl << Supine << false;
+    QTest::newRow("tension on the left, deep, on the right side")
+        << LungCondition{TensionPneumothorax, 1.0, kLeft} << VolumeControl << RightLateral << true;
+    QTest::newRow("tension on both sides")
+        << LungCondition{TensionPneumothorax, 1.0, kBoth} << VolumeControl << Supine << false;
+    QTest::newRow("COPD, prone, deep")
+        << LungCondition{Copd, 1.0, kBoth} << VolumeControl << Prone << true;
+    QTest::newRow("atelectasis, sitting, deep")
+        << LungCondition{Atelectasis, 1.0, kRight} << Spontaneous << Sitting << true;
+}
+
+void TestChestInSkin::staysInTheSkinAndWhole()
+{
+    QFETCH(LungCondition, condition);
+    QFETCH(VentilationMode, mode);
+    QFETCH(BodyPosition, position);
+    QFETCH(bool, isDeep);
+    RespiratorySettings settings = adultWith(condition, mode);
+    settings.position = position;
+    if (isDeep)
+        settings.pattern.tidalVolume = largestTidalVolume(settings.build);
+    verifyInSkin(adult(), settings, QString::fromLatin1(QTest::currentDataTag()));
+}
+
+void TestChestInSkin::movesAsideUnderTension_data()
+{
+    QTest::addColumn<ConditionSide>("side");
+    QTest::newRow("right") << ConditionSide::Right;
+    QTest::newRow("left") << ConditionSide::Left;
+}
+
+/// At the end of expiration: the trachea by half of its width at least, to the other side, and the
+/// half of the diaphragm beneath the gas down, farther than the other.
+void TestChestInSkin::movesAsideUnderTension()
+{
+    constexpr double kSeen_mm = 8.0;
+    QFETCH(ConditionSide, side);
+    const RespiratorySettings settings =
+        adultWith({ConditionKind::TensionPneumothorax, 1.0, side}, VentilationMode::VolumeControl);
+    const ChestPose pose =
+        drawnPose(adult().lungs(), endsOfSettledBreath(settings)[0], adult().level());
+    const bool isRight = side == ConditionSide::Right;
+    const double aside_mm = 1e3 * (isRight ? 1.0 : -1.0) * adult().carinaMoved(pose).x();
+    QVERIFY2(aside_mm > kSeen_mm, qPrintable(QString::number(aside_mm)));
+    const Length beneath = adult().descent(pose, isRight ? Side::Right : Side::Left);
+    const Length beside = adult().descent(pose, isRight ? Side::Left : Side::Right);
+    QVERIFY2(
+        inMillimetres(beneath) > kSeen_mm && beneath > 1.5 * beside,
+        qPrintable(
+            QStringLiteral("%1 and %2 mm").arg(inMillimetres(beneath)).arg(inMillimetres(beside))));
+}
+
+CARINA_TEST(TestChestInSkin)
+
+} // namespace carina::chest_in_skin_test
+
+#include "tst_chest_in_skin.moc"

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "models/session/change_history.h"
+
+#include <QMenu>
+#include <QToolButton>
+
+namespace carina
+{
+
+/// Takes back the last change of any panel, which it names; Ctrl+Z. Its menu lists the changes, the
+/// last first: choosing one takes back all down to it.
+class UndoButton : public QToolButton
+{
+    Q_OBJECT
+
+public:
+    /// @pre the history outlives this.
+    explicit UndoButton(ChangeHistory& history, QWidget* parent = nullptr);
+
+private:
+    void refresh();
+    void list();
+
+    ChangeHistory& m_history;
+    QMenu m_menu;
+};
+
+} // namespace carina

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QSpinBox>
+
+namespace carina
+{
+
+// Boxes for numbers that are typed: one outside the range can be typed as it is, and is refused
+// with the range as it is entered, where Qt's own would keep the digits that fit. The value then
+// stays.
+
+/// A box for whole numbers.
+class CheckedSpinBox : public QSpinBox
+{
+    Q_OBJECT
+
+public:
+    using QSpinBox::QSpinBox;
+
+    [[nodiscard]] QValidator::State validate(QString& input, int& position) const override;
+    void fixup(QString& input) const override;
+
+Q_SIGNALS:
+    /// A number was refused; one sentence with the range and its unit.
+    void refused(const QString& why) const;
+};
+
+/// A box for numbers with decimals.
+class CheckedDoubleSpinBox : public QDoubleSpinBox
+{
+    Q_OBJECT
+
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+
+    [[nodiscard]] QValidator::State validate(QString& input, int& position) const override;
+    void fixup(QString& input) const override;
+
+Q_SIGNALS:
+    /// A number was refused; one sentence with the range and its unit.
+    void refused(const QString& why) const;
+};
+
+} // namespace carina

@@ -312,7 +312,8 @@ Result<int> run(const QCommandLineParser& parser)
         if (*journal)
             (*journal)->setStation(now);
     });
-    const auto script = program::scriptFromOptions(parser, window);
+    const auto script =
+        program::scriptFromOptions(parser, [&window]() -> QWidget& { return window; });
     const auto giver = program::openIgtLinkOption(parser, window, [&station] {
         return OfferGiver::Shown{station.view(), station.patient()};
     });

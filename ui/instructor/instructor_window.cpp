@@ -6,6 +6,7 @@
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
+#include <QCloseEvent>
 #include <QShowEvent>
 #include <QTimer>
 
@@ -148,6 +149,13 @@ void InstructorWindow::showEvent(QShowEvent* event)
     resizeDocks({m_ui->waveformDock}, {kLargeWaveforms}, Qt::Horizontal);
 }
 
+void InstructorWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_mayClose && !m_mayClose())
+        return event->ignore();
+    QMainWindow::closeEvent(event);
+}
+
 void InstructorWindow::fillSessionBar()
 {
     m_phase->setMargin(8);
@@ -183,9 +191,9 @@ void InstructorWindow::fillSessionBar()
 
 void InstructorWindow::endOnSecondPress()
 {
-    if (m_endAsked) {
+    if (std::exchange(m_endAsked, false)) {
         m_session.end();
-        return;
+        return refresh();
     }
     m_endAsked = true;
     refresh();

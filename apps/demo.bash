@@ -112,7 +112,9 @@ demo() {
             --site) site=$(realpath -e "$2" 2> /dev/null) || refuse "there is no file $2" ;;
             --tracker) tracker=$2 ;;
             --output) view+=(--output "$2") ;;
-            --headless) out=$(realpath -m "$2") ;;
+            --headless) out=$(realpath -m "$2")
+                # A folder is made, and its way there is not: most likely that is a slip.
+                [ -d "$(dirname "$out")" ] || refuse "--headless: there is no folder $(dirname "$out")" ;;
             --anatomy) anatomy=$(realpath -e "$2" 2> /dev/null) || refuse "there is no folder $2" ;;
             --patient) patient=(--patient "$2") ;;
             --seconds) seconds=$2 ;;

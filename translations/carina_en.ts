@@ -61,4 +61,34 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>carina::Readiness</name>
+    <message numerus="yes">
+        <source>%n days ago</source>
+        <translation>
+            <numerusform>%n day ago</numerusform>
+            <numerusform>%n days ago</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>carina::SessionSummary</name>
+    <message numerus="yes">
+        <source>%n decisions and events, in %1</source>
+        <translation>
+            <numerusform>%n decision or event, in %1</numerusform>
+            <numerusform>%n decisions and events, in %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>carina::StoredSessionsModel</name>
+    <message numerus="yes">
+        <source>%n minutes</source>
+        <translation>
+            <numerusform>%n minute</numerusform>
+            <numerusform>%n minutes</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -10,6 +10,8 @@
 #include <QScreen>
 #include <QTableView>
 
+#include <utility>
+
 namespace carina::program
 {
 namespace
@@ -84,7 +86,8 @@ bool picture(const QWidget& window, const QString& file)
 
 } // namespace
 
-ControlScript::ControlScript(QWidget& window, const QString& file) : m_window{window}, m_file{file}
+ControlScript::ControlScript(Window window, const QString& file)
+    : m_window{std::move(window)}, m_file{file}
 {
     m_file.open(QIODevice::ReadWrite); // what cannot be read has no lines
     m_timer.callOnTimeout([this] { goOn(); });
@@ -103,7 +106,7 @@ void ControlScript::goOn()
 bool ControlScript::perform(const QString& line) const
 {
     const QWidget* dialog = QApplication::activeModalWidget();
-    const QWidget& in = dialog ? *dialog : m_window;
+    const QWidget& in = dialog ? *dialog : m_window();
     const QString verb = line.section(QLatin1Char(' '), 0, 0);
     const QString name = line.section(QLatin1Char(' '), 1, 1);
     const QString text = line.section(QLatin1Char(' '), 2);
@@ -112,7 +115,7 @@ bool ControlScript::perform(const QString& line) const
     if (verb == QLatin1String{"choose"})
         return choose(in, name, text);
     if (verb == QLatin1String{"picture"})
-        return picture(m_window, line.section(QLatin1Char(' '), 1));
+        return picture(m_window(), line.section(QLatin1Char(' '), 1));
     return verb == QLatin1String{"type"} && type(in, name, text);
 }
 
@@ -126,10 +129,12 @@ void addScriptOption(QCommandLineParser& parser)
                       QStringLiteral("FILE")});
 }
 
-std::unique_ptr<ControlScript> scriptFromOptions(const QCommandLineParser& parser, QWidget& window)
+std::unique_ptr<ControlScript> scriptFromOptions(const QCommandLineParser& parser,
+                                                 ControlScript::Window window)
 {
-    return parser.isSet(kScript) ? std::make_unique<ControlScript>(window, parser.value(kScript))
-                                 : nullptr;
+    return parser.isSet(kScript)
+               ? std::make_unique<ControlScript>(std::move(window), parser.value(kScript))
+               : nullptr;
 }
 
 } // namespace carina::program

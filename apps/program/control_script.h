@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 
 namespace carina::program
@@ -26,9 +27,9 @@ template <class Control> Control* fetched(Control* control)
     return control;
 }
 
-/// Works a window's controls as the lines of a file say, which may be appended meanwhile. A control
-/// is meant by its object name, in the dialog that is open or else in the window; as long as there
-/// is none that can be used, the script waits.
+/// Works a program's controls as the lines of a file say, which may be appended meanwhile. A
+/// control is meant by its object name, in the dialog that is open or else in the window that is
+/// shown; as long as there is none that can be used, the script waits.
 ///
 /// - `press CONTROL` presses a button, a check box or a command of the tool bar.
 /// - `choose LIST TEXT` chooses the row of a table whose first cell has this text, or the entry of
@@ -38,15 +39,18 @@ template <class Control> Control* fetched(Control* control)
 class ControlScript
 {
 public:
-    /// @param file is made if there is none @pre window outlives this.
-    ControlScript(QWidget& window, const QString& file);
+    /// The window that the program shows at present.
+    using Window = std::function<QWidget&()>;
+
+    /// @param file is made if there is none @pre what `window` uses outlives this.
+    ControlScript(Window window, const QString& file);
 
 private:
     void goOn();
     /// @returns false where it cannot be done yet.
     [[nodiscard]] bool perform(const QString& line) const;
 
-    QWidget& m_window;
+    Window m_window;
     QFile m_file;
     QTimer m_timer;
 };
@@ -54,8 +58,8 @@ private:
 /// Adds `--script FILE`.
 void addScriptOption(QCommandLineParser& parser);
 
-/// The script of `--script`; null without it. @pre window outlives it
+/// The script of `--script`; null without it. @pre what `window` uses outlives it
 [[nodiscard]] std::unique_ptr<ControlScript> scriptFromOptions(const QCommandLineParser& parser,
-                                                               QWidget& window);
+                                                               ControlScript::Window window);
 
 } // namespace carina::program

@@ -17,7 +17,8 @@ struct Entered {
 /// @param settings the known settings; if isComplete, they are tried first, and the dialog is shown
 ///                 only after a refusal
 /// @param link a join link to fill in; may be empty
+/// @param isNamed whether the name is known; else the one of the last time is filled in
 [[nodiscard]] Entered askHowToJoin(const JoinSettings& settings, const QString& link,
-                                   bool isComplete);
+                                   bool isComplete, bool isNamed);
 
 } // namespace carina::program

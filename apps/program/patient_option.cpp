@@ -81,6 +81,10 @@ void addPatientOptions(QCommandLineParser& parser)
          QStringLiteral("WHO")});
 }
 
+QString patientOption(const QCommandLineParser& parser) { return parser.value(kPatient); }
+
+QString anatomyOption(const QCommandLineParser& parser) { return parser.value(kAnatomy); }
+
 bool importsPatient(const QCommandLineParser& parser) { return parser.isSet(kAnatomy); }
 
 bool namesPatient(const QCommandLineParser& parser)
@@ -106,6 +110,27 @@ Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
     if (!model)
         return tl::unexpected(model.error());
     return ChosenPatient{*std::move(model), *dimensions};
+}
+
+Result<ChosenPatient> patientForStart(const std::optional<SharedPatientModel>& laid,
+                                      const QCommandLineParser& parser)
+{
+    if (!laid)
+        return choosePatient(parser);
+    const auto made = parametersOfHash((*laid)->contentHash());
+    return dimensionsFor(made.value_or(parametersOf(BuiltinPatient::Adult)))
+        .map([&](const PatientDimensions& dimensions) {
+            return ChosenPatient{*laid, dimensions};
+        });
+}
+
+Result<ChosenPatient> importForPerson(const QString& folder)
+{
+    return importedPatient(folder.toStdString(), true)
+        .and_then([](Anatomy&& anatomy) { return patientOf(std::move(anatomy)); })
+        .map([](SharedPatientModel model) {
+            return ChosenPatient{std::move(model), dimensionsOf(BuiltinPatient::Adult)};
+        });
 }
 
 } // namespace carina::program

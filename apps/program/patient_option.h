@@ -5,6 +5,8 @@
 
 #include <QCommandLineParser>
 
+#include <optional>
+
 namespace carina::program
 {
 
@@ -16,6 +18,10 @@ struct ChosenPatient {
 
 /// Adds `--anatomy DIR` and `--patient WHO` (patientFromWords).
 void addPatientOptions(QCommandLineParser& parser);
+
+/// What `--patient` says, and `--anatomy`; empty without it.
+[[nodiscard]] QString patientOption(const QCommandLineParser& parser);
+[[nodiscard]] QString anatomyOption(const QCommandLineParser& parser);
 
 /// Whether these options name an anatomy set rather than a built-in patient.
 [[nodiscard]] bool importsPatient(const QCommandLineParser& parser);
@@ -29,5 +35,14 @@ void addPatientOptions(QCommandLineParser& parser);
 ///
 /// @returns WrongOption for an unknown patient; the errors of importing or building it.
 [[nodiscard]] Result<ChosenPatient> choosePatient(const QCommandLineParser& parser);
+
+/// A patient who is laid already, or, where there is none, the one of choosePatient.
+[[nodiscard]] Result<ChosenPatient> patientForStart(const std::optional<SharedPatientModel>& laid,
+                                                    const QCommandLineParser& parser);
+
+/// The set in a folder of surfaces, taken for an adult; on its first import a person may correct
+/// the roles of its surfaces, and stop it.
+/// @returns Cancelled; the errors of importing it.
+[[nodiscard]] Result<ChosenPatient> importForPerson(const QString& folder);
 
 } // namespace carina::program

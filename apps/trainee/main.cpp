@@ -156,6 +156,7 @@ struct Entry {
     JoinSettings settings;
     QString link{}; ///< that a person is still to complete
     bool isComplete = false;
+    bool isNamed = false;
 };
 
 /// @param asks whether a person may be asked for the rest
@@ -169,9 +170,10 @@ Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
         return tl::unexpected(link.error());
     if (const auto read = program::readEntryOptions(parser, entry.settings); !read)
         return tl::unexpected(read.error());
+    entry.isNamed = parser.isSet(QStringLiteral("as"));
     // A link says all but the name.
-    entry.isComplete = link->isEmpty() ? !parser.value(QStringLiteral("port")).isEmpty()
-                                       : parser.isSet(QStringLiteral("as"));
+    entry.isComplete =
+        link->isEmpty() ? !parser.value(QStringLiteral("port")).isEmpty() : entry.isNamed;
     if (!entry.isComplete && asks) {
         entry.link = *link;
         return entry;
@@ -188,7 +190,7 @@ Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
 Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions& options)
 {
     if (options.folder.isEmpty())
-        return program::askHowToJoin(entry.settings, entry.link, entry.isComplete);
+        return program::askHowToJoin(entry.settings, entry.link, entry.isComplete, entry.isNamed);
     auto node = SessionNode::join(entry.settings);
     if (!node)
         return tl::unexpected(node.error());
@@ -232,26 +234,28 @@ void followTracker(PoseRecording& recording, const TraineeStation& station)
     recording.follow(std::move(tools), std::move(tracking));
 }
 
-Result<int> run(const QCommandLineParser& parser)
+/// What a trainee's program is and sees by its options, whichever session it is in.
+struct Outfit {
+    program::MeasureOptions measure;
+    ViewOutput output = ViewOutput::Screen;
+    SharedPatientModel patient; ///< shown until the session's is there
+    TrackerChange change;       ///< and the site
+    std::optional<TrackerChoice> tracker;
+    HeadsetView headset;
+};
+
+Result<Outfit> outfitFrom(const QCommandLineParser& parser, const program::MeasureOptions& measure,
+                          ViewOutput output)
 {
-    const auto options = program::measureOptions(parser);
-    if (!options)
-        return tl::unexpected(options.error());
-    const auto output = viewOutputNamed(parser.value(QStringLiteral("output")));
-    if (!output)
-        return tl::unexpected(output.error());
-    const auto entry = entryOptions(parser, options->folder.isEmpty());
-    if (!entry)
-        return tl::unexpected(entry.error());
     if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
     const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    auto chosen = trackerFor(parser);
-    if (!chosen)
-        return tl::unexpected(chosen.error());
-    TrackerChange change{program::siteOption(parser), *chosen, program::recordDeviceOption(parser)};
+    auto tracker = trackerFor(parser);
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    TrackerChange change{program::siteOption(parser), *tracker, program::recordDeviceOption(parser)};
     const auto site = change.placeOf(*patient->model);
     if (!site)
         return tl::unexpected(site.error());
@@ -259,20 +263,28 @@ Result<int> run(const QCommandLineParser& parser)
         HeadsetView::of(*site ? (*site)->display.value_or(defaultDisplay()) : defaultDisplay());
     if (!headset)
         return tl::unexpected(headset.error());
+    return Outfit{measure, output, patient->model, std::move(change), *std::move(tracker),
+                  *headset};
+}
 
-    auto entered = enter(*entry, *options);
-    if (!entered)
-        return tl::unexpected(entered.error());
-    if (!entered->node)
-        return 0;
-    auto tracker = hardware(parser, entered->role, *std::move(chosen));
-    if (!tracker)
-        return tl::unexpected(tracker.error());
-    TraineeStation station{std::move(entered->node), *std::move(tracker),
+/// How one session was left.
+struct Left {
+    int status = 0;
+    bool wantsAnother = false;
+};
+
+/// Takes part in a session until the person leaves it.
+Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program::Entered entered)
+{
+    TrackerChange& change = outfit.change;
+    auto tools = hardware(parser, entered.role, outfit.tracker);
+    if (!tools)
+        return tl::unexpected(tools.error());
+    TraineeStation station{std::move(entered.node), *std::move(tools),
                            [&change](const PatientModel& of) { return change.placeOf(of); }};
     PoseRecording recording{[node = &station.node()] { return node->now(); }};
     station.onLaid([&] { followTracker(recording, station); });
-    if (const auto laid = station.lay(patient->model); !laid)
+    if (const auto laid = station.lay(outfit.patient); !laid)
         return tl::unexpected(laid.error());
 
     SessionModel session{station.node()};
@@ -281,13 +293,13 @@ Result<int> run(const QCommandLineParser& parser)
     SharedObjectModel object{session, place.id()};
     ObjectActionModel actions{object};
     PeopleModel people{session, place.id()};
-    SessionPatient sessionPatient{station.node(), place.id(), patient->model,
+    SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
     TraineeWindow window{station.node(),
                          sessionPatient,
                          station.view(),
-                         *headset,
-                         *output,
+                         outfit.headset,
+                         outfit.output,
                          station.chinProbe(),
                          actions,
                          people,
@@ -295,7 +307,7 @@ Result<int> run(const QCommandLineParser& parser)
                          {.sight = [&station] { return station.trackerSight(); },
                           .recording = &recording,
 
-                          .canBeGiven = entered->role == Role::Trainee,
+                          .canBeGiven = entered.role == Role::Trainee,
                           .treatment = treatmentOf(station)}};
     const auto show = [&] {
         window.show(station.patient(), station.view(), station.chinProbe());
@@ -309,6 +321,11 @@ Result<int> run(const QCommandLineParser& parser)
                      [&] { change.ask(window, station, show); });
     QObject::connect(&window, &TraineeWindow::trackerUnwanted, &window,
                      [&] { change.take(window, station, show); });
+    Left left;
+    QObject::connect(&window, &TraineeWindow::anotherWanted, &window, [&] {
+        left.wantsAnother = true;
+        window.close();
+    });
     if (const QString file = program::recordOption(parser); !file.isEmpty())
         if (const auto begun = recording.begin(file); !begun)
             return tl::unexpected(begun.error());
@@ -325,13 +342,57 @@ Result<int> run(const QCommandLineParser& parser)
         if (*journal)
             (*journal)->setStation(now);
     });
-    const auto script = program::scriptFromOptions(parser, window);
+    const auto script =
+        program::scriptFromOptions(parser, [&window]() -> QWidget& { return window; });
     const auto giver = program::openIgtLinkOption(parser, window, [&station] {
         return OfferGiver::Shown{station.view(), station.patient()};
     });
     if (!giver)
         return tl::unexpected(giver.error());
-    return showUntilClosed(window, parser, *options, station);
+    left.status = showUntilClosed(window, parser, outfit.measure, station);
+    if (entered.role == Role::Trainee)
+        outfit.tracker = station.tracker();
+    return left;
+}
+
+/// The way into another session: the person says which.
+Entry anotherEntry(const Entry& before, const program::Entered& entered)
+{
+    Entry entry{.settings = before.settings};
+    entry.settings.port = 0;
+    entry.settings.code.reset();
+    entry.settings.station.clear();
+    entry.settings.role = entered.role;
+    return entry;
+}
+
+Result<int> run(const QCommandLineParser& parser)
+{
+    const auto options = program::measureOptions(parser);
+    if (!options)
+        return tl::unexpected(options.error());
+    const auto output = viewOutputNamed(parser.value(QStringLiteral("output")));
+    if (!output)
+        return tl::unexpected(output.error());
+    auto entry = entryOptions(parser, options->folder.isEmpty());
+    if (!entry)
+        return tl::unexpected(entry.error());
+    auto outfit = outfitFrom(parser, *options, *output);
+    if (!outfit)
+        return tl::unexpected(outfit.error());
+    while (true) {
+        auto entered = enter(*entry, *options);
+        if (!entered)
+            return tl::unexpected(entered.error());
+        if (!entered->node)
+            return 0;
+        *entry = anotherEntry(*entry, *entered);
+        const auto left = takePart(parser, *outfit, *std::move(entered));
+        if (!left)
+            return tl::unexpected(left.error());
+        if (!left->wantsAnother)
+            return left->status;
+    }
 }
 
 } // namespace

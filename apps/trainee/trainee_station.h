@@ -84,6 +84,8 @@ public:
     [[nodiscard]] std::optional<TrackerSight> trackerSight() const;
     /// Has the tracker's poses predicted or not, and smoothed, also those of the next patient.
     void treat(const PoseTreatment& treatment);
+    /// The one that it works with now; nothing without one.
+    [[nodiscard]] const std::optional<TrackerChoice>& tracker() const { return m_hardware.tracker; }
     [[nodiscard]] const PoseTreatment& treatment() const { return m_hardware.treatment; }
     /// The true X_HA of the simulated head; empty without a simulation.
     [[nodiscard]] const program::TrueView& truth() const { return m_laid->truth; }

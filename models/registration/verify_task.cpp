@@ -34,8 +34,11 @@ VerifyTask::VerifyTask(SiteEditor& editor, StylusWatch& watch, const PatientMode
 std::vector<CheckPoint> VerifyTask::points() const
 {
     std::vector<CheckPoint> points = places();
-    for (CheckPoint& point : points)
+    for (CheckPoint& point : points) {
         point.bound_mm = inMillimetres(metres(boundAt(point.p_AQ, kBoundShare)));
+        if (point.error_mm)
+            point.limit_mm = inMillimetres(metres(boundAt(point.p_AQ, shareOfOne())));
+    }
     return points;
 }
 
@@ -184,12 +187,23 @@ Verdict VerifyTask::suggestion() const
     if (!canJudge() || !verification || verification->stale
         || verification->points.size() < kFewestPoints)
         return Verdict::Open;
-    // Together 95 %, as if they were independent.
-    const double share = std::pow(kBoundShare, 1.0 / double(verification->points.size()));
-    const bool all = std::ranges::all_of(verification->points, [&](const VerifiedPoint& point) {
-        return point.error <= boundAt(point.p_AQ, share);
-    });
+    const bool all = std::ranges::all_of(verification->points,
+                                         [share = shareOfOne(), this](const VerifiedPoint& point) {
+                                             return point.error <= boundAt(point.p_AQ, share);
+                                         });
     return all ? Verdict::Good : Verdict::NotGood;
+}
+
+std::size_t VerifyTask::touched() const
+{
+    const auto& verification = m_editor.site().verification;
+    return verification && !verification->stale ? verification->points.size() : 0;
+}
+
+/// Together 95 %, as if they were independent.
+double VerifyTask::shareOfOne() const
+{
+    return std::pow(kBoundShare, 1.0 / double(std::max<std::size_t>(touched(), 1)));
 }
 
 bool VerifyTask::isRecorded() const

@@ -1,6 +1,7 @@
 #include "models/session/join_form.h"
 
 #include "engine/core/expects.h"
+#include "engine/io/files/whole_file.h"
 #include "engine/net/discovery/addresses.h"
 #include "engine/net/entry/join_link.h"
 #include "engine/net/entry/token_folder.h"
@@ -14,6 +15,9 @@ namespace carina
 {
 namespace
 {
+
+constexpr FileLimit kNameLimit{"a name", 1024};
+constexpr const char* kLastName = "last-name";
 
 class JoinWords
 {
@@ -109,6 +113,17 @@ JoinGap gapOf(const Error& refusal, const JoinForm& form)
     if (refusal.code == Errc::WrongCode && form.code.trimmed().isEmpty())
         return {JoinField::Code, noCode()};
     return {fieldOf(refusal.code), errorText(refusal)};
+}
+
+QString lastName(const std::filesystem::path& tokens)
+{
+    const auto name = readWholeFile(tokens / kLastName, kNameLimit);
+    return name ? QString::fromStdString(*name).simplified() : QString{};
+}
+
+void keepLastName(const std::filesystem::path& tokens, const QString& name)
+{
+    static_cast<void>(writePrivateFile(tokens / kLastName, name.trimmed().toStdString()));
 }
 
 JoinForm formOf(const JoinSettings& settings)

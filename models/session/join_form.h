@@ -41,6 +41,13 @@ struct JoinGap {
 /// What has to be corrected after a session refused this form.
 [[nodiscard]] JoinGap gapOf(const Error& refusal, const JoinForm& form);
 
+/// The name with which a person joined last, which lies beside their tokens; empty where there is
+/// none.
+/// @param tokens the folder that keeps them
+[[nodiscard]] QString lastName(const std::filesystem::path& tokens);
+/// Keeps it; where that fails it is typed again next time.
+void keepLastName(const std::filesystem::path& tokens, const QString& name);
+
 /// A form filled in from settings.
 [[nodiscard]] JoinForm formOf(const JoinSettings& settings);
 

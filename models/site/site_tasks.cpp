@@ -176,8 +176,23 @@ public:
             return tr("The present registration is not verified: touch two points to verify it.");
         const QString when = howLongAgo(verification->at, today);
         return verification->verdict == Verdict::Good
-                   ? tr("Verified %1: good.").arg(when)
+                   ? tr("Verified %1: good.").arg(when) + beyond(*verification)
                    : tr("Verified %1: not good. Register it again.").arg(when);
+    }
+
+    /// The places beyond their own bounds: a verdict that is good judges all of them together.
+    static QString beyond(const SiteVerification& verification)
+    {
+        QStringList names;
+        for (const VerifiedPoint& point : verification.points)
+            if (point.error > point.bound)
+                names += tr("%1 (%2\u00a0mm)", "a place and its error")
+                             .arg(QString::fromStdString(point.name))
+                             .arg(inMillimetres(metres(point.error)), 0, 'f', 1);
+        return names.isEmpty() ? QString{}
+                               : tr(" Beyond its own 95 % bound, as one place in twenty is by "
+                                    "chance: %1.")
+                                     .arg(names.join(QStringLiteral(", ")));
     }
 
     static QString relaid(const SiteRelay& relay, const QDateTime& today)

@@ -46,7 +46,8 @@ QString phaseNotice(SessionPhase phase)
     case SessionPhase::Paused:
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Paused"));
     case SessionPhase::Ended:
-        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "The session has ended"));
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice",
+                                             "The session has ended. To join another, press Esc"));
     case SessionPhase::Running:
         break;
     }
@@ -90,24 +91,60 @@ QString notHere(const SessionState& state, const StationMoment& moment)
         .arg(QString::fromStdString(worker->second.name));
 }
 
-/// Of what goes on, the weightiest; empty when all is well.
-QString situation(const SessionNode& node, const StationMoment& moment, ViewOutput output)
+/// What to do about a headset whose place is not known; empty on a screen and while it is.
+QString headsetNotice(const StationMoment& moment, ViewOutput output, bool hasTracker)
 {
+    if (output == ViewOutput::Screen || !isLost(moment.head))
+        return {};
+    if (hasTracker && moment.head)
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
+    return hasTracker
+               ? noticeWords(QT_TRANSLATE_NOOP(
+                   "StationNotice",
+                   "The tracker has not seen the headset yet: hold it in the tracker's view. If "
+                   "the tracker has no tool for the head, give it one, or press Esc and choose “On "
+                   "a screen”"))
+               : noticeWords(QT_TRANSLATE_NOOP(
+                   "StationNotice",
+                   "A picture for a headset needs a tracker that sees the headset: press Esc and "
+                   "connect one under “Tracker and its tools”, or choose “On a screen”"));
+}
+
+/// That the tube of this program's participant, or of nobody, is not seen; empty while it is.
+QString tubeNotice(const SessionNode& node, const StationMoment& moment, bool hasTracker)
+{
+    if (!isLost(moment.tube))
+        return {};
+    if (hasTracker)
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
+    const auto state = node.state();
+    const auto self = state->participants().find(node.self());
+    if (self == state->participants().end() || self->second.role != Role::Trainee)
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Nobody is at work here"));
+    return noticeWords(QT_TRANSLATE_NOOP(
+        "StationNotice", "No tracker is connected here: you see what others do. To take part, "
+                         "press Esc and connect one under “Tracker and its tools”"));
+}
+
+/// Of what goes on, the weightiest; empty when all is well.
+QString situation(const SessionNode& node, const StationMoment& moment, ViewOutput output,
+                  bool hasTracker)
+{
+    const auto state = node.state();
+    const SessionPhase phase = state->phaseAt(moment.time);
+    if (phase == SessionPhase::Ended) // whether its host is there does not matter any more
+        return phaseNotice(phase);
     if (const auto refusal = node.refusal())
         return errorText(*refusal);
     if (!hostIsHere(node))
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Connecting to the instructor …"));
-    const auto state = node.state();
-    const QString phase = phaseNotice(state->phaseAt(moment.time));
-    if (!phase.isEmpty())
-        return phase;
-    if (output != ViewOutput::Screen && isLost(moment.head))
-        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
+    if (phase != SessionPhase::Running)
+        return phaseNotice(phase);
+    if (const QString headset = headsetNotice(moment, output, hasTracker); !headset.isEmpty())
+        return headset;
     if (moment.worker != kNobody && moment.worker != node.self())
         return notHere(*state, moment);
-    if (isLost(moment.tube))
-        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
-    return {};
+    return tubeNotice(node, moment, hasTracker);
 }
 
 } // namespace
@@ -117,7 +154,8 @@ QString stationNotice(const SessionNode& node, const StationMoment& moment, View
 {
     if (isRemoved(node))
         return errorText(node.refusal().value_or(Error{Errc::Removed, {}}));
-    QStringList lines{situation(node, moment, output), standing(node, moment.time)};
+    QStringList lines{situation(node, moment, output, registration.has_value()),
+                      standing(node, moment.time)};
     if (registration)
         lines.append(standingNotice(*registration));
     if (isAway(moment))
@@ -126,6 +164,12 @@ QString stationNotice(const SessionNode& node, const StationMoment& moment, View
     lines.append(liftedText(moment.lifted));
     lines.removeAll(QString{});
     return lines.join(QLatin1Char{'\n'});
+}
+
+bool isOver(const SessionNode& node)
+{
+    const auto now = node.now();
+    return isRemoved(node) || (now && node.state()->phaseAt(*now) == SessionPhase::Ended);
 }
 
 bool isRemoved(const SessionNode& node)

@@ -10,8 +10,9 @@ namespace carina
 {
 
 /// The notice shown at a station, as translated lines; empty if there is no problem. The first line
-/// is the most important of: refusal by the host, no host, session not running, headset (if there
-/// is one) or tube at work out of the tracker's view. A line is added while the registration cannot
+/// is the most important of: the session has ended, refusal by the host, no host, session not
+/// running, headset (if there is one) or tube at work not seen, with what to do where no tracker
+/// could see it. A line is added while the registration cannot
 /// be relied on, one while the patient is displaced from its original pose, and one that names what
 /// is lifted out of it.
 ///
@@ -21,6 +22,9 @@ namespace carina
 [[nodiscard]] QString stationNotice(const SessionNode& node, const StationMoment& moment,
                                     ViewOutput output,
                                     const std::optional<RegistrationStanding>& registration = {});
+
+/// Whether nothing more happens here: the session has ended, or isRemoved().
+[[nodiscard]] bool isOver(const SessionNode& node);
 
 /// Whether the host removed this program for good, so that nothing it offers has an effect.
 [[nodiscard]] bool isRemoved(const SessionNode& node);

@@ -61,7 +61,7 @@ std::vector<std::string> entries()
     link.certificate = "carina.example";
     all.push_back(toText(link));
     const std::vector<std::vector<std::byte>> messages{
-        encodeQuestion(7),
+        encodeQuestion({.nonce = 7}),
         encodeAnswer(0, {goldenKey(), "Ward 3", 45000}),
         encodeToken({ParticipantId{7}, key}),
         encodeChallenge({kSession, key}),

@@ -7,6 +7,7 @@
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
+#include <QCloseEvent>
 #include <QShowEvent>
 #include <QTimer>
 
@@ -152,6 +153,13 @@ void InstructorWindow::showEvent(QShowEvent* event)
     resizeDocks({m_ui->waveformDock}, {kLargeWaveforms}, Qt::Horizontal);
 }
 
+void InstructorWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_mayClose && !m_mayClose())
+        return event->ignore();
+    QMainWindow::closeEvent(event);
+}
+
 void InstructorWindow::fillSessionBar()
 {
     m_phase->setMargin(8);
@@ -187,9 +195,9 @@ void InstructorWindow::fillSessionBar()
 
 void InstructorWindow::endOnSecondPress()
 {
-    if (m_endAsked) {
+    if (std::exchange(m_endAsked, false)) {
         m_session.end();
-        return;
+        return refresh();
     }
     m_endAsked = true;
     refresh();

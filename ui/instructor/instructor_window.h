@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QMainWindow>
 
+#include <functional>
 #include <memory>
 
 namespace Ui
@@ -50,7 +51,11 @@ public:
 
     [[nodiscard]] StationScene& stationScene();
 
+    /// Asked before the window is closed; while it says no, the window stays.
+    void onClose(std::function<bool()> mayClose) { m_mayClose = std::move(mayClose); }
+
 protected:
+    void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -72,6 +77,7 @@ private:
     SessionPhase m_shownPhase = SessionPhase::Prepared;
     bool m_isLaidOut = false;
     bool m_endAsked = false;
+    std::function<bool()> m_mayClose;
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;
 };

@@ -43,6 +43,8 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
       m_role{new QComboBox},
       m_station{field("station", tr("Station"), begin.station)},
       m_certificate{field("certificate", tr("Name in its certificate"), begin.certificate)},
+      m_form{new QFormLayout},
+      m_more{new QPushButton{tr("&More")}},
       m_typed{new QWidget{this}},
       m_missing{wrapping("missing")},
       m_join{new QPushButton{tr("&Join")}}
@@ -67,11 +69,15 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
             &JoinDialog::choose);
     connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::tellSearching);
     connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::tellSearching);
+    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::chooseTheOnly);
+    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::refresh);
+    connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::refresh);
     connect(m_address, &QLineEdit::textChanged, this, &JoinDialog::readLink);
     connect(m_role, &QComboBox::currentIndexChanged, this, &JoinDialog::refresh);
     connect(&m_entrance, &Entrance::changed, this, &JoinDialog::follow);
     readLink();
     tellSearching();
+    chooseTheOnly();
     refresh();
 }
 
@@ -99,15 +105,22 @@ void JoinDialog::layOut()
 {
     auto* found = new PlainLabel{tr("&Sessions found"), this};
     found->setBuddy(m_list);
-    auto* form = new QFormLayout{m_typed};
-    form->setContentsMargins({});
-    form->addRow(tr("&Address or link"), m_address);
-    form->addRow(tr("&Port"), m_port);
-    form->addRow(tr("&Code of your role"), m_code);
-    form->addRow(tr("Your &name"), m_name);
-    form->addRow(tr("&Role"), m_role);
-    form->addRow(tr("St&ation"), m_station);
-    form->addRow(tr("Cer&tificate"), m_certificate);
+    m_typed->setLayout(m_form);
+    m_form->setContentsMargins({});
+    m_form->addRow(tr("&Address or link"), m_address);
+    m_form->addRow(tr("&Port"), m_port);
+    m_form->addRow(tr("&Code of your role"), m_code);
+    m_form->addRow(tr("Your &name"), m_name);
+    m_form->addRow(tr("&Role"), m_role);
+    m_form->addRow(tr("St&ation"), m_station);
+    m_more->setObjectName(QStringLiteral("more"));
+    m_more->setCheckable(true);
+    m_more->setAutoDefault(false); // Return joins
+    m_more->setToolTip(tr("The name in the certificate of the instructor's computer"));
+    connect(m_more, &QPushButton::toggled, this, &JoinDialog::showMore);
+    m_form->addRow(m_more);
+    m_form->addRow(tr("Cer&tificate"), m_certificate);
+    showMore(!m_certificate->text().isEmpty());
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
     buttons->addButton(m_join, QDialogButtonBox::AcceptRole);
     m_join->setObjectName(QStringLiteral("join"));
@@ -132,6 +145,22 @@ void JoinDialog::choose(const QModelIndex& session)
     m_port->setText(QString::number(found.notice.port));
 }
 
+/// Of several a person chooses, and who typed an address has chosen.
+void JoinDialog::chooseTheOnly()
+{
+    if (m_sessions.rowCount() != 1 || !m_address->text().isEmpty() || !m_port->text().isEmpty())
+        return;
+    m_list->setCurrentIndex(m_sessions.index(0));
+    if (m_list->hasFocus() || !focusWidget()) // and nobody types already
+        (m_name->text().isEmpty() ? m_name : m_code)->setFocus();
+}
+
+void JoinDialog::showMore(bool shown)
+{
+    m_more->setChecked(shown);
+    m_form->setRowVisible(m_certificate, shown);
+}
+
 void JoinDialog::readLink()
 {
     const JoinForm read = withLinkRead(form());
@@ -141,6 +170,7 @@ void JoinDialog::readLink()
     m_code->setText(read.code);
     m_role->setCurrentIndex(m_role->findData(static_cast<int>(read.role)));
     m_certificate->setText(read.certificate);
+    showMore(m_more->isChecked() || !read.certificate.isEmpty());
     m_address->setText(read.address);
 }
 
@@ -165,6 +195,8 @@ void JoinDialog::follow()
     refresh();
     if (const auto& refusal = m_entrance.refusal()) {
         m_missing->setText(refusal->sentence);
+        if (refusal->field == JoinField::Certificate)
+            showMore(true);
         fieldOf(refusal->field)->setFocus();
         fieldOf(refusal->field)->selectAll();
     }

@@ -6,6 +6,7 @@
 #include <QDialog>
 
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QListView;
@@ -38,6 +39,8 @@ private:
     [[nodiscard]] QLineEdit* field(const char* name, const QString& label, const QString& text);
     void layOut();
     void choose(const QModelIndex& session);
+    void chooseTheOnly();
+    void showMore(bool shown);
     void readLink();
     void follow();
     void refresh();
@@ -55,7 +58,9 @@ private:
     QComboBox* m_role;
     QLineEdit* m_station;
     QLineEdit* m_certificate;
-    QWidget* m_typed; ///< parent of all input fields above
+    QFormLayout* m_form;
+    QPushButton* m_more; ///< shows what few need
+    QWidget* m_typed;    ///< parent of all input fields above
     QLabel* m_missing;
     QPushButton* m_join;
 };

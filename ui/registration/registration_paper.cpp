@@ -89,6 +89,20 @@ QString judgedIn(const Site& site)
                           : PaperWords::tr("%1, by %2").arg(at, QString::fromStdString(person));
 }
 
+/// The places beyond their own bounds beside a verdict that is good, which judges all together.
+QStringList toleratedIn(const Site& site)
+{
+    QStringList sentences;
+    if (verdictOf(site) != RegistrationReport::Verdict::Verified)
+        return sentences;
+    for (const VerifiedPoint& point : site.verification->points)
+        if (point.error > point.bound)
+            sentences << PaperWords::tr("%1: beyond its own 95 % bound; the verdict judges all "
+                                        "places together, of which one in twenty is by chance.")
+                             .arg(QString::fromStdString(point.name));
+    return sentences;
+}
+
 void addChecked(const Site& site, RegistrationReport& report)
 {
     if (!site.verification || site.verification->stale)
@@ -125,7 +139,7 @@ RegistrationReport reportOf(const RegistrationModel& registration, QImage pictur
         .date = localTime(fitted.madeAt),
         .verdict = verdictOf(site),
         .judged = judgedIn(site),
-        .notes = registration.fitting().findings() + staleTasks(registration)
+        .notes = registration.fitting().findings() + staleTasks(registration) + toleratedIn(site)
                  + registration.manikin().comparison(),
         .landmarks = landmarksOf(registration),
         .fre_mm = inMillimetresOf(fitted.rms),

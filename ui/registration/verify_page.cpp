@@ -5,6 +5,7 @@
 #include "widgets/plain_label.h"
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QShortcut>
 #include <QTableWidget>
@@ -15,6 +16,8 @@ namespace carina
 namespace
 {
 
+constexpr int kLongestName = 80;
+
 enum CheckColumn { PlaceColumn, ErrorColumn, BoundColumn, WithinColumn, CheckColumnCount };
 
 } // namespace
@@ -23,6 +26,10 @@ VerifyPage::VerifyPage(RegistrationModel& registration)
     : RegistrationPage{registration},
       m_points{new QTableWidget{0, CheckColumnCount, this}},
       m_verdict{new PlainLabel{this}},
+      m_nameWanted{new PlainLabel{
+          tr("▲ Your na&me is asked for: it stands beside the verdict, in the report, too."),
+          this}},
+      m_name{new QLineEdit{this}},
       m_stylus{new PlainLabel{this}},
       m_take{new QPushButton{tr("&Take this point"), this}}
 {
@@ -32,6 +39,14 @@ VerifyPage::VerifyPage(RegistrationModel& registration)
     makeReadable(*m_points);
     m_verdict->setWordWrap(true);
     m_verdict->setObjectName(QStringLiteral("verdict"));
+    m_nameWanted->setWordWrap(true);
+    m_nameWanted->setBuddy(m_name);
+    m_name->setObjectName(QStringLiteral("judge"));
+    m_name->setAccessibleName(tr("Your name, recorded with the verdict"));
+    m_name->setPlaceholderText(tr("Your name"));
+    m_name->setMaxLength(kLongestName);
+    connect(m_name, &QLineEdit::editingFinished, this,
+            [this] { this->registration().setOperator(m_name->text()); });
     m_stylus->setWordWrap(true);
     m_stylus->setObjectName(QStringLiteral("stylus"));
     m_stylus->setAccessibleName(tr("Where the stylus is on the anatomy"));
@@ -46,7 +61,8 @@ VerifyPage::VerifyPage(RegistrationModel& registration)
     connect(space, &QShortcut::activated, this, [this, choose] { choose(m_points->currentRow()); });
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_points, m_take, m_verdict, m_stylus})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_points, m_take, m_verdict,
+                                                           m_nameWanted, m_name, m_stylus})
         column->addWidget(widget);
     column->addStretch();
 }
@@ -56,6 +72,9 @@ void VerifyPage::refresh()
     fillPoints();
     m_take->setEnabled(registration().verifying().next().has_value());
     m_verdict->setText(verdict());
+    const bool isNamed = !registration().site().operatorName.empty();
+    m_nameWanted->setVisible(!isNamed);
+    m_name->setVisible(!isNamed || m_name->hasFocus());
     refreshLive();
 }
 
@@ -79,9 +98,10 @@ void VerifyPage::fillPoints()
         put(ErrorColumn, point.error_mm ? tr("%1 mm").arg(*point.error_mm, 0, 'f', 1)
                                         : (isNext ? tr("● now") : tr("○ open")));
         put(BoundColumn, tr("%1 mm").arg(point.bound_mm, 0, 'f', 1));
-        put(WithinColumn, !point.error_mm    ? QString{}
-                          : point.isWithin() ? tr("✓ yes")
-                                             : tr("▲ no"));
+        put(WithinColumn, !point.error_mm       ? QString{}
+                          : point.isWithin()    ? tr("✓ yes")
+                          : point.isTolerated() ? tr("▲ limit %1 mm").arg(point.limit_mm, 0, 'f', 1)
+                                                : tr("▲ no"));
     }
     fitHeight(*m_points);
 }
@@ -90,7 +110,9 @@ void VerifyPage::fillPoints()
 QString VerifyPage::verdict() const
 {
     const VerifyTask& task = registration().verifying();
-    const QString sentence = verdictOfErrors();
+    QStringList told{verdictOfErrors(), tolerated(), rule()};
+    told.removeAll(QString{});
+    const QString sentence = told.join(QLatin1Char('\n'));
     if (task.suggestion() != Verdict::Good || task.hasAirwayPoint())
         return sentence;
     return sentence + QLatin1Char('\n')
@@ -98,12 +120,42 @@ QString VerifyPage::verdict() const
                 "upper incisors, or the front of the larynx.");
 }
 
+/// Which places the table has beyond their own bound, beside a verdict that is good.
+QString VerifyPage::tolerated() const
+{
+    if (registration().verifying().suggestion() != Verdict::Good)
+        return {};
+    QStringList names;
+    for (const CheckPoint& point : registration().verifying().points())
+        if (point.isTolerated())
+            names += point.name;
+    return names.isEmpty()
+               ? QString{}
+               : tr("▲ Beyond its own 95 % bound, and within the limit that counts: %1.",
+                    "names of places")
+                     .arg(names.join(QStringLiteral(", ")));
+}
+
+QString VerifyPage::rule() const
+{
+    const VerifyTask& task = registration().verifying();
+    return task.suggestion() == Verdict::Open
+               ? QString{}
+               : tr("Rule: good if no error exceeds the limit of its place. The limits are larger "
+                    "than the 95 % bounds, such that all %1 places together keep them in 95 of 100 "
+                    "registrations; one place in twenty is beyond its own bound by chance.")
+                     .arg(task.touched());
+}
+
 QString VerifyPage::verdictOfErrors() const
 {
     if (isNotGood(registration().site()))
         return tr("▲ Recorded as not good: touch the landmarks again.");
     if (registration().verifying().isRecorded())
-        return tr("✓ Verified: the errors are as small as expected.");
+        return tolerated().isEmpty()
+                   ? tr("✓ Verified: the errors are as small as expected.")
+                   : tr("✓ Verified: together the errors are as small as expected, one by one not "
+                        "all are.");
     if (registration().site().registration && !registration().verifying().canJudge())
         return tr("▲ This registration is of an older version, which did not keep how large its "
                   "error may be: fit the landmarks again.");

@@ -3,6 +3,7 @@
 #include "ui/registration/registration_page.h"
 
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
@@ -28,9 +29,13 @@ private:
     void fillPoints();
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] QString verdictOfErrors() const;
+    [[nodiscard]] QString tolerated() const;
+    [[nodiscard]] QString rule() const;
 
     QTableWidget* m_points; ///< children of this
     QLabel* m_verdict;
+    QLabel* m_nameWanted; ///< why the name is asked for, while it is not known
+    QLineEdit* m_name;
     QLabel* m_stylus;
     QPushButton* m_take;
 };

@@ -43,6 +43,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_partsPanel{new PartsPanel},
       m_section{new SectionPanel},
       m_notices{new PlainLabel{this}, new PlainLabel{this}},
+      m_another{new QPushButton{tr("&Join another session"), this}},
       m_headset{headset},
       m_people{people},
       m_objects{actions.object()},
@@ -64,6 +65,13 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
         notice->setMargin(kNoticeMargin);
         notice->setWordWrap(true);
     }
+
+    m_another->setObjectName(QStringLiteral("another"));
+    m_another->setAttribute(Qt::WA_NativeWindow);
+    m_another->setPalette(QApplication::palette());
+    m_another->setDefault(true);
+    m_another->hide();
+    connect(m_another, &QPushButton::clicked, this, &TraineeWindow::anotherWanted);
 
     m_scene->setAccessibleName(tr("Patient, three-dimensional view"));
     m_scene->setBackground(Qt::black);
@@ -179,6 +187,7 @@ void TraineeWindow::makeMenu()
     m_menu.addSeparator();
     addFetching();
     addMotion();
+    addAnother();
     m_menu.addAction(tr("F&ull screen on or off"), this,
                      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     m_menu.addAction(tr("&Leave"), this, &QWidget::close);
@@ -305,6 +314,32 @@ void TraineeWindow::addFetching()
     offer();
 }
 
+void TraineeWindow::addAnother()
+{
+    QAction* another =
+        m_menu.addAction(tr("&Join another session"), this, [this] { Q_EMIT anotherWanted(); });
+    const auto offer = [this, another] { another->setVisible(isOver(m_node)); };
+    connect(&m_menu, &QMenu::aboutToShow, this, offer);
+    offer();
+}
+
+/// In a headset the menu offers it, where one eye sees it whole.
+void TraineeWindow::placeAnother()
+{
+    const bool isOffered = isOver(m_node) && m_stationScene.output() == ViewOutput::Screen;
+    const bool isNew = isOffered && m_another->isHidden();
+    m_another->setVisible(isOffered);
+    if (!isOffered)
+        return;
+    m_another->resize(m_another->sizeHint());
+    const QRect around = m_scene->geometry();
+    m_another->move(around.center() - m_another->rect().center());
+    if (QWindow* window = m_another->windowHandle())
+        window->raise();
+    if (isNew)
+        m_another->setFocus();
+}
+
 void TraineeWindow::showTo(ViewOutput output)
 {
     m_stationScene.showTo(m_headset, output);
@@ -371,6 +406,7 @@ void TraineeWindow::refreshNotice()
     eye.setWidth(twice ? eye.width() / 2 : eye.width());
     placeNotice(0, notice, eye);
     placeNotice(1, twice ? notice : QString{}, eye.translated(eye.width(), 0));
+    placeAnother();
 }
 
 void TraineeWindow::placeNotice(std::size_t place, const QString& notice, const QRect& within)

@@ -16,6 +16,7 @@
 #include <array>
 #include <vector>
 
+class QPushButton;
 class QVBoxLayout;
 
 namespace carina
@@ -71,6 +72,8 @@ Q_SIGNALS:
     void trackerWanted();
     /// A person wants to go on without the tracker.
     void trackerUnwanted();
+    /// A person wants to leave this session, which is over, for another.
+    void anotherWanted();
 
 private:
     void makeActions(ObjectActionModel& actions);
@@ -88,6 +91,8 @@ private:
     /// The choices of what the chin probe moves; shown while there is a choice.
     [[nodiscard]] std::vector<QAction*> addChinProbe();
     void addFetching();
+    void addAnother();
+    void placeAnother();
     [[nodiscard]] QPoint menuPlace() const;
     void showTo(ViewOutput output);
     void refreshNotice();
@@ -104,6 +109,7 @@ private:
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
+    QPushButton* m_another;           ///< over the picture, once the session is over
     HeadsetView m_headset;
     PeopleModel& m_people;
     SharedObjectModel& m_objects;

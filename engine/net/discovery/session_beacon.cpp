@@ -10,9 +10,9 @@ namespace carina
 {
 
 Result<std::unique_ptr<SessionBeacon>> SessionBeacon::open(const SessionNotice& notice, bool open,
-                                                           std::uint16_t port)
+                                                           std::uint16_t port, Announced announced)
 {
-    std::unique_ptr<SessionBeacon> beacon{new SessionBeacon{notice}};
+    std::unique_ptr<SessionBeacon> beacon{new SessionBeacon{notice, announced}};
     QUdpSocket& socket = beacon->m_socket;
     socket.setProxy(QNetworkProxy::NoProxy);
     // Several hosts on one computer share the port: each gets what is broadcast.
@@ -27,12 +27,19 @@ Result<std::unique_ptr<SessionBeacon>> SessionBeacon::open(const SessionNotice& 
 void SessionBeacon::answer()
 {
     while (const auto datagram = readRaw(m_socket)) {
-        const auto nonce = decodeQuestion(std::as_bytes(octets(datagram->bytes)));
+        const auto question = decodeQuestion(std::as_bytes(octets(datagram->bytes)));
         const Endpoint from = endpoint(datagram->from, datagram->port);
-        if (nonce && m_limiter.admits(sourcePrefix(from), datagram->arrived))
-            m_socket.writeDatagram(viewOf(encodeAnswer(*nonce, m_notice)), datagram->from,
+        if (question && isMeant(*question)
+            && m_limiter.admits(sourcePrefix(from), datagram->arrived))
+            m_socket.writeDatagram(viewOf(encodeAnswer(question->nonce, m_notice)), datagram->from,
                                    datagram->port);
     }
+}
+
+bool SessionBeacon::isMeant(const SessionQuestion& question) const
+{
+    return question.session == m_notice.session
+           || (m_announced == Announced::ToAll && question.session == SessionKey{});
 }
 
 } // namespace carina

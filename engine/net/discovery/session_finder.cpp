@@ -1,34 +1,14 @@
 #include "engine/net/discovery/session_finder.h"
 
 #include "engine/core/monotonic_clock.h"
-#include "engine/net/discovery/loopback.h"
+#include "engine/net/discovery/broadcast.h"
 #include "engine/net/secure/dtls.h"
 
-#include <QNetworkInterface>
 #include <QNetworkProxy>
 #include <QRandomGenerator>
 
 namespace carina
 {
-namespace
-{
-
-/// One for each network this computer is in.
-std::vector<QHostAddress> broadcastAddresses()
-{
-    std::vector<QHostAddress> addresses{loopbackBroadcast()};
-    for (const QNetworkInterface& network : QNetworkInterface::allInterfaces()) {
-        if (!network.flags().testFlag(QNetworkInterface::IsRunning))
-            continue;
-        for (const QNetworkAddressEntry& entry : network.addressEntries())
-            if (!entry.broadcast().isNull())
-                addresses.push_back(entry.broadcast());
-    }
-    return addresses;
-}
-
-} // namespace
-
 SessionFinder::SessionFinder(std::function<void()> onChange, std::uint16_t port)
     : m_onChange{std::move(onChange)}, m_port{port}, m_nonce{QRandomGenerator::system()->generate()}
 {
@@ -44,7 +24,7 @@ SessionFinder::SessionFinder(std::function<void()> onChange, std::uint16_t port)
 
 void SessionFinder::ask()
 {
-    const auto question = encodeQuestion(m_nonce);
+    const auto question = encodeQuestion({.nonce = m_nonce});
     for (const QHostAddress& address : broadcastAddresses())
         m_socket.writeDatagram(viewOf(question), address, m_port);
     if (m_found.forget(monotonicNow()))

@@ -36,18 +36,21 @@ std::uint32_t readNoticeHead(ByteReader& in, std::uint8_t kind)
 
 } // namespace
 
-std::vector<std::byte> encodeQuestion(std::uint32_t nonce)
+std::vector<std::byte> encodeQuestion(const SessionQuestion& question)
 {
-    auto bytes = beginNotice(kQuestion, nonce);
+    auto bytes = beginNotice(kQuestion, question.nonce);
+    ByteWriter out{bytes};
+    out.bytes(question.session);
     bytes.resize(kQuestionSize);
     return bytes;
 }
 
-std::optional<std::uint32_t> decodeQuestion(std::span<const std::byte> bytes)
+std::optional<SessionQuestion> decodeQuestion(std::span<const std::byte> bytes)
 {
     ByteReader in{bytes};
-    const std::uint32_t nonce = readNoticeHead(in, kQuestion);
-    return in.ok() && bytes.size() == kQuestionSize ? std::optional{nonce} : std::nullopt;
+    SessionQuestion question{.nonce = readNoticeHead(in, kQuestion)};
+    std::ranges::copy(in.bytes(question.session.size()), question.session.begin());
+    return in.ok() && bytes.size() == kQuestionSize ? std::optional{question} : std::nullopt;
 }
 
 std::vector<std::byte> encodeAnswer(std::uint32_t nonce, const SessionNotice& notice)

@@ -23,11 +23,20 @@ struct SessionNotice {
     friend auto operator<=>(const SessionNotice&, const SessionNotice&) = default;
 };
 
+/// Who is looked for.
+struct SessionQuestion {
+    std::uint32_t nonce = 0; ///< repeated in the answers
+    /// Only the session with this id answers; all zeros: every session that is announced to all.
+    SessionKey session{};
+
+    friend bool operator==(const SessionQuestion&, const SessionQuestion&) = default;
+};
+
 /// The discovery question (docs/protocol.md, "Discovery"). It is longer than any answer, so that
 /// questions with a forged source address cannot amplify traffic.
-[[nodiscard]] std::vector<std::byte> encodeQuestion(std::uint32_t nonce);
-/// The nonce; nothing for any other bytes.
-[[nodiscard]] std::optional<std::uint32_t> decodeQuestion(std::span<const std::byte> bytes);
+[[nodiscard]] std::vector<std::byte> encodeQuestion(const SessionQuestion& question);
+/// Nothing for any other bytes.
+[[nodiscard]] std::optional<SessionQuestion> decodeQuestion(std::span<const std::byte> bytes);
 
 /// @pre the notice is within the limits of SessionNotice.
 [[nodiscard]] std::vector<std::byte> encodeAnswer(std::uint32_t nonce, const SessionNotice& notice);

@@ -16,7 +16,7 @@ ClientCredentials::ClientCredentials(Role role, std::optional<JoinCode> code, To
 
 std::optional<KeyOffer> ClientCredentials::offerFor(const std::string& hint)
 {
-    if (!isSessionId(hint) || !mayTry())
+    if (!isSessionId(hint) || !mayTry() || (!m_session.empty() && hint != m_session))
         return std::nullopt;
     if (const auto token = m_tokens.find(hint); token && hint != m_tokenTurnedDown)
         return KeyOffer{{{m_role, token->participant}, hint}, token->key};
@@ -31,6 +31,14 @@ std::optional<KeyOffer> ClientCredentials::offerFor(const std::string& hint)
 }
 
 std::optional<KeyOffer> ClientCredentials::offerAgain() { return offerFor(m_session); }
+
+std::optional<KeyOffer> ClientCredentials::offerToFound(const std::string& hint) const
+{
+    if (hint != m_session || !mayTry() || !hasToken())
+        return std::nullopt;
+    const auto token = m_tokens.find(hint);
+    return KeyOffer{{{m_role, token->participant}, hint}, token->key};
+}
 
 void ClientCredentials::rejected(const KeyOffer& offer)
 {

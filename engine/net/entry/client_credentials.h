@@ -19,11 +19,17 @@ public:
     ClientCredentials(Role role, std::optional<JoinCode> code, TokenFolder tokens,
                       DeriveKey derive);
 
-    /// The key to offer to a session. Nothing while the key is being derived, or after a refusal.
+    /// The key to offer to a session. Nothing while the key is being derived, or after a refusal;
+    /// nor to another session than the one that this program is in: it may have taken the address
+    /// of that one, which comes back at another.
     /// @param hint PSK identity hint of the host; nothing is offered unless it is a session id
     [[nodiscard]] std::optional<KeyOffer> offerFor(const std::string& hint);
     /// As offerFor, for the session that accepted the last offer.
     [[nodiscard]] std::optional<KeyOffer> offerAgain();
+    /// The token for that session, to be offered to a host that was found and that nobody vouches
+    /// for: an impostor learns nothing from a handshake with 256 random bits, as it could from one
+    /// with a code. Nothing for another hint.
+    [[nodiscard]] std::optional<KeyOffer> offerToFound(const std::string& hint) const;
     /// The host rejected this offer.
     void rejected(const KeyOffer& offer);
     /// The host cannot be joined or trusted; given up after kRejectionsBelieved, as for an offer.
@@ -36,6 +42,8 @@ public:
     void keepToken(const TokenFolder::Token& token);
     /// Whether there is a token for the session that accepted the last offer.
     [[nodiscard]] bool hasToken() const;
+    /// The session that accepted the last offer; empty before.
+    [[nodiscard]] const std::string& session() const { return m_session; }
 
     /// Whether offerFor can return an offer: no key is being derived, and nothing was refused.
     [[nodiscard]] bool mayTry() const { return !m_deriving && !m_refusal; }

@@ -20,6 +20,13 @@ public:
     /// The keys that the transport authenticates with.
     [[nodiscard]] ClientCredentials& credentials() { return m_credentials; }
 
+    /// The host is at this place from now on.
+    void hostMoved(std::string address, std::uint16_t port)
+    {
+        m_door.address = std::move(address);
+        m_door.port = port;
+    }
+
     void connected(PeerAddress host, const Credential& who, LocalTime now) override;
     void disconnected(PeerAddress host, LocalTime now) override;
     void refused(const Error& why, LocalTime now) override;

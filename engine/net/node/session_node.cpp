@@ -131,6 +131,9 @@ Result<std::unique_ptr<SessionNode>> SessionNode::join(const JoinSettings& setti
         auto driver = std::make_unique<ClientDriver>(settings, board, now);
         auto transport = std::make_unique<ClientTransport>(host, settings.port,
                                                            driver->credentials(), now, *expected);
+        transport->onMoved([driver = driver.get()](const std::string& address, std::uint16_t port) {
+            driver->hostMoved(address, port);
+        });
         return ThreadedNode::Parts{std::move(driver), std::move(transport)};
     });
 }

@@ -19,9 +19,10 @@ constexpr int kReadPerTurn = 256;
 
 ClientPath::ClientPath(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
                        const std::optional<ExpectedCertificate>& expected,
-                       std::function<void()> onReadable, LocalTime now)
+                       std::function<void()> onReadable, LocalTime now, HostPlace place)
     : m_host{host},
       m_port{port},
+      m_place{place},
       m_credentials{credentials},
       m_expected{expected},
       m_socket{new QUdpSocket},
@@ -37,7 +38,7 @@ ClientPath::ClientPath(const QHostAddress& host, std::uint16_t port, ClientCrede
     QObject::connect(m_socket.get(), &QUdpSocket::readyRead, m_socket.get(), std::move(onReadable));
     QObject::connect(&m_dtls, &QDtls::pskRequired, &m_dtls,
                      [this](QSslPreSharedKeyAuthenticator* question) {
-                         m_offer = m_credentials.offerFor(question->identityHint().toStdString());
+                         m_offer = offerFor(question->identityHint().toStdString());
                          if (m_offer)
                              answerPsk(*question, toText(m_offer->identity), m_offer->key);
                      });
@@ -87,13 +88,12 @@ void ClientPath::shakeHands(const QByteArray& datagram, LocalTime now)
     if (!m_roundTrip)
         m_roundTrip = now - m_opened;
     if (isWrongKeyAlert(octets(datagram))) {
-        if (m_offer)
-            m_credentials.rejected(*m_offer);
+        rejected();
         m_state = State::Failed;
         return;
     }
     if (!m_dtls.doHandshake(m_socket.get(), datagram)) {
-        if (const auto fault = handshakeFault(datagram))
+        if (const auto fault = handshakeFault(datagram); fault && m_place == HostPlace::Told)
             m_credentials.turnedAway(*fault);
         m_state = State::Failed;
     } else if (m_dtls.isConnectionEncrypted() && !m_expected) {
@@ -114,7 +114,7 @@ std::optional<Error> ClientPath::handshakeFault(const QByteArray& datagram) cons
 void ClientPath::proveItself(std::span<const std::byte> asked, LocalTime now)
 {
     if (const auto challenge = decodeChallenge(asked)) {
-        m_offer = m_credentials.offerFor(challenge->sessionId);
+        m_offer = offerFor(challenge->sessionId);
         if (!m_offer) {
             m_dtls.shutdown(m_socket.get()); // the host need not wait for it
             m_state = State::Failed;
@@ -131,8 +131,20 @@ void ClientPath::proveItself(std::span<const std::byte> asked, LocalTime now)
         return;
     if (*taken)
         return admitted(now);
-    m_credentials.rejected(*m_offer);
+    rejected();
     m_state = State::Failed;
+}
+
+std::optional<KeyOffer> ClientPath::offerFor(const std::string& session) const
+{
+    return m_place == HostPlace::Told ? m_credentials.offerFor(session)
+                                      : m_credentials.offerToFound(session);
+}
+
+void ClientPath::rejected()
+{
+    if (m_offer && m_place == HostPlace::Told)
+        m_credentials.rejected(*m_offer);
 }
 
 void ClientPath::admitted(LocalTime now)

@@ -7,6 +7,14 @@
 namespace carina
 {
 
+/// How a client came to know where its host is.
+enum class HostPlace : std::uint8_t {
+    Told, ///< by a person or a link
+    /// By an answer that anybody may have given: only a token is offered there, and nothing that is
+    /// said there before it is accepted counts.
+    Found,
+};
+
 /// One path of a client to its host: a UDP socket with its own local port and the DTLS association
 /// over it, from the first ClientHello on. Where a certificate is expected, it is checked in the
 /// handshake and the client then proves its role inside the association; otherwise the role's key
@@ -20,7 +28,7 @@ public:
     /// @param onReadable called when a datagram arrived
     ClientPath(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
                const std::optional<ExpectedCertificate>& expected, std::function<void()> onReadable,
-               LocalTime now);
+               LocalTime now, HostPlace place = HostPlace::Told);
 
     /// Reads the datagrams that arrived. @param plain receives each decrypted datagram and its time
     /// of arrival
@@ -29,6 +37,8 @@ public:
     void close();
 
     [[nodiscard]] State state() const { return m_state; }
+    [[nodiscard]] const QHostAddress& host() const { return m_host; }
+    [[nodiscard]] std::uint16_t hostPort() const { return m_port; }
     [[nodiscard]] bool hasMore() const { return m_socket->hasPendingDatagrams(); }
     [[nodiscard]] LocalTime opened() const { return m_opened; }
     [[nodiscard]] LocalTime lastHeard() const { return m_lastHeard; }
@@ -43,9 +53,12 @@ private:
     [[nodiscard]] std::optional<Error> handshakeFault(const QByteArray& datagram) const;
     void proveItself(std::span<const std::byte> asked, LocalTime now);
     void admitted(LocalTime now);
+    [[nodiscard]] std::optional<KeyOffer> offerFor(const std::string& session) const;
+    void rejected();
 
     QHostAddress m_host;
     std::uint16_t m_port;
+    HostPlace m_place;
     ClientCredentials& m_credentials;
     const std::optional<ExpectedCertificate>& m_expected;
     /// Defers deletion: serving may end a path within a signal of its own socket.

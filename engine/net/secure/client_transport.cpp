@@ -1,5 +1,6 @@
 #include "engine/net/secure/client_transport.h"
 
+#include "engine/net/entry/session_identity.h"
 #include "engine/net/secure/endpoint.h"
 
 #include <algorithm>
@@ -9,11 +10,14 @@ namespace carina
 
 ClientTransport::ClientTransport(const QHostAddress& host, std::uint16_t port,
                                  ClientCredentials& credentials, LocalTime now,
-                                 std::optional<ExpectedCertificate> expected)
+                                 std::optional<ExpectedCertificate> expected,
+                                 std::uint16_t discoveryPort)
     : m_host{normalised(host)},
       m_port{port},
       m_credentials{credentials},
       m_expected{std::move(expected)},
+      m_discoveryPort{discoveryPort},
+      m_lastAlive{now},
       m_nextTry{now}
 {
     m_credentials.onChange([this] {
@@ -29,9 +33,12 @@ void ClientTransport::serve(TransportListener& listener, LocalTime now)
     if (m_path)
         servePath(listener, now);
     serveTries(listener, now);
+    serveSearch(listener, now);
     if (const auto& refusal = m_credentials.refusal(); refusal && !m_toldRefusal) {
         m_toldRefusal = true;
         m_opening.clear();
+        m_found.clear();
+        m_search.reset();
         listener.refused(*refusal, now);
     }
     if (needsPath(now) && now >= m_nextTry && m_credentials.mayTry())
@@ -65,6 +72,59 @@ void ClientTransport::serveTries(TransportListener& listener, LocalTime now)
                   [](const auto& path) { return path->state() == ClientPath::State::Failed; });
 }
 
+void ClientTransport::serveSearch(TransportListener& listener, LocalTime now)
+{
+    if (m_path)
+        m_lastAlive = std::max(m_lastAlive, m_path->lastHeard());
+    if (!needsSearch(now)) {
+        m_found.clear();
+        m_search.reset();
+        return;
+    }
+    if (!m_search)
+        m_search = std::make_unique<SessionSearch>(
+            sessionKey(m_credentials.session()), [this] { tellNews(); }, m_discoveryPort);
+    for (auto& path : m_found) {
+        path->serve([](auto, auto) {});
+        if (path->state() == ClientPath::State::Encrypted) {
+            moveTo(*path);
+            return take(std::move(path), listener, now);
+        }
+    }
+    std::erase_if(m_found, [now](const auto& path) {
+        return path->state() == ClientPath::State::Failed || now >= path->opened() + kFoundTry;
+    });
+    tryFound(now);
+}
+
+bool ClientTransport::needsSearch(LocalTime now) const
+{
+    return needsPath(now) && now >= m_lastAlive + kSearchAfter && m_credentials.mayTry()
+           && !m_credentials.session().empty() && m_credentials.hasToken();
+}
+
+void ClientTransport::tryFound(LocalTime now)
+{
+    while (m_found.size() < kMostTries) {
+        const auto place = m_search->take();
+        if (!place)
+            return;
+        if (place->address == m_host && place->port == m_port)
+            continue; // is being tried
+        m_found.push_back(std::make_unique<ClientPath>(
+            place->address, place->port, m_credentials, m_expected, [this] { tellNews(); }, now,
+            HostPlace::Found));
+    }
+}
+
+void ClientTransport::moveTo(const ClientPath& path)
+{
+    m_host = path.host();
+    m_port = path.hostPort();
+    if (m_onMoved)
+        m_onMoved(m_host.toString().toStdString(), m_port);
+}
+
 void ClientTransport::take(std::unique_ptr<ClientPath> path, TransportListener& listener,
                            LocalTime now)
 {
@@ -72,6 +132,8 @@ void ClientTransport::take(std::unique_ptr<ClientPath> path, TransportListener& 
         listener.disconnected(m_address, now);
     m_path = std::move(path);
     m_opening.clear();
+    m_found.clear();
+    m_search.reset();
     m_nextTry = now;
     listener.connected(++m_address, m_path->offer()->identity.who, now);
 }
@@ -94,7 +156,8 @@ void ClientTransport::beginTry(LocalTime now)
 LocalTime ClientTransport::nextWake() const
 {
     const auto hasMore = [](const auto& path) { return path->hasMore(); };
-    if ((m_path && m_path->hasMore()) || std::ranges::any_of(m_opening, hasMore))
+    if ((m_path && m_path->hasMore()) || std::ranges::any_of(m_opening, hasMore)
+        || std::ranges::any_of(m_found, hasMore))
         return LocalTime::min();
     if (!m_credentials.mayTry())
         return LocalTime::max();
@@ -110,6 +173,8 @@ void ClientTransport::send(PeerAddress to, std::span<const std::byte> bytes)
 void ClientTransport::close()
 {
     m_opening.clear();
+    m_found.clear();
+    m_search.reset();
     if (m_path)
         m_path->close();
     m_path.reset();

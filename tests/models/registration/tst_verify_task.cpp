@@ -153,6 +153,34 @@ private Q_SLOTS:
         QVERIFY(std::abs(shareGood - kBoundShare) < kAgree);
     }
 
+    /// The verdict judges all places together, so one alone may be beyond its own bound: the table
+    /// says so of it, and of no place that the verdict does not bear.
+    void tellsWhatIsToleratedFromWhatIsNot()
+    {
+        std::mt19937 random{5};
+        MadeDesk made{touchedBy(random, kHand)};
+        made.fitting.fit();
+        Site site = made.editor.site();
+        site.registration->X_AT = kX_TA.inverse();
+        MadeDesk desk{site};
+        for (int i = 0; i < 3; ++i)
+            desk.verifyAt(desk.verifying.points()[*desk.verifying.next()].p_AQ);
+        QCOMPARE(desk.verifying.touched(), std::size_t{3});
+        const CheckPoint last = desk.verifying.points()[2];
+        QVERIFY(last.isWithin() && !last.isTolerated());
+        QVERIFY(last.limit_mm > last.bound_mm);
+        const auto touchAgain = [&](double error_mm) {
+            desk.verifying.choose(2);
+            desk.verifyAt(last.p_AQ, {1e-3 * error_mm, 0.0, 0.0});
+        };
+        touchAgain(0.5 * (last.bound_mm + last.limit_mm));
+        QVERIFY(desk.verifying.points()[2].isTolerated());
+        QCOMPARE(desk.verifying.suggestion(), Verdict::Good);
+        touchAgain(1.01 * last.limit_mm);
+        QVERIFY(!desk.verifying.points()[2].isTolerated());
+        QCOMPARE(desk.verifying.suggestion(), Verdict::NotGood);
+    }
+
     /// Files of version 1 did not keep how large a registration's error may be.
     void judgesNothingWithoutAnExpectedError()
     {

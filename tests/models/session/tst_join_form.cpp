@@ -248,6 +248,15 @@ private Q_SLOTS:
         form.name = QString(64, QLatin1Char{'a'});
         QCOMPARE(missingIn(form), QString{});
     }
+
+    void nameOfTheLastTimeIsKept()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path tokens{folder.path().toStdString()};
+        QCOMPARE(lastName(tokens), QString{});
+        keepLastName(tokens, QStringLiteral(" Änne Müller "));
+        QCOMPARE(lastName(tokens), QStringLiteral("Änne Müller"));
+    }
 };
 
 CARINA_TEST(JoinFormTest)

@@ -154,6 +154,12 @@ private Q_SLOTS:
         QVERIFY(fitted[1].contains(QStringLiteral("not verified")));
         QCOMPARE(healthOf(verifiedSite(), kDay.addDays(2))[1],
                  QStringLiteral("Verified 2 days ago: good."));
+        Site beyond = verifiedSite();
+        beyond.verification->points.front().error = 2e-3;
+        beyond.verification->points.front().bound = 1.9e-3;
+        const QString told = healthOf(beyond, kDay)[1];
+        QVERIFY(told.contains(QStringLiteral("2.0\u00a0mm")));
+        QVERIFY(told.contains(QString::fromStdString(beyond.verification->points.front().name)));
         QVERIFY(
             healthOf(verifiedSite(Verdict::NotGood), kDay)[1].contains(QStringLiteral("not good")));
         const Site stale = withStylus(verifiedSite(), someTip());

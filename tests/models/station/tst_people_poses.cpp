@@ -199,7 +199,10 @@ private Q_SLOTS:
         StationMoment moment;
         moment.time = kNow + 1s;
         moment.worker = kTom;
-        const auto notice = [&] { return stationNotice(node, moment, ViewOutput::Screen); };
+        const RegistrationStanding standing{RegistrationState::Simulated, StaleReason::None, {}};
+        const auto notice = [&] {
+            return stationNotice(node, moment, ViewOutput::Screen, standing);
+        };
         QCOMPARE(notice(), QStringLiteral("The tube of Tom is out of view"));
         moment.tube.emplace().validity = Validity::Tracked;
         QCOMPARE(notice(), QString{});

@@ -19,6 +19,9 @@ using test::FakeSessionNode;
 constexpr SessionTime kNow{std::chrono::seconds{1000}}; ///< where the fake session begins
 constexpr LocalTime kLit{std::chrono::seconds{2000}};   ///< which it takes for its own time
 
+/// Of a program with a tracker.
+const RegistrationStanding kStanding{RegistrationState::Simulated, StaleReason::None, {}};
+
 LungPair lungs()
 {
     Anatomy anatomy;
@@ -71,6 +74,10 @@ private Q_SLOTS:
     void saysWhatWasDecidedAboutItsParticipant();
     void saysWhenTheHeadsetIsLost_data();
     void saysWhenTheHeadsetIsLost();
+    void saysWhatAHeadsetNeeds();
+    void saysThatThereIsNoTracker_data();
+    void saysThatThereIsNoTracker();
+    void saysThatTheSessionHasEnded();
 };
 
 void TestStationView::asksEverythingForTheTimeOfLight()
@@ -229,7 +236,6 @@ void TestStationView::saysWhenTheHeadsetIsLost_data()
     QTest::addColumn<QString>("notice");
     using Head = std::optional<Validity>;
     const QString lost = QStringLiteral("Headset out of the tracker's view");
-    QTest::newRow("never seen, one picture") << ViewOutput::Mono << Head{} << lost;
     QTest::newRow("lost, one picture") << ViewOutput::Mono << Head{Validity::Lost} << lost;
     QTest::newRow("lost, two pictures") << ViewOutput::SideBySide << Head{Validity::Lost} << lost;
     QTest::newRow("seen in part") << ViewOutput::Mono << Head{Validity::PartlyOccluded}
@@ -254,7 +260,71 @@ void TestStationView::saysWhenTheHeadsetIsLost()
         moment.head = tellingPose(ObjectKind::Head, moment.time);
         moment.head->validity = *head;
     }
-    QCOMPARE(stationNotice(node, moment, output), notice);
+    QCOMPARE(stationNotice(node, moment, output, kStanding), notice);
+}
+
+/// A headset's picture stays dark without a tracker that sees the headset.
+void TestStationView::saysWhatAHeadsetNeeds()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    const QString without = stationNotice(node, moment, ViewOutput::Mono);
+    QVERIFY(without.contains(QStringLiteral("needs a tracker")));
+    QVERIFY(without.contains(QStringLiteral("Esc")));
+    const QString unseen = stationNotice(node, moment, ViewOutput::Mono, kStanding);
+    QVERIFY(unseen.contains(QStringLiteral("has not seen the headset")));
+    QVERIFY(unseen.contains(QStringLiteral("Esc")));
+}
+
+void TestStationView::saysThatThereIsNoTracker_data()
+{
+    QTest::addColumn<ParticipantId>("self");
+    QTest::addColumn<bool>("hasTracker");
+    QTest::addColumn<QString>("notice");
+    const QString lost = QStringLiteral("Tube out of the tracker's view");
+    QTest::newRow("trainee without one")
+        << FakeSessionNode::kTrainee << false << QStringLiteral("No tracker is connected here");
+    QTest::newRow("trainee with one") << FakeSessionNode::kTrainee << true << lost;
+    QTest::newRow("observer") << FakeSessionNode::kObserver << false
+                              << QStringLiteral("Nobody is at work here");
+}
+
+void TestStationView::saysThatThereIsNoTracker()
+{
+    QFETCH(const ParticipantId, self);
+    QFETCH(const bool, hasTracker);
+    QFETCH(const QString, notice);
+    FakeSessionNode node{self};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    const QString told = stationNotice(node, moment, ViewOutput::Screen,
+                                       hasTracker ? std::optional{kStanding} : std::nullopt);
+    QVERIFY2(told.startsWith(notice), qPrintable(told));
+    QCOMPARE(told.contains(QStringLiteral("tracker's view")), hasTracker);
+}
+
+/// Whatever has become of its host.
+void TestStationView::saysThatTheSessionHasEnded()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    QVERIFY(!isOver(node));
+    node.decide(fact::PhaseChanged{SessionPhase::Ended});
+    node.advance(std::chrono::seconds{1});
+    QVERIFY(isOver(node));
+    for (const LinkState link : {LinkState::Connected, LinkState::Away}) {
+        node.linkReports.front().state = link;
+        QVERIFY(stationNotice(node, moment, ViewOutput::Screen)
+                    .startsWith(QStringLiteral("The session has ended")));
+    }
 }
 
 CARINA_TEST(TestStationView)

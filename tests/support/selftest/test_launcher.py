@@ -81,7 +81,7 @@ class Launcher(unittest.TestCase):
     def test_refuses_what_it_does_not_know(self):
         for arguments in (["fly"], ["test", "--some"], ["test", "--mutate"], ["test", "--reach", "engine"], ["test", "a", "b"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
                           ["demo", "--seconds", "0"], ["demo", "--patient", "horse"], ["demo", "--patient", "child,"],
-                          ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"],
+                          ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"], ["demo", "--headless", "no/such/out"],
                           ["demo", "--site", "no/such/file"], ["demo", "--output", "sphere"],
                           ["demo", "--register", "--site", "carina"]):
             run = self.carina(*arguments)

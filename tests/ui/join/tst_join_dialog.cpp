@@ -92,6 +92,45 @@ private Q_SLOTS:
         QVERIFY(dialog.form().role == Role::Trainee);
     }
 
+    /// Nothing is left to choose.
+    void theOnlySessionIsChosen()
+    {
+        const std::uint16_t port = freePort();
+        const auto beacon = SessionBeacon::open(ward(), false, port);
+        FoundSessionsModel sessions{port};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, {.name = QStringLiteral("Anna")}};
+        dialog.show();
+        QTRY_COMPARE_WITH_TIMEOUT(find<QLineEdit>(dialog, "port").text(), QStringLiteral("45000"),
+                                  kSoonMs);
+        QCOMPARE(find<QLineEdit>(dialog, "address").text(), QStringLiteral("127.0.0.1"));
+        QCOMPARE(dialog.focusWidget()->objectName(), QStringLiteral("code"));
+    }
+
+    void whatWasTypedIsNotReplacedByASession()
+    {
+        const std::uint16_t port = freePort();
+        const auto beacon = SessionBeacon::open(ward(), false, port);
+        FoundSessionsModel sessions{port};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, complete()};
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QCOMPARE(dialog.form().address, complete().address);
+    }
+
+    /// Few sessions have one.
+    void certificateIsBehindMore()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, complete()};
+        dialog.show();
+        auto& certificate = find<QLineEdit>(dialog, "certificate");
+        QVERIFY(!certificate.isVisible());
+        find<QPushButton>(dialog, "more").click();
+        QVERIFY(certificate.isVisible());
+    }
+
     void saysWhatIsMissingUntilNothingIs()
     {
         FoundSessionsModel sessions{freePort()};

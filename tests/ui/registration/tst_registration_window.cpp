@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -33,6 +34,7 @@ private Q_SLOTS:
     void offersToLayAnewWhereThatIsPossible();
     void offersToRepairExchangedLandmarks();
     void asksForTheVerdictOnceAllPlacesAreTouched();
+    void writesTheRuleOfTheVerdictAndAsksForAName();
     void leadsBackToTheTouchesWhereItIsNotGood();
     void choosesAPlaceToCheck();
     void tellsHowFarTheStylusIsFromTheAnatomy();
@@ -228,6 +230,27 @@ void TestRegistrationWindow::asksForTheVerdictOnceAllPlacesAreTouched()
     }
     QVERIFY(desk.click("primary"));
     QVERIFY(desk.button("next").isDefault());
+}
+
+void TestRegistrationWindow::writesTheRuleOfTheVerdictAndAsksForAName()
+{
+    RegistrationDesk desk;
+    desk.site.fitAll(*desk.model);
+    desk.model->enter(SiteStep::Verify);
+    const auto& verdict = desk.find<QLabel>("verdict");
+    QVERIFY(!verdict.text().contains(QStringLiteral("Rule:")));
+    for (const CheckPoint& point : desk.model->verifying().points())
+        desk.site.hold(*desk.model, desk.site.X_TA * point.p_AQ);
+    QVERIFY(verdict.text().contains(QStringLiteral("Rule:")));
+    auto& name = desk.find<QLineEdit>("judge");
+    QVERIFY(name.isVisible());
+    name.setFocus();
+    QTest::keyClicks(&name, QStringLiteral("A. Frei"));
+    desk.find<QTableView>("checks").setFocus();
+    QCOMPARE(desk.model->site().operatorName, std::string{"A. Frei"});
+    QVERIFY(desk.click("primary"));
+    QCOMPARE(desk.model->site().verification->operatorName, std::string{"A. Frei"});
+    QVERIFY(!name.isVisible());
 }
 
 void TestRegistrationWindow::leadsBackToTheTouchesWhereItIsNotGood()

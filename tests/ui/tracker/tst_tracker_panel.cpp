@@ -58,18 +58,6 @@ private Q_SLOTS:
                  QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|–"));
         QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–|–|–|–"));
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("trouble"))->text().isEmpty());
-        TrackerPanel shot{[]() -> std::optional<TrackerSight> {
-            ToolStatus a = seen("Tube");
-            a.state = QStringLiteral("outside the working volume");
-            ToolStatus b = seen("Stylus");
-            b.error_mm.reset();
-            ToolStatus c = unseen("Head");
-            c.state = QStringLiteral("never seen: its markers do not fit its definition");
-            return TrackerSight{{}, {a, b, c}};
-        }};
-        shot.show();
-        shot.resize(shot.sizeHint());
-        shot.grab().save(QStringLiteral("/tmp/h6_panel.png"));
     }
 
     void offersToPredictAndToSmooth()

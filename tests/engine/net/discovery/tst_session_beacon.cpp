@@ -53,13 +53,33 @@ private Q_SLOTS:
         QVERIFY(beacon.has_value());
         QUdpSocket asker;
         QVERIFY(asker.bind(QHostAddress{QHostAddress::LocalHost}, 0));
-        asker.writeDatagram(viewOf(encodeQuestion(5)), QHostAddress{QHostAddress::LocalHost}, port);
-        asker.writeDatagram(viewOf(encodeQuestion(6)),
+        asker.writeDatagram(viewOf(encodeQuestion({.nonce = 5})),
+                            QHostAddress{QHostAddress::LocalHost}, port);
+        asker.writeDatagram(viewOf(encodeQuestion({.nonce = 6})),
                             QHostAddress{QStringLiteral("127.255.255.255")}, port);
         QTRY_VERIFY_WITH_TIMEOUT(asker.hasPendingDatagrams(), kSoonMs);
         const auto answer = readRaw(asker);
         QVERIFY(decodeAnswer(std::as_bytes(octets(answer->bytes)), 6) == noticeOf(1));
         QVERIFY(!asker.hasPendingDatagrams()); // what was sent to an address of a network
+    }
+
+    /// A session that is joined by link answers who knows which one it is: those who were in it.
+    void hiddenSessionAnswersWhoNamesIt()
+    {
+        const std::uint16_t port = freePort();
+        const auto hidden =
+            SessionBeacon::open(noticeOf(1), false, port, Announced::ToThoseWhoKnowIt);
+        QVERIFY(hidden.has_value());
+        QUdpSocket asker;
+        QVERIFY(asker.bind(QHostAddress{QHostAddress::LocalHost}, 0));
+        const QHostAddress all{QStringLiteral("127.255.255.255")};
+        asker.writeDatagram(viewOf(encodeQuestion({.nonce = 5})), all, port);
+        asker.writeDatagram(viewOf(encodeQuestion({6, noticeOf(2).session})), all, port);
+        asker.writeDatagram(viewOf(encodeQuestion({7, noticeOf(1).session})), all, port);
+        QTRY_VERIFY_WITH_TIMEOUT(asker.hasPendingDatagrams(), kSoonMs);
+        const auto answer = readRaw(asker);
+        QVERIFY(decodeAnswer(std::as_bytes(octets(answer->bytes)), 7) == noticeOf(1));
+        QVERIFY(!asker.hasPendingDatagrams());
     }
 
     void floodOfQuestionsGetsFewAnswers()
@@ -71,7 +91,7 @@ private Q_SLOTS:
         const QHostAddress all{QStringLiteral("127.255.255.255")};
         const LocalTime begin = monotonicNow();
         for (int i = 0; i < 500; ++i) {
-            flood.writeDatagram(viewOf(encodeQuestion(5)), all, port);
+            flood.writeDatagram(viewOf(encodeQuestion({.nonce = 5})), all, port);
             QCoreApplication::processEvents();
         }
         flood.writeDatagram("no question", all, port);

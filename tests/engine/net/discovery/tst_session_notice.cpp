@@ -19,11 +19,21 @@ private:
 private Q_SLOTS:
     void questionIsLaidOutAsTheProtocolSays()
     {
-        const QByteArray question = bytesOf(encodeQuestion(0x04030201));
+        const QByteArray question = bytesOf(encodeQuestion({.nonce = 0x04030201}));
         QCOMPARE(question.size(), 128);
         QCOMPARE(question.left(8), QByteArray::fromHex("4344010101020304"));
         QCOMPARE(question.mid(8), QByteArray(120, '\0'));
-        QVERIFY(decodeQuestion(encodeQuestion(0x04030201)) == 0x04030201U);
+        QVERIFY(decodeQuestion(encodeQuestion({.nonce = 0x04030201}))
+                == SessionQuestion{.nonce = 0x04030201});
+    }
+
+    void questionForOneSessionNamesIt()
+    {
+        const SessionQuestion asked{9, noticeOf(0xAB).session};
+        const QByteArray question = bytesOf(encodeQuestion(asked));
+        QCOMPARE(question.mid(8, 16), QByteArray(16, '\xAB'));
+        QCOMPARE(question.mid(24), QByteArray(104, '\0'));
+        QVERIFY(decodeQuestion(encodeQuestion(asked)) == asked);
     }
 
     void answerIsLaidOutAsTheProtocolSays()
@@ -45,7 +55,7 @@ private Q_SLOTS:
     void noAnswerIsLongerThanItsQuestion()
     {
         QVERIFY(encodeAnswer(1, noticeOf(1, std::string(64, 'x'))).size()
-                <= encodeQuestion(1).size());
+                <= encodeQuestion({.nonce = 1}).size());
     }
 
     void answerToAnotherQuestionIsNotHeard()
@@ -61,7 +71,7 @@ private Q_SLOTS:
         auto longer = answer;
         longer.push_back({});
         QVERIFY(!decodeAnswer(longer, 9));
-        auto question = encodeQuestion(9);
+        auto question = encodeQuestion({.nonce = 9});
         QVERIFY(!decodeQuestion(std::span{question}.first(127)));
         question.push_back({});
         QVERIFY(!decodeQuestion(question));

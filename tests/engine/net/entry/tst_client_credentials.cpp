@@ -127,6 +127,29 @@ private Q_SLOTS:
         QCOMPARE(anna.credentials.refusal()->code, Errc::WrongCode);
     }
 
+    /// Who says to be its host, at a place that nobody named, sees no key but the token's.
+    void foundHostIsOfferedTheTokenAlone()
+    {
+        Person anna;
+        QVERIFY(!anna.credentials.offerToFound(kSession));
+        anna.credentials.accepted({{{Role::Trainee, std::nullopt}, kSession}, {}});
+        QVERIFY(!anna.credentials.offerToFound(kSession));
+        anna.credentials.keepToken({ParticipantId{4}, randomKey()});
+        QVERIFY(anna.credentials.offerToFound(kSession));
+        QVERIFY(!anna.credentials.offerToFound(kOther));
+        QCOMPARE(anna.derivations.load(), 0);
+    }
+
+    /// Another session at the address of the one that this program is in.
+    void anotherSessionIsOfferedNothing()
+    {
+        Person anna;
+        anna.credentials.accepted({{{Role::Trainee, std::nullopt}, kSession}, {}});
+        QVERIFY(!anna.credentials.offerFor(kOther));
+        QCOMPARE(anna.derivations.load(), 0);
+        QVERIFY(anna.credentials.mayTry());
+    }
+
     void lackOfMemoryIsTold()
     {
         Person anna;

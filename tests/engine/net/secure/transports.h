@@ -45,16 +45,21 @@ public:
     std::optional<Error> refusal;
 };
 
-/// A host with one key per role, for those who come with a code; a role without a key is one whose
-/// key is not derived yet.
+/// A host with one key per role, for those who come with a code, and tokens; a role without a key
+/// is one whose key is not derived yet.
 struct TestHost {
     explicit TestHost(std::uint16_t port = 0) : transport{*HostTransport::bind(port, false)}
     {
         transport->admit(kSession, [this](const PskIdentity& identity) {
             using State = HostTransport::KeyAnswer::State;
+            ++asked;
             const auto known = keys.find(identity.who.role);
-            if (identity.who.participant || identity.sessionId != kSession)
+            if (identity.sessionId != kSession)
                 return HostTransport::KeyAnswer{};
+            if (const auto who = identity.who.participant)
+                return tokens.contains(*who)
+                           ? HostTransport::KeyAnswer{State::Known, tokens.at(*who)}
+                           : HostTransport::KeyAnswer{};
             return known == keys.end() ? HostTransport::KeyAnswer{State::NotYet, {}}
                                        : HostTransport::KeyAnswer{State::Known, known->second};
         });
@@ -62,6 +67,8 @@ struct TestHost {
     [[nodiscard]] std::uint16_t port() const { return transport->port(); }
 
     std::map<Role, AccessKey> keys{{Role::Trainee, randomKey()}, {Role::Observer, randomKey()}};
+    std::map<ParticipantId, AccessKey> tokens;
+    int asked = 0; ///< for a key
     Recorder heard;
     std::unique_ptr<HostTransport> transport;
     TransportPump pump{*transport, heard};
@@ -70,10 +77,12 @@ struct TestHost {
 /// A client whose code has the key given.
 struct TestClient {
     TestClient(std::uint16_t port, const AccessKey& key, Role role = Role::Trainee,
-               std::optional<ExpectedCertificate> expected = {})
+               std::optional<ExpectedCertificate> expected = {},
+               std::uint16_t discoveryPort = kDiscoveryPort)
         : credentials{role, JoinCode::random(), TokenFolder{{}, role, "Anna"},
                       [key](const JoinCode&, const SessionKey&) { return Result<AccessKey>{key}; }},
-          transport{kLoopback, port, credentials, monotonicNow(), std::move(expected)}
+          transport{kLoopback,           port,         credentials, monotonicNow(),
+                    std::move(expected), discoveryPort}
     {
     }
     void send(const char* text) { transport.send(heard.paths.rbegin()->first, textBytes(text)); }

@@ -1,0 +1,146 @@
+#include "apps/instructor/console_session.h"
+
+#include "apps/program/entry_option.h"
+#include "apps/program/openigtlink_option.h"
+#include "engine/session/station_rules.h"
+#include "models/session/session_summary.h"
+#include "ui/start/leave_question.h"
+
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kEndInterval_ms = 100;
+
+} // namespace
+
+ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient)
+    : m_hosted{std::move(hosted)},
+      m_session{*m_hosted.node},
+      m_stations{m_session},
+      m_breathing{m_session, m_stations.shown()},
+      m_participants{m_session},
+      m_conduct{m_session},
+      m_people{m_session, m_stations.shown()},
+      m_network{m_session},
+      m_object{m_session, m_stations.shown()},
+      m_actions{m_object},
+      m_respiration{m_session, m_stations.shown()},
+      m_trace{m_session, m_stations.shown()},
+      m_checkpoints{*m_hosted.node},
+      m_shown{*m_hosted.node, m_stations.shown(), patient.model},
+      m_window{m_session, m_breathing, m_respiration, m_trace,    m_participants,    m_conduct,
+               m_people,  m_network,   m_actions,     m_stations, m_shown.patient(), m_shown.view()}
+{
+    m_shown.onShown(
+        [this](const PatientModel& another, StationView& view) { m_window.show(another, view); });
+    m_window.onClose([this] { return mayClose(); });
+    QObject::connect(&m_stations, &StationsModel::shownChanged, &m_window,
+                     [this](StationId now) { setStation(now); });
+    QObject::connect(&m_stations, &StationsModel::forAllChanged, &m_window, [this](bool all) {
+        m_breathing.setForAll(all);
+        m_respiration.setForAll(all);
+    });
+}
+
+Result<std::unique_ptr<ConsoleSession>>
+ConsoleSession::open(HostedSession hosted, const program::ChosenPatient& patient, bool isAskedFor,
+                     const ConsoleOptions& options, const QCommandLineParser& parser)
+{
+    introduceFirst(*hosted.node, patient, isAskedFor);
+    if (!options.codes.isEmpty())
+        if (const auto written = program::writeCodes(options.codes, hosted.node->joinCodes());
+            !written)
+            return tl::unexpected(written.error());
+    std::unique_ptr<ConsoleSession> session{new ConsoleSession{std::move(hosted), patient}};
+    session->show(options.measure.size);
+    if (const auto followed = session->follow(parser); !followed)
+        return tl::unexpected(followed.error());
+    session->openStations(options.stations);
+    if (options.starts && session->m_session.canStart())
+        session->m_session.start();
+    return session;
+}
+
+void ConsoleSession::show(const QSize& size)
+{
+    m_window.resize(size);
+    m_window.show();
+    m_window.resize(size); // before it is shown, its least size is larger than it has to be
+}
+
+/// What the options want to be told of the session.
+Result<void> ConsoleSession::follow(const QCommandLineParser& parser)
+{
+    auto journal =
+        program::journalFromOptions(parser, node(), m_stations.shown(), m_window.stationScene());
+    if (!journal)
+        return tl::unexpected(journal.error());
+    m_journal = *std::move(journal);
+    auto giver = program::openIgtLinkOption(parser, m_window, [this] {
+        return OfferGiver::Shown{m_shown.view(), *m_shown.patient().patient()};
+    });
+    if (!giver)
+        return tl::unexpected(giver.error());
+    m_giver = *std::move(giver);
+    return {};
+}
+
+void ConsoleSession::setStation(StationId station)
+{
+    m_breathing.setStation(station);
+    m_object.setStation(station);
+    m_people.setStation(station);
+    m_respiration.setStation(station);
+    m_trace.setStation(station);
+    m_shown.setStation(station);
+    if (m_journal)
+        m_journal->setStation(station);
+}
+
+void ConsoleSession::openStations(const std::vector<WantedStation>& wanted)
+{
+    for (const auto& [name, patient] : wanted)
+        if (!openStationNamed(*node().state(), name.toStdString()))
+            m_stations.add(name, patient, StationsModel::After::StayHere);
+}
+
+void ConsoleSession::onEnded(std::function<void()> callback)
+{
+    if (hasEnded())
+        return;
+    m_onEnded = std::move(callback);
+    m_looking.callOnTimeout([this] { look(); });
+    m_looking.start(kEndInterval_ms);
+}
+
+bool ConsoleSession::hasEnded() const { return m_session.phase() == SessionPhase::Ended; }
+
+void ConsoleSession::look()
+{
+    if (!hasEnded())
+        return;
+    m_looking.stop();
+    m_hosted.beacon.reset(); // nobody is to find it any more
+    // Not from within: the callback may destroy this.
+    QMetaObject::invokeMethod(&m_window, std::exchange(m_onEnded, {}), Qt::QueuedConnection);
+}
+
+/// Without a person nobody answers.
+bool ConsoleSession::mayClose()
+{
+    const auto now = m_hosted.node->now();
+    const QString told =
+        now ? leavingText(*m_hosted.node->state(), *now, m_hosted.node->self()) : QString{};
+    if (told.isEmpty() || !qEnvironmentVariableIsEmpty("CARINA_UNATTENDED"))
+        return true;
+    const Leaving chosen = askBeforeLeaving(told, m_session.canEnd(), &m_window);
+    if (chosen == Leaving::EndForAll)
+        m_session.end(); // and its end page comes
+    return chosen == Leaving::CloseForNow;
+}
+
+} // namespace carina

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "apps/instructor/session_host.h"
+#include "apps/instructor/shown_station.h"
+#include "apps/program/journal.h"
+#include "models/openigtlink/offer_giver.h"
+#include "models/respiration/checkpoint_keeper.h"
+#include "ui/instructor/instructor_window.h"
+
+#include <functional>
+
+namespace carina
+{
+
+/// One session of the console, from when it is hosted until nobody needs it any more: its models
+/// and its window.
+class ConsoleSession
+{
+public:
+    /// @param isAskedFor whether the patient is to be laid also where another one lies
+    /// @param parser outlives the session
+    /// @returns the errors of journalFromOptions, openIgtLinkOption and writing the codes.
+    [[nodiscard]] static Result<std::unique_ptr<ConsoleSession>>
+    open(HostedSession hosted, const program::ChosenPatient& patient, bool isAskedFor,
+         const ConsoleOptions& options, const QCommandLineParser& parser);
+
+    [[nodiscard]] InstructorWindow& window() { return m_window; }
+    [[nodiscard]] SessionNode& node() { return *m_hosted.node; }
+    [[nodiscard]] BreathingModel& breathing() { return m_breathing; }
+    [[nodiscard]] const QString& file() const { return m_hosted.file; }
+
+    /// Calls back once when the session has ended, for whatever reason; the callback may destroy
+    /// the session. One that had ended before it was opened never calls.
+    void onEnded(std::function<void()> callback);
+
+private:
+    ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient);
+    void show(const QSize& size);
+    [[nodiscard]] Result<void> follow(const QCommandLineParser& parser);
+    void setStation(StationId station);
+    void openStations(const std::vector<WantedStation>& wanted);
+    [[nodiscard]] bool mayClose();
+    [[nodiscard]] bool hasEnded() const;
+    void look();
+
+    HostedSession m_hosted;
+    SessionModel m_session;
+    StationsModel m_stations;
+    BreathingModel m_breathing;
+    ParticipantsModel m_participants;
+    ConductModel m_conduct;
+    PeopleModel m_people;
+    NetworkModel m_network;
+    SharedObjectModel m_object;
+    ObjectActionModel m_actions;
+    RespirationModel m_respiration;
+    BreathTrace m_trace;
+    CheckpointKeeper m_checkpoints;
+    ShownStation m_shown;
+    InstructorWindow m_window;
+    std::unique_ptr<program::Journal> m_journal;
+    std::unique_ptr<OfferGiver> m_giver;
+    std::function<void()> m_onEnded;
+    QTimer m_looking; ///< when an end takes effect, no fact arrives
+};
+
+} // namespace carina

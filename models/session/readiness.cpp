@@ -1,0 +1,117 @@
+#include "models/session/readiness.h"
+
+#include "engine/core/disciplined_clock.h"
+#include "engine/io/site/site_file.h"
+#include "models/errors/error_text.h"
+#include "models/patient/patient_model.h"
+#include "models/site/site_standing.h"
+#include "models/site/standing_words.h"
+#include "models/tracker/tracker_choice.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <QStorageInfo>
+
+namespace carina
+{
+namespace
+{
+
+/// A session of a day with its records is far below this.
+constexpr qint64 kLowDisk_bytes = 1'000'000'000;
+
+class ReadyWords
+{
+    Q_DECLARE_TR_FUNCTIONS(carina::Readiness)
+
+public:
+    static QString age(const std::string& time, const QDateTime& today)
+    {
+        const auto then = QDateTime::fromString(QString::fromStdString(time), Qt::ISODate);
+        if (!then.isValid())
+            return tr("at an unknown time");
+        const qint64 days = then.daysTo(today);
+        return days < 1 ? tr("today") : tr("%n days ago", nullptr, int(days));
+    }
+
+    static QString tracker(const QString& siteFile, const Site& site)
+    {
+        const QString described =
+            QFileInfo{siteFile}.absoluteDir().filePath(QStringLiteral("tracker.json"));
+        if (!QFileInfo::exists(described))
+            return site.tracker.empty()
+                       ? tr("○ none is chosen yet: carina-registration asks for it")
+                       : tr("✓ %1, with which the site was registered")
+                             .arg(QString::fromStdString(site.tracker));
+        const auto choice = describedIn(described.toStdString());
+        return choice ? tr("✓ %1 is described; a trainee's program connects to it")
+                            .arg(trackerName(*choice))
+                      : tr("▲ %1").arg(errorText(choice.error()));
+    }
+
+    static QString registration(const Site& site, const ReadinessQuestion& asked)
+    {
+        SiteCircumstances here{.today = asked.today};
+        if (asked.patient) {
+            here.anatomy = asked.patient->contentHash();
+            here.p_A_glottis = asked.patient->landmarks().p_A_glottis;
+        }
+        const RegistrationStanding standing = siteStanding(site, here);
+        QString told = standingText(standing);
+        if (site.registration)
+            told = tr("%1; made %2", "how a registration stands; its age")
+                       .arg(told, age(site.registration->madeAt, asked.today));
+        if (const QString todo = standingNotice(standing); !todo.isEmpty())
+            told += QStringLiteral(". ") + todo;
+        return told;
+    }
+
+    static QString disk(const QString& folder)
+    {
+        const QStorageInfo disk{folder};
+        if (!disk.isValid() || !QFileInfo{folder}.isWritable())
+            return tr("▲ %1 cannot be written into: choose another folder with --data").arg(folder);
+        const QString free = QLocale{}.formattedDataSize(disk.bytesAvailable());
+        return disk.bytesAvailable() < kLowDisk_bytes
+                   ? tr("▲ %1 free in %2: make room before the session").arg(free, folder)
+                   : tr("✓ %1 free in %2").arg(free, folder);
+    }
+
+    static QString clock()
+    {
+        const auto external = readDisciplinedClock();
+        return external ? tr("✓ disciplined by NTP or PTP, to ±%1\u00a0ms")
+                              .arg(1e3 * toSeconds(external->error), 0, 'f', 1)
+                        : tr("○ not disciplined: other computers follow this one's clock, to "
+                             "within half of their round trip");
+    }
+};
+
+} // namespace
+
+std::vector<ReadyLine> readiness(const ReadinessQuestion& asked)
+{
+    std::vector<ReadyLine> lines;
+    const auto say = [&lines](const QString& name, const QString& state) {
+        lines.push_back({name, state});
+    };
+    const auto site =
+        asked.site.isEmpty() ? std::nullopt : std::optional{readSiteFile(asked.site.toStdString())};
+    if (!site) {
+        say(ReadyWords::tr("Tracker"),
+            ReadyWords::tr("○ no site: trainees use the simulated tracker, or their own"));
+        say(ReadyWords::tr("Registration"), ReadyWords::tr("○ none is needed without a site"));
+    } else if (!*site) {
+        say(ReadyWords::tr("Site"), ReadyWords::tr("▲ %1").arg(errorText(site->error())));
+    } else {
+        say(ReadyWords::tr("Tracker"), ReadyWords::tracker(asked.site, **site));
+        say(ReadyWords::tr("Registration"), ReadyWords::registration(**site, asked));
+    }
+    say(ReadyWords::tr("Disk"), ReadyWords::disk(asked.folder));
+    say(ReadyWords::tr("Clock"), ReadyWords::clock());
+    return lines;
+}
+
+} // namespace carina

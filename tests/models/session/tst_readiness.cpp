@@ -1,0 +1,79 @@
+#include "models/session/readiness.h"
+
+#include "engine/io/site/site_file.h"
+#include "tests/models/registration/made_site.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_class.h"
+
+namespace carina::readiness_test
+{
+namespace
+{
+
+using namespace test;
+
+const QDateTime kThreeDaysLater{{2004, 3, 30}, {12, 0}, Qt::UTC};
+
+QString stateOf(const std::vector<ReadyLine>& lines, const char* name)
+{
+    for (const ReadyLine& line : lines)
+        if (line.name == QLatin1String{name})
+            return line.state;
+    return {};
+}
+
+} // namespace
+
+class TestReadiness : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void needsNeitherTrackerNorRegistrationWithoutASite()
+    {
+        const ScratchFolder folder;
+        const auto lines = readiness({.folder = folder.path(), .today = kThreeDaysLater});
+        QVERIFY(stateOf(lines, "Tracker").startsWith(QStringLiteral("○")));
+        QVERIFY(stateOf(lines, "Registration").startsWith(QStringLiteral("○")));
+        QVERIFY(stateOf(lines, "Disk").contains(folder.path()));
+        QVERIFY(!stateOf(lines, "Clock").isEmpty());
+    }
+
+    void tellsErrorAndAgeOfTheRegistration()
+    {
+        const ScratchFolder folder;
+        const QString site = folder.filePath("site.json");
+        Site verified = verifiedSite();
+        verified.registration->madeAt = "2004-03-27T10:40:00Z";
+        verified.verification->at = "2004-03-27T10:50:00Z";
+        QVERIFY(writeSiteFile(site.toStdString(), verified));
+        const auto lines =
+            readiness({.site = site, .folder = folder.path(), .today = kThreeDaysLater});
+        const QString told = stateOf(lines, "Registration");
+        QVERIFY2(told.startsWith(QStringLiteral("✓")), qPrintable(told));
+        QVERIFY2(told.contains(QStringLiteral("3 days ago")), qPrintable(told));
+        QVERIFY(stateOf(lines, "Tracker").contains(QString::fromStdString(kTracker)));
+    }
+
+    void saysWhatToDoAboutASiteThatIsNot()
+    {
+        const ScratchFolder folder;
+        const QString site = folder.write("site.json", "{");
+        const auto lines =
+            readiness({.site = site, .folder = folder.path(), .today = kThreeDaysLater});
+        QVERIFY(stateOf(lines, "Site").startsWith(QStringLiteral("▲")));
+    }
+
+    void refusesAFolderThatIsNotThere()
+    {
+        const auto lines =
+            readiness({.folder = QStringLiteral("/no/such/folder"), .today = kThreeDaysLater});
+        QVERIFY(stateOf(lines, "Disk").startsWith(QStringLiteral("▲")));
+    }
+};
+
+CARINA_TEST(TestReadiness)
+
+} // namespace carina::readiness_test
+
+#include "tst_readiness.moc"

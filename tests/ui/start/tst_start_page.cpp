@@ -1,0 +1,189 @@
+#include "engine/io/anatomy_set/anatomy_cache.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/soon.h"
+#include "tests/support/test_class.h"
+#include "ui/start/end_page.h"
+#include "ui/start/leave_question.h"
+#include "ui/start/start_page.h"
+#include "widgets/scene/view/graphics.h"
+
+#include <QAccessible>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QTimer>
+
+namespace carina::start_page_test
+{
+namespace
+{
+
+constexpr std::chrono::seconds kMade{60}; ///< a patient, on a busy machine
+
+template <class Widget> Widget& find(const QWidget& window, const char* name)
+{
+    return *window.findChild<Widget*>(QLatin1String{name});
+}
+
+/// A page over an empty folder.
+struct Shown {
+    test::ScratchFolder folder;
+    StoredSessionsModel stored{folder.path()};
+    PlannedPatient patient{AnatomyCache::defaultFolder()};
+    StartPage page{
+        stored,
+        patient,
+        {.name = QStringLiteral("Ward 3"), .patient = QStringLiteral("child")},
+        [](const QString&, const PatientModel*) {
+            return std::vector<ReadyLine>{{QStringLiteral("Disk"), QStringLiteral("✓ 9 GB free")}};
+        }};
+
+    [[nodiscard]] bool isMade() const
+    {
+        return test::soon([this] { return patient.patient().has_value(); }, kMade);
+    }
+};
+
+/// Presses a button of the question that comes up, for as long as it is there.
+void answerWith(const char* button)
+{
+    auto* timer = new QTimer{qApp};
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, button] {
+        if (const QWidget* box = QApplication::activeModalWidget()) {
+            box->findChild<QPushButton*>(QLatin1String{button})->click();
+            timer->deleteLater();
+        }
+    });
+    timer->start(10);
+}
+
+} // namespace
+
+class TestStartPage : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { prepareGraphics(); }
+
+private Q_SLOTS:
+    void saysWhatIsWantedOnceThePatientIsThere()
+    {
+        Shown shown;
+        QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
+        QVERIFY(shown.isMade());
+        QVERIFY(find<QPushButton>(shown.page, "begin").isEnabled());
+        QSignalSpy wanted{&shown.page, &StartPage::beginWanted};
+        find<QPushButton>(shown.page, "begin").click();
+        QCOMPARE(wanted.size(), 1);
+        const SessionPlan plan = shown.page.plan();
+        QCOMPARE(plan.name, QStringLiteral("Ward 3"));
+        QCOMPARE(plan.patient, QStringLiteral("child"));
+        QVERIFY(plan.folder.isEmpty() && plan.reach == SessionReach::ThisComputer);
+    }
+
+    void beginsNothingWithoutAName()
+    {
+        Shown shown;
+        QVERIFY(shown.isMade());
+        find<QLineEdit>(shown.page, "name").clear();
+        QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
+        QVERIFY(find<QLabel>(shown.page, "missing").text().contains(QStringLiteral("name")));
+    }
+
+    void takesAPatientFromFigures()
+    {
+        Shown shown;
+        auto& who = find<QComboBox>(shown.page, "patient");
+        auto& figures = find<QLineEdit>(shown.page, "figures");
+        QVERIFY(!figures.isEnabled());
+        who.setCurrentText(QStringLiteral("From figures"));
+        QVERIFY(figures.isEnabled());
+        figures.setText(QStringLiteral("a horse"));
+        QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
+        QVERIFY(!find<QLabel>(shown.page, "missing").text().isEmpty());
+        figures.setText(QStringLiteral("adult"));
+        QVERIFY(shown.isMade());
+        QCOMPARE(shown.page.plan().patient, QStringLiteral("adult"));
+        QVERIFY(find<QPushButton>(shown.page, "begin").isEnabled());
+    }
+
+    /// Nobody else is laid in their place.
+    void waitsForTheSurfacesOfAFolder()
+    {
+        Shown shown;
+        QVERIFY(shown.isMade());
+        find<QComboBox>(shown.page, "patient")
+            .setCurrentText(QStringLiteral("From a folder of surfaces"));
+        QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
+        QVERIFY(find<QPushButton>(shown.page, "browse").isEnabled());
+        QVERIFY(find<QLabel>(shown.page, "missing").text().contains(QStringLiteral("folder")));
+    }
+
+    void saysInOneSentenceWhoCanJoin()
+    {
+        Shown shown;
+        const auto& meaning = find<QLabel>(shown.page, "meaning");
+        QCOMPARE(meaning.text(), reachMeaning(SessionReach::ThisComputer));
+        find<QRadioButton>(shown.page, "byLink").click();
+        QCOMPARE(meaning.text(), reachMeaning(SessionReach::ByLink));
+        QVERIFY(shown.page.plan().reach == SessionReach::ByLink);
+    }
+
+    void everyControlHasANameAndIsReached()
+    {
+        Shown shown;
+        shown.page.show();
+        for (const QWidget* control : shown.page.findChildren<QWidget*>()) {
+            const bool isControl = qobject_cast<const QLineEdit*>(control)
+                                   || qobject_cast<const QAbstractButton*>(control)
+                                   || qobject_cast<const QComboBox*>(control);
+            if (!isControl)
+                continue;
+            QAccessibleInterface* told =
+                QAccessible::queryAccessibleInterface(const_cast<QWidget*>(control));
+            QVERIFY2(!told->text(QAccessible::Name).isEmpty(), qPrintable(control->objectName()));
+            QVERIFY2(control->focusPolicy() & Qt::TabFocus, qPrintable(control->objectName()));
+        }
+    }
+
+    void afterTheEndThereIsAnother()
+    {
+        EndPage page{{{QStringLiteral("Session"), QStringLiteral("Ward 3")}}};
+        page.show();
+        QSignalSpy another{&page, &EndPage::anotherWanted};
+        find<QPushButton>(page, "another").click();
+        QCOMPARE(another.size(), 1);
+        QVERIFY(page.isVisible());
+        find<QPushButton>(page, "close").click();
+        QVERIFY(!page.isVisible());
+    }
+
+    void closingASessionAsks_data()
+    {
+        QTest::addColumn<const char*>("button");
+        QTest::addColumn<int>("leaving");
+        QTest::newRow("stay") << "stay" << int(Leaving::Stay);
+        QTest::newRow("close") << "closeForNow" << int(Leaving::CloseForNow);
+        QTest::newRow("end") << "endForAll" << int(Leaving::EndForAll);
+    }
+
+    void closingASessionAsks()
+    {
+        QFETCH(const char*, button);
+        QFETCH(const int, leaving);
+        answerWith(button);
+        QCOMPARE(int(askBeforeLeaving(QStringLiteral("Tom: in the session"), true, nullptr)),
+                 leaving);
+    }
+};
+
+CARINA_SCREEN_TEST(TestStartPage)
+
+} // namespace carina::start_page_test
+
+#include "tst_start_page.moc"

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "models/patient/planned_patient.h"
+#include "models/session/readiness.h"
+#include "models/session/session_plan.h"
+#include "models/session/stored_sessions.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QButtonGroup;
+class QComboBox;
+class QFormLayout;
+class QGridLayout;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QPushButton;
+
+namespace carina
+{
+
+class MessageLine;
+class PatientPicture;
+
+/// Where the console begins: a new session with its patient, or an earlier one; who can join; and
+/// what is ready. It decides nothing: it says what a person wants.
+class StartPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// How things stand for a site and a patient, who may be null.
+    using Readiness =
+        std::function<std::vector<ReadyLine>(const QString& site, const PatientModel* patient)>;
+
+    /// @param begin what is filled in at first @pre all outlive the page.
+    StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const SessionPlan& begin,
+              Readiness readiness);
+
+    /// As filled in.
+    [[nodiscard]] SessionPlan plan() const;
+    /// Shows why what was wanted could not be done; empty: nothing.
+    void warn(const QString& problem);
+    /// While a session is made, nothing else can be wanted.
+    void setBusy(bool busy);
+
+Q_SIGNALS:
+    void beginWanted(const carina::SessionPlan& plan);
+    /// To go on with the session in a file.
+    void resumeWanted(const QString& file, carina::SessionReach reach);
+    /// To read the surfaces in a folder; PlannedPatient has the result then.
+    void importWanted(const QString& folder);
+
+private:
+    [[nodiscard]] QGroupBox* newSession(const SessionPlan& begin);
+    [[nodiscard]] QGroupBox* earlierSessions();
+    [[nodiscard]] QGroupBox* whoCanJoin(SessionReach reach);
+    [[nodiscard]] QGroupBox* whatIsReady();
+    void addPatient(QFormLayout& form, const SessionPlan& begin);
+    void addSite(QFormLayout& form, const QString& site);
+    void choosePatient();
+    void chooseFolder();
+    void chooseSite();
+    [[nodiscard]] QString patientWords() const;
+    [[nodiscard]] SessionReach reach() const;
+    [[nodiscard]] QString chosenFile() const;
+    void chooseEarlier();
+    void resume();
+    void refresh();
+    void refreshReadiness();
+    void refreshEarlier();
+
+    StoredSessionsModel& m_stored;
+    PlannedPatient& m_patient;
+    Readiness m_readiness;
+    QString m_folder;
+    QLineEdit* m_name;
+    QComboBox* m_who;
+    QLineEdit* m_figures;
+    QPushButton* m_browse;
+    QLineEdit* m_site;
+    QPushButton* m_begin;
+    QListView* m_list;
+    QLabel* m_none;
+    QPushButton* m_resume;
+    QButtonGroup* m_reach;
+    QLabel* m_meaning;
+    QGridLayout* m_ready;
+    PatientPicture* m_picture;
+    QLabel* m_missing;
+    MessageLine* m_problem;
+    bool m_isBusy = false;
+};
+
+} // namespace carina

@@ -54,7 +54,7 @@ TrueToolPose of(SimulatedPerson person, TrueToolPose hands, const HandScript& sc
         const unsigned number = person();
         const double ahead = kAhead * number - std::floor(kAhead * number);
         auto X_TO = hands(tool, t + fromSeconds(ahead * toSeconds(period)));
-        if (X_TO && tool == ToolRole::Head)
+        if (X_TO && tool == ToolRole::Head && number % kPlaces.size() != 0)
             X_TO = X_TA * standing(number, p_A_incisors) * X_AT * *X_TO;
         return X_TO;
     };

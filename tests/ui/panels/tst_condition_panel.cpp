@@ -302,7 +302,7 @@ void TestConditionPanel::namesEveryControlForAScreenReader()
         QVERIFY(!child->accessibleName().isEmpty());
         ++plots;
     }
-    QCOMPARE(plots, 4);
+    QCOMPARE(plots, 7); // three curves, their figures, and three controls
 }
 
 void TestConditionPanel::tellsTheFiguresOfTheLastBreath()

@@ -60,7 +60,7 @@ void TestCheckpointRules::refusesACheckpointThatNoFoldCanTake_data()
     row("drive", [](RespiratoryState& s) { s.system.lungs[1].drive = -0.1; });
     row("sag", [](RespiratoryState& s) { s.system.sag = -1.1; });
     row("its room", [](RespiratoryState& s) { s.system.mediastinumMost.si = -1.0; });
-    row("rate", [](RespiratoryState& s) { s.breath.rate.si = 0.0; });
+    row("rate", [](RespiratoryState& s) { s.breath.rate = perMinute(1.0); });
     row("volume", [](RespiratoryState& s) { s.breath.tidalVolume.si = 0.0; });
     row("fraction", [](RespiratoryState& s) { s.breath.inspiratoryFraction = 0.95; });
     row("breaths", [](RespiratoryState& s) { s.clock.breaths = -1.0; });

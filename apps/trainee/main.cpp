@@ -255,7 +255,8 @@ Result<Outfit> outfitFrom(const QCommandLineParser& parser, const program::Measu
     auto tracker = trackerFor(parser);
     if (!tracker)
         return tl::unexpected(tracker.error());
-    TrackerChange change{program::siteOption(parser), *tracker, program::recordDeviceOption(parser)};
+    TrackerChange change{program::siteOption(parser), *tracker,
+                         program::recordDeviceOption(parser)};
     const auto site = change.placeOf(*patient->model);
     if (!site)
         return tl::unexpected(site.error());

@@ -70,7 +70,7 @@ private:
     LocalTime m_nextShare{};
 };
 
-/// Asks for what another holds, as often as one participant may.
+/// Asks for what another holds, and no more, in turn, as often as one participant may.
 class Asking : public Participating
 {
 public:
@@ -83,13 +83,15 @@ protected:
         if (now < m_next || intruder.station() == kNoStation)
             return;
         m_next = now + std::chrono::milliseconds{55};
-        const WireRecord proposal = toRecord(
-            Proposal{anyId(), kNobody, intruder.station(), fact::ObjectWanted{ObjectId{1}}});
+        const WireRecord proposal =
+            toRecord(Proposal{anyId(), kNobody, intruder.station(),
+                              fact::ObjectWanted{ObjectId{1}, std::exchange(m_wants, !m_wants)}});
         intruder.send(std::span{&proposal, 1});
     }
 
 private:
     LocalTime m_next{};
+    bool m_wants = true;
 };
 
 class Crowd : public Attack

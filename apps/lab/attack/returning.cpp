@@ -5,17 +5,18 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace carina::lab
 {
 namespace
 {
 
-/// A trainee asks for an object of another: a fact each time.
-WireRecord wish(Attendee& author, ProposalId id)
+/// A trainee asks for an object of another, or no more: in turn a fact each time.
+WireRecord wish(Attendee& author, ProposalId id, bool wants)
 {
     return toRecord(
-        Proposal{id, kNobody, author.intruder().station(), fact::ObjectWanted{ObjectId{1}}});
+        Proposal{id, kNobody, author.intruder().station(), fact::ObjectWanted{ObjectId{1}, wants}});
 }
 
 /// One of the many names.
@@ -31,7 +32,7 @@ public:
             return;
         if (m_wishes.empty())
             for (int i = 0; i < kWishes; ++i)
-                m_wishes.push_back(wish(m_attendee, ProposalId{m_attendee.random()()}));
+                m_wishes.push_back(wish(m_attendee, ProposalId{m_attendee.random()()}, i % 2 == 0));
         if (now < m_next)
             return;
         m_next = now + kRepeat;
@@ -109,8 +110,8 @@ public:
         const LocalTime now = monotonicNow();
         if (now >= m_nextWish) {
             m_nextWish = now + kWish;
-            m_attendee.intruder().send(
-                std::array<WireRecord, 1>{wish(m_attendee, ProposalId{m_attendee.random()()})});
+            m_attendee.intruder().send(std::array<WireRecord, 1>{wish(
+                m_attendee, ProposalId{m_attendee.random()()}, std::exchange(m_wants, !m_wants))});
         }
         if (now >= m_nextHello) {
             m_nextHello = now + kHello;
@@ -135,6 +136,7 @@ private:
     static constexpr Duration kWish = std::chrono::milliseconds{55};
 
     Attendee m_attendee;
+    bool m_wants = true;
     LocalTime m_nextWish{};
     LocalTime m_nextHello{};
 };

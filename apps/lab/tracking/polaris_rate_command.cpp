@@ -29,8 +29,8 @@ constexpr std::array kReplies{NamedReply{"bx", NdiPoseReply::Bx},
                               NamedReply{"tx", NdiPoseReply::Tx},
                               NamedReply{"bx2", NdiPoseReply::Bx2}};
 constexpr int kRate = 115200;
-constexpr Duration kPatience = 20s; // until it tracks
-constexpr Duration kRateSettling = 1s;  // after it does, and after a tool was hidden
+constexpr Duration kPatience = 20s;    // until it tracks
+constexpr Duration kRateSettling = 1s; // after it does, and after a tool was hidden
 constexpr int kRestarts = 3;
 constexpr Duration kGone = 1s;        // before the first of these
 constexpr Duration kMoreGone = 170ms; // before each other one: at another phase of the attempts

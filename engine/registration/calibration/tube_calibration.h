@@ -33,7 +33,7 @@ struct TubeSettings {
     std::size_t fewestWall = 4;
     double shortestPart = 0.5; ///< of the way from rim to tip that the wall is touched
     Length leastSagitta = millimetres(5.0);
-    Length largestRms = millimetres(1.5); ///< of the residuals
+    Length largestRms = millimetres(0.8); ///< of the residuals: of touches off by 2 mm
 };
 
 /// Finds connector frame, length and curvature of a tube by least squares over all touches:

@@ -50,8 +50,10 @@ struct ToolDesk {
         task().beginCalibration();
         touchTube();
     }
+    /// The stylus is elsewhere before: where it rests it touches nothing.
     void checkTube()
     {
+        site.holdFor(*model, 20, {0.3, 0.3, -1.0});
         task().beginCheck();
         touch(kTubePlaces.back());
     }

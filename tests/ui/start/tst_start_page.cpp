@@ -165,18 +165,18 @@ private Q_SLOTS:
 
     void closingASessionAsks_data()
     {
-        QTest::addColumn<const char*>("button");
+        QTest::addColumn<QByteArray>("button");
         QTest::addColumn<int>("leaving");
-        QTest::newRow("stay") << "stay" << int(Leaving::Stay);
-        QTest::newRow("close") << "closeForNow" << int(Leaving::CloseForNow);
-        QTest::newRow("end") << "endForAll" << int(Leaving::EndForAll);
+        QTest::newRow("stay") << QByteArray{"stay"} << int(Leaving::Stay);
+        QTest::newRow("close") << QByteArray{"closeForNow"} << int(Leaving::CloseForNow);
+        QTest::newRow("end") << QByteArray{"endForAll"} << int(Leaving::EndForAll);
     }
 
     void closingASessionAsks()
     {
-        QFETCH(const char*, button);
+        QFETCH(const QByteArray, button);
         QFETCH(const int, leaving);
-        answerWith(button);
+        answerWith(button.constData());
         QCOMPARE(int(askBeforeLeaving(QStringLiteral("Tom: in the session"), true, nullptr)),
                  leaving);
     }

@@ -15,7 +15,7 @@ const Vec3 kTip_S{0.0, 0.0, -0.150};  ///< of the stylus, below its markers
 const Vec3 kParked{0.13, 0.0, -0.05}; ///< of the markers from the incisors, in A
 const Vec3 kDivot{0.14, 0.05, -0.08}; ///< from the incisors, in A
 const Vec3 kTubeMarkers{0.2, 0.02, 0.1};
-const Vec3 kLaryngoscopeMarkers{-0.18, -0.02, 0.1};
+const Vec3 kLaryngoscopeMarkers{0.1, 0.1, 0.1}; ///< where the tracker sees it
 
 /// The stylus upright over the patient, who lies: +z of S anterior, -y of A.
 RigidTransform parkedStylus(const Vec3& p_A_incisors)

@@ -11,8 +11,8 @@
 namespace carina
 {
 
-/// A manikin with a chin probe in front of a simulated tracker, a hand that holds a stylus, and to
-/// both sides of the manikin a tube and a laryngoscope, which lie still.
+/// A manikin with a chin probe in front of a simulated tracker, a hand that holds a stylus, and on
+/// the tracker's side of the manikin a tube and a laryngoscope, which lie still.
 struct SimulatedWorkplace {
     RigidTransform X_TA;            ///< true pose of the anatomy
     Vec3 p_TQ_divot = Vec3::Zero(); ///< beside the manikin

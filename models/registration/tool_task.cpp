@@ -27,10 +27,10 @@ public:
             QT_TR_NOOP("rim of the connector, anywhere"),
             QT_TR_NOOP("rim of the connector, a third of the way round"),
             QT_TR_NOOP("rim of the connector, two thirds of the way round"),
-            QT_TR_NOOP("wall just below the connector, outside of the bend"),
-            QT_TR_NOOP("wall a quarter of the way to the cuff, at the side of the bend"),
+            QT_TR_NOOP("wall below the connector, outside of the bend"),
+            QT_TR_NOOP("wall a quarter down to the cuff, side of the bend"),
             QT_TR_NOOP("wall half way to the cuff, outside of the bend"),
-            QT_TR_NOOP("wall three quarters of the way to the cuff, at the side of the bend"),
+            QT_TR_NOOP("wall three quarters down to it, side of the bend"),
             QT_TR_NOOP("wall just above the cuff, outside of the bend"),
             QT_TR_NOOP("tip, in the middle of its opening")};
         static_assert(kNames.size() == kTubePlaces.size());
@@ -40,10 +40,10 @@ public:
     static QString bladePlace(std::size_t place)
     {
         static const std::array kNames{
-            QT_TR_NOOP("heel of the blade at the handle, left corner as you hold it"),
-            QT_TR_NOOP("heel of the blade, right corner"),
+            QT_TR_NOOP("heel of the blade at the handle, your left corner"),
+            QT_TR_NOOP("heel of the blade at the handle, your right corner"),
             QT_TR_NOOP("end of the handle, in the middle"),
-            QT_TR_NOOP("underside of the blade, half way to the tip, in the middle"),
+            QT_TR_NOOP("underside of the blade, half way to its tip"),
             QT_TR_NOOP("tip of the blade, in the middle of its edge")};
         static_assert(kNames.size() == kBladePlaces.size());
         return tr(kNames[place]);

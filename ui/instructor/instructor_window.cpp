@@ -8,7 +8,10 @@
 #include "widgets/scene/view/scene_view.h"
 
 #include <QCloseEvent>
+#include <QDockWidget>
+#include <QScrollArea>
 #include <QShowEvent>
+#include <QStyle>
 #include <QTimer>
 
 #include <algorithm>
@@ -51,6 +54,21 @@ void reserve(const QToolBar& bar, QAction& action, const QString& longest)
     button->ensurePolished();
     button->setMinimumWidth(button->sizeHint().width());
     action.setText(now);
+}
+
+/// Lets a panel scroll where the window is too low for all of it.
+void makeScrollable(QDockWidget& dock)
+{
+    QWidget* panel = dock.widget();
+    auto* area = new QScrollArea{&dock};
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setMinimumWidth(panel->minimumSizeHint().width()
+                          + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    area->setWidgetResizable(true);
+    area->setWidget(panel);
+    dock.setWidget(area);
 }
 
 } // namespace
@@ -124,6 +142,8 @@ void InstructorWindow::layDocks()
 {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea); // the table needs all the width
+    makeScrollable(*m_ui->breathingDock);
+    makeScrollable(*m_ui->conditionDock);
     tabifyDockWidget(m_ui->breathingDock, m_ui->conditionDock);
     tabifyDockWidget(m_ui->conditionDock, m_ui->actionsDock);
     tabifyDockWidget(m_ui->actionsDock, m_ui->partsDock);

@@ -70,8 +70,6 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
     connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::tellSearching);
     connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::tellSearching);
     connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::chooseTheOnly);
-    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::refresh);
-    connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::refresh);
     connect(m_address, &QLineEdit::textChanged, this, &JoinDialog::readLink);
     connect(m_role, &QComboBox::currentIndexChanged, this, &JoinDialog::refresh);
     connect(&m_entrance, &Entrance::changed, this, &JoinDialog::follow);

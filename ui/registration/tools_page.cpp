@@ -56,6 +56,8 @@ ToolsPage::ToolsPage(RegistrationModel& registration)
     m_places->setObjectName(QStringLiteral("toolPlaces"));
     m_places->setAccessibleName(tr("Places of the tool to touch"));
     m_places->setWordWrap(true);
+    m_places->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    m_places->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_check->setObjectName(QStringLiteral("checkTool"));
     m_check->setToolTip(tr("Touch its tip once: tells whether it was bent, or its markers moved"));
     m_stop->setObjectName(QStringLiteral("stopTool"));
@@ -96,9 +98,10 @@ void ToolsPage::layOut()
     column->setContentsMargins({});
     column->addLayout(form);
     column->addWidget(m_described);
-    column->addWidget(m_places, 1);
-    column->addWidget(hint);
     column->addLayout(buttons);
+    column->addWidget(m_places);
+    column->addWidget(hint);
+    column->addStretch();
 }
 
 void ToolsPage::refresh()
@@ -155,6 +158,7 @@ void ToolsPage::refreshPlaces()
         if (row.isNext)
             m_places->scrollToItem(item);
     }
+    m_places->updateGeometry();
 }
 
 QString ToolsPage::actionText() const

@@ -297,8 +297,8 @@ Result<QJsonObject> renderVideo(const Words& words)
 
 Use videoUse()
 {
-    return {.lines = {"video DIR [--patient WHO] [--seconds N] [--rate HZ] [--width PIXELS] "
-                      "[--distance-mm MM] [--board N] [--compare]"},
+    return {.lines = {"video DIR [--patient WHO] [--seconds N] [--rate HZ]",
+                      "video DIR [--width PIXELS] [--distance-mm MM] [--board N] [--compare]"},
             .text = "Renders scripted hands with the printed markers at the patient's "
                     "manikin, as a camera sees them, into DIR/markers.avi. "
                     "DIR/tracker.json describes it for --tracker, and DIR/site.json says "

@@ -92,7 +92,7 @@ private:
     bool m_isUnwritten = false;
     std::map<PeerAddress, Credential> m_peers;
     std::set<PeerAddress> m_displaced;
-    std::map<Role, Error> m_faults; ///< why a role's code has no key
+    std::map<Role, Error> m_faults;    ///< why a role's code has no key
     std::set<ParticipantId> m_unshown; // whose token was issued, and nobody has come in with
     KeyDeriver m_deriver;
 };

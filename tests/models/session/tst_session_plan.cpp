@@ -87,7 +87,7 @@ private Q_SLOTS:
         FakeSessionNode node;
         node.decide(fact::AnatomyChosen{"builtin-adult-3", "Adult"});
         node.decide(fact::PhaseChanged{SessionPhase::Running});
-        node.advance(std::chrono::seconds{75});
+        node.advance(std::chrono::milliseconds{75'500}); // its begin takes effect a little later
         QStringList told;
         for (const SummaryLine& line :
              summaryOf(*node.state(), *node.now(), FakeSessionNode::kInstructor, kFile))

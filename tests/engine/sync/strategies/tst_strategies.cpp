@@ -119,7 +119,8 @@ private Q_SLOTS:
         StrategyStar star{"asa-adaptive", 2, {}};
         star.runTo(5s);
         for (int i = 0; i < 100; ++i) {
-            for (const Duration sentAt : {Duration{-(std::int64_t{1} << 60)}, Duration{}, Duration{4999ms}})
+            for (const Duration sentAt :
+                 {Duration{-(std::int64_t{1} << 60)}, Duration{}, Duration{4999ms}})
                 star.participant(2).receive(
                     ParticipantId{},
                     encodeRelayed({ParticipantId{1}, ParticipantId{2}, DelayAnswer{sentAt}}),

@@ -160,7 +160,13 @@ void InstructorWindow::layDocks()
 void InstructorWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
-    if (event->spontaneous() || std::exchange(m_isLaidOut, true) || height() < kLargeWindow)
+    if (!event->spontaneous() && !std::exchange(m_isLaidOut, true))
+        QTimer::singleShot(0, this, &InstructorWindow::useHeight); // which it has only then
+}
+
+void InstructorWindow::useHeight()
+{
+    if (height() < kLargeWindow)
         return;
     // Beneath the waveforms, not behind them: one that is in front of another cannot be split off.
     for (QDockWidget* dock : {m_ui->invitationDock, m_ui->networkDock}) {

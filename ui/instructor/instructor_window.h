@@ -61,6 +61,8 @@ protected:
 private:
     void fillSessionBar();
     void layDocks();
+    /// Shows the invitation beneath the waveforms where there is room.
+    void useHeight();
     void refreshInvitation();
     void endOnSecondPress();
     void refresh();

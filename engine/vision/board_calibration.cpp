@@ -64,7 +64,6 @@ BoardCalibration::BoardCalibration(const CalibrationBoard& board)
 {
 }
 
-BoardCalibration::BoardCalibration(BoardCalibration&&) noexcept = default;
 BoardCalibration& BoardCalibration::operator=(BoardCalibration&&) noexcept = default;
 BoardCalibration::~BoardCalibration() = default;
 

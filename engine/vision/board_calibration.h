@@ -62,7 +62,6 @@ public:
     static constexpr Angle kLeastTilt = degrees(10.0);
 
     explicit BoardCalibration(const CalibrationBoard& board);
-    BoardCalibration(BoardCalibration&&) noexcept;
     BoardCalibration& operator=(BoardCalibration&&) noexcept;
     ~BoardCalibration();
 

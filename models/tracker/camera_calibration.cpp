@@ -79,7 +79,6 @@ void CameraCalibration::look(const std::stop_token& stopping, const PicturePlace
             break;
         if (!calibration.add(taken->picture))
             continue;
-        now.pictures = calibration.pictures();
         now.coverage = calibration.coverage();
         now.fitted = calibration.fit();
         tell(now);
@@ -106,10 +105,6 @@ CameraCalibration::Progress CameraCalibration::progress() const
     const std::lock_guard lock{m_mutex};
     return m_progress;
 }
-
-CameraCalibration::State CameraCalibration::state() const { return progress().state; }
-
-int CameraCalibration::pictures() const { return progress().pictures; }
 
 BoardCoverage CameraCalibration::coverage() const { return progress().coverage; }
 

@@ -31,13 +31,6 @@ class CameraCalibration : public QObject
     Q_OBJECT
 
 public:
-    enum class State : std::uint8_t {
-        Idle,
-        Looking,
-        Ended,  ///< of a video or folder, its end is reached
-        Silent, ///< there is no picture
-    };
-
     CameraCalibration() = default;
     ~CameraCalibration() override { end(); }
 
@@ -46,9 +39,6 @@ public:
     /// Frees the camera; what was found is kept.
     void end();
 
-    [[nodiscard]] State state() const;
-    /// Places at which the board was seen.
-    [[nodiscard]] int pictures() const;
     /// Corners seen in each ninth of the picture, row by row.
     [[nodiscard]] BoardCoverage coverage() const;
     /// Whether these pictures determine the camera.
@@ -63,10 +53,16 @@ Q_SIGNALS:
     void changed();
 
 private:
+    enum class State : std::uint8_t {
+        Idle,
+        Looking,
+        Ended,  ///< of a video or folder, its end is reached
+        Silent, ///< there is no picture
+    };
+
     using Fitted = std::variant<BoardFit, CalibrationFault>;
     struct Progress {
         State state = State::Idle;
-        int pictures = 0;
         BoardCoverage coverage{};
         std::optional<Fitted> fitted{};
         std::string trouble{};

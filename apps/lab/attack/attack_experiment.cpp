@@ -1,6 +1,7 @@
 #include "apps/lab/attack/attack_experiment.h"
 
 #include "apps/lab/attack/honest_people.h"
+#include "apps/lab/attack/laid_patients.h"
 #include "apps/lab/attack/shown_objects.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/net/entry/psk_identity.h"
@@ -193,6 +194,7 @@ private:
         figures.before = m_witness->take();
 
         const ShownObjects shownBefore{*m_node};
+        const LaidPatients patientsBefore{*m_node};
         static_cast<void>(m_honest->takeMissed());
         auto attack = kind.begin({m_session->port(), m_session->codes(), m_derive,
                                   StartedSession::kTrainee, std::string{"Intruder "} + kind.name});
@@ -216,6 +218,8 @@ private:
         figures.moved = shownBefore.moved(*m_node);
         figures.putOut = m_honest->takeMissed();
         attack.reset();
+        patientsBefore.layAgain(*m_instructor);
+        static_cast<void>(waitFor([&] { return patientsBefore.areLaid(*m_node); }));
         return afterwards(std::move(figures), factsBefore, memoryBefore);
     }
 

@@ -112,14 +112,31 @@ private:
     }
 };
 
-/// Decides without end what an instructor may decide about the patient.
-class Instructing : public Proposing
+/// Decides without end what an instructor may decide about the patient, a tenth more often than
+/// the host takes: who floods it is soon put out.
+class Instructing : public Participating
 {
 public:
-    explicit Instructing(const Target& target) : Proposing{target, Role::Instructor} {}
+    explicit Instructing(const Target& target) : Participating{target, Role::Instructor} {}
+
+protected:
+    void flood(Intruder& intruder) override
+    {
+        const LocalTime now = monotonicNow();
+        m_next = std::max(m_next, now - kMostBehind);
+        std::vector<WireRecord> proposals;
+        for (; m_next < now; m_next += kInterval)
+            proposals.emplace_back(
+                toRecord(Proposal{anyId(), kNobody, intruder.station(), body()}));
+        if (!proposals.empty())
+            intruder.send(proposals);
+    }
 
 private:
-    FactBody body(const Intruder&) override
+    static constexpr Duration kInterval = std::chrono::microseconds{9091}; ///< 110 a second
+    static constexpr Duration kMostBehind = std::chrono::milliseconds{100};
+
+    FactBody body()
     {
         const double share = 0.01 * double(anyNumber() % 100);
         switch (anyNumber() % 4) {
@@ -139,6 +156,8 @@ private:
         const PatientParameters parameters = parametersOf(patient);
         return fact::AnatomyChosen{madeHash(parameters), nameOf(parameters)};
     }
+
+    LocalTime m_next{};
 };
 
 /// Gives observers a new code without end.
@@ -373,6 +392,8 @@ std::span<const AttackKind> attackKinds()
     constexpr double kComings = 20.0;
     // As many as the host takes from an instructor in a second, and a tenth.
     constexpr double kInstructing = 110.0;
+    // Of these, since what is chosen already becomes no fact.
+    constexpr double kLeastInstructing = 80.0;
     // Twelve comings and goings, what each may have saved up, and a burst of the pot; then by the
     // second the shares and the pot of trainees of one address, and a tenth (sharedLimitsOf).
     constexpr double kCrowd = 12.0 * (2.0 + 8.0) + 2.0 * 40.0;
@@ -467,7 +488,7 @@ std::span<const AttackKind> attackKinds()
                    .begin = begin<Instructing>,
                    .mostFacts = kComings + 2.0 * kInstructing,
                    .factsPerS = kInstructing,
-                   .leastPerS = kLeastOfMany},
+                   .leastPerS = kLeastInstructing},
         AttackKind{.name = "messages",
                    .what = "a trainee acts on what is not its own by messages of the strategy "
                            "\"none\", which the session has meanwhile",

@@ -12,8 +12,8 @@ namespace carina::lab
 namespace
 {
 
-/// The actions of an attacker, by which they are known again.
-constexpr std::uint32_t kFirstForeign = 1'000'000;
+/// Above the numbers of those who have just begun to act.
+constexpr std::uint32_t kLeastNumber = 1'000'000;
 const Vec3 kElsewhere{0.1, 0.2, 0.3}; ///< in A, metres: nobody has an object just there
 
 class ForeignActions : public Attack
@@ -77,7 +77,7 @@ private:
             EventCpo event;
             event.object = id;
             event.epoch = object.epoch;
-            event.action = kFirstForeign + ++m_action;
+            event.action = m_first + m_actions++;
             event.start = m_actor.intruder().sessionNow();
             event.p_AO = kElsewhere;
             if (m_by == By::Messages) {
@@ -105,8 +105,8 @@ private:
     {
         const auto& objects = m_listener.intruder().state().objects();
         const auto object = objects.find(event.object);
-        if (event.action < kFirstForeign || object == objects.end()
-            || !m_actor.intruder().welcome())
+        const bool isOfThis = event.action - m_first < m_actions; // modulo 2^32
+        if (!isOfThis || object == objects.end() || !m_actor.intruder().welcome())
             return;
         ++(object->second.owner == self() ? m_own : m_foreign);
     }
@@ -116,7 +116,9 @@ private:
     Attendee m_listener;
     LocalTime m_nextShare{};
     LocalTime m_nextActions{};
-    std::uint32_t m_action = 0;
+    /// By this the actions are known again, also beside those that an earlier attack has left.
+    std::uint32_t m_first = kLeastNumber + static_cast<std::uint32_t>(m_actor.random()() >> 33U);
+    std::uint32_t m_actions = 0;
     std::int64_t m_own = 0;
     std::int64_t m_foreign = 0;
 };

@@ -1,7 +1,5 @@
 #include "apps/lab/attack/shown_places.h"
 
-#include "engine/sync/streams/stream_view.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +15,7 @@ void ShownPlaces::heard(const PoseSample& sample, SessionTime now)
     if (way <= kFastestHand * toSeconds(sample.time - before->time))
         return;
     ++m_jumps;
-    m_blended = now + StreamView::kBlend;
+    m_blended = now + kBlended;
     std::erase_if(m_shown, [&](const Shown& shown) { return shown.time >= before->time; });
 }
 

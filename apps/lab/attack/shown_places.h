@@ -2,6 +2,7 @@
 
 #include "engine/core/units.h"
 #include "engine/geometry/vec.h"
+#include "engine/sync/streams/stream_view.h"
 #include "engine/tracking/pose_sample.h"
 
 #include <deque>
@@ -22,8 +23,10 @@ namespace carina::lab
 class ShownPlaces
 {
 public:
-    /// Nobody who intubates moves a tube as fast.
-    static constexpr double kFastestHand = 1.0; ///< m/s
+    /// The hand of a simulated trainee is never as fast.
+    static constexpr double kFastestHand = 0.3; ///< m/s
+    /// The view blends again from each sample to the next, a part of what is left each time.
+    static constexpr Duration kBlended = 5 * StreamView::kBlend;
     static constexpr Duration kShownInterval = std::chrono::milliseconds{20};
     /// By then the samples around a time are there.
     static constexpr Duration kArrived = std::chrono::milliseconds{300};

@@ -31,11 +31,8 @@ private Q_SLOTS:
         QSignalSpy changes{&calibration, &CameraCalibration::changed};
         QCOMPARE(calibration.text(), QString{});
         calibration.begin({folder.path(), {}, {640, 480}}, kSquare_mm);
-        QTRY_COMPARE_WITH_TIMEOUT(calibration.state(), CameraCalibration::State::Ended,
+        QTRY_VERIFY2_WITH_TIMEOUT(calibration.isFitted(), qPrintable(calibration.text()),
                                   kPatience_ms);
-        QVERIFY2(calibration.isFitted(), qPrintable(calibration.text()));
-        QTRY_VERIFY(changes.size() > calibration.pictures());
-        QVERIFY(calibration.pictures() >= BoardCalibration::kFewestPictures);
         QVERIFY(calibration.text().startsWith(QStringLiteral("✓")));
         const QString file = folder.filePath(QStringLiteral("camera.json"));
         QVERIFY(calibration.save(file));
@@ -43,7 +40,9 @@ private Q_SLOTS:
         QVERIFY(camera);
         const double focal = vision_test::webcam().focal.x();
         QVERIFY(std::abs(camera->model.focal.x() - focal) < kFocalTolerance * focal);
-        QVERIFY(camera->rms > 0.0 && camera->pictures > 0 && !camera->madeAt.empty());
+        QVERIFY(camera->rms > 0.0 && !camera->madeAt.empty());
+        QVERIFY(camera->pictures >= BoardCalibration::kFewestPictures);
+        QVERIFY(changes.size() >= camera->pictures);
     }
 
     void asksForMoreUntilTheyAreEnough()
@@ -52,11 +51,11 @@ private Q_SLOTS:
         QVERIFY(vision_test::writeBoards(folder.path(), 4));
         CameraCalibration calibration;
         calibration.begin({folder.path(), {}, {}}, kSquare_mm);
-        QTRY_COMPARE_WITH_TIMEOUT(calibration.state(), CameraCalibration::State::Ended,
-                                  kPatience_ms);
+        const auto asks = [&] {
+            return calibration.text().contains(QStringLiteral("ten are needed"));
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(asks(), qPrintable(calibration.text()), kPatience_ms);
         QVERIFY(!calibration.isFitted());
-        QVERIFY2(calibration.text().contains(QStringLiteral("ten are needed")),
-                 qPrintable(calibration.text()));
         int corners = 0;
         for (const int ninth : calibration.coverage())
             corners += ninth;
@@ -67,11 +66,12 @@ private Q_SLOTS:
     {
         CameraCalibration calibration;
         calibration.begin({QStringLiteral("/dev/no-such-camera"), {}, {640, 480}}, kSquare_mm);
-        QTRY_COMPARE_WITH_TIMEOUT(calibration.state(), CameraCalibration::State::Silent,
-                                  kPatience_ms);
-        QVERIFY(calibration.text().contains(QStringLiteral("/dev/no-such-camera")));
+        const auto tells = [&] {
+            return calibration.text().contains(QStringLiteral("/dev/no-such-camera"));
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(tells(), qPrintable(calibration.text()), kPatience_ms);
         calibration.end();
-        QCOMPARE(calibration.state(), CameraCalibration::State::Silent);
+        QVERIFY(tells());
     }
 
     void knowsTheCameraOfATracker()

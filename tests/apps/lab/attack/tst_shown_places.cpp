@@ -1,5 +1,4 @@
 #include "apps/lab/attack/shown_places.h"
-#include "engine/sync/streams/stream_view.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>
@@ -13,7 +12,7 @@ using namespace std::chrono_literals;
 using carina::lab::ShownPlaces;
 
 constexpr Duration kTick = 16ms;
-constexpr double kSpeed = 0.2; ///< m/s of the tube
+constexpr double kSpeed = 0.1; ///< m/s of the tube
 constexpr double kTolerance_mm = 1e-6;
 
 /// A tube that moves steadily along x, from somewhere else after a jump.
@@ -97,12 +96,12 @@ private Q_SLOTS:
         // No more is left out than from the sample before until it is blended in.
         const auto all = seen({}, 0ms).places();
         QVERIFY(all - places.places()
-                <= (2 * kTick + StreamView::kBlend) / ShownPlaces::kShownInterval + 1);
+                <= (2 * kTick + ShownPlaces::kBlended) / ShownPlaces::kShownInterval + 1);
     }
 
     void quickHandIsNoJump()
     {
-        const Tube tube{.jump = SessionTime{2s}, .jump_m = 0.7 * ShownPlaces::kFastestHand * 0.016};
+        const Tube tube{.jump = SessionTime{2s}, .jump_m = 0.6 * ShownPlaces::kFastestHand * 0.016};
         const ShownPlaces places = seen(tube, 0ms);
         QCOMPARE(places.jumps(), 0);
     }

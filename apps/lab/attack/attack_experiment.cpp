@@ -3,6 +3,7 @@
 #include "apps/lab/attack/honest_people.h"
 #include "apps/lab/attack/laid_patients.h"
 #include "apps/lab/attack/shown_objects.h"
+#include "engine/anatomy/patient/patient_name.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/net/entry/psk_identity.h"
 
@@ -108,9 +109,10 @@ private:
         m_witness = std::make_unique<Witness>(*m_node, StartedSession::kTrainee);
         if (!waitFor([this] { return m_witness->sees(); }))
             return fail(Errc::HostSilent, "the trainee's tube was not seen");
-        return deriveKeys().and_then([this] { return comeInGuests(); }).map([this] {
-            m_honest.emplace(*m_node, honestOnes());
-        });
+        return deriveKeys()
+            .and_then([this] { return layAnotherAndBack(); })
+            .and_then([this] { return comeInGuests(); })
+            .map([this] { m_honest.emplace(*m_node, honestOnes()); });
     }
 
     /// Of all roles, before anything is measured. The instructor stays.
@@ -125,6 +127,23 @@ private:
             if (role == Role::Instructor)
                 m_instructor = *std::move(first);
         }
+        return {};
+    }
+
+    /// So that all that a change of patients needs for the first time is in memory already.
+    Result<void> layAnotherAndBack()
+    {
+        const LaidPatients first{*m_node};
+        const PatientParameters adult = parametersOf(BuiltinPatient::Adult);
+        for (const auto& [station, laid] : m_node->state()->stations())
+            m_instructor->propose(station, fact::AnatomyChosen{madeHash(adult), nameOf(adult)});
+        if (!waitFor([&] { return !first.areLaid(*m_node); }))
+            return fail(Errc::HostSilent, "no other patient was laid");
+        workFor(kCalm, [] {});
+        first.layAgain(*m_instructor);
+        if (!waitFor([&] { return first.areLaid(*m_node); }))
+            return fail(Errc::HostSilent, "the patient was not laid again");
+        workFor(kCalm, [] {});
         return {};
     }
 

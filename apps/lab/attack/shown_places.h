@@ -24,7 +24,7 @@ class ShownPlaces
 {
 public:
     /// The hand of a simulated trainee is never as fast.
-    static constexpr double kFastestHand = 0.3; ///< m/s
+    static constexpr double kFastestHand = 0.2; ///< m/s
     /// The view blends again from each sample to the next, a part of what is left each time.
     static constexpr Duration kBlended = 5 * StreamView::kBlend;
     static constexpr Duration kShownInterval = std::chrono::milliseconds{20};

@@ -406,6 +406,8 @@ std::span<const AttackKind> attackKinds()
     constexpr double kBreathing = 1.2;
     // Two tubes, and what they are handed over.
     constexpr double kSharing = 4.0;
+    // Whoever floods the host is put out after several seconds, and comes in again: two facts.
+    constexpr double kComingAgain = 0.4;
     // What one trainee may propose: a burst, and by the second, and a tenth.
     constexpr double kOwn = 44.0;
     constexpr double kOwnPerS = 22.0;
@@ -482,6 +484,7 @@ std::span<const AttackKind> attackKinds()
                    .what = "an observer sends bytes at random",
                    .begin = begin<Garbage>,
                    .mostFacts = kComings,
+                   .factsPerS = kComingAgain,
                    .leastSent = kMany},
         AttackKind{.name = "instructing",
                    .what = "an instructor changes the patient and its breathing without end",

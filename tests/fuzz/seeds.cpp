@@ -1,6 +1,7 @@
 // seeds DIR: whole messages for the fuzzers to begin with, in a folder below DIR for each.
 
 #include "engine/io/anatomy_set/set_codec.h"
+#include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/site/site_json.h"
 #include "engine/net/discovery/session_notice.h"
 #include "engine/net/entry/join_link.h"
@@ -281,6 +282,29 @@ std::vector<std::string> igtl()
     return all;
 }
 
+std::vector<std::string> sequences()
+{
+    return {"ObjectType = Image\nNDims = 3\nDimSize = 0 0 2\n"
+            "Seq_Frame0000_StylusToTrackerTransform = 1 0 0 5 0 1 0 -2.5 0 0 1 1e2 0 0 0 1\n"
+            "Seq_Frame0000_StylusToTrackerTransformStatus = OK\n"
+            "Seq_Frame0000_Timestamp = 0.5\n"
+            "Seq_Frame0001_StylusToTrackerTransform = 1 0 0 5 0 1 0 -2.5 0 0 1 1e2 0 0 0 1\n"
+            "Seq_Frame0001_StylusToTrackerTransformStatus = MISSING\n"
+            "Seq_Frame0001_Timestamp = 0.75\n"
+            "ElementDataFile = LOCAL\n"};
+}
+
+std::vector<std::string> surfaceAnswers()
+{
+    NamedSurface corner{"Trachea", "FMA7394", {}, {}};
+    corner.mesh.positions = {{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
+    corner.mesh.triangles = {{0, 1, 2}};
+    corner.colors = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    const MeshFile file{{corner}, {"a licence"}, {Error{Errc::FileMalformed, "a texture"}}};
+    return {textOf(encodeMeshFile(file)),
+            textOf(encodeMeshFile(Result<MeshFile>{fail(Errc::FileTooLarge, "a file")}))};
+}
+
 bool areWritten(const std::filesystem::path& folder, const std::vector<std::string>& all)
 {
     std::filesystem::create_directories(folder);
@@ -310,6 +334,8 @@ int main(int argc, char** argv)
         && areWritten(folder / "site", sites()) && areWritten(folder / "manikin", manikins())
         && areWritten(folder / "tum", trajectories()) && areWritten(folder / "plus", deviceSets())
         && areWritten(folder / "record", poseRecords())
+        && areWritten(folder / "sequence", sequences())
+        && areWritten(folder / "surfaces", surfaceAnswers())
         && areWritten(folder / "conversation", conversations());
     return written ? 0 : 1;
 }

@@ -9,6 +9,14 @@
 namespace carina::test
 {
 
+/// A folder in memory, where the system has one: thousands of stores are opened in it.
+inline QString fastFolder()
+{
+    const QString memory = QStringLiteral("/dev/shm");
+    return (QFileInfo{memory}.isWritable() ? memory : QDir::tempPath())
+           + QStringLiteral("/carina-XXXXXX");
+}
+
 /// A temporary folder for the files of a test; it is deleted with them at the end.
 class ScratchFolder
 {

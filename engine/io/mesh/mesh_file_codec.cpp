@@ -62,6 +62,7 @@ Result<Result<MeshFile>> decodeMeshFile(std::span<const std::byte> bytes)
     reader.require(answer == Answer::Surfaces || answer == Answer::Failure, "a known answer");
     if (answer == Answer::Failure) {
         Error error = readFileError(reader);
+        reader.require(reader.remaining() == 0, "nothing follows");
         if (reader.ok())
             return Result<MeshFile>{tl::unexpected(std::move(error))};
     }

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "engine/io/fact_store/sql_fact_store.h"
+#include "tests/support/scratch_folder.h"
 
-#include <QDir>
 #include <QFile>
-#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -49,14 +48,6 @@ inline void fill(const std::filesystem::path& path, std::uint64_t facts)
     const auto store = opened(path);
     for (std::uint64_t number = 1; number <= facts; ++number)
         QVERIFY(append(*store, numbered(number)));
-}
-
-/// A folder in memory, where the system has one: thousands of stores are opened in it.
-inline QString fastFolder()
-{
-    const QString memory = QStringLiteral("/dev/shm");
-    return (QFileInfo{memory}.isWritable() ? memory : QDir::tempPath())
-           + QStringLiteral("/carina-XXXXXX");
 }
 
 /// Paths of files that do not exist yet, in a folder that goes with this object.

@@ -1,10 +1,10 @@
 #include "engine/io/site/site_file.h"
 #include "tests/engine/io/fact_store/fact_store_files.h"
 #include "tests/engine/io/site/site_sample.h"
+#include "tests/support/struck_child.h"
 #include "tests/support/test_class.h"
 
 #include <QCoreApplication>
-#include <QProcess>
 
 #include <iostream>
 
@@ -89,18 +89,15 @@ private Q_SLOTS:
         int at = 1;
         for (; at < kMostCalls; ++at) {
             const QTemporaryDir folder{fastFolder()};
-            QProcess child;
-            runChild(child, folder.path(), kind, at);
-            if (QTest::currentTestFailed())
-                return;
-            const QByteArray struck = child.readAllStandardError();
-            verifyFiles(folder.path().toStdString(), child.readAllStandardOutput().split('\n'),
-                        struck.contains("fault: "));
+            const auto child =
+                runStruck(QStringLiteral("store-under-faults"), folder.path(), kind, at);
+            QVERIFY2(child, qPrintable(QString::number(at)));
+            verifyFiles(folder.path().toStdString(), child->told, child->isStruck);
             if (QTest::currentTestFailed()) {
-                qWarning("call %d, %s", at, struck.constData());
+                qWarning("call %d", at);
                 return;
             }
-            if (!struck.contains("fault: "))
+            if (!child->isStruck)
                 break;
         }
         qInfo("%d calls struck", at - 1);
@@ -108,24 +105,6 @@ private Q_SLOTS:
     }
 
 private:
-    static void runChild(QProcess& child, const QString& folder, const QString& kind, int at)
-    {
-        QProcessEnvironment around = QProcessEnvironment::systemEnvironment();
-        around.insert(QStringLiteral("LD_PRELOAD"), QStringLiteral(CARINA_FILE_FAULTS));
-        around.insert(QStringLiteral("CARINA_FAULT_IN"), folder);
-        around.insert(QStringLiteral("CARINA_FAULT_KIND"), kind);
-        around.insert(QStringLiteral("CARINA_FAULT_AT"), QString::number(at));
-        around.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("verify_asan_link_order=0"));
-        child.setProcessEnvironment(around);
-        child.start(QCoreApplication::applicationFilePath(),
-                    {QStringLiteral("store-under-faults"), folder});
-        QVERIFY(child.waitForFinished(60'000));
-        if (kind != QStringLiteral("killed") || child.exitStatus() == QProcess::NormalExit) {
-            QCOMPARE(child.exitStatus(), QProcess::NormalExit);
-            QCOMPARE(child.exitCode(), 0);
-        }
-    }
-
     /// That the files have at least what was told, and nothing that nobody stored.
     static void verifyFiles(const std::filesystem::path& folder, const QByteArrayList& told,
                             bool isStruck)

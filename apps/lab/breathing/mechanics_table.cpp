@@ -16,7 +16,7 @@ namespace
 constexpr double kVentilated_s = 60.0;
 constexpr double kDriven_s = 300.0;
 constexpr double kTired_s = 1800.0;
-constexpr double kTiring = 0.9; // severity from which muscles may tire in that time
+constexpr double kTiring = 0.9;             // severity from which muscles may tire in that time
 constexpr double kLongVentilated_s = 600.0; // until a tension pneumothorax has filled
 constexpr Frequency kFastVentilation = perMinute(20.0);
 

@@ -45,9 +45,9 @@ struct PublishedRange {
 constexpr const char* kPulse = "Pulse RespiratoryMethodology, table of diseases";
 constexpr const char* kEmphysema = "emphysema, AJRCCM 158:3";
 constexpr const char* kAcuteAsthma = "acute asthma (Pulse)";
-constexpr const char* kOpenTension =
-    "pleural pressure above that of the room throughout expiration: JIACM 2008;9:42; within minutes "
-    "under a ventilator: Syst Rev 2014;3:3";
+constexpr const char* kOpenTension = "pleural pressure above that of the room throughout "
+                                     "expiration: JIACM 2008;9:42; within minutes "
+                                     "under a ventilator: Syst Rev 2014;3:3";
 constexpr const char* kCollapse =
     "collapsed lung in anaesthesia, typically 10 % and up to 40 %: Compr Physiol 2012;2:69";
 constexpr const char* kStenosis =

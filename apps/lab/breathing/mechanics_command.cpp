@@ -194,7 +194,9 @@ Use mechanicsOfConditions()
                      mechanics_key::kSource,
                      mechanics_key::kIsByConstruction,
                      mechanics_key::kIsWithin,
-                     mechanics_key::kTargets}};
+                     mechanics_key::kTargets,
+                     mechanics_key::kNoRange,
+                     mechanics_key::kOutside}};
 }
 
 Use mechanicsOfWaveform()

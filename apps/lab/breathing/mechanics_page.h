@@ -82,25 +82,31 @@ inline constexpr Key kRightPleura{"right_pleura_cmh2o", "right pleural pressure 
 inline constexpr Key kLeftPleura{"left_pleura_cmh2o", "left pleural pressure at the end", 2};
 inline constexpr Key kMediastinalShift{"mediastinal_shift_mm",
                                        "at the end, towards the patient's left", 2};
-inline constexpr Key kRanges{"ranges",
-                             "one object per figure with a published range; "
-                             "those of adults are left out below 18 years:",
-                             1};
+inline constexpr Key kRanges{
+    "ranges", "one object per figure with a published range for a patient of this age:", 1};
 inline constexpr Key kFigure{"figure", "its name", 2};
 inline constexpr Key kValue{"value", "of this patient", 2};
 inline constexpr Key kLeast{"least", "of the range", 2};
-inline constexpr Key kGreatest{"greatest", "of the range; equal for a table that is reproduced", 2};
+inline constexpr Key kGreatest{"greatest",
+                               "of the range; equal to least for a single published value; left "
+                               "out where there is no limit",
+                               2};
 inline constexpr Key kSource{"source", "of the range", 2};
 inline constexpr Key kIsByConstruction{
     "by_construction",
     "true where the model was given this figure, so that only its code is checked; false where the "
     "figure follows from the rest of the model",
     2};
-inline constexpr Key kIsWithin{"within", "whether the value lies in the range, to 0.5 %", 2};
+inline constexpr Key kIsWithin{
+    "within", "whether the value lies in the range; a single published value is met to 0.5 %", 2};
 inline constexpr Key kTargets{"targets",
                               "the same keys, without source and by_construction, for ranges that "
-                              "we ask of the model of an adult where no publication was found",
+                              "we ask of the model where no publication was found",
                               1};
+inline constexpr Key kNoRange{
+    "no_range", "a sentence, where there is no published range for a patient of this age", 1};
+inline constexpr Key kOutside{
+    "outside", "one line for each figure of ranges and targets that lies outside its range"};
 } // namespace mechanics_key
 
 namespace mechanics_waveform_key

@@ -16,8 +16,12 @@ namespace
 constexpr double kVentilated_s = 60.0;
 constexpr double kDriven_s = 300.0;
 constexpr double kTired_s = 1800.0;
-constexpr double kTiring = 0.9; // severity from which muscles may tire in that time
+constexpr double kTiring = 0.9;             // severity from which muscles may tire in that time
+constexpr double kLongVentilated_s = 600.0; // until a tension pneumothorax has filled
 constexpr Frequency kFastVentilation = perMinute(20.0);
+
+constexpr const char* kNoRangeFound =
+    "No published range was found for a patient of this age: the figures here are the model's.";
 
 QString textOf(std::string_view text)
 {
@@ -35,18 +39,6 @@ RespiratorySettings ventilated(RespiratorySettings settings)
     settings.ventilator.pressureLimit = cmH2O(60.0);
     settings.tube = tubeFor(settings.build);
     return settings;
-}
-
-/// A push on both sides at rest: lung and wall in series, right and left beside each other.
-Compliance complianceAtRest(const RespiratorySystem& system)
-{
-    const ChestContent rest = restingContent(system);
-    Compliance sum;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const LungMechanics& lung = system.lungs[i];
-        sum.si += 1.0 / (1.0 / lung.curve.complianceAt(rest[i].gas).si + 1.0 / lung.wall.si);
-    }
-    return sum;
 }
 
 void breathe(RespiratoryFold& fold, double seconds)
@@ -83,8 +75,6 @@ QJsonObject describeBreaths(const RespiratoryFold& fold)
     };
 }
 
-constexpr double kAdult_years = 18.0;
-
 QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition& named,
                               double severity)
 {
@@ -104,6 +94,10 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
     RespiratoryFold byVolume{helped};
     breathe(byVolume, kVentilated_s);
     const RespiratorySystem relaxed = systemOf(helped);
+    const BreathFigures volumeControl = byVolume.lastBreath();
+    const QJsonObject ventilatedBreaths = describeBreaths(byVolume);
+    if (named.kind == ConditionKind::TensionPneumothorax)
+        breathe(byVolume, kLongVentilated_s - kVentilated_s);
     helped.pattern.rate = kFastVentilation;
     RespiratoryFold fast{helped};
     breathe(fast, kVentilated_s);
@@ -112,10 +106,12 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
                                      system,
                                      relaxed,
                                      spontaneous,
-                                     byVolume.lastBreath(),
+                                     volumeControl,
                                      fast.lastBreath(),
+                                     byVolume.moment().pleural[0],
                                      helped.ventilator.peep,
-                                     settings.build.ageInYears >= kAdult_years};
+                                     settings.build.ageInYears};
+    const QJsonArray ranges = publishedRanges(measured);
     QJsonObject described{
         {mechanics_key::kCondition, textOf(named.name)},
         {mechanics_key::kSeverity, severity},
@@ -123,13 +119,47 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
         {mechanics_key::kRestVolume, inMillilitres(rest[0].gas + rest[1].gas)},
         {mechanics_key::kCompliance, 1e3 * inLitresPerCmH2O(complianceAtRest(system))},
         {mechanics_key::kSpontaneous, driven},
-        {mechanics_key::kVolumeControl, describeBreaths(byVolume)},
-        {mechanics_key::kRanges, publishedRanges(measured)},
+        {mechanics_key::kVolumeControl, ventilatedBreaths},
+        {mechanics_key::kRanges, ranges},
         {mechanics_key::kTargets, ourTargets(measured)},
     };
+    if (ranges.isEmpty())
+        described[mechanics_key::kNoRange] = QLatin1StringView{kNoRangeFound};
     if (severity == kTiring)
         described[mechanics_key::kTired] = describeBreaths(own);
     return described;
+}
+
+QString expectedOf(const QJsonValue& range)
+{
+    const double least = range[mechanics_key::kLeast].toDouble();
+    const QJsonValue greatest = range[mechanics_key::kGreatest];
+    if (greatest.isUndefined())
+        return QStringLiteral("at least %1").arg(least);
+    if (greatest.toDouble() == least)
+        return QString::number(least);
+    return QStringLiteral("%1 to %2").arg(least).arg(greatest.toDouble());
+}
+
+/// Such as "ards 0.9: ventilated_compliance_ml_per_cmh2o is 31.8, expected 0 to 30".
+QJsonArray outsideOf(const QJsonArray& conditions)
+{
+    QJsonArray lines;
+    for (const QJsonValue& condition : conditions) {
+        for (const Key& list : {mechanics_key::kRanges, mechanics_key::kTargets}) {
+            for (const QJsonValue& range : condition[list].toArray()) {
+                if (range[mechanics_key::kIsWithin].toBool())
+                    continue;
+                lines.append(QStringLiteral("%1 %2: %3 is %4, expected %5")
+                                 .arg(condition[mechanics_key::kCondition].toString())
+                                 .arg(condition[mechanics_key::kSeverity].toDouble())
+                                 .arg(range[mechanics_key::kFigure].toString())
+                                 .arg(range[mechanics_key::kValue].toDouble(), 0, 'g', 3)
+                                 .arg(expectedOf(range)));
+            }
+        }
+    }
+    return lines;
 }
 
 QJsonObject describePatient(const PatientBuild& build, Volume drawnRest)
@@ -178,7 +208,8 @@ QJsonObject mechanicsTable(const RespiratorySettings& healthy, Volume drawnRest,
             {mechanics_key::kTiredSeconds, kTired_s},
             {mechanics_key::kVentilatedSeconds, kVentilated_s},
             {mechanics_key::kRate, inPerMinute(healthy.pattern.rate)},
-            {mechanics_key::kConditions, conditions}};
+            {mechanics_key::kConditions, conditions},
+            {mechanics_key::kOutside, outsideOf(conditions)}};
 }
 
 } // namespace carina::lab

@@ -16,13 +16,17 @@ struct MeasuredCondition {
     BreathFigures spontaneous;   ///< after minutes
     BreathFigures volumeControl; ///< PEEP 5 cmH2O
     BreathFigures at20PerMin;    ///< volume control with 20 breaths per minute
+    Pressure rightPleuraAtLast;  ///< at the end of expiration, after ten minutes of volume control
     Pressure peep;
-    bool isAdult = true;
+    double ageInYears = 0.0;
 };
 
-/// The figures of this condition and severity for which a range is published, each with its range,
-/// its source, whether the model was given the figure, and whether it lies within. Ranges of adults
-/// are left out for a child. The keys are in the help of `mechanics`.
+/// Of a push on both sides at rest: lung and wall in series, right and left beside each other.
+[[nodiscard]] Compliance complianceAtRest(const RespiratorySystem& system);
+
+/// The figures of this condition and severity for which a range is published at the patient's age,
+/// each with its range, its source, whether the model was given the figure, and whether it lies
+/// within. The keys are in the help of `mechanics`.
 [[nodiscard]] QJsonArray publishedRanges(const MeasuredCondition& measured);
 
 /// The same for the ranges that we ask of the model where no publication was found: without source.

@@ -15,8 +15,10 @@ namespace
 constexpr std::string_view kVersion = "3";
 
 constexpr std::string_view kAsked =
-    "a patient is adult, child, or age, height and sex, such as \"45 years, 182 cm, woman\", in "
-    "whole numbers, with slim or obese where that is so, and airway 245 mm for teeth to carina";
+    "a patient is adult, child, or age (6 to 90 years), height (100 to 210 cm) and man, woman, boy "
+    "or girl, in whole numbers, such as \"45 years, 182 cm, woman\"; with slim or obese where that "
+    "is "
+    "so (\"adult, slim\"), and airway 245 mm for teeth to carina";
 constexpr std::string_view kAirway = "airway ";
 constexpr double kGrownUp_years = 18.0;
 

@@ -18,6 +18,9 @@ class TestMechanicsCommand : public QObject
 private Q_SLOTS:
     void describesThePatientAndEveryCondition();
     void tellsWhatItWasGivenFromWhatFollows();
+    void givesEachConditionARangeOrSaysThatThereIsNone();
+    void listsWhatIsOutside();
+    void saysWhichPatientsItTakes();
     void trapsMoreGasTheFasterItBreathes();
     void describesAWaveform();
     void describesAPosition();
@@ -90,6 +93,50 @@ void TestMechanicsCommand::tellsWhatItWasGivenFromWhatFollows()
     }
     QCOMPARE(outcomes, QStringList{QStringLiteral("ventilated_compliance_ml_per_cmh2o")});
     QCOMPARE(targets, QStringList{QStringLiteral("auto_peep_at_20_per_min_cmh2o")});
+}
+
+void TestMechanicsCommand::givesEachConditionARangeOrSaysThatThereIsNone()
+{
+    for (const char* patient : {"adult", "child"}) {
+        const auto printed =
+            mechanics({QStringLiteral("--patient"), QString::fromLatin1(patient)}).value();
+        for (const QJsonValue& condition : printed[QStringLiteral("conditions")].toArray()) {
+            const bool hasRange = !condition[QStringLiteral("ranges")].toArray().isEmpty();
+            const QString sentence = condition[QStringLiteral("no_range")].toString();
+            QCOMPARE(sentence.isEmpty(), hasRange);
+            QVERIFY(hasRange || qstrcmp(patient, "child") == 0);
+        }
+    }
+}
+
+/// Severe ARDS of the adult, and the auto-PEEP of a child's severe asthma.
+void TestMechanicsCommand::listsWhatIsOutside()
+{
+    const auto outside = [](const char* patient, const char* condition) {
+        const auto printed =
+            mechanics({QStringLiteral("--patient"), QString::fromLatin1(patient),
+                       QStringLiteral("--condition"), QString::fromLatin1(condition)});
+        return printed.value()[QStringLiteral("outside")].toArray();
+    };
+    const QJsonArray ards = outside("adult", "ards");
+    QCOMPARE(ards.size(), 1);
+    QVERIFY(ards[0].toString().startsWith(
+        QStringLiteral("ards 0.9: ventilated_compliance_ml_per_cmh2o is 3")));
+    QVERIFY(ards[0].toString().endsWith(QStringLiteral("expected 0 to 30")));
+    const QJsonArray asthma = outside("child", "asthma");
+    QCOMPARE(asthma.size(), 1);
+    QVERIFY(asthma[0].toString().endsWith(QStringLiteral("expected 8 to 15")));
+    QVERIFY(outside("adult", "normal").isEmpty());
+}
+
+void TestMechanicsCommand::saysWhichPatientsItTakes()
+{
+    const QString page = pageOf(mechanicsCommand()).simplified();
+    for (const char* word : {"adult, child", "6 to 90 years", "slim or obese"})
+        QVERIFY2(page.contains(QLatin1StringView{word}), word);
+    const auto refused = mechanics({QStringLiteral("--patient"), QStringLiteral("slim")});
+    QVERIFY(!refused);
+    QVERIFY(refused.error().detail.find("\"adult, slim\"") != std::string::npos);
 }
 
 void TestMechanicsCommand::trapsMoreGasTheFasterItBreathes()

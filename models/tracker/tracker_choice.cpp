@@ -2,7 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/io/files/unused_name.h"
-#include "engine/io/site/plus_device_set.h"
+#include "engine/io/site/devices/plus_device_set.h"
 #include "engine/net/devices/any_recording.h"
 #include "engine/net/devices/described_tracker.h"
 

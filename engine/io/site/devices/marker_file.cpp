@@ -1,4 +1,4 @@
-#include "engine/io/site/marker_file.h"
+#include "engine/io/site/devices/marker_file.h"
 
 #include "engine/io/files/json_fields.h"
 

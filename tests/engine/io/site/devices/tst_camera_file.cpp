@@ -1,7 +1,7 @@
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 
-#include "engine/io/site/camera_yaml.h"
-#include "engine/io/site/marker_file.h"
+#include "engine/io/site/devices/camera_yaml.h"
+#include "engine/io/site/devices/marker_file.h"
 #include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
 

@@ -1,8 +1,8 @@
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 
 #include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
-#include "engine/io/site/camera_yaml.h"
+#include "engine/io/site/devices/camera_yaml.h"
 
 #include <algorithm>
 #include <iterator>

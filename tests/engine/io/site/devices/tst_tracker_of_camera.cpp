@@ -1,5 +1,5 @@
-#include "engine/io/site/camera_file.h"
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/camera_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 
 #include "tests/support/test_class.h"
 

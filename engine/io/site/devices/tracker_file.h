@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/site/marker_file.h"
+#include "engine/io/site/devices/marker_file.h"
 #include "engine/tracking/igtl/igtl_client.h"
 #include "engine/tracking/ndi/ndi_client.h"
 #include "engine/tracking/tracker.h"

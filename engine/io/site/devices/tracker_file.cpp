@@ -1,9 +1,9 @@
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 
 #include "engine/io/files/folder_path.h"
 #include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 #include "engine/tracking/tool_role.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 
 #include "tests/support/test_class.h"
 

@@ -1,4 +1,4 @@
-#include "engine/io/site/plus_device_set.h"
+#include "engine/io/site/devices/plus_device_set.h"
 
 #include "engine/io/files/folder_path.h"
 #include "engine/io/files/whole_file.h"

@@ -1,4 +1,4 @@
-#include "engine/io/site/camera_yaml.h"
+#include "engine/io/site/devices/camera_yaml.h"
 
 #include <charconv>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 
 #include <numbers>
 

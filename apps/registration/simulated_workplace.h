@@ -3,8 +3,8 @@
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/session/simulated_tools.h"
-#include "engine/tracking/simulated_tracker.h"
-#include "engine/tracking/stylus_hand.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
+#include "engine/tracking/simulated/stylus_hand.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/session/simulated_tools.h"
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 
 #include <array>
 #include <cmath>

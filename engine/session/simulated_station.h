@@ -3,7 +3,7 @@
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/session/station_tracking.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 
 #include <functional>
 

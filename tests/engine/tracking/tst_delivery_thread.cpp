@@ -1,5 +1,5 @@
 #include "engine/tracking/delivery_thread.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "tests/support/test_class.h"
 
 #include <atomic>

@@ -1,5 +1,5 @@
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "tests/support/test_class.h"
 
 #include <random>

@@ -1,4 +1,4 @@
-#include "engine/tracking/stylus_hand.h"
+#include "engine/tracking/simulated/stylus_hand.h"
 
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"

@@ -1,5 +1,5 @@
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 #include "engine/tracking/working_volume.h"
 
 #include "tests/engine/tracking/airway_walk.h"

@@ -1,4 +1,4 @@
-#include "engine/tracking/stylus_hand.h"
+#include "engine/tracking/simulated/stylus_hand.h"
 
 #include "engine/geometry/rotation.h"
 #include "tests/support/test_class.h"

@@ -1,4 +1,4 @@
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "tests/support/test_class.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/units.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 
 #include <vector>
 

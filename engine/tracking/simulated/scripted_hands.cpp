@@ -1,4 +1,4 @@
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 
 #include "engine/geometry/rotation.h"
 

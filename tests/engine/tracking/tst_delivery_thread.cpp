@@ -106,6 +106,21 @@ private Q_SLOTS:
         thread.stop();
     }
 
+    void endsAWaitOfAnHour()
+    {
+        std::latch waiting{1};
+        bool hasEnded = false;
+        StoppableThread thread{[&](const std::stop_token& stopping) {
+            waiting.count_down();
+            thread.rest(std::chrono::hours{1}, stopping);
+            hasEnded = true;
+        }};
+        QVERIFY(thread.start());
+        waiting.wait();
+        thread.stop();
+        QVERIFY(hasEnded);
+    }
+
     void deliversThePosesOfTheSimulatedTracker()
     {
         constexpr int kExposures = 20;

@@ -10,7 +10,7 @@
 namespace carina::program
 {
 
-/// `--tracker FILE|simulated|recorded:FILE|looped:FILE`: the tracker of a program.
+/// `--tracker FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE`: the tracker of a program.
 /// And how it is recorded: `--record FILE` its poses, `--record-device FILE` the bytes of the
 /// conversation with the device.
 /// @param without what the program does without a tracker, as a sentence

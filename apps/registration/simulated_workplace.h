@@ -29,6 +29,7 @@ struct SimulatedWorkplace {
 
 /// @returns the errors of ScriptedHands::make.
 [[nodiscard]] Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway,
-                                                            const TubeShape& tube);
+                                                            const TubeShape& tube,
+                                                            SimulatedTrackerSettings device = {});
 
 } // namespace carina

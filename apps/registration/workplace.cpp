@@ -5,8 +5,9 @@ namespace carina
 
 Result<Workplace> workplaceWith(const TrackerChoice& choice, const program::ChosenPatient& patient)
 {
-    if (choice.isSimulated())
-        return simulatedWorkplace(patient.model->landmarks(), patient.model->tube())
+    if (const auto* device = std::get_if<SimulatedDevice>(&choice.device))
+        return simulatedWorkplace(patient.model->landmarks(), patient.model->tube(),
+                                  device->settings)
             .map([&](SimulatedWorkplace simulated) {
                 const ReadSessionClock clock = simulated.clock;
                 return Workplace{trackerName(choice), clock, std::move(simulated), {}};

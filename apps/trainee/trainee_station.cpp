@@ -205,7 +205,8 @@ Result<void> TraineeStation::simulate(Laid& laid) const
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(),
         [node = m_node.get()] { return node->now(); }, registrationIn(laid.place),
-        m_hardware.manikinBreathes, [node = m_node.get()] { return simulatedPerson(*node); });
+        m_hardware.manikinBreathes, [node = m_node.get()] { return simulatedPerson(*node); },
+        std::get<SimulatedDevice>(m_hardware.tracker->device).settings);
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,

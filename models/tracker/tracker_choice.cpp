@@ -5,6 +5,7 @@
 #include "engine/io/site/devices/plus_device_set.h"
 #include "engine/net/devices/any_recording.h"
 #include "engine/net/devices/described_tracker.h"
+#include "engine/tracking/simulated/simulated_options.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -15,6 +16,7 @@ namespace
 {
 
 const QString kSimulated = QStringLiteral("simulated");
+const QString kSimulatedWith = QStringLiteral("simulated:");
 const QString kRecorded = QStringLiteral("recorded:");
 const QString kLooped = QStringLiteral("looped:");
 
@@ -39,6 +41,11 @@ Result<TrackerChoice> trackerNamed(const QString& words)
 {
     if (words == kSimulated)
         return TrackerChoice{SimulatedDevice{}};
+    if (words.startsWith(kSimulatedWith))
+        return readSimulatedOptions(words.mid(kSimulatedWith.size()).toStdString())
+            .map([](SimulatedTrackerSettings settings) {
+                return TrackerChoice{SimulatedDevice{std::move(settings)}};
+            });
     if (words.startsWith(kRecorded))
         return recordedTracker(words.mid(kRecorded.size()).toStdString(), Playing::Once);
     if (words.startsWith(kLooped))

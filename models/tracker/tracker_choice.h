@@ -2,6 +2,7 @@
 
 #include "engine/io/site/devices/tracker_file.h"
 #include "engine/tracking/record/recorded_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "models/tracker/known_volume.h"
 
 #include <QString>
@@ -14,6 +15,7 @@ namespace carina
 
 /// The simulated tracker and manikin, which each program makes for what it does with them.
 struct SimulatedDevice {
+    SimulatedTrackerSettings settings{}; ///< rate, occlusions and dropouts that were chosen
 };
 
 /// A recording, which is played from its beginning.
@@ -36,10 +38,11 @@ struct TrackerChoice {
     }
 };
 
-/// The choice that words name: "simulated"; "recorded:FILE", a recording
+/// The choice that words name: "simulated", or "simulated:OPTIONS" (readSimulatedOptions);
+/// "recorded:FILE", a recording
 /// (readAnyRecording), which is played once; "looped:FILE", one that is played again and again;
 /// otherwise a file that describes a tracker (describedIn).
-/// @returns the errors of reading that file.
+/// @returns the errors of reading that file and of readSimulatedOptions.
 [[nodiscard]] Result<TrackerChoice> trackerNamed(const QString& words);
 
 /// What a file describes: Carina's own description (readTrackerFile), or where its name ends in

@@ -34,6 +34,14 @@ Probe ballOf(int markers, Length radius, std::uint32_t seed)
     return probe;
 }
 
+bool isUnderWay(const Occlusion& occlusion, SessionTime t)
+{
+    Duration since = t - occlusion.from;
+    if (occlusion.every > Duration::zero() && since > Duration::zero())
+        since %= occlusion.every;
+    return since >= Duration::zero() && since < occlusion.until - occlusion.from;
+}
+
 } // namespace
 
 Probe simulatedProbe(ToolRole role)
@@ -48,6 +56,7 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
     : m_settings{std::move(settings)},
       m_truth{std::move(truth)},
       m_random{m_settings.seed},
+      m_drops{m_settings.seed},
       m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
 {
     CARINA_EXPECTS(m_settings.rate > hertz(0.0));
@@ -81,6 +90,8 @@ SessionTime SimulatedTracker::advance(SessionTime now)
         m_underway.clear();
     }
     for (; nextTick() <= now; ++m_ticks) {
+        if (isDropped())
+            continue;
         for (Tool& tool : m_tracked)
             expose(tool, nextTick());
     }
@@ -99,11 +110,17 @@ SessionTime SimulatedTracker::nextTick() const
     return *m_firstTick + fromSeconds(static_cast<double>(m_ticks) / m_settings.rate.si);
 }
 
+bool SimulatedTracker::isDropped()
+{
+    return m_settings.dropouts > 0.0
+           && double(m_drops()) / double(std::mt19937::max()) < m_settings.dropouts;
+}
+
 double SimulatedTracker::hiddenShare(ToolRole role, SessionTime t) const
 {
     double share = 0.0;
     for (const Occlusion& occlusion : m_settings.occlusions)
-        if (occlusion.tool == role && occlusion.from <= t && t < occlusion.until)
+        if (occlusion.tool == role && isUnderWay(occlusion, t))
             share = std::max(share, occlusion.share);
     return share;
 }

@@ -17,12 +17,14 @@ namespace carina
 /// thread.
 using TrueToolPose = std::function<std::optional<RigidTransform>(ToolRole, SessionTime)>;
 
-/// A scripted occlusion of a tool, from `from` (included) to `until` (excluded).
+/// A scripted occlusion of a tool, from `from` (included) to `until` (excluded), and where `every`
+/// is not zero again and again, each so much later than the one before.
 struct Occlusion {
     ToolRole tool = ToolRole::Other;
     SessionTime from;
     SessionTime until;
     double share = 1.0; ///< of its markers, the first ones, that are hidden
+    Duration every{};
 };
 
 /// The probe of a simulated tool: on a ball, so that the tracker sees a good half of its markers
@@ -39,6 +41,7 @@ struct SimulatedTrackerSettings {
     Duration latency = std::chrono::milliseconds{14}; ///< from exposure to delivery
     WorkingVolume volume;                             ///< a tool's origin outside it is lost
     std::vector<Occlusion> occlusions;
+    double dropouts = 0.0;     ///< share of the exposures that are not delivered
     bool chestMarker = false;  ///< also simulate a marker on the manikin's chest
     bool bodyProbe = false;    ///< also simulate a probe on its torso
     bool handProbe = false;    ///< also simulate a probe on the hand that holds the tube
@@ -91,6 +94,7 @@ private:
     };
 
     [[nodiscard]] SessionTime nextTick() const;
+    [[nodiscard]] bool isDropped();
     [[nodiscard]] double hiddenShare(ToolRole role, SessionTime t) const;
     [[nodiscard]] Vec3 noiseAlong(const Vec3& sight_T);
     [[nodiscard]] std::optional<PoseSample> measured(Tool& tool, const RigidTransform& X_TO,
@@ -100,6 +104,7 @@ private:
     SimulatedTrackerSettings m_settings;
     TrueToolPose m_truth;
     std::mt19937 m_random;
+    std::mt19937 m_drops; ///< apart: without dropouts the noise is the same
     std::normal_distribution<double> m_normal;
     std::deque<Tool> m_tracked;         // a deque: their addresses do not change
     std::vector<TrackedTool> m_tools;   // one for each of them

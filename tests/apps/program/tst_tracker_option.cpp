@@ -52,6 +52,22 @@ private Q_SLOTS:
         QCOMPARE(record, std::string{"bytes.log"});
     }
 
+    void takesOptionsOfTheSimulatedTracker()
+    {
+        const auto choice =
+            named({QStringLiteral("--tracker"), QStringLiteral("simulated:rate=30,partly=head")});
+        QVERIFY2(choice, choice ? "" : choice.error().detail.c_str());
+        QVERIFY((*choice)->isSimulated());
+        const auto& settings = std::get<SimulatedDevice>((*choice)->device).settings;
+        QCOMPARE(settings.rate, hertz(30.0));
+        QCOMPARE(settings.occlusions.size(), 1U);
+        const auto wrong =
+            named({QStringLiteral("--tracker"), QStringLiteral("simulated:speed=2")});
+        QVERIFY(!wrong);
+        QCOMPARE(wrong.error().code, Errc::WrongOption);
+        QVERIFY(wrong.error().detail.find("dropouts=PERCENT") != std::string::npos);
+    }
+
     void refusesToRecordWhereThereAreNoBytes()
     {
         const auto choice = named({QStringLiteral("--tracker"), QStringLiteral("simulated"),

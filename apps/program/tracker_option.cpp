@@ -11,6 +11,18 @@ const QString kTracker = QStringLiteral("tracker");
 const QString kRecord = QStringLiteral("record");
 const QString kRecordDevice = QStringLiteral("record-device");
 
+Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser,
+                                                   const QString& site)
+{
+    if (parser.isSet(kTracker))
+        return trackerNamed(parser.value(kTracker)).map([](TrackerChoice choice) {
+            return std::optional{std::move(choice)};
+        });
+    if (site.isEmpty())
+        return std::nullopt;
+    return trackerOfSite(site.toStdString());
+}
+
 } // namespace
 
 void addTrackerOption(QCommandLineParser& parser, const QString& without)
@@ -47,19 +59,19 @@ std::string recordDeviceOption(const QCommandLineParser& parser)
     return parser.value(kRecordDevice).toStdString();
 }
 
-Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser)
+Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser,
+                                                   const QString& site)
 {
-    if (!parser.isSet(kTracker))
-        return std::nullopt;
-    auto named = trackerNamed(parser.value(kTracker)).map([&](TrackerChoice choice) {
-        choice.conversation = recordDeviceOption(parser);
-        return std::optional{std::move(choice)};
-    });
-    if (named && parser.isSet(kRecordDevice) && !hasConversation(**named))
+    auto chosen = chosenTracker(parser, site);
+    if (!chosen || !*chosen)
+        return chosen;
+    TrackerChoice& choice = **chosen;
+    choice.conversation = recordDeviceOption(parser);
+    if (parser.isSet(kRecordDevice) && !hasConversation(choice))
         return fail(Errc::WrongOption, "--record-device: a Polaris or a server of OpenIGTLink has "
                                        "bytes to record, not "
-                                           + trackerName(**named).toStdString());
-    return named;
+                                           + trackerName(choice).toStdString());
+    return chosen;
 }
 
 } // namespace carina::program

@@ -13,7 +13,9 @@ Result<Workplace> workplaceWith(const TrackerChoice& choice, const program::Chos
                 return Workplace{trackerName(choice), clock, std::move(simulated), {}};
             });
     return makeTracker(choice, workplaceNow).map([&](std::unique_ptr<Tracker> device) {
-        return Workplace{trackerName(choice), workplaceNow, {}, std::move(device)};
+        const QString known = trackerIdentity(choice);
+        return Workplace{
+            known.isEmpty() ? trackerName(choice) : known, workplaceNow, {}, std::move(device)};
     });
 }
 

@@ -11,15 +11,15 @@ std::span<const Command> commands()
                                 breatheCommand(),
                                 mechanicsCommand(), //
                                 deformCommand(),    //
-                                fitCommand(),         icpCommand(),          pivotCommand(),
+                                fitCommand(),         icpCommand(),       pivotCommand(),
                                 toolCommand(),        treCommand(), //
-                                igtlCommand(),        ndiCommand(),          polarisCommand(),
-                                polarisRateCommand(), predictCommand(),      probeCommand(),
-                                lagCommand(),         romCommand(),          trackCommand(),
-                                cameraCommand(),      printMarkersCommand(), driftCommand(),
-                                driftNodeCommand(),
+                                igtlCommand(),        ndiCommand(),       polarisCommand(),
+                                polarisRateCommand(), predictCommand(),   probeCommand(),
+                                devicesCommand(),     lagCommand(),       romCommand(),
+                                trackCommand(),       cameraCommand(),    printMarkersCommand(),
+                                driftCommand(),       driftNodeCommand(),
                                 figuresCommand(), //
-                                attackCommand(),      carryCommand(),        handshakeCommand(),
+                                attackCommand(),      carryCommand(),     handshakeCommand(),
                                 sceneCommand(),       soakCommand(), //
                                 renderCommand(),      summaryCommand()};
     return all;

@@ -37,6 +37,7 @@ namespace carina::lab
 
 [[nodiscard]] Command summaryCommand();
 
+[[nodiscard]] Command devicesCommand();
 [[nodiscard]] Command igtlCommand();
 [[nodiscard]] Command lagCommand();
 [[nodiscard]] Command ndiCommand();

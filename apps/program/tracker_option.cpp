@@ -11,6 +11,18 @@ const QString kTracker = QStringLiteral("tracker");
 const QString kRecord = QStringLiteral("record");
 const QString kRecordDevice = QStringLiteral("record-device");
 
+Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser,
+                                                   const QString& site)
+{
+    if (parser.isSet(kTracker))
+        return trackerNamed(parser.value(kTracker)).map([](TrackerChoice choice) {
+            return std::optional{std::move(choice)};
+        });
+    if (site.isEmpty())
+        return std::nullopt;
+    return trackerOfSite(site.toStdString());
+}
+
 } // namespace
 
 void addTrackerOption(QCommandLineParser& parser, const QString& without)
@@ -19,10 +31,11 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
         "TrackerOption",
         "Track with the device that this file describes, a Polaris, a server of "
         "OpenIGTLink or a camera with its tools (docs/tracking.md), or a device set of PLUS "
-        "(.xml); with a simulated tracker; or with a "
+        "(.xml); with a simulated tracker, of which rate=HZ, hidden=TOOL, partly=TOOL and "
+        "dropouts=PERCENT can be chosen (simulated:rate=30,hidden=tube); or with a "
         "recording (of Carina, Plus, 3D Slicer or a device), played once or looped.");
     parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
-                      QStringLiteral("FILE|simulated|recorded:FILE|looped:FILE")});
+                      QStringLiteral("FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE")});
     parser.addOption(
         {kRecord,
          QCoreApplication::translate("TrackerOption",
@@ -46,19 +59,19 @@ std::string recordDeviceOption(const QCommandLineParser& parser)
     return parser.value(kRecordDevice).toStdString();
 }
 
-Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser)
+Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser,
+                                                   const QString& site)
 {
-    if (!parser.isSet(kTracker))
-        return std::nullopt;
-    auto named = trackerNamed(parser.value(kTracker)).map([&](TrackerChoice choice) {
-        choice.conversation = recordDeviceOption(parser);
-        return std::optional{std::move(choice)};
-    });
-    if (named && parser.isSet(kRecordDevice) && !hasConversation(**named))
+    auto chosen = chosenTracker(parser, site);
+    if (!chosen || !*chosen)
+        return chosen;
+    TrackerChoice& choice = **chosen;
+    choice.conversation = recordDeviceOption(parser);
+    if (parser.isSet(kRecordDevice) && !hasConversation(choice))
         return fail(Errc::WrongOption, "--record-device: a Polaris or a server of OpenIGTLink has "
                                        "bytes to record, not "
-                                           + trackerName(**named).toStdString());
-    return named;
+                                           + trackerName(choice).toStdString());
+    return chosen;
 }
 
 } // namespace carina::program

@@ -10,7 +10,7 @@
 namespace carina::program
 {
 
-/// `--tracker FILE|simulated|recorded:FILE|looped:FILE`: the tracker of a program.
+/// `--tracker FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE`: the tracker of a program.
 /// And how it is recorded: `--record FILE` its poses, `--record-device FILE` the bytes of the
 /// conversation with the device.
 /// @param without what the program does without a tracker, as a sentence
@@ -23,9 +23,12 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without);
 /// without it.
 [[nodiscard]] std::string recordDeviceOption(const QCommandLineParser& parser);
 
-/// The tracker that `--tracker` names; std::nullopt without it.
-/// @returns the errors of trackerNamed; WrongOption for `--record-device` with a tracker that
-///          exchanges no bytes.
-[[nodiscard]] Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser);
+/// The tracker that `--tracker` names, else the devices that the site names (trackerOfSite);
+/// std::nullopt without either.
+/// @param site its file; empty: none
+/// @returns the errors of trackerNamed and trackerOfSite; WrongOption for `--record-device` with a
+///          tracker that exchanges no bytes.
+[[nodiscard]] Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser,
+                                                                 const QString& site);
 
 } // namespace carina::program

@@ -58,7 +58,9 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR")});
     parser.addOption({kJournal, words("Append a line to this file whenever what is shown changes."),
                       QStringLiteral("FILE")});
-    program::addTrackerOption(parser, words("Without it, a window asks for the tracker."));
+    program::addTrackerOption(
+        parser, words("Without it the devices are used that the site names; where it names "
+                      "none, a window asks for the tracker."));
     program::addSizeOption(parser);
     program::addPatientOptions(parser);
 }
@@ -239,7 +241,7 @@ Result<void> checkOptions(const QCommandLineParser& parser,
 
 Result<int> run(const QCommandLineParser& parser)
 {
-    auto tracker = program::trackerOption(parser);
+    auto tracker = program::trackerOption(parser, parser.value(kSite));
     if (!tracker)
         return tl::unexpected(tracker.error());
     if (const auto checked = checkOptions(parser, *tracker); !checked)

@@ -2,7 +2,7 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 
 #include <numbers>
 
@@ -27,7 +27,8 @@ RigidTransform parkedStylus(const Vec3& p_A_incisors)
 
 std::optional<SessionTime> workplaceNow() { return SessionTime{monotonicNow().time_since_epoch()}; }
 
-Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway, const TubeShape& tube)
+Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway, const TubeShape& tube,
+                                              SimulatedTrackerSettings device)
 {
     const Vec3& p_A_incisors = airway.p_A_incisors;
     const RigidTransform X_TA = patientBeforeTracker(p_A_incisors);
@@ -53,7 +54,6 @@ Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway, con
             return X_TN_laryngoscope;
         return tool == ToolRole::Stylus ? std::optional{hand->at(t)} : std::nullopt;
     };
-    SimulatedTrackerSettings device;
     device.laryngoscope = true;
     auto tracker = std::make_unique<SimulatedTracker>(device, truth, workplaceNow);
     return SimulatedWorkplace{.X_TA = X_TA,

@@ -3,8 +3,8 @@
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/session/simulated_tools.h"
-#include "engine/tracking/simulated_tracker.h"
-#include "engine/tracking/stylus_hand.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
+#include "engine/tracking/simulated/stylus_hand.h"
 
 #include <memory>
 
@@ -29,6 +29,7 @@ struct SimulatedWorkplace {
 
 /// @returns the errors of ScriptedHands::make.
 [[nodiscard]] Result<SimulatedWorkplace> simulatedWorkplace(const AirwayLandmarks& airway,
-                                                            const TubeShape& tube);
+                                                            const TubeShape& tube,
+                                                            SimulatedTrackerSettings device = {});
 
 } // namespace carina

@@ -9,7 +9,7 @@ namespace carina
 
 /// The tracker that the stylus is touched under, and with it, where it is simulated, the manikin.
 struct Workplace {
-    QString name; ///< of the tracker, as shown
+    QString name; ///< of the tracker, as shown and as the site names it
     ReadSessionClock clock;
     std::optional<SimulatedWorkplace> simulated{};
     std::unique_ptr<Tracker> device{};

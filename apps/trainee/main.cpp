@@ -70,7 +70,8 @@ void addOptions(QCommandLineParser& parser)
     program::addTrackerOption(
         parser,
         QApplication::translate("Trainee", "All but the simulated one need --site. Without "
-                                           "a tracker this program shows the session only."));
+                                           "it the devices are used that the site names; where it "
+                                           "names none, this program shows the session only."));
     program::addOpenIgtLinkOption(parser);
     program::addMeasureOptions(parser);
     program::addScriptOption(parser);
@@ -200,7 +201,7 @@ Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions
 /// The tracker that is asked for; for one that is not simulated with a site.
 Result<std::optional<TrackerChoice>> trackerFor(const QCommandLineParser& parser)
 {
-    auto chosen = program::trackerOption(parser);
+    auto chosen = program::trackerOption(parser, program::siteOption(parser));
     if (chosen && *chosen && !(*chosen)->isSimulated() && program::siteOption(parser).isEmpty())
         return fail(Errc::WrongOption,
                     "--tracker: it needs --site, which says where the patient lies");

@@ -130,15 +130,23 @@ Result<void> TraineeStation::lay(const SharedPatientModel& patient,
         std::make_unique<StationView>(*m_node, m_station, next->patient->lungs(),
                                       next->tracking ? posesOf(*next->tracking) : ObjectPoses{});
     const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
+    if (m_laid->tracking)
+        m_device = m_hardware.tracker->isSimulated() ? nullptr : m_laid->tracking->sharedTracker();
     publishPoses();
     shareLaryngoscope();
     if (show)
         show();
-    if (before && before->tracking)
+    if (before && before->tracking && !isTracking(before->tracking->tracker()))
         before->tracking->stop();
     for (const auto& told : m_onLaid)
         told();
     return {};
+}
+
+/// With this tracker now.
+bool TraineeStation::isTracking(const Tracker& tracker) const
+{
+    return m_laid && m_laid->tracking && &m_laid->tracking->tracker() == &tracker;
 }
 
 Result<void> TraineeStation::setTracker(std::optional<TrackerChoice> tracker,
@@ -146,11 +154,14 @@ Result<void> TraineeStation::setTracker(std::optional<TrackerChoice> tracker,
 {
     CARINA_EXPECTS(m_laid != nullptr);
     std::optional<TrackerChoice> before = std::exchange(m_hardware.tracker, std::move(tracker));
+    std::shared_ptr<Tracker> deviceBefore = std::exchange(m_device, nullptr);
     auto laid = lay(SharedPatientModel{m_laid->given}, show);
-    if (!laid)
+    if (!laid) {
         m_hardware.tracker = std::move(before);
-    else if (m_hardware.tracker)
+        m_device = std::move(deviceBefore);
+    } else if (m_hardware.tracker) {
         publish();
+    }
     return laid;
 }
 
@@ -186,17 +197,23 @@ Result<void> TraineeStation::track(Laid& laid)
         return made;
     laid.guard = guardOf(*laid.tracking, laid.place);
     treatPoses(laid.tracking->tracker(), m_hardware.treatment);
+    if (isTracking(laid.tracking->tracker()))
+        return {};
     return laid.tracking->start();
 }
 
 Result<void> TraineeStation::connect(Laid& laid) const
 {
     CARINA_EXPECTS(laid.place.has_value());
-    auto tracker = makeTracker(*m_hardware.tracker, [node = m_node.get()] { return node->now(); });
-    if (!tracker)
-        return tl::unexpected(tracker.error());
+    std::shared_ptr<Tracker> device = m_device;
+    if (!device) {
+        auto made = makeTracker(*m_hardware.tracker, [node = m_node.get()] { return node->now(); });
+        if (!made)
+            return tl::unexpected(made.error());
+        device = *std::move(made);
+    }
     laid.tracking =
-        std::make_shared<StationTracking>(*std::move(tracker), laid.place->setup->registration);
+        std::make_shared<StationTracking>(std::move(device), laid.place->setup->registration);
     return {};
 }
 
@@ -205,7 +222,8 @@ Result<void> TraineeStation::simulate(Laid& laid) const
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(),
         [node = m_node.get()] { return node->now(); }, registrationIn(laid.place),
-        m_hardware.manikinBreathes, [node = m_node.get()] { return simulatedPerson(*node); });
+        m_hardware.manikinBreathes, [node = m_node.get()] { return simulatedPerson(*node); },
+        std::get<SimulatedDevice>(m_hardware.tracker->device).settings);
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,

@@ -30,7 +30,7 @@ public:
     using PlaceOf = std::function<Result<Place>(const PatientModel&)>;
 
     struct Hardware {
-        /// One that is not simulated needs a Place; a recording is played for each patient.
+        /// One that is not simulated needs a Place.
         std::optional<TrackerChoice> tracker{};
         Frequency manikinBreathes; ///< the simulated manikin; 0: it lies still
         PoseTreatment treatment{}; ///< of the tracker's poses
@@ -43,8 +43,9 @@ public:
 
     /// Shows another station of the session from now on.
     void setStation(StationId station);
-    /// Replaces the patient. While its site has no registration that can be used, the station shows
-    /// what others share, as a program without a tracker does.
+    /// Replaces the patient; a tracker that is not simulated goes on. While its site has no
+    /// registration that can be used, the station shows what others share, as a program without a
+    /// tracker does.
     /// @param show is called with the new patient in place, while the objects of the former one
     ///             still exist
     /// @returns the error of its site or of the tracker; nothing is changed then.
@@ -117,6 +118,7 @@ private:
     [[nodiscard]] Result<void> track(Laid& laid);
     [[nodiscard]] Result<void> simulate(Laid& laid) const;
     [[nodiscard]] Result<void> connect(Laid& laid) const;
+    [[nodiscard]] bool isTracking(const Tracker& tracker) const;
     void publish();
     void share(ObjectKind kind, ToolRole tool, std::string name);
     void shareLaryngoscope();
@@ -127,6 +129,9 @@ private:
     PlaceOf m_placeOf;
     std::vector<std::function<void()>> m_onLaid;
     std::unique_ptr<Laid> m_laid;
+    /// Of m_hardware.tracker, shared with m_laid: it runs on for another patient. Null before it is
+    /// there, and for the simulated one, which sees the patient's own manikin.
+    std::shared_ptr<Tracker> m_device;
     std::atomic<std::shared_ptr<const Published>> m_published;
     bool m_sharesLaryngoscope = false;
     QTimer m_looking; ///< polls the guard, and reports the standing

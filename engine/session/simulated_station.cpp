@@ -2,7 +2,7 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/session/simulated_tools.h"
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 
 #include <array>
 #include <cmath>
@@ -90,7 +90,8 @@ RigidTransform simulatedBodyProbe() { return RigidTransform::translation({-0.12,
 Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube,
                                           ReadSessionClock clock,
                                           const std::optional<StationRegistration>& registration,
-                                          Frequency manikinBreathes, SimulatedPerson person)
+                                          Frequency manikinBreathes, SimulatedPerson person,
+                                          SimulatedTrackerSettings device)
 {
     const RigidTransform X_TA = patientBeforeTracker(airway.p_A_incisors);
     const HandScript script{.X_TA = X_TA,
@@ -102,7 +103,6 @@ Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const T
     if (!hands)
         return tl::unexpected(hands.error());
     const StationRegistration exactly{.X_AT = X_TA.inverse(), .X_JA = hands->closedJaw().inverse()};
-    SimulatedTrackerSettings device;
     device.handProbe = static_cast<bool>(person);
     TrueToolPose truth = withManikin(of(std::move(person), *hands, script), X_TA, manikinBreathes);
     if (registration && registration->X_NE)

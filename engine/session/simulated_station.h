@@ -3,7 +3,7 @@
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/session/station_tracking.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 
 #include <functional>
 
@@ -30,11 +30,13 @@ using SimulatedPerson = std::function<unsigned()>;
 ///        X_NE, the markers of the tube are where those of simulatedTools() are
 /// @param manikinBreathes breathing rate at which the chest rises by kManikinRise; 0: no breathing
 ///        and no marker
+/// @param device its tracker; which probes there are follows from the other arguments
 /// @returns the errors of ScriptedHands::make for this airway.
 [[nodiscard]] Result<SimulatedStation>
 simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
                  const std::optional<StationRegistration>& registration = {},
-                 Frequency manikinBreathes = {}, SimulatedPerson person = {});
+                 Frequency manikinBreathes = {}, SimulatedPerson person = {},
+                 SimulatedTrackerSettings device = {});
 
 inline constexpr Length kManikinRise = millimetres(12.0);
 

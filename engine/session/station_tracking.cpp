@@ -7,7 +7,7 @@
 namespace carina
 {
 
-StationTracking::StationTracking(std::unique_ptr<Tracker> tracker,
+StationTracking::StationTracking(std::shared_ptr<Tracker> tracker,
                                  const StationRegistration& registration)
     : m_tracker{std::move(tracker)}, m_tools{m_tracker->tools()}, m_assumption{registration}
 {

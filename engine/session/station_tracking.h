@@ -59,12 +59,14 @@ enum class MotionAssumption : std::uint8_t {
 ///
 /// The poses of tube and laryngoscope are those of connector and blade, where these are calibrated.
 ///
+/// The tracker is shared: with another patient before it, the next StationTracking takes it over
+/// while it runs, and those who still read poses of the patient before keep it, too.
+///
 /// All functions may be called from any thread.
 class StationTracking
 {
 public:
-    StationTracking(std::unique_ptr<Tracker> tracker, const StationRegistration& registration);
-    ~StationTracking() { stop(); }
+    StationTracking(std::shared_ptr<Tracker> tracker, const StationRegistration& registration);
 
     /// @returns TrackerFailed; the detail says what to check.
     [[nodiscard]] Result<void> start();
@@ -89,6 +91,8 @@ public:
     [[nodiscard]] std::string trouble() const { return m_tracker->trouble(); }
     /// What it tracks with.
     [[nodiscard]] const Tracker& tracker() const { return *m_tracker; }
+    /// The same, to be used for the next patient.
+    [[nodiscard]] const std::shared_ptr<Tracker>& sharedTracker() const { return m_tracker; }
     /// The tracker's name of the tool; empty where it has no such tool.
     [[nodiscard]] std::string toolName(ToolRole role) const;
 
@@ -115,7 +119,7 @@ private:
     [[nodiscard]] std::optional<Carrier> carrier(const Assumption& assumption) const;
     [[nodiscard]] const PoseHistory* historyOf(ToolRole role) const;
 
-    std::unique_ptr<Tracker> m_tracker;
+    std::shared_ptr<Tracker> m_tracker;
     std::vector<TrackedTool> m_tools;
     mutable std::mutex m_mutex;
     Assumption m_assumption;

@@ -2,12 +2,10 @@
 
 #include "engine/core/result.h"
 #include "engine/core/session_time.h"
+#include "engine/tracking/stoppable_thread.h"
 
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 namespace carina
 {
@@ -24,22 +22,19 @@ public:
     using Step = std::function<std::optional<SessionTime>(SessionTime now)>;
 
     DeliveryThread(ReadSessionClock clock, Step step);
-    ~DeliveryThread() { stop(); }
 
     /// Starts the thread; no effect while it runs. @returns TrackerFailed where that fails.
-    [[nodiscard]] Result<void> start();
+    [[nodiscard]] Result<void> start() { return m_thread.start(); }
 
     /// Stops the thread; on return the step is not running and will not be called any more.
-    void stop();
+    void stop() { m_thread.stop(); }
 
 private:
     void run(const std::stop_token& stopping);
 
     ReadSessionClock m_clock;
     Step m_step;
-    std::mutex m_mutex;
-    std::condition_variable_any m_wake;
-    std::jthread m_thread;
+    StoppableThread m_thread; // last: ends before what it uses
 };
 
 } // namespace carina

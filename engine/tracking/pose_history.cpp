@@ -2,6 +2,7 @@
 
 #include "engine/geometry/rotation.h"
 #include "engine/tracking/prediction.h"
+#include "engine/tracking/reframed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,13 @@ Motion motionBetween(const PoseSample& a, const PoseSample& b)
     const double seconds = toSeconds(b.time - a.time);
     return {(b.X_FO.translation() - a.X_FO.translation()) / seconds,
             rotationVector(b.X_FO.rotation() * a.X_FO.rotation().conjugate()) / seconds};
+}
+
+PoseSample placed(const DevicePlace& place, const PoseSample& X_DO)
+{
+    PoseSample X_FO = reframed(place.X_FD, X_DO);
+    X_FO.time -= place.late;
+    return X_FO;
 }
 
 PoseSample lostSince(const PoseSample& before, SessionTime t)
@@ -68,6 +76,18 @@ void predict(PoseSample& pose, double seconds)
 
 } // namespace
 
+void PoseHistory::placeDevice(const DevicePlace& place)
+{
+    const std::scoped_lock lock{m_mutex};
+    m_place = place;
+}
+
+std::optional<RigidTransform> PoseHistory::deviceFrame() const
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_place ? std::optional{m_place->X_FD} : std::nullopt;
+}
+
 void PoseHistory::treat(const PoseTreatment& treatment)
 {
     const std::scoped_lock lock{m_mutex};
@@ -76,11 +96,12 @@ void PoseHistory::treat(const PoseTreatment& treatment)
     m_treatment = treatment;
 }
 
-bool PoseHistory::push(const PoseSample& raw)
+bool PoseHistory::push(const PoseSample& measured)
 {
-    if (!isUsable(raw))
+    if (!isUsable(measured))
         return false;
     const std::scoped_lock lock{m_mutex};
+    const PoseSample raw = m_place ? placed(*m_place, measured) : measured;
     const PoseSample sample = m_treatment.smooths ? m_smoothing.smoothed(raw) : raw;
     const auto place = std::ranges::lower_bound(m_samples, sample.time, {}, &PoseSample::time);
     if (place != m_samples.end() && place->time == sample.time) {

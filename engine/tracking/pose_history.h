@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/tracking/one_euro_filter.h"
+#include "engine/tracking/pose_sample.h"
 
 #include <deque>
 #include <mutex>
@@ -16,6 +17,12 @@ struct PoseTreatment {
     bool smooths = false; ///< samples pass a OneEuroFilter
 
     friend bool operator==(const PoseTreatment&, const PoseTreatment&) = default;
+};
+
+/// How a device D stands to the frame F in which its poses are wanted, and its stamps to the clock.
+struct DevicePlace {
+    RigidTransform X_FD{};
+    Duration late{}; ///< it stamps the same moment so much later
 };
 
 /// The recent poses of one object O in one frame F. All functions are thread-safe: a device or
@@ -46,7 +53,7 @@ public:
     /// full, the oldest sample is removed.
     /// @returns false where the sample was rejected: not finite, a time more than 100 years from
     ///          the clock's zero, or older than all samples of a full history.
-    bool push(const PoseSample& raw);
+    bool push(const PoseSample& measured);
 
     /// The pose at time t; nothing for a time before the oldest sample stored.
     ///
@@ -56,6 +63,11 @@ public:
     /// two samples the motion is their difference quotient, and validity and error are those of the
     /// worse sample. An Exact pose is the sample itself, with the velocity described above.
     [[nodiscard]] std::optional<PoseSample> at(SessionTime t) const;
+
+    /// What is pushed from now on are poses X_DO of a device D, with its stamps; stored is X_FO.
+    void placeDevice(const DevicePlace& place);
+    /// X_FD of the device; nothing where it was not placed, and measures in F itself.
+    [[nodiscard]] std::optional<RigidTransform> deviceFrame() const;
 
     /// How poses are treated from now on.
     void treat(const PoseTreatment& treatment);
@@ -73,6 +85,7 @@ private:
     [[nodiscard]] PoseSample carriedOn(std::size_t index, SessionTime t) const;
 
     Limits m_limits;
+    std::optional<DevicePlace> m_place; ///< nothing: the device measures in F
     PoseTreatment m_treatment;
     OneEuroFilter m_smoothing;
     mutable std::mutex m_mutex;

@@ -3,7 +3,6 @@
 #include "engine/core/monotonic_clock.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 namespace carina
@@ -38,32 +37,15 @@ Result<std::unique_ptr<CameraTracker>> CameraTracker::make(CameraTrackerSettings
 }
 
 CameraTracker::CameraTracker(CameraTrackerSettings settings, ReadSessionClock clock)
-    : m_settings{std::move(settings)}, m_clock{std::move(clock)}, m_watch{watchedOf(m_settings)}
+    : m_settings{std::move(settings)},
+      m_clock{std::move(clock)},
+      m_watch{watchedOf(m_settings)},
+      m_thread{[this](const std::stop_token& stopping) { run(stopping); }}
 {
     for (const MarkedTool& tool : m_settings.tools)
         m_tools.push_back({tool.name, tool.role, &m_tracked.emplace_back().history});
     m_settings.place.width = m_settings.camera.width;
     m_settings.place.height = m_settings.camera.height;
-}
-
-Result<void> CameraTracker::start()
-{
-    if (m_thread.joinable())
-        return {};
-    try {
-        m_thread = std::jthread{[this](const std::stop_token& stopping) { run(stopping); }};
-    } catch (const std::system_error& error) {
-        return fail(Errc::TrackerFailed, error.what());
-    }
-    return {};
-}
-
-void CameraTracker::stop()
-{
-    m_thread.request_stop();
-    if (m_thread.joinable())
-        m_thread.join();
-    m_thread = {};
 }
 
 std::string CameraTracker::trouble() const
@@ -91,9 +73,9 @@ void CameraTracker::run(const std::stop_token& stopping)
             if (m_settings.playing == Playing::Once)
                 return;
         }
-        rest(m_settings.place.kind == PicturePlace::Kind::Camera ? kBeforeReopening
-                                                                 : RecordedTracker::kPause,
-             stopping);
+        m_thread.rest(m_settings.place.kind == PicturePlace::Kind::Camera ? kBeforeReopening
+                                                                          : RecordedTracker::kPause,
+                      stopping);
     }
 }
 
@@ -184,15 +166,9 @@ std::optional<SessionTime> CameraTracker::wait(SessionTime until, const std::sto
         const auto present = m_clock();
         if (present && *present >= until)
             return present;
-        rest(present ? std::min(until - *present, kLongestWait) : kLongestWait, stopping);
+        m_thread.rest(present ? std::min(until - *present, kLongestWait) : kLongestWait, stopping);
     }
     return std::nullopt;
-}
-
-void CameraTracker::rest(Duration duration, const std::stop_token& stopping)
-{
-    std::unique_lock lock{m_mutex};
-    m_wake.wait_for(lock, stopping, duration, [] { return false; });
 }
 
 } // namespace carina

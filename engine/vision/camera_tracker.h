@@ -3,13 +3,12 @@
 #include "engine/tracking/delivery_thread.h"
 #include "engine/tracking/motion_filter.h"
 #include "engine/tracking/record/recorded_tracker.h"
+#include "engine/tracking/stoppable_thread.h"
 #include "engine/vision/marker_watch.h"
 #include "engine/vision/picture_source.h"
 
-#include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <thread>
 
 namespace carina
 {
@@ -45,8 +44,8 @@ public:
                                                                      ReadSessionClock clock);
     ~CameraTracker() override { stop(); }
 
-    [[nodiscard]] Result<void> start() override;
-    void stop() override;
+    [[nodiscard]] Result<void> start() override { return m_thread.start(); }
+    void stop() override { m_thread.stop(); }
     [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
     [[nodiscard]] std::string trouble() const override;
 
@@ -65,7 +64,6 @@ private:
     static void push(Tool& tool, std::optional<PoseSample> sample, SessionTime exposed);
     [[nodiscard]] std::optional<SessionTime> wait(SessionTime until,
                                                   const std::stop_token& stopping);
-    void rest(Duration duration, const std::stop_token& stopping);
     void say(std::string trouble);
 
     CameraTrackerSettings m_settings;
@@ -75,8 +73,7 @@ private:
     std::vector<TrackedTool> m_tools;
     mutable std::mutex m_mutex;
     std::string m_trouble;
-    std::condition_variable_any m_wake;
-    std::jthread m_thread; // last: ends before what it uses
+    StoppableThread m_thread; // last: ends before what it uses
 };
 
 } // namespace carina

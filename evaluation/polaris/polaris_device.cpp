@@ -154,7 +154,7 @@ std::optional<std::string> PolarisDevice::poses(const std::string& name, const s
     const PolarisExposure seen = exposureAt(now);
     if (name == "TX")
         return textReply(seen, options);
-    if (!m_settings.hasBinary)
+    if (!m_settings.hasBinary || (name == "BX2" && !m_settings.hasGeneral))
         return asText(error(0x01));
     return name == "BX" ? binaryReply(seen, options) : generalReply(seen);
 }

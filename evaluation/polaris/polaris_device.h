@@ -39,8 +39,9 @@ public:
         double exposuresPerSecond = 60.0;
         /// Rates that it can be set to, in bits a second.
         std::vector<int> rates{9600, 14400, 19200, 38400, 57600, 115200, 921600};
-        bool hasRate = true;   ///< a serial line; else its bytes take no time
-        bool hasBinary = true; ///< understands BX; else an error
+        bool hasRate = true;    ///< a serial line; else its bytes take no time
+        bool hasBinary = true;  ///< understands BX; else an error, as of the first generation
+        bool hasGeneral = true; ///< understands BX2, likewise
         std::string serialNumber = "P4-00000";
         /// What it answers to commands that ask for what does not change.
         std::map<std::string, std::string> constants{

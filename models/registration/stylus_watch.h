@@ -3,7 +3,7 @@
 #include "engine/registration/calibration/pivot_collector.h"
 #include "engine/registration/calibration/spin_calibration.h"
 #include "engine/registration/landmarks/dwell_detector.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 
 #include <cstdint>
 #include <optional>

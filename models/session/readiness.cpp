@@ -38,6 +38,8 @@ public:
 
     static QString tracker(const QString& siteFile, const Site& site)
     {
+        if (!site.devices.empty())
+            return devices(trackerOfSite(siteFile.toStdString()));
         const QString described =
             QFileInfo{siteFile}.absoluteDir().filePath(QStringLiteral("tracker.json"));
         if (!QFileInfo::exists(described))
@@ -49,6 +51,14 @@ public:
         return choice ? tr("✓ %1 is described; a trainee's program connects to it")
                             .arg(trackerName(*choice))
                       : tr("▲ %1").arg(errorText(choice.error()));
+    }
+
+    static QString devices(const Result<std::optional<TrackerChoice>>& named)
+    {
+        if (!named)
+            return tr("▲ %1").arg(errorText(named.error()));
+        return tr("✓ %1: the site names it; a trainee's program connects to it")
+            .arg(*named ? trackerName(**named) : QString{});
     }
 
     static QString registration(const Site& site, const ReadinessQuestion& asked)

@@ -129,7 +129,8 @@ ToolStatus statusOf(const TrackedTool& tool, ToolSight sight, SessionTime now)
     if (!status.age_s)
         return status;
     const PoseSample& newest = samples.back();
-    status.p_T = newest.X_FO.translation();
+    if (!tool.history->deviceFrame()) // the volume is that of the first device
+        status.p_T = newest.X_FO.translation();
     const bool isDelivered = now - newest.time <= kSilent;
     status.rate_Hz = isDelivered ? rateOf(samples) : 0.0;
     if (!isDelivered)

@@ -39,7 +39,7 @@ struct ToolStatus {
     std::optional<double> predicted_mm{};
     std::optional<double> held_mm{};
     std::optional<double> deviation_mm{}; ///< that the motion lets expect of such a pose (RMS)
-    std::optional<Vec3> p_T{};            ///< of its origin, where it was seen last
+    std::optional<Vec3> p_T{};            ///< of its origin, where the first device saw it last
 };
 
 /// A tracker as its person sees it.

@@ -2,7 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/io/files/unused_name.h"
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 
 #include <QDateTime>
 

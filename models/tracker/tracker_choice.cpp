@@ -2,12 +2,18 @@
 
 #include "engine/core/expects.h"
 #include "engine/io/files/unused_name.h"
-#include "engine/io/site/plus_device_set.h"
+#include "engine/io/site/devices/any_description.h"
+#include "engine/io/site/site_file.h"
 #include "engine/net/devices/any_recording.h"
 #include "engine/net/devices/described_tracker.h"
+#include "engine/tracking/several/tracker_set.h"
+#include "engine/tracking/simulated/simulated_options.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QStringList>
+
+#include <algorithm>
 
 namespace carina
 {
@@ -15,6 +21,7 @@ namespace
 {
 
 const QString kSimulated = QStringLiteral("simulated");
+const QString kSimulatedWith = QStringLiteral("simulated:");
 const QString kRecorded = QStringLiteral("recorded:");
 const QString kLooped = QStringLiteral("looped:");
 
@@ -33,12 +40,60 @@ const char* nameOfKind(TrackerKind kind)
     return QT_TRANSLATE_NOOP("TrackerChoice", "NDI tracker at %1");
 }
 
+QString nameOf(const TrackerDescription& described)
+{
+    return choiceWords(nameOfKind(described.kind)).arg(QString::fromStdString(described.address));
+}
+
+bool hasConversation(const TrackerDescription& described)
+{
+    return described.kind != TrackerKind::Camera;
+}
+
+/// The device that is asked where one stands for all.
+const TrackerDescription* firstDevice(const TrackerChoice& choice)
+{
+    if (const auto* set = std::get_if<DeviceSet>(&choice.device))
+        return &set->devices.front().described;
+    return std::get_if<TrackerDescription>(&choice.device);
+}
+
+/// @param conversation of TrackerChoice
+Result<std::unique_ptr<Tracker>> makeDevice(const TrackerDescription& described,
+                                            const std::string& conversation, ReadSessionClock clock)
+{
+    if (conversation.empty() || !hasConversation(described))
+        return describedTracker(described, std::move(clock));
+    return DeviceLog::create(unusedName(conversation), described)
+        .and_then([&](std::unique_ptr<DeviceLog> log) {
+            return describedTracker(described, std::move(clock), std::move(log));
+        });
+}
+
+Result<std::unique_ptr<Tracker>> makeSet(const DeviceSet& set, const std::string& conversation,
+                                         const ReadSessionClock& clock)
+{
+    std::vector<PlacedTracker> placed;
+    for (const PlacedDescription& device : set.devices) {
+        auto made = makeDevice(device.described, conversation, clock);
+        if (!made)
+            return made;
+        placed.push_back({*std::move(made), device.place});
+    }
+    return std::make_unique<TrackerSet>(std::move(placed));
+}
+
 } // namespace
 
 Result<TrackerChoice> trackerNamed(const QString& words)
 {
     if (words == kSimulated)
         return TrackerChoice{SimulatedDevice{}};
+    if (words.startsWith(kSimulatedWith))
+        return readSimulatedOptions(words.mid(kSimulatedWith.size()).toStdString())
+            .map([](SimulatedTrackerSettings settings) {
+                return TrackerChoice{SimulatedDevice{std::move(settings)}};
+            });
     if (words.startsWith(kRecorded))
         return recordedTracker(words.mid(kRecorded.size()).toStdString(), Playing::Once);
     if (words.startsWith(kLooped))
@@ -48,9 +103,25 @@ Result<TrackerChoice> trackerNamed(const QString& words)
 
 Result<TrackerChoice> describedIn(const std::filesystem::path& file)
 {
-    const bool isOfPlus = file.extension() == ".xml" || file.extension() == ".XML";
-    return (isOfPlus ? readPlusDeviceSet(file) : readTrackerFile(file))
-        .map([](TrackerDescription described) { return TrackerChoice{std::move(described)}; });
+    return readAnyDescription(file).map(
+        [](TrackerDescription described) { return TrackerChoice{std::move(described)}; });
+}
+
+Result<std::optional<TrackerChoice>> trackerOfSite(const std::filesystem::path& site)
+{
+    const auto read = readSiteFile(site);
+    if (!read && read.error().code == Errc::FileNotFound)
+        return std::nullopt;
+    if (!read)
+        return tl::unexpected(read.error());
+    return readSiteDevices(site.parent_path(), read->devices)
+        .map([](std::vector<PlacedDescription> placed) -> std::optional<TrackerChoice> {
+            if (placed.empty())
+                return std::nullopt;
+            if (placed.size() == 1)
+                return TrackerChoice{std::move(placed.front().described)};
+            return TrackerChoice{DeviceSet{std::move(placed)}};
+        });
 }
 
 Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing)
@@ -66,29 +137,41 @@ QString trackerName(const TrackerChoice& choice)
         return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Recording of %1"))
             .arg(QFileInfo{QString::fromStdString(recording->file)}.fileName());
     if (const auto* described = std::get_if<TrackerDescription>(&choice.device))
-        return choiceWords(nameOfKind(described->kind))
-            .arg(QString::fromStdString(described->address));
+        return nameOf(*described);
+    if (const auto* set = std::get_if<DeviceSet>(&choice.device)) {
+        QStringList names;
+        for (const PlacedDescription& device : set->devices)
+            names += nameOf(device.described);
+        return names.join(QStringLiteral(" + "));
+    }
     return choiceWords(QT_TRANSLATE_NOOP("TrackerChoice", "Simulated tracker"));
 }
 
 QString trackerIdentity(const TrackerChoice& choice)
 {
-    return std::holds_alternative<PlayedRecording>(choice.device) ? QString{} : trackerName(choice);
+    if (std::holds_alternative<PlayedRecording>(choice.device))
+        return {};
+    const TrackerDescription* device = firstDevice(choice);
+    return device != nullptr ? nameOf(*device) : trackerName(choice);
 }
 
 KnownVolume usualVolume(const TrackerChoice& choice)
 {
     if (choice.isSimulated())
         return KnownVolume::SimulatedCone;
-    const auto* described = std::get_if<TrackerDescription>(&choice.device);
-    return described && described->kind == TrackerKind::Ndi ? KnownVolume::PolarisPyramid
-                                                            : KnownVolume::None;
+    const TrackerDescription* device = firstDevice(choice);
+    return device != nullptr && device->kind == TrackerKind::Ndi ? KnownVolume::PolarisPyramid
+                                                                 : KnownVolume::None;
 }
 
 bool hasConversation(const TrackerChoice& choice)
 {
+    if (const auto* set = std::get_if<DeviceSet>(&choice.device))
+        return std::ranges::any_of(set->devices, [](const PlacedDescription& device) {
+            return hasConversation(device.described);
+        });
     const auto* described = std::get_if<TrackerDescription>(&choice.device);
-    return described != nullptr && described->kind != TrackerKind::Camera;
+    return described != nullptr && hasConversation(*described);
 }
 
 Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSessionClock clock)
@@ -96,14 +179,11 @@ Result<std::unique_ptr<Tracker>> makeTracker(const TrackerChoice& choice, ReadSe
     if (const auto* recording = std::get_if<PlayedRecording>(&choice.device))
         return std::make_unique<RecordedTracker>(recording->sequence, std::move(clock),
                                                  recording->playing);
+    if (const auto* set = std::get_if<DeviceSet>(&choice.device))
+        return makeSet(*set, choice.conversation, clock);
     const auto* described = std::get_if<TrackerDescription>(&choice.device);
     CARINA_EXPECTS(described != nullptr);
-    if (choice.conversation.empty() || !hasConversation(choice))
-        return describedTracker(*described, std::move(clock));
-    return DeviceLog::create(unusedName(choice.conversation), *described)
-        .and_then([&](std::unique_ptr<DeviceLog> log) {
-            return describedTracker(*described, std::move(clock), std::move(log));
-        });
+    return makeDevice(*described, choice.conversation, std::move(clock));
 }
 
 } // namespace carina

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/site_devices.h"
 #include "engine/tracking/record/recorded_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "models/tracker/known_volume.h"
 
 #include <QString>
@@ -14,6 +15,7 @@ namespace carina
 
 /// The simulated tracker and manikin, which each program makes for what it does with them.
 struct SimulatedDevice {
+    SimulatedTrackerSettings settings{}; ///< rate, occlusions and dropouts that were chosen
 };
 
 /// A recording, which is played from its beginning.
@@ -23,9 +25,14 @@ struct PlayedRecording {
     Playing playing = Playing::Once;
 };
 
+/// Several devices that track together, in the frame of the first.
+struct DeviceSet {
+    std::vector<PlacedDescription> devices; ///< two or more
+};
+
 /// The tracker that a program is to use.
 struct TrackerChoice {
-    std::variant<SimulatedDevice, PlayedRecording, TrackerDescription> device;
+    std::variant<SimulatedDevice, PlayedRecording, TrackerDescription, DeviceSet> device;
     /// The file for the bytes of the conversation with the device, where it has one; empty: none.
     /// A file that is there already is kept: the next one is NAME-2, and so on.
     std::string conversation{};
@@ -36,30 +43,35 @@ struct TrackerChoice {
     }
 };
 
-/// The choice that words name: "simulated"; "recorded:FILE", a recording
+/// The choice that words name: "simulated", or "simulated:OPTIONS" (readSimulatedOptions);
+/// "recorded:FILE", a recording
 /// (readAnyRecording), which is played once; "looped:FILE", one that is played again and again;
 /// otherwise a file that describes a tracker (describedIn).
-/// @returns the errors of reading that file.
+/// @returns the errors of reading that file and of readSimulatedOptions.
 [[nodiscard]] Result<TrackerChoice> trackerNamed(const QString& words);
 
-/// What a file describes: Carina's own description (readTrackerFile), or where its name ends in
-/// .xml a device set of PLUS (readPlusDeviceSet).
+/// What a file describes (readAnyDescription).
 /// @returns the errors of reading it.
 [[nodiscard]] Result<TrackerChoice> describedIn(const std::filesystem::path& file);
+
+/// The devices that a site names in its file; nothing where it names none, or there is no such
+/// file.
+/// @returns the errors of readSiteFile and of readSiteDevices.
+[[nodiscard]] Result<std::optional<TrackerChoice>> trackerOfSite(const std::filesystem::path& site);
 
 /// The recording in a file. @returns the errors of reading it.
 [[nodiscard]] Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing);
 
 /// As it is shown, and as a site names the tracker that it was registered with: "Simulated
 /// tracker", "Recording of FILE", "NDI tracker at /dev/ttyUSB0", "Markers before the camera
-/// /dev/video0".
+/// /dev/video0"; of several devices one after another.
 [[nodiscard]] QString trackerName(const TrackerChoice& choice);
 
-/// The same for the question whether a site was registered with this tracker; empty for a
-/// recording, which may be of any.
+/// The same for the question whether a site was registered with this tracker: of several devices
+/// that of the first, in whose frame they track; empty for a recording, which may be of any.
 [[nodiscard]] QString trackerIdentity(const TrackerChoice& choice);
 
-/// The volume in which such a tracker usually sees.
+/// The volume in which such a tracker usually sees; of several devices that of the first.
 [[nodiscard]] KnownVolume usualVolume(const TrackerChoice& choice);
 
 /// Whether bytes are exchanged with it, which can be recorded: a Polaris or a server.

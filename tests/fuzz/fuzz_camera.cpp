@@ -2,9 +2,9 @@
 // with a reason, or read as what can be used, written, and read again.
 
 #include "engine/core/expects.h"
-#include "engine/io/site/camera_file.h"
-#include "engine/io/site/camera_yaml.h"
-#include "engine/io/site/marker_file.h"
+#include "engine/io/site/devices/camera_file.h"
+#include "engine/io/site/devices/camera_yaml.h"
+#include "engine/io/site/devices/marker_file.h"
 #include "tests/fuzz/file_of_input.h"
 
 namespace

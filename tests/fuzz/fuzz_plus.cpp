@@ -1,7 +1,7 @@
 // Any bytes as a device set of PLUS: refused with a reason, or read as a tracker with tools.
 
 #include "engine/core/expects.h"
-#include "engine/io/site/plus_device_set.h"
+#include "engine/io/site/devices/plus_device_set.h"
 #include "tests/fuzz/file_of_input.h"
 
 // libFuzzer calls it by this name.

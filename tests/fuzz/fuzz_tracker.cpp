@@ -2,7 +2,7 @@
 // apart, whose definitions lie beside it.
 
 #include "engine/core/expects.h"
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 #include "tests/fuzz/file_of_input.h"
 
 #include <set>

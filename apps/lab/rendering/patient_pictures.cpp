@@ -6,7 +6,7 @@
 #include "apps/lab/rendering/picture_series.h"
 #include "apps/lab/rendering/render_page.h"
 #include "engine/lungs/drawing/chest_drawing.h"
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 #include "models/patient/patient_source.h"
 #include "ui/scene/scene_parts.h"
 

@@ -44,6 +44,8 @@ constexpr Option kNoise{"noise-mm", "MM",
                         "standard deviation of a position along each axis, 0 to "
                         "10 (0)"};
 constexpr Option kHide{"hide", "TOOL", "head, jaw, tube or stylus: is not seen"};
+constexpr Option kOld{"old", "",
+                      "it knows TX only, as the first generation: BX and BX2 are errors"};
 constexpr Option kFault{"fault", "KIND",
                         "every 5 s: corrupt a bit of a reply, cut a reply, silence for 1 s, or "
                         "reset as after the power was cycled; none unless given"};
@@ -149,7 +151,8 @@ Result<QJsonObject> serve(const Words& words, const std::filesystem::path& folde
     const std::string address = isTcp ? "127.0.0.1:" + std::to_string(*port) : link.string();
     if (const auto wrote = writeDescription(folder, address); !wrote)
         return tl::unexpected(wrote.error());
-    PolarisDevice device{{.hasRate = !isTcp}, std::move(poses)};
+    PolarisDevice device{{.hasRate = !isTcp, .hasBinary = !words.has(polaris_option::kOld)},
+                         std::move(poses)};
     const LocalTime begin = monotonicNow();
     FaultMaker faults{device, *fault, begin};
     const LocalTime end = begin + std::chrono::seconds{*seconds};
@@ -209,14 +212,14 @@ Command polarisCommand()
         .theme = "tracking",
         .summary = "serves a Polaris without hardware",
         .uses = {{.lines = {"DIR [--patient WHO] [--tcp PORT] [--seconds N]",
-                            "DIR [--noise-mm MM] [--hide TOOL] [--fault KIND]"},
+                            "DIR [--noise-mm MM] [--hide TOOL] [--old] [--fault KIND]"},
                   .text = "Serves a simulated Polaris that sees scripted hands at the "
                           "patient's manikin, at a pseudo-terminal whose rate paces its "
                           "replies, or at a TCP port. DIR/tracker.json, which is written with "
                           "the definitions of its tools, is for --tracker of carina-trainee "
                           "and carina-registration.",
                   .options = {kPatient, polaris_option::kTcp, polaris_option::kSeconds,
-                              polaris_option::kNoise, polaris_option::kHide,
+                              polaris_option::kNoise, polaris_option::kHide, polaris_option::kOld,
                               polaris_option::kFault},
                   .schema = polaris_key::kSchema,
                   .keys = {polaris_key::kFolder, polaris_key::kServed, polaris_key::kReceived,

@@ -4,7 +4,7 @@
 #include "apps/lab/tracking/probe_drawing.h"
 #include "apps/lab/tracking/probe_solid.h"
 #include "engine/io/files/whole_file.h"
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 #include "engine/tracking/markers/marker_search.h"
 #include "engine/tracking/markers/probe_design.h"
 

@@ -1,6 +1,6 @@
 #include "apps/lab/vision/camera_uses.h"
 #include "engine/core/monotonic_clock.h"
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 #include "engine/vision/board_calibration.h"
 #include "engine/vision/picture_source.h"
 

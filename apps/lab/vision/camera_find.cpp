@@ -1,6 +1,6 @@
 #include "apps/lab/vision/camera_uses.h"
 #include "apps/lab/vision/still_jitter.h"
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 #include "engine/vision/marker_watch.h"
 #include "engine/vision/picture_source.h"
 

@@ -2,8 +2,8 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/vision/printed_pieces.h"
 #include "engine/io/files/whole_file.h"
-#include "engine/io/site/camera_file.h"
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/camera_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 
 #include <QJsonArray>
 

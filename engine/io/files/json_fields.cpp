@@ -85,6 +85,16 @@ std::vector<double> JsonFields::numbers(const char* key, std::size_t count)
     return numbers.value_or(std::vector<double>(count, 0.0));
 }
 
+double JsonFields::number(const char* key)
+{
+    const QJsonValue value = m_object.value(QLatin1StringView{key});
+    if (!value.isDouble() || !(std::abs(value.toDouble()) < kMostCounted)) {
+        refuse(key, "a number is expected");
+        return 0.0;
+    }
+    return value.toDouble();
+}
+
 double JsonFields::amount(const char* key)
 {
     const double number = m_object.value(QLatin1StringView{key}).toDouble(-1.0);

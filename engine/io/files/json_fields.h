@@ -40,6 +40,8 @@ public:
     [[nodiscard]] double length(const char* key);
     /// A number from 0 to a million.
     [[nodiscard]] double amount(const char* key);
+    /// A number below a million, of either sign.
+    [[nodiscard]] double number(const char* key);
     /// A list of exactly `count` numbers, each below a million.
     [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count);
     /// A whole number from 0 to a million.

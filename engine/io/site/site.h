@@ -3,6 +3,7 @@
 #include "engine/display/display_geometry.h"
 #include "engine/geometry/fit/motion_covariance.h"
 #include "engine/geometry/rigid_transform.h"
+#include "engine/io/site/site_device.h"
 #include "engine/io/site/site_manikin.h"
 #include "engine/io/site/site_tool.h"
 #include "engine/registration/landmarks/landmark_catalogue.h"
@@ -145,6 +146,7 @@ struct Site {
     SiteStep step = SiteStep::Tracker; ///< the next one
     std::string operatorName{};        ///< empty where it is not known
     std::string tracker{};             ///< which tracker, in words; empty before it is chosen
+    std::vector<SiteDevice> devices{}; ///< that track here; the frame T is that of the first
     std::vector<StylusTip> styluses{}; ///< one for each tool
     std::vector<SiteTool> tools{};     ///< tube and laryngoscope, one for each role
     std::string patient{};             ///< its name as shown; empty where it is not known

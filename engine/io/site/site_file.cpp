@@ -6,6 +6,8 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -31,7 +33,9 @@ QJsonObject withDigest(const QJsonObject& object)
 Result<Site> siteIn(QJsonObject object, const std::filesystem::path& file)
 {
     const QJsonValue schema = object.value(QStringLiteral("schema"));
-    const bool needsDigest = schema == kSiteSchema || schema == kSiteSchemaBefore;
+    const bool needsDigest =
+        schema == kSiteSchema
+        || std::ranges::count(kEarlierSchemasWithDigest, schema.toString()) > 0;
     const QJsonValue digest = object.take(kDigest);
     if ((needsDigest || !digest.isUndefined()) && digest != QJsonValue{digestOf(object)})
         return fail(Errc::FileMalformed, file.string() + ": its content does not match its digest");

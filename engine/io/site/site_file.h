@@ -11,11 +11,14 @@ namespace carina
 /// Reads a site file: a JSON object with lengths in millimetres, angles in degrees, poses as four
 /// rows of four numbers and times as in ISO 8601. Unknown values are left out.
 ///
-///     schema        "carina.site/5"
+///     schema        "carina.site/6"
 ///     step          "overview", "tracker", "stylus", "landmarks", "touch", "fit", "verify" or
 ///                   "tools"
 ///     operator      text
 ///     tracker       text
+///     devices       a list of file, which describes a device (readAnyDescription), beside this one
+///                   or below, and of all but the first frame: X_TD_mm, late_ms, rms_mm, rms_deg,
+///                   pairs and calibrated_at
 ///     styluses      a list of tool, p_SQ_mm, rms_mm, calibrated_at, covariance_S_mm2 (xx, xy, xz,
 ///                   yy, yz, zz), poses, outliers, axis: axis_S, wobble_deg, calibrated_at
 ///     tools         a list of tubes and laryngoscopes: see tool_json.h
@@ -39,8 +42,8 @@ namespace carina
 ///                   of their names), 40 hexadecimal digits
 ///
 /// stale is the input changed after the result: "tracker", "stylus", "landmarks", "manikin",
-/// "touches" or "fit". The earlier versions are read too: "carina.site/4" without
-/// tools, "carina.site/3" without a digest, which
+/// "touches" or "fit". The earlier versions are read too: "carina.site/5" without
+/// devices, "carina.site/4" without tools, "carina.site/3" without a digest, which
 /// is what a person writes by hand, "carina.site/2" without manikin and localisations, and
 /// "carina.site/1" with one "stylus" and fewer fields.
 ///

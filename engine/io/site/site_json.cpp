@@ -2,6 +2,7 @@
 
 #include "engine/core/units.h"
 #include "engine/io/site/catalogue_json.h"
+#include "engine/io/site/devices/device_json.h"
 #include "engine/io/site/manikin_json.h"
 #include "engine/io/site/site_fields.h"
 #include "engine/io/site/tool_json.h"
@@ -153,6 +154,8 @@ QJsonObject jsonSite(const Site& site)
                         QString::fromLatin1(kStepWords[static_cast<std::size_t>(site.step)])}};
     insertText(object, "operator", site.operatorName);
     insertText(object, "tracker", site.tracker);
+    if (!site.devices.empty())
+        object.insert(QStringLiteral("devices"), jsonList(site.devices, jsonDevice));
     if (!site.styluses.empty())
         object.insert(QStringLiteral("styluses"), jsonList(site.styluses, jsonStylus));
     if (!site.tools.empty())

@@ -1,5 +1,6 @@
 #include "engine/core/units.h"
 #include "engine/io/site/catalogue_json.h"
+#include "engine/io/site/devices/device_json.h"
 #include "engine/io/site/manikin_json.h"
 #include "engine/io/site/site_fields.h"
 #include "engine/io/site/tool_json.h"
@@ -246,14 +247,16 @@ DisplayGeometry readDisplay(JsonFields fields)
 
 Site readSite(JsonFields& fields)
 {
-    fields.allowOnly({"schema", "step", "operator", "tracker", "stylus", "styluses", "tools",
-                      "patient", "catalogue", "touched", "registration", "localisations", "relay",
-                      "verification", "display", "manikin"});
+    fields.allowOnly({"schema", "step", "operator", "tracker", "devices", "stylus", "styluses",
+                      "tools", "patient", "catalogue", "touched", "registration", "localisations",
+                      "relay", "verification", "display", "manikin"});
     Site site{.step = static_cast<SiteStep>(fields.oneOf("step", kStepWords)),
               .operatorName = readText(fields, "operator"),
               .tracker = readText(fields, "tracker"),
               .styluses = readStyluses(fields),
               .patient = readText(fields, "patient")};
+    if (fields.has("devices"))
+        site.devices = readDevices(fields);
     if (fields.has("tools"))
         site.tools = readSiteTools(fields);
     if (fields.has("catalogue")) {

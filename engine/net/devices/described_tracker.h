@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 #include "engine/net/devices/device_log.h"
 #include "engine/tracking/delivery_thread.h"
 

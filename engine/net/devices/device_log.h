@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/session_time.h"
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 
 #include <QFile>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 
 #include <QJsonObject>
 

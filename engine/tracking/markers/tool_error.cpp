@@ -7,7 +7,10 @@ std::optional<PoseError> predictedError(const TrackedTool& tool, const RigidTran
 {
     if (!tool.probe)
         return std::nullopt;
-    const Vec3 d_O = X_TO.rotation().conjugate() * -X_TO.translation().stableNormalized();
+    // Of the device that sees it.
+    const auto X_TD = tool.history != nullptr ? tool.history->deviceFrame() : std::nullopt;
+    const Vec3 p_TD = X_TD.value_or(RigidTransform{}).translation();
+    const Vec3 d_O = X_TO.rotation().conjugate() * (p_TD - X_TO.translation()).stableNormalized();
     const Result<PoseError> error = poseError(*tool.probe, d_O, tool.noise);
     return error ? std::optional{*error} : std::nullopt;
 }

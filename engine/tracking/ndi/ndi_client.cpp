@@ -21,6 +21,7 @@ constexpr std::size_t kReplyBytesOfATool = 80;
 constexpr Duration kBeforeRetry = 500ms;
 constexpr int kMissedPosesBeforeRestart = 4;
 constexpr std::uint16_t kPoseOptions = kNdiPoses | kNdiOutOfVolumeToo;
+constexpr std::uint8_t kUnknownCommand = 0x01; // ERROR01
 const std::string kNoAnswer = "it does not answer";
 
 /// "Polaris Control Firmware, NDI S/N: P4-00148" of a reply to VER, which has more lines.
@@ -44,7 +45,8 @@ NdiCommand poseCommand(NdiPoseReply poses)
 } // namespace
 
 NdiClient::NdiClient(NdiClientSettings settings)
-    : m_poses{settings.poses},
+    : m_wantedPoses{settings.poses},
+      m_poses{settings.poses},
       m_isSerial{settings.isSerial},
       m_dialogue{{.wasReset =
                       [this] {
@@ -71,6 +73,7 @@ void NdiClient::begin()
     m_dialogue.clear(m_now);
     m_deviceClock = {};
     m_lastFrame.reset();
+    m_poses = m_wantedPoses; // it may be another device
     m_phase = Phase::Connecting;
     if (m_isSerial)
         m_connection.connect([this] { setUp(); });
@@ -169,8 +172,12 @@ NdiPortAction NdiClient::advance(LocalTime now)
 void NdiClient::takePoses(const NdiReply& reply)
 {
     m_heard = m_now;
-    if (const auto code = errorCode(reply))
-        return fallSilent("it does not track: " + errorMeaning(*code));
+    if (const auto code = errorCode(reply)) {
+        if (*code != kUnknownCommand || m_poses == NdiPoseReply::Tx)
+            return fallSilent("it does not track: " + errorMeaning(*code));
+        m_poses = m_poses == NdiPoseReply::Bx2 ? NdiPoseReply::Bx : NdiPoseReply::Tx;
+        return askForPoses();
+    }
     askForPoses();
     if (const auto frame = decoded(reply))
         measure(*frame);

@@ -46,7 +46,8 @@ struct NdiFound {
 ///
 /// A device at a serial port is reset and set to the best rate (NdiConnection); it is initialised
 /// and asked what it is; it is given its tools (NdiTools); then it tracks. A tool that the device
-/// refuses is left out and named (trouble()); the others are tracked.
+/// refuses is left out and named (trouble()); the others are tracked. An older device that does not
+/// know BX2 is asked by BX, and one that does not know BX by TX.
 ///
 /// The time of a sample is that of the arrival of its reply less the time that the reply took on
 /// the wire (10 bits a byte); for BX2, which has the device's own time, that time by the least
@@ -107,7 +108,8 @@ private:
     void measure(const NdiFrame& frame);
     void fallSilent(std::string why);
 
-    NdiPoseReply m_poses;
+    NdiPoseReply m_wantedPoses;
+    NdiPoseReply m_poses; ///< as they are asked for: the device may not know what is wanted
     bool m_isSerial;
     NdiDialogue m_dialogue;
     NdiConnection m_connection;

@@ -12,7 +12,8 @@ namespace
 {
 
 /// The tracker that these words name.
-Result<std::optional<TrackerChoice>> named(const QStringList& words, std::string* record = nullptr)
+Result<std::optional<TrackerChoice>> named(const QStringList& words, std::string* record = nullptr,
+                                           const QString& site = {})
 {
     QCommandLineParser parser;
     program::addTrackerOption(parser, {});
@@ -20,8 +21,20 @@ Result<std::optional<TrackerChoice>> named(const QStringList& words, std::string
         return fail(Errc::WrongOption, parser.errorText().toStdString());
     if (record != nullptr)
         *record = program::recordDeviceOption(parser);
-    return program::trackerOption(parser);
+    return program::trackerOption(parser, site);
 }
+
+void writeText(const QString& file, const char* text) { std::ofstream{file.toStdString()} << text; }
+
+constexpr const char* kPolaris = R"({"schema": "carina.tracker/1", "kind": "ndi",
+    "address": "192.0.2.7:8765", "tools": [{"name": "Chin", "role": "jaw"}]})";
+constexpr const char* kServer = R"({"schema": "carina.tracker/1", "kind": "openigtlink",
+    "address": "192.0.2.8:18944", "tools": [{"name": "Head", "role": "head"}]})";
+constexpr const char* kSiteOfTwo = R"({"schema": "carina.site/3", "step": "tracker", "devices": [
+    {"file": "polaris.json"},
+    {"file": "server.json", "frame": {"X_TD_mm": [[1, 0, 0, 100], [0, 1, 0, 0], [0, 0, 1, 0],
+     [0, 0, 0, 1]], "late_ms": -3, "rms_mm": 0.4, "rms_deg": 0.1, "pairs": 400,
+     "calibrated_at": "2026-11-01T10:00:00Z"}}]})";
 
 } // namespace
 
@@ -50,6 +63,59 @@ private Q_SLOTS:
             named({QStringLiteral("--record-device"), QStringLiteral("bytes.log")}, &record);
         QVERIFY(choice && !*choice);
         QCOMPARE(record, std::string{"bytes.log"});
+    }
+
+    void takesTheDevicesOfTheSiteWhereNoneIsNamed()
+    {
+        const QTemporaryDir folder;
+        const QString site = folder.filePath(QStringLiteral("site.json"));
+        writeText(folder.filePath(QStringLiteral("polaris.json")), kPolaris);
+        writeText(folder.filePath(QStringLiteral("server.json")), kServer);
+        writeText(site, kSiteOfTwo);
+        const auto choice = named({}, nullptr, site);
+        QVERIFY2(choice, choice ? "" : choice.error().detail.c_str());
+        QVERIFY(choice->has_value());
+        QCOMPARE(trackerName(**choice),
+                 QStringLiteral("NDI tracker at 192.0.2.7:8765 + OpenIGTLink server at "
+                                "192.0.2.8:18944"));
+        QCOMPARE(trackerIdentity(**choice), QStringLiteral("NDI tracker at 192.0.2.7:8765"));
+        const auto tracker = makeTracker(**choice, [] { return std::optional<SessionTime>{}; });
+        QVERIFY2(tracker, tracker ? "" : tracker.error().detail.c_str());
+        const auto tools = (*tracker)->tools();
+        QCOMPARE(tools.size(), 2U);
+        QVERIFY(!tools[0].history->deviceFrame());
+        QCOMPARE(tools[1].history->deviceFrame()->translation().x(), 0.1);
+
+        const auto other =
+            named({QStringLiteral("--tracker"), QStringLiteral("simulated")}, nullptr, site);
+        QVERIFY(other && *other && (*other)->isSimulated());
+    }
+
+    void takesNoneWhereTheSiteNamesNone()
+    {
+        const QTemporaryDir folder;
+        const QString site = folder.filePath(QStringLiteral("site.json"));
+        const auto missing = named({}, nullptr, site);
+        QVERIFY(missing && !*missing);
+        writeText(site, R"({"schema": "carina.site/3", "step": "tracker"})");
+        const auto none = named({}, nullptr, site);
+        QVERIFY(none && !*none);
+    }
+
+    void takesOptionsOfTheSimulatedTracker()
+    {
+        const auto choice =
+            named({QStringLiteral("--tracker"), QStringLiteral("simulated:rate=30,partly=head")});
+        QVERIFY2(choice, choice ? "" : choice.error().detail.c_str());
+        QVERIFY((*choice)->isSimulated());
+        const auto& settings = std::get<SimulatedDevice>((*choice)->device).settings;
+        QCOMPARE(settings.rate, hertz(30.0));
+        QCOMPARE(settings.occlusions.size(), 1U);
+        const auto wrong =
+            named({QStringLiteral("--tracker"), QStringLiteral("simulated:speed=2")});
+        QVERIFY(!wrong);
+        QCOMPARE(wrong.error().code, Errc::WrongOption);
+        QVERIFY(wrong.error().detail.find("dropouts=PERCENT") != std::string::npos);
     }
 
     void refusesToRecordWhereThereAreNoBytes()

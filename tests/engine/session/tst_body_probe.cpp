@@ -1,7 +1,7 @@
 #include "engine/geometry/rotation.h"
 #include "engine/session/simulated_station.h"
 #include "engine/session/station_tracking.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "tests/engine/tracking/airway_walk.h"
 #include "tests/support/test_class.h"
 

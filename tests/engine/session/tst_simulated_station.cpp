@@ -2,7 +2,7 @@
 #include "engine/geometry/mesh/surface_tree.h"
 #include "engine/session/simulated_station.h"
 #include "engine/session/simulated_tools.h"
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 
 #include "tests/support/test_class.h"
 

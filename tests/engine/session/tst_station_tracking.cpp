@@ -59,6 +59,7 @@ class HandFedTracker final : public Tracker
 {
 public:
     explicit HandFedTracker(bool& runs) : m_runs{runs} {}
+    ~HandFedTracker() override { m_runs = false; } // as every tracker stops with its end
 
     Result<void> start() override
     {
@@ -265,12 +266,26 @@ private Q_SLOTS:
         QVERIFY(!m_station->newest(ToolRole::Stylus).has_value());
     }
 
-    void stopsItsTrackerWhenItGoes()
+    void itsTrackerEndsWithIt()
     {
         QVERIFY(m_station->start().has_value());
         QVERIFY(m_runs);
         m_station.reset();
         QVERIFY(!m_runs);
+    }
+
+    void itsTrackerGoesOnForTheNextPatient()
+    {
+        QVERIFY(m_station->start().has_value());
+        m_tracker->tube.push(m_screw.sample(0.5));
+        StationRegistration another = kRegistration;
+        another.X_AT = RigidTransform::translation({1.0, 0.0, 0.0});
+        const StationTracking next{m_station->sharedTracker(), another};
+        m_station.reset();
+        QVERIFY(m_runs);
+        const auto told = next.at(ToolRole::Tube, at(0.5));
+        QVERIFY(told.has_value());
+        QVERIFY(same(told->X_FO, another.X_AT * m_screw.X_TO(0.5)));
     }
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/tracking/scripted_hands.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 
 #include <cmath>
 #include <numbers>

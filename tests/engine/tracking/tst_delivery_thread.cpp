@@ -1,5 +1,5 @@
 #include "engine/tracking/delivery_thread.h"
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "tests/support/test_class.h"
 
 #include <atomic>
@@ -104,6 +104,21 @@ private Q_SLOTS:
         QVERIFY(thread.start());
         second.wait();
         thread.stop();
+    }
+
+    void endsAWaitOfAnHour()
+    {
+        std::latch waiting{1};
+        bool hasEnded = false;
+        StoppableThread thread{[&](const std::stop_token& stopping) {
+            waiting.count_down();
+            thread.rest(std::chrono::hours{1}, stopping);
+            hasEnded = true;
+        }};
+        QVERIFY(thread.start());
+        waiting.wait();
+        thread.stop();
+        QVERIFY(hasEnded);
     }
 
     void deliversThePosesOfTheSimulatedTracker()

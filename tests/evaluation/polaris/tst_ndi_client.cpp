@@ -172,6 +172,38 @@ private Q_SLOTS:
         }
     }
 
+    void asksAnOlderDeviceByWhatItKnows_data()
+    {
+        QTest::addColumn<int>("poses");
+        QTest::addColumn<bool>("hasBinary");
+        QTest::addColumn<double>("tolerance");
+        QTest::newRow("BX where only TX is known")
+            << int(NdiPoseReply::Bx) << false << kTextPosition;
+        QTest::newRow("BX2 where only TX is known")
+            << int(NdiPoseReply::Bx2) << false << kTextPosition;
+        QTest::newRow("BX2 where BX is known") << int(NdiPoseReply::Bx2) << true << kBinaryPosition;
+    }
+
+    void asksAnOlderDeviceByWhatItKnows()
+    {
+        QFETCH(int, poses);
+        QFETCH(bool, hasBinary);
+        QFETCH(double, tolerance);
+        Line line{threeTools(NdiPoseReply(poses), 115200),
+                  {.hasBinary = hasBinary, .hasGeneral = false}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.client().trouble(), std::string{});
+        const auto measured = line.run(2s);
+        QVERIFY(measured.size() > 90); // TX: 50 a second
+        const auto& tool = measured.back().tools[0];
+        QVERIFY(tool && tool->X_TO);
+        const double exposed = tool->X_TO->translation().x() / 0.1;
+        const Vec3 p_T = 1e-3 * truth(LocalTime{fromSeconds(exposed)}).p_mm;
+        QVERIFY((tool->X_TO->translation() - p_T).norm() < tolerance);
+    }
+
     // 16.7 ms between exposures: a reply is asked for at some time within.
     void stampsTheExposureLessTheTransfer_data() { tracksWhatTheDeviceSees_data(); }
 

@@ -55,6 +55,26 @@ private Q_SLOTS:
         QVERIFY(stateOf(lines, "Tracker").contains(QString::fromStdString(kTracker)));
     }
 
+    void namesTheDevicesOfTheSite()
+    {
+        const ScratchFolder folder;
+        const QString site = folder.filePath("site.json");
+        Site named = verifiedSite();
+        named.devices = {{.file = "server.json"}};
+        QVERIFY(writeSiteFile(site.toStdString(), named));
+        const auto state = [&] {
+            return stateOf(
+                readiness({.site = site, .folder = folder.path(), .today = kThreeDaysLater}),
+                "Tracker");
+        };
+        QVERIFY2(state().startsWith(QStringLiteral("▲")), qPrintable(state())); // it is not there
+        static_cast<void>(
+            folder.write("server.json", R"({"schema": "carina.tracker/1", "kind": "openigtlink",
+            "address": "192.0.2.8:18944", "tools": [{"name": "Head", "role": "head"}]})"));
+        QVERIFY2(state().startsWith(QStringLiteral("✓")), qPrintable(state()));
+        QVERIFY(state().contains(QStringLiteral("192.0.2.8:18944")));
+    }
+
     void saysWhatToDoAboutASiteThatIsNot()
     {
         const ScratchFolder folder;

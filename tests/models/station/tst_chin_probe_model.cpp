@@ -1,6 +1,6 @@
 #include "models/station/chin_probe_model.h"
 
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "tests/support/test_class.h"
 
 namespace carina::chin_probe_model_test

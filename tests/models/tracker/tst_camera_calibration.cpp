@@ -1,6 +1,6 @@
 #include "models/tracker/camera_calibration.h"
 
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 #include "tests/engine/vision/board_pictures.h"
 #include "tests/support/test_class.h"
 

@@ -1,5 +1,5 @@
 #include "apps/lab/commands.h"
-#include "engine/io/site/camera_file.h"
+#include "engine/io/site/devices/camera_file.h"
 #include "tests/support/test_class.h"
 
 #include <QDir>

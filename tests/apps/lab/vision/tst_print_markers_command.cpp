@@ -1,6 +1,6 @@
 #include "apps/lab/commands.h"
-#include "engine/io/site/camera_file.h"
-#include "engine/io/site/tracker_file.h"
+#include "engine/io/site/devices/camera_file.h"
+#include "engine/io/site/devices/tracker_file.h"
 #include "engine/vision/marker_detector.h"
 #include "engine/vision/printed_tools.h"
 #include "tests/support/test_class.h"

@@ -253,7 +253,7 @@ private Q_SLOTS:
         QVERIFY(site->registration->covariance_A.isZero());
         QVERIFY(site->registration->madeAt.empty() && !site->verification);
         QVERIFY(writeSiteFile(path(), *site));
-        QVERIFY(bytes().contains("carina.site/5"));
+        QVERIFY(bytes().contains("carina.site/6"));
         QVERIFY(readSiteFile(path()).has_value());
     }
 
@@ -270,7 +270,7 @@ private Q_SLOTS:
     {
         QVERIFY(kept(test::wholeSite()).has_value());
         QByteArray before = bytes();
-        before.replace("carina.site/5", "carina.site/4");
+        before.replace("carina.site/6", "carina.site/4");
         test::writeFile(path(), before.toStdString());
         QVERIFY(!readSiteFile(path())); // the digest is of the newer one
         test::writeFile(path(), test::siteWith("'tracker': 'simulated'", "carina.site/3"));

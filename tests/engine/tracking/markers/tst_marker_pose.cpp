@@ -1,6 +1,6 @@
 #include "engine/tracking/markers/marker_search.h"
 
-#include "engine/tracking/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_tracker.h"
 #include "tests/engine/geometry/fit/registration_trials.h"
 #include "tests/support/test_class.h"
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "engine/io/site/devices/tracker_file.h"
+#include "engine/tracking/pose_sample.h"
+
+namespace carina::lab
+{
+
+/// What one device saw of a body, in its own frame.
+using BodySamples = std::vector<PoseSample>;
+
+/// A device that sees the body, and its name of the tool that is fixed to it.
+struct Watcher {
+    TrackerDescription described;
+    std::string tool;
+};
+
+/// What two devices saw of one body.
+struct WatchedBody {
+    BodySamples first;
+    BodySamples second;
+};
+
+/// Tracks with both devices for so long, with their stamps on one clock.
+/// @returns the errors of describedTracker and of Tracker::start; WrongOption for a tool that a
+///          device does not have; TrackerFailed where a device has not seen its tool at all, with
+///          what keeps it from that.
+[[nodiscard]] Result<WatchedBody> watchBody(const Watcher& first, const Watcher& second,
+                                            Duration duration);
+
+/// What a recording in Carina's own form has of a tool; only such stamps can be compared with those
+/// of another recording.
+/// @returns the errors of readAnyRecording; WrongOption for another form, or a tool that is not in
+///          it.
+[[nodiscard]] Result<BodySamples> recordedBody(const std::string& file, const std::string& tool);
+
+} // namespace carina::lab

@@ -1,5 +1,7 @@
 #include "models/network/network_figures.h"
 
+#include "engine/sync/strategies/view_bound.h"
+
 #include <algorithm>
 #include <map>
 
@@ -10,17 +12,6 @@ namespace
 
 /// An object whose motion is stated exactly: less than this nobody sees.
 constexpr SameView kUnseen{0.1, 1.0};
-/// Two samples of a tool at rest differ by two errors of the tracker. Those of the angle are 0.2
-/// degrees each, root mean square, for markers with 0.1 to 0.3 mm on a ball of 45 mm; this is more
-/// than three times their difference. A distance is measured far better than it is seen.
-constexpr SameView kTwoSamples{1.0, 1.0};
-/// What a viewer has of a tracked object is older than the delay by a frame of the tracker, a tick
-/// of its owner and a frame of the viewer, 60 a second each.
-constexpr double kSampleAge_s = 3.0 / 60.0;
-/// What a hand does, at most: the accelerations of quick work, 510 deg/s^2 and 1 m/s^2 root mean
-/// square, as amplitudes of an oscillation.
-constexpr SameView kAcceleration{720.0, 1400.0};
-
 using DelaysByPeer = std::map<ParticipantId, Duration>;
 
 std::optional<double> inMs(const std::optional<Duration>& duration)
@@ -56,10 +47,7 @@ std::optional<Duration> longestWayFrom(ParticipantId author, const DelaysByPeer&
     return own->second + onwards;
 }
 
-/// A viewer goes on with the motion that it knows. For what a hand has done since, that is off by
-/// the limit where it began or stopped at once, or by a t^2 / 2 with acceleration a, t = delay +
-/// kSampleAge_s. An action is stated exactly, so what is acted on has neither this nor the
-/// tracker's errors.
+/// An action is stated exactly, so what is acted on has no tracker's errors.
 SameView sameView(const ObjectReport& report, const ObjectFigures& figures,
                   const std::optional<Duration>& delay)
 {
@@ -67,9 +55,9 @@ SameView sameView(const ObjectReport& report, const ObjectFigures& figures,
     const double limit_mm = figures.limit_mm.value_or(0.0);
     if (report.limitDeg)
         return {std::max(limit_deg, kUnseen.deg), std::max(limit_mm, kUnseen.mm)};
-    const double t = toSeconds(delay.value_or(Duration{})) + kSampleAge_s;
-    return {kTwoSamples.deg + std::max(limit_deg, kAcceleration.deg * t * t / 2.0),
-            kTwoSamples.mm + std::max(limit_mm, kAcceleration.mm * t * t / 2.0)};
+    const Drift bound =
+        trackedViewBound({degrees(limit_deg), millimetres(limit_mm)}, delay.value_or(Duration{}));
+    return {inDegrees(bound.rotation), inMillimetres(bound.position)};
 }
 
 ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,

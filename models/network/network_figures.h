@@ -12,7 +12,7 @@ namespace carina
 {
 
 /// Up to which drift two programs show an object in the same place: the limit, and what neither the
-/// network nor the programs are to blame for (sameView).
+/// network nor the programs are to blame for (trackedViewBound).
 struct SameView {
     double deg = 0.0;
     double mm = 0.0;

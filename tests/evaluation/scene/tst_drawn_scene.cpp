@@ -16,8 +16,7 @@ namespace
 constexpr int kHeadOfAnna = 7;
 constexpr double kSpeed = 0.1; ///< m/s, of Anna's objects along x
 constexpr double kLate = 0.04; ///< seconds, of Ben's view of them
-const SceneConditions kAtOnce{
-    .longestGap = 0.3, .toHost = std::chrono::milliseconds{40}, .fromHost = {}};
+const SceneConditions kAtOnce{.longestGap = 0.3, .toHost = {}, .fromHost = {}};
 constexpr double kTolerance = 1e-9;
 
 constexpr double kApart = 0.2; ///< m, of Carl's objects from Anna's, along y

@@ -148,22 +148,44 @@ void addOwners(const Watched& frames, Known& known, SceneComparison& compared)
         }
 }
 
-void addShares(std::span<const DrawnScene> programs, const DrawnScene& viewer,
-               const Watched& frames, SceneComparison& compared)
+/// The number of a program's own object of a kind; nothing where it never had one.
+std::optional<int> ownObject(const DrawnScene& program, ObjectKind kind)
 {
-    std::map<std::pair<int, int>, int> drawn; // by owner and kind
-    for (const auto& [t, objects] : frames)
+    for (const auto& [t, objects] : program.frames)
         for (const auto& [id, object] : objects)
-            if (!object.isOwn)
-                ++drawn[{object.owner, object.kind}];
-    const auto count = std::distance(frames.begin(), frames.end());
+            if (object.isOwn && object.kind == int(kind))
+                return id;
+    return std::nullopt;
+}
+
+/// Of a viewer's frames at whose time the owner's program had the object: the share that drew it.
+double shareDrawn(const Watched& frames, const DrawnScene& owner, ObjectKind kind,
+                  double longestGap)
+{
+    const auto id = ownObject(owner, kind);
+    int wanted = 0;
+    int drawn = 0;
+    for (const auto& [t, objects] : frames) {
+        if (!id || !ownersView(owner.frames, *id, t, longestGap))
+            continue;
+        ++wanted;
+        drawn += std::ranges::any_of(objects, [&](const auto& entry) {
+            const DrawnObject& object = entry.second;
+            return !object.isOwn && object.owner == owner.participant && object.kind == int(kind);
+        });
+    }
+    return wanted > 0 ? double(drawn) / double(wanted) : 0.0;
+}
+
+void addShares(std::span<const DrawnScene> programs, const DrawnScene& viewer,
+               const Watched& frames, double longestGap, SceneComparison& compared)
+{
     for (const DrawnScene& other : programs) {
         const bool isHere = other.station == viewer.station;
         if (!other.hasTools || !isHere || other.participant == viewer.participant)
             continue;
         for (const ObjectKind kind : kCompared) {
-            const int times = drawn[{other.participant, int(kind)}];
-            const double share = count > 0 ? double(times) / double(count) : 0.0;
+            const double share = shareDrawn(frames, other, kind, longestGap);
             if (compared.pairs == 0 || share < compared.leastShare) {
                 compared.leastShare = share;
                 compared.leastDrawn = {viewer.participant, other.participant, kind};
@@ -223,7 +245,7 @@ SceneComparison compareScenes(std::span<const DrawnScene> programs, double from,
         const Watched frames = watched(viewer, from, until);
         addDifferences(programs, viewer, frames, conditions, compared);
         addOwners(frames, known, compared);
-        addShares(programs, viewer, frames, compared);
+        addShares(programs, viewer, frames, conditions.longestGap, compared);
     }
     return compared;
 }

@@ -83,7 +83,8 @@ struct SceneComparison {
     std::size_t mistaken = 0;
     std::size_t recognisable = 0;
     /// Of each program, each other one at its station with tools, and of head, hand and tube: the
-    /// share of the program's frames that had it, the least of all. Not counted are the program's
+    /// share of the program's frames that had it, of those at whose time its owner's program had it
+    /// (ownersView), the least of all. Not counted are the program's
     /// own objects, which it need not draw, the jaw, which all at a station share, and who is at
     /// another station.
     double leastShare = 1.0;

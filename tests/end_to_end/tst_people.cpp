@@ -21,7 +21,7 @@ constexpr double kLongestGap = 0.6; ///< seconds between two frames of an owner'
 
 /// Of the comparisons within their bound, and of the frames that have everybody; the rest is for
 /// what a program does late that shares its processor. docs/synchronisation.md, "Several people".
-constexpr double kLeastWithin = 0.95;
+constexpr double kLeastWithin = 0.99;
 constexpr double kLeastDrawn = 0.95;
 
 } // namespace

@@ -52,14 +52,16 @@ constexpr Key kMistaken{"mistaken",
 constexpr Key kRecognisable{"recognisable", "those of which it could be told whose they are"};
 constexpr Key kChanges{"owner_changes", "frames in which an object had another owner than before"};
 constexpr Key kPairs{"seen", "heads, hands and tubes of others that each program has to draw"};
-constexpr Key kShare{"least_share",
-                     "of its frames that a program drew one of these in, the least of all"};
+constexpr Key kShare{
+    "least_share",
+    "of a program's frames at whose time the owner's had one of these: those that have it, the "
+    "least of all"};
 constexpr Key kLeast{"least_drawn", "which that is: the program, whose object, and what"};
 } // namespace scene_key
 
 /// Of the comparisons, and of the frames of a program. The rest is for what a program that shares
 /// its processor with eight others does late.
-constexpr double kLeastWithin = 0.95;
+constexpr double kLeastWithin = 0.99;
 constexpr double kLeastDrawn = 0.95;
 
 Result<QSize> sceneSize(const Words& words)
@@ -198,7 +200,7 @@ Command sceneCommand()
                   "a display of its own (Xvfb). Compares from their journals each head, hand "
                   "and tube that a program drew with where its owner's program had it at that "
                   "session time, between two of the owner's frames, and takes a picture of each "
-                  "window. Acceptable are 95 % of the comparisons within their bound, which is "
+                  "window. Acceptable are 99 % of the comparisons within their bound, which is "
                   "that of the tracker, the object's own speed and the delay; no object that "
                   "changes its owner, or is where another's is; and everybody drawn in 95 % of "
                   "all frames.",

@@ -140,6 +140,17 @@ private Q_SLOTS:
         QCOMPARE(int(compared.leastDrawn.kind), int(ObjectKind::Head));
     }
 
+    /// Nor are they seen while Anna's program itself does not have them.
+    void expectsNothingThatItsOwnerHasNot()
+    {
+        auto scenes = annaAndBen();
+        for (auto& scene : scenes)
+            for (auto& [t, objects] : scene.frames)
+                if (t > 1.0)
+                    objects.erase(kHeadOfAnna);
+        QCOMPARE(compareScenes(scenes, 0.0, 2.0, kAtOnce).leastShare, 1.0);
+    }
+
     void expectsNobodyFromAnotherStation()
     {
         auto scenes = annaAndBen();

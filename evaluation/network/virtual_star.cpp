@@ -42,7 +42,7 @@ VirtualStar::VirtualStar(const SyncStrategy& strategy, std::uint16_t participant
     const auto legOf = [&](const PathProfile& path) {
         return legs == Legs::HalfPath ? halfOf(path) : path;
     };
-    m_nodes[0].node = strategy.makeHost(participants, m_nodes[0].clock.at(start));
+    m_nodes[0].node = strategy.makeHost(starParticipants(participants), m_nodes[0].clock.at(start));
     for (std::uint16_t id = 1; id <= participants; ++id) {
         Node& node = m_nodes[id];
         const double side = id % 2 == 1 ? -1.0 : 1.0;

@@ -1,7 +1,7 @@
 #include "evaluation/scene/drawn_scene.h"
 
 #include "engine/core/expects.h"
-#include "engine/geometry/rotation.h"
+#include "engine/sync/strategies/view_bound.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -49,22 +49,88 @@ const DrawnScene* programOf(std::span<const DrawnScene> programs, int participan
     return found == programs.end() ? nullptr : &*found;
 }
 
+/// From an owner's program to a viewer's, with what the clocks of the two cannot see.
+Duration delayBetween(const DrawnScene& owner, const DrawnScene& viewer,
+                      const SceneConditions& conditions)
+{
+    const Duration unseen = std::chrono::abs(conditions.toHost - conditions.fromHost) / 2;
+    return (owner.isRemote ? conditions.toHost + unseen : Duration{})
+           + (viewer.isRemote ? conditions.fromHost + unseen : Duration{});
+}
+
+/// @param before the owner's view when what the viewer knows was measured; nothing if not known
+Drift boundOf(const OwnersView& owners, const std::optional<OwnersView>& before, Duration delay)
+{
+    const double turning = std::max(owners.turning, before ? before->turning : 0.0);
+    const double moving = std::max(owners.moving, before ? before->moving : 0.0);
+    const double seconds = toSeconds(delay);
+    const Drift seen =
+        trackedViewBound({radians(turning * seconds), metres(moving * seconds)}, delay);
+    const double between = owners.gap * owners.gap / 8.0;
+    return {seen.rotation + between * kHandAcceleration.rotation,
+            seen.position + between * kHandAcceleration.position};
+}
+
+/// The same thing of another person, and where that one's program has it.
+std::vector<RigidTransform> likeThings(std::span<const DrawnScene> programs,
+                                       const DrawnScene& owner, int kind, double t,
+                                       double longestGap)
+{
+    std::vector<RigidTransform> things;
+    for (const DrawnScene& other : programs) {
+        if (other.participant == owner.participant || other.station != owner.station)
+            continue;
+        const auto frame = other.frames.lower_bound(t);
+        if (frame == other.frames.end())
+            continue;
+        for (const auto& [id, object] : frame->second)
+            if (object.isOwn && object.kind == kind)
+                if (const auto view = ownersView(other.frames, id, t, longestGap))
+                    things.push_back(view->X_AO);
+    }
+    return things;
+}
+
+void recognise(const Vec3& p_AO, const Vec3& p_AO_owner, std::span<const RigidTransform> others,
+               Length bound, SceneComparison& compared)
+{
+    bool isRecognisable = false;
+    bool isMistaken = false;
+    for (const RigidTransform& other : others) {
+        if ((other.translation() - p_AO_owner).norm() <= 2.0 * bound.si)
+            continue;
+        isRecognisable = true;
+        isMistaken = isMistaken || (other.translation() - p_AO).norm() < (p_AO_owner - p_AO).norm();
+    }
+    compared.recognisable += isRecognisable ? 1 : 0;
+    compared.mistaken += isMistaken ? 1 : 0;
+}
+
 void addDifferences(std::span<const DrawnScene> programs, const DrawnScene& viewer,
-                    const Watched& frames, double longestGap, SceneComparison& compared)
+                    const Watched& frames, const SceneConditions& conditions,
+                    SceneComparison& compared)
 {
     for (const auto& [t, objects] : frames)
         for (const auto& [id, object] : objects) {
             const DrawnScene* owner = programOf(programs, object.owner);
             if (!owner || object.isOwn || object.kind == int(ObjectKind::Jaw))
                 continue;
-            const auto owners = ownersPose(owner->frames, id, t, longestGap);
+            const auto owners = ownersView(owner->frames, id, t, conditions.longestGap);
             if (!owners)
                 continue;
+            const Duration delay = delayBetween(*owner, viewer, conditions);
+            const auto before = ownersView(owner->frames, id, t - toSeconds(delay + kSampleAge),
+                                           conditions.longestGap);
+            const Drift bound = boundOf(*owners, before, delay);
+            const Drift drift = driftBetween(owners->X_AO, object.X_AO);
             auto& difference = viewer.isRemote || owner->isRemote ? compared.far : compared.near;
-            difference.angles.push_back(
-                angleBetween(object.X_AO.rotation(), owners->rotation()).si);
-            difference.distances.push_back(
-                (object.X_AO.translation() - owners->translation()).norm());
+            difference.angles.push_back(drift.rotation.si);
+            difference.distances.push_back(drift.position.si);
+            if (drift.rotation > bound.rotation || drift.position > bound.position)
+                ++difference.beyond;
+            recognise(object.X_AO.translation(), owners->X_AO.translation(),
+                      likeThings(programs, *owner, object.kind, t, conditions.longestGap),
+                      bound.position, compared);
         }
 }
 
@@ -82,22 +148,44 @@ void addOwners(const Watched& frames, Known& known, SceneComparison& compared)
         }
 }
 
-void addShares(std::span<const DrawnScene> programs, const DrawnScene& viewer,
-               const Watched& frames, SceneComparison& compared)
+/// The number of a program's own object of a kind; nothing where it never had one.
+std::optional<int> ownObject(const DrawnScene& program, ObjectKind kind)
 {
-    std::map<std::pair<int, int>, int> drawn; // by owner and kind
-    for (const auto& [t, objects] : frames)
+    for (const auto& [t, objects] : program.frames)
         for (const auto& [id, object] : objects)
-            if (!object.isOwn)
-                ++drawn[{object.owner, object.kind}];
-    const auto count = std::distance(frames.begin(), frames.end());
+            if (object.isOwn && object.kind == int(kind))
+                return id;
+    return std::nullopt;
+}
+
+/// Of a viewer's frames at whose time the owner's program had the object: the share that drew it.
+double shareDrawn(const Watched& frames, const DrawnScene& owner, ObjectKind kind,
+                  double longestGap)
+{
+    const auto id = ownObject(owner, kind);
+    int wanted = 0;
+    int drawn = 0;
+    for (const auto& [t, objects] : frames) {
+        if (!id || !ownersView(owner.frames, *id, t, longestGap))
+            continue;
+        ++wanted;
+        drawn += std::ranges::any_of(objects, [&](const auto& entry) {
+            const DrawnObject& object = entry.second;
+            return !object.isOwn && object.owner == owner.participant && object.kind == int(kind);
+        });
+    }
+    return wanted > 0 ? double(drawn) / double(wanted) : 0.0;
+}
+
+void addShares(std::span<const DrawnScene> programs, const DrawnScene& viewer,
+               const Watched& frames, double longestGap, SceneComparison& compared)
+{
     for (const DrawnScene& other : programs) {
         const bool isHere = other.station == viewer.station;
         if (!other.hasTools || !isHere || other.participant == viewer.participant)
             continue;
         for (const ObjectKind kind : kCompared) {
-            const int times = drawn[{other.participant, int(kind)}];
-            const double share = count > 0 ? double(times) / double(count) : 0.0;
+            const double share = shareDrawn(frames, other, kind, longestGap);
             if (compared.pairs == 0 || share < compared.leastShare) {
                 compared.leastShare = share;
                 compared.leastDrawn = {viewer.participant, other.participant, kind};
@@ -125,34 +213,39 @@ DrawnFrames drawnFramesIn(const QString& journal)
     return frames;
 }
 
-std::optional<RigidTransform> ownersPose(const DrawnFrames& owners, int object, double t,
-                                         double longestGap)
+std::optional<OwnersView> ownersView(const DrawnFrames& owners, int object, double t,
+                                     double longestGap)
 {
     const auto after = owners.lower_bound(t);
     if (after == owners.end() || after == owners.begin())
         return std::nullopt;
     const auto before = std::prev(after);
+    const double gap = after->first - before->first;
     const auto a = before->second.find(object);
     const auto b = after->second.find(object);
     if (a == before->second.end() || b == after->second.end() || !a->second.isOwn
-        || !b->second.isOwn || after->first - before->first > longestGap)
+        || !b->second.isOwn || gap > longestGap)
         return std::nullopt;
-    const double share = (t - before->first) / (after->first - before->first);
+    const double share = (t - before->first) / gap;
     const Vec3& p = a->second.X_AO.translation();
-    return RigidTransform{a->second.X_AO.rotation().slerp(share, b->second.X_AO.rotation()),
-                          p + share * (b->second.X_AO.translation() - p)};
+    const Drift moved = driftBetween(a->second.X_AO, b->second.X_AO);
+    return OwnersView{.X_AO = {a->second.X_AO.rotation().slerp(share, b->second.X_AO.rotation()),
+                               p + share * (b->second.X_AO.translation() - p)},
+                      .turning = moved.rotation.si / gap,
+                      .moving = moved.position.si / gap,
+                      .gap = gap};
 }
 
 SceneComparison compareScenes(std::span<const DrawnScene> programs, double from, double until,
-                              double longestGap)
+                              const SceneConditions& conditions)
 {
     SceneComparison compared;
     Known known;
     for (const DrawnScene& viewer : programs) {
         const Watched frames = watched(viewer, from, until);
-        addDifferences(programs, viewer, frames, longestGap, compared);
+        addDifferences(programs, viewer, frames, conditions, compared);
         addOwners(frames, known, compared);
-        addShares(programs, viewer, frames, compared);
+        addShares(programs, viewer, frames, conditions.longestGap, compared);
     }
     return compared;
 }

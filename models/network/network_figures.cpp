@@ -1,5 +1,7 @@
 #include "models/network/network_figures.h"
 
+#include "engine/sync/strategies/view_bound.h"
+
 #include <algorithm>
 #include <map>
 
@@ -8,6 +10,8 @@ namespace carina
 namespace
 {
 
+/// An object whose motion is stated exactly: less than this nobody sees.
+constexpr SameView kUnseen{0.1, 1.0};
 using DelaysByPeer = std::map<ParticipantId, Duration>;
 
 std::optional<double> inMs(const std::optional<Duration>& duration)
@@ -43,6 +47,19 @@ std::optional<Duration> longestWayFrom(ParticipantId author, const DelaysByPeer&
     return own->second + onwards;
 }
 
+/// An action is stated exactly, so what is acted on has no tracker's errors.
+SameView sameView(const ObjectReport& report, const ObjectFigures& figures,
+                  const std::optional<Duration>& delay)
+{
+    const double limit_deg = figures.limit_deg.value_or(0.0);
+    const double limit_mm = figures.limit_mm.value_or(0.0);
+    if (report.limitDeg)
+        return {std::max(limit_deg, kUnseen.deg), std::max(limit_mm, kUnseen.mm)};
+    const Drift bound =
+        trackedViewBound({degrees(limit_deg), millimetres(limit_mm)}, delay.value_or(Duration{}));
+    return {inDegrees(bound.rotation), inMillimetres(bound.position)};
+}
+
 ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
                         const DelaysByPeer& delays)
 {
@@ -54,6 +71,7 @@ ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
     figures.drift_mm = report.driftMm;
     figures.limit_deg = report.limitDeg ? report.limitDeg : product(report.turnDegPerS, delay);
     figures.limit_mm = report.limitMm ? report.limitMm : product(report.moveMmPerS, delay);
+    figures.same = sameView(report, figures, delay);
     return figures;
 }
 

@@ -11,6 +11,13 @@
 namespace carina
 {
 
+/// Up to which drift two programs show an object in the same place: the limit, and what neither the
+/// network nor the programs are to blame for (trackedViewBound).
+struct SameView {
+    double deg = 0.0;
+    double mm = 0.0;
+};
+
 /// The drift that the network causes on one shared object. A figure is empty while it is unknown.
 ///
 /// The limit is speed x one-way delay from the owner: when an object starts or stops to move at
@@ -23,6 +30,7 @@ struct ObjectFigures {
     std::optional<double> limit_deg{};
     std::optional<double> drift_mm{};
     std::optional<double> limit_mm{};
+    SameView same{};
 };
 
 /// Figures of the network between this program and one participant. A figure is empty while it is

@@ -2,6 +2,7 @@
 
 #include <QTimer>
 
+#include <cmath>
 #include <utility>
 
 namespace carina
@@ -90,6 +91,18 @@ std::optional<BreathTrace::Figures> BreathTrace::lastBreath() const
                    inCmH2O(m_traced.figures.autoPeep),
                    60.0 * inLitresPerSecond(m_traced.figures.alveolarVentilation),
                    inMillilitres(m_traced.functionalResidual)};
+}
+
+BreathTrace::WholeBreath BreathTrace::inWhole(const Figures& breath)
+{
+    const int whole = qRound(breath.tidalVolume_ml);
+    const double right = std::floor(breath.right_ml);
+    const double left = std::floor(breath.left_ml);
+    const int lacking = whole - int(right) - int(left);
+    const bool rightLostMore = breath.right_ml - right > breath.left_ml - left;
+    const int more = (lacking + 1) / 2; // 1 of 1; 1 each of 2
+    const int toRight = rightLostMore ? more : lacking - more;
+    return {whole, int(right) + toRight, int(left) + lacking - toRight};
 }
 
 } // namespace carina

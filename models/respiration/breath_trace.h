@@ -34,11 +34,17 @@ public:
             double peak_cmH2O = 0.0;
             double plateau_cmH2O = 0.0;
         };
-        std::optional<Airway> airway;
+        std::optional<Airway> airway{};
         double autoPeep_cmH2O = 0.0;
         double alveolarVentilation_lPerMin = 0.0; ///< to perfused alveoli
         /// Functional residual capacity: gas in both lungs at rest, at the end of that breath.
         double functionalResidual_ml = 0.0;
+    };
+    /// A breath in whole millilitres, of which the sides make the whole.
+    struct WholeBreath {
+        int tidalVolume_ml = 0;
+        int right_ml = 0;
+        int left_ml = 0;
     };
 
     static constexpr Duration kSampleEvery = std::chrono::milliseconds{20};
@@ -55,6 +61,10 @@ public:
     [[nodiscard]] bool hasStopped() const { return m_traced.isStill; }
     /// std::nullopt before the first complete breath, and in apnoea.
     [[nodiscard]] std::optional<Figures> lastBreath() const;
+
+    /// Rounds by the largest remainder: what the sides lack of the whole breath, each rounded down,
+    /// goes to the one that lost more.
+    [[nodiscard]] static WholeBreath inWhole(const Figures& breath);
 
     /// Emits the samples that are due; a timer calls it.
     void sample();

@@ -16,9 +16,6 @@ namespace
 
 constexpr int kRefreshInterval_ms = 500;
 constexpr Duration kReplacementTold = std::chrono::minutes{1};
-/// Less than this nobody sees, whatever the delay allows.
-constexpr double kUnseen_deg = 0.1;
-constexpr double kUnseen_mm = 1.0;
 const QString kNothing = QStringLiteral("–");
 
 QString roleText(Role role)
@@ -44,13 +41,6 @@ QString stationName(const SessionState& state, StationId station)
 QString number(const std::optional<double>& value, int decimals, const QString& words)
 {
     return value ? words.arg(*value, 0, 'f', decimals) : kNothing;
-}
-
-/// Whether a drift is no more than the delay explains, or than anybody sees.
-bool isExplained(const std::optional<double>& drift, const std::optional<double>& bound,
-                 double unseen)
-{
-    return !drift || *drift <= std::max(bound.value_or(0.0), unseen);
 }
 
 void keepLargest(std::optional<double>& largest, std::optional<double> value)
@@ -220,7 +210,7 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
             return tr("Time that data take between the participant and this program, one way");
         if (section == Same)
             return tr("Whether the participant sees shared objects where this program shows them, "
-                      "but for what the delay explains; figures in the tool tip of each");
+                      "but for what delay and tracker explain; figures in the tool tip of each");
         if (section == DriftDistance)
             return tr("Drift: distance between what was shown here and at the participant at the "
                       "same time");
@@ -334,12 +324,12 @@ void ParticipantsModel::addNetwork(const std::vector<NetworkFigures>& figures, R
         return;
     row.delay_ms = found->meanDelay_ms;
     for (const ObjectFigures& object : found->objects) {
-        keepLargest(row.bound_deg, object.limit_deg);
-        keepLargest(row.bound_mm, object.limit_mm);
-        if (!object.drift_deg && !object.drift_mm)
+        if (!object.drift_deg || !object.drift_mm)
             continue;
-        const bool isSame = isExplained(object.drift_deg, object.limit_deg, kUnseen_deg)
-                            && isExplained(object.drift_mm, object.limit_mm, kUnseen_mm);
+        keepLargest(row.bound_deg, object.same.deg);
+        keepLargest(row.bound_mm, object.same.mm);
+        const bool isSame =
+            *object.drift_deg <= object.same.deg && *object.drift_mm <= object.same.mm;
         row.seesTheSame = row.seesTheSame.value_or(true) && isSame;
     }
 }

@@ -70,7 +70,7 @@ private:
         std::optional<double> age_ms{};
         std::optional<double> drift_deg{};
         std::optional<double> drift_mm{};
-        std::optional<double> bound_deg{}; ///< of the drift, by speed and delay
+        std::optional<double> bound_deg{}; ///< of the drift, up to which it is the same
         std::optional<double> bound_mm{};
         std::optional<double> delay_ms{};  ///< to or from this program, one way
         std::optional<bool> seesTheSame{}; ///< as far as is known

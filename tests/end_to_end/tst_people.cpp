@@ -19,13 +19,10 @@ constexpr int kPatience_ms = 90'000; ///< for four programs to start on a busy m
 constexpr int kWatched_ms = 60'000;
 constexpr double kLongestGap = 0.6; ///< seconds between two frames of an owner's program
 
-/// What a viewer may be off by: it extrapolates what it has, and both programs predict to the time
-/// when a picture is lit, which is long here, as four programs share a processor that also draws.
-/// docs/synchronisation.md, "Several people".
-constexpr double kMedian_mm = 3.0;
-constexpr double kMedian_deg = 1.0;
-constexpr double kWorst95_mm = 20.0;
-constexpr double kWorst95_deg = 6.0;
+/// Of the comparisons within their bound, and of the frames that have everybody; the rest is for
+/// what a program does late that shares its processor. docs/synchronisation.md, "Several people".
+constexpr double kLeastWithin = 0.99;
+constexpr double kLeastDrawn = 0.95;
 
 } // namespace
 
@@ -71,7 +68,7 @@ private Q_SLOTS:
             drawn.push_back({.participant = int(who),
                              .hasTools = who > 0,
                              .frames = drawnFramesIn(m_journals[who])});
-        m_compared = compareScenes(drawn, m_from, m_until, kLongestGap);
+        m_compared = compareScenes(drawn, m_from, m_until, {.longestGap = kLongestGap});
     }
 
     /// Everybody draws heads, hands and tubes of all others: the console those of three, and each
@@ -80,7 +77,8 @@ private Q_SLOTS:
     {
         constexpr int kKinds = 3;
         QCOMPARE(m_compared.pairs, kKinds * (kTrainees + kTrainees * (kTrainees - 1)));
-        QVERIFY2(m_compared.leastShare > 0.5, qPrintable(QString::number(m_compared.leastShare)));
+        QVERIFY2(m_compared.leastShare >= kLeastDrawn,
+                 qPrintable(QString::number(m_compared.leastShare)));
     }
 
     void everyObjectIsWhereItsOwnersProgramHasIt()
@@ -99,11 +97,16 @@ private Q_SLOTS:
                                  .arg(worst95_mm)
                                  .arg(worst95_deg);
         qInfo("%s", qPrintable(told));
-        QVERIFY(median_mm < kMedian_mm && median_deg < kMedian_deg);
-        QVERIFY(worst95_mm < kWorst95_mm && worst95_deg < kWorst95_deg);
+        const double within = 1.0 - double(off.beyond) / double(off.distances.size());
+        QVERIFY2(within >= kLeastWithin, qPrintable(QString::number(within)));
     }
 
-    void noObjectEverChangesItsOwner() { QCOMPARE(m_compared.ownerChanges, 0); }
+    void noObjectEverChangesItsOwner()
+    {
+        QCOMPARE(m_compared.ownerChanges, 0);
+        QVERIFY(m_compared.recognisable > std::size_t{1000});
+        QCOMPARE(m_compared.mistaken, std::size_t{0});
+    }
 
 private:
     static constexpr int kTrainees = 3; ///< with the numbers 1 to 3; the console is 0

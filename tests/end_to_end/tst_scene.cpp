@@ -46,6 +46,8 @@ private Q_SLOTS:
     {
         QCOMPARE(m_figures[QLatin1StringView{"seen"}].toInt(), kSeen);
         QCOMPARE(m_figures[QLatin1StringView{"owner_changes"}].toInt(), 0);
+        QCOMPARE(m_figures[QLatin1StringView{"mistaken"}].toInt(), 0);
+        QVERIFY(m_figures[QLatin1StringView{"recognisable"}].toInt() > 300);
         for (const char* which : {"near", "far"})
             QVERIFY(m_figures[QLatin1StringView{which}]
                         .toObject()[QLatin1StringView{"compared"}]

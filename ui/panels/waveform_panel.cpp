@@ -183,11 +183,13 @@ void WaveformPanel::refreshFigures()
     const auto tenths = [](double value) {
         return QString::number(qRound(10.0 * value) / 10.0, 'f', 1);
     };
+    const BreathTrace::WholeBreath inWhole = BreathTrace::inWhole(*breath);
     // Numbers stay with their names and units where a line ends.
-    QStringList told{
-        tr("Breath\u00a0%1\u00a0ml (right\u00a0%2, left\u00a0%3)")
-            .arg(whole(breath->tidalVolume_ml), whole(breath->right_ml), whole(breath->left_ml)),
-        tr("%1\u00a0/min").arg(tenths(breath->rate_perMin))};
+    QStringList told{tr("Breath\u00a0%1\u00a0ml (right\u00a0%2, left\u00a0%3)")
+                         .arg(inWhole.tidalVolume_ml)
+                         .arg(inWhole.right_ml)
+                         .arg(inWhole.left_ml),
+                     tr("%1\u00a0/min").arg(tenths(breath->rate_perMin))};
     if (breath->airway)
         told += tr("peak\u00a0%1, plateau\u00a0%2\u00a0cmH2O")
                     .arg(tenths(breath->airway->peak_cmH2O), tenths(breath->airway->plateau_cmH2O));

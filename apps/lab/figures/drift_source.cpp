@@ -9,23 +9,28 @@ namespace carina::lab
 
 DriftSource virtualDrift(int seeds)
 {
-    DriftSource source{.byAction = {"none", "event", "asa-adaptive", "session-clock"},
-                       .byParticipants = {"event", "asa-adaptive", "session-clock"},
-                       .speeds = {1.0, 10.0, 50.0, 100.0},
-                       .run = [seeds](const DriftSettings& settings) -> Result<DriftFigures> {
-                           return runDrift(settings, seeds);
-                       }};
-    for (const SyncStrategy& strategy : syncStrategies())
-        source.byDelay.push_back(strategy.name);
-    return source;
+    return {.byAction = {"none", "event", "asa-adaptive", "session-clock"},
+            .byParticipants = {"event", "asa-adaptive", "session-clock"},
+            .byDelay = allStrategies(),
+            .speeds = {1.0, 10.0, 50.0, 100.0},
+            .run = [seeds](const DriftSettings& settings) -> Result<DriftFigures> {
+                return runDrift(settings, seeds);
+            }};
 }
 
-DriftSource liveDrift(Duration warmUp)
+std::vector<std::string_view> allStrategies()
 {
-    const std::vector<std::string_view> ofThePaper{"event", "asa-adaptive", "session-clock"};
-    return {.byAction = ofThePaper,
-            .byParticipants = ofThePaper,
-            .byDelay = {"asa-adaptive", "session-clock"},
+    std::vector<std::string_view> names;
+    for (const SyncStrategy& strategy : syncStrategies())
+        names.push_back(strategy.name);
+    return names;
+}
+
+DriftSource liveDrift(const std::vector<std::string_view>& strategies, Duration warmUp)
+{
+    return {.byAction = strategies,
+            .byParticipants = strategies,
+            .byDelay = strategies,
             .speeds = {100.0},
             .network = ", live",
             .run = [warmUp](const DriftSettings& settings) -> Result<DriftFigures> {

@@ -24,8 +24,12 @@ struct DriftSource {
 /// Virtual time, all strategies; each number is the mean of so many runs.
 [[nodiscard]] DriftSource virtualDrift(int seeds);
 
-/// Programs of their own in real time, over relays (runLiveDrift): the strategies of the paper and
-/// session-clock, at full speed. One run each, with so long for the clocks before it.
-[[nodiscard]] DriftSource liveDrift(Duration warmUp);
+/// Programs of their own in real time, over relays (runLiveDrift), at full speed: these strategies.
+/// One run each, with so long for the clocks before it.
+[[nodiscard]] DriftSource liveDrift(const std::vector<std::string_view>& strategies,
+                                    Duration warmUp);
+
+/// The names of all strategies.
+[[nodiscard]] std::vector<std::string_view> allStrategies();
 
 } // namespace carina::lab

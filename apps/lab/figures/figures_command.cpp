@@ -33,6 +33,7 @@ constexpr Option kRawAngle{"raw-angle", "",
                            "does; where the signs of the two quaternions differ it is above 180 "
                            "degrees for any drift"};
 constexpr Option kLive{"live", "", "measures real programs in real time"};
+constexpr Option kStrategy{"strategy", "NAME", "only that of drift --live; all unless given"};
 constexpr Option kWarmUp{
     "warm-up-s", "T",
     "whole seconds for the clocks to settle before each live run, 0 to 300; 10 unless given"};
@@ -68,7 +69,22 @@ Result<void> checkFigureOptions(const Words& words)
         return fail(Errc::WrongOption, "figures: --out DIR is missing.");
     if (words.has(figures_option::kWarmUp) && !words.has(figures_option::kLive))
         return fail(Errc::WrongOption, "figures: --warm-up-s goes with --live.");
+    if (words.has(figures_option::kStrategy) && !words.has(figures_option::kLive))
+        return fail(Errc::WrongOption, "figures: --strategy goes with --live.");
     return {};
+}
+
+Result<std::vector<std::string_view>> strategiesOption(const Words& words)
+{
+    if (!words.has(figures_option::kStrategy))
+        return allStrategies();
+    const std::string name = words.text(figures_option::kStrategy).toStdString();
+    if (const SyncStrategy* strategy = findSyncStrategy(name))
+        return std::vector{strategy->name};
+    QStringList names;
+    for (const std::string_view known : allStrategies())
+        names += QString::fromLatin1(known.data(), qsizetype(known.size()));
+    return words.unknownWord(figures_option::kStrategy, names);
 }
 
 Result<FiguresRequest> figuresRequest(const Words& words)
@@ -84,12 +100,15 @@ Result<FiguresRequest> figuresRequest(const Words& words)
     for (const auto* number : {&actions, &seed, &seeds, &warmUp_s})
         if (!*number)
             return tl::unexpected(number->error());
+    const auto strategies = strategiesOption(words);
+    if (!strategies)
+        return tl::unexpected(strategies.error());
     FiguresRequest request{words.text(figures_option::kFolder).toStdString(), {}};
     request.settings.actions = static_cast<int>(*actions);
     request.settings.seed = static_cast<std::uint32_t>(*seed);
     request.seeds = static_cast<int>(*seeds);
-    request.settings.source =
-        isLive ? liveDrift(std::chrono::seconds{*warmUp_s}) : virtualDrift(request.seeds);
+    request.settings.source = isLive ? liveDrift(*strategies, std::chrono::seconds{*warmUp_s})
+                                     : virtualDrift(request.seeds);
     request.settings.isAngleRaw = words.has(figures_option::kRawAngle);
     auto scenario = findScenario(words.has(figures_option::kScenario)
                                      ? words.text(figures_option::kScenario).toStdString()
@@ -218,13 +237,12 @@ Use figuresInVirtualTime()
 
 Use figuresInRealTime()
 {
-    return {.lines = {"--out DIR --live [--warm-up-s T] [OPTION...]"},
+    return {.lines = {"--out DIR --live [--strategy NAME] [--warm-up-s T] [OPTION...]"},
             .text = "The same from real programs in real time over relays (see drift --live): the "
-                    "figures of event, asa-adaptive and session-clock (by delay without event), at "
-                    "100 deg/s and mm/s, of one run of 12 actions for each number. These are 38 "
-                    "runs, which take 18 minutes. Takes the options above and prints the same "
-                    "keys.",
-            .options = {figures_option::kLive, figures_option::kWarmUp},
+                    "figures of every strategy, at 100 deg/s and mm/s, of one run of 12 actions "
+                    "for each number. These are 16 runs for each strategy, which take 8 minutes, "
+                    "and an hour for all. Takes the options above and prints the same keys.",
+            .options = {figures_option::kLive, figures_option::kStrategy, figures_option::kWarmUp},
             .schema = figures_key::kSchema};
 }
 

@@ -100,6 +100,23 @@ struct ScenePartner {
     }
 };
 
+/// Of a path; of one that a trace describes, that of its points.
+Duration meanDelay(const PathProfile& path)
+{
+    if (!path.trace)
+        return path.jitter == PathProfile::Jitter::Exponential ? path.delay + path.jitterScale
+               : path.jitter == PathProfile::Jitter::Pareto    ? path.delay + path.jitterScale / 2
+                                                               : path.delay;
+    Duration sum{};
+    int count = 0;
+    for (const TracePoint& point : *path.trace)
+        if (point.delay) {
+            sum += *point.delay;
+            ++count;
+        }
+    return count > 0 ? sum / count : sum;
+}
+
 std::uint16_t freeScenePort()
 {
     QUdpSocket probe;
@@ -303,7 +320,10 @@ private:
             figures.players.push_back(
                 {player.name, drawn.back(), double(watched) / (m_until - m_from)});
         }
-        figures.compared = compareScenes(drawn, m_from, m_until, kLongestFrameGap);
+        figures.compared = compareScenes(drawn, m_from, m_until,
+                                         {.longestGap = kLongestFrameGap,
+                                          .toHost = meanDelay(m_settings.scenario.forward),
+                                          .fromHost = meanDelay(m_settings.scenario.backward)});
         return figures;
     }
 

@@ -17,6 +17,23 @@ bool sameLinks(const std::vector<NodeBoard::Link>& a, const std::vector<NodeBoar
               });
 }
 
+/// Of the object's speeds when it was compared and before others could have heard of that, the
+/// larger: it may have begun to move or have stopped between the two.
+void noteSpeedsAt(SessionTime compared, const RemoteObject& object, ObjectReport& report)
+{
+    report.turnDegPerS.reset();
+    report.moveMmPerS.reset();
+    for (const SessionTime t : {compared - ShownViews::kMeasuredAfter, compared}) {
+        const auto pose = object.at(t);
+        if (!pose || !pose->motion || pose->validity == Validity::Lost)
+            continue;
+        report.turnDegPerS = std::max(report.turnDegPerS.value_or(0.0),
+                                      inDegrees(radians(pose->motion->w_FO.norm())));
+        report.moveMmPerS = std::max(report.moveMmPerS.value_or(0.0),
+                                     inMillimetres(metres(pose->motion->v_FO.norm())));
+    }
+}
+
 } // namespace
 
 void NodeBoard::showActions(View& view, const SharedActions& actions) const
@@ -58,6 +75,8 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
         if (const auto drift = drifts->find(report.object); drift != drifts->end()) {
             report.driftDeg = inDegrees(drift->second.drift.rotation);
             report.driftMm = inMillimetres(drift->second.drift.position);
+            if (const auto poses = objects.find(report.object))
+                noteSpeedsAt(drift->second.at, *poses, report);
         }
     return reports;
 }

@@ -54,8 +54,10 @@ struct ObjectReport {
     /// second; nothing before the first comparison, and for an own object.
     std::optional<double> driftDeg{};
     std::optional<double> driftMm{};
-    std::optional<double> turnDegPerS{}; ///< angular speed; nothing where its owner has none
-    std::optional<double> moveMmPerS{};  ///< speed of its origin, likewise
+    /// Angular speed, around the time of that comparison, else now; nothing where its owner has
+    /// none.
+    std::optional<double> turnDegPerS{};
+    std::optional<double> moveMmPerS{}; ///< speed of its origin, likewise
     // Of the last action on an object that is acted on (see ActionMeter):
     std::optional<double> limitDeg{}; ///< least drift for the delay of the path
     std::optional<double> limitMm{};

@@ -5,12 +5,9 @@
 namespace carina
 {
 
-std::unique_ptr<StarNode> RelayHost::make(std::uint16_t participants, LocalTime)
+std::unique_ptr<StarNode> RelayHost::make(const std::vector<ParticipantId>& participants, LocalTime)
 {
-    std::vector<ParticipantId> ids;
-    for (std::uint16_t id = 1; id <= participants; ++id)
-        ids.push_back(ParticipantId{id});
-    return std::make_unique<RelayHost>(std::move(ids));
+    return std::make_unique<RelayHost>(participants);
 }
 
 void RelayHost::receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime)

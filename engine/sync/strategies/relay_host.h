@@ -10,7 +10,8 @@ class RelayHost final : public StarNode
 {
 public:
     /// As SyncStrategy::makeHost.
-    [[nodiscard]] static std::unique_ptr<StarNode> make(std::uint16_t participants, LocalTime now);
+    [[nodiscard]] static std::unique_ptr<StarNode>
+    make(const std::vector<ParticipantId>& participants, LocalTime now);
 
     explicit RelayHost(std::vector<ParticipantId> participants)
         : m_participants{std::move(participants)}

@@ -15,23 +15,26 @@ SessionTime sessionTimeAt(LocalTime now) { return SessionTime{now.time_since_epo
 
 } // namespace
 
-std::unique_ptr<StarNode> SessionClockHost::make(std::uint16_t participants, LocalTime now)
+std::unique_ptr<StarNode> SessionClockHost::make(const std::vector<ParticipantId>& participants,
+                                                 LocalTime now)
 {
     return std::make_unique<SessionClockHost>(participants, false, now);
 }
 
-std::unique_ptr<StarNode> SessionClockHost::makeWithLag(std::uint16_t participants, LocalTime now)
+std::unique_ptr<StarNode>
+SessionClockHost::makeWithLag(const std::vector<ParticipantId>& participants, LocalTime now)
 {
     return std::make_unique<SessionClockHost>(participants, true, now);
 }
 
-SessionClockHost::SessionClockHost(std::uint16_t participants, bool hasLag, LocalTime now)
+SessionClockHost::SessionClockHost(const std::vector<ParticipantId>& participants, bool hasLag,
+                                   LocalTime now)
 {
     if (hasLag)
         m_actions.setStrategy({.kind = StrategyKind::LocalLag}, now);
-    for (std::uint16_t id = 1; id <= participants; ++id) {
-        m_peers.emplace(ParticipantId{id}, Peer{PeerLink{id, Duration{}, now}});
-        m_actions.join(id, ParticipantId{id}, now);
+    for (const ParticipantId id : participants) {
+        m_peers.emplace(id, Peer{PeerLink{id.value, Duration{}, now}});
+        m_actions.join(id.value, id, now);
     }
 }
 

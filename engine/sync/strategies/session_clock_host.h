@@ -16,13 +16,14 @@ class SessionClockHost final : public StarNode
 {
 public:
     /// As SyncStrategy::makeHost.
-    [[nodiscard]] static std::unique_ptr<StarNode> make(std::uint16_t participants, LocalTime now);
+    [[nodiscard]] static std::unique_ptr<StarNode>
+    make(const std::vector<ParticipantId>& participants, LocalTime now);
 
     /// The same for local lag.
-    [[nodiscard]] static std::unique_ptr<StarNode> makeWithLag(std::uint16_t participants,
-                                                               LocalTime now);
+    [[nodiscard]] static std::unique_ptr<StarNode>
+    makeWithLag(const std::vector<ParticipantId>& participants, LocalTime now);
 
-    SessionClockHost(std::uint16_t participants, bool hasLag, LocalTime now);
+    SessionClockHost(const std::vector<ParticipantId>& participants, bool hasLag, LocalTime now);
 
     void receive(ParticipantId from, std::span<const std::byte> bytes, LocalTime now) override;
     void advance(LocalTime now) override;

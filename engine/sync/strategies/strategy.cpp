@@ -16,12 +16,18 @@ std::span<const SyncStrategy> syncStrategies()
     return all;
 }
 
+std::vector<ParticipantId> starParticipants(std::uint16_t number)
+{
+    std::vector<ParticipantId> ids;
+    for (std::uint16_t id = 1; id <= number; ++id)
+        ids.push_back(ParticipantId{id});
+    return ids;
+}
+
 StarSeat starSeat(ParticipantId self, std::uint16_t participants)
 {
-    StarSeat seat{self, {}};
-    for (std::uint16_t id = 1; id <= participants; ++id)
-        if (ParticipantId{id} != self)
-            seat.others.push_back(ParticipantId{id});
+    StarSeat seat{self, starParticipants(participants)};
+    std::erase(seat.others, self);
     return seat;
 }
 

@@ -92,13 +92,17 @@ struct StarSeat {
 /// The seat of a participant where the ids are 1 to a number; the host is 0.
 [[nodiscard]] StarSeat starSeat(ParticipantId self, std::uint16_t participants);
 
+/// The ids 1 to a number.
+[[nodiscard]] std::vector<ParticipantId> starParticipants(std::uint16_t number);
+
 /// A method of keeping shared objects consistent between participants. To add one, write a file in
 /// engine/sync/strategies and a line in strategy.cpp (docs/synchronisation.md).
 struct SyncStrategy {
     StrategyKind kind;
     std::string_view name;
     std::string_view meaning; ///< one line, in English, for help texts
-    std::unique_ptr<StarNode> (*makeHost)(std::uint16_t participants, LocalTime now);
+    std::unique_ptr<StarNode> (*makeHost)(const std::vector<ParticipantId>& participants,
+                                          LocalTime now);
     std::unique_ptr<StarParticipant> (*makeParticipant)(const StarSeat& seat,
                                                         const StrategyChoice& choice,
                                                         LocalTime now);

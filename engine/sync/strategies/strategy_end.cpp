@@ -1,7 +1,5 @@
 #include "engine/sync/strategies/strategy_end.h"
 
-#include "engine/sync/strategies/relay_host.h"
-
 #include <algorithm>
 #include <iterator>
 
@@ -79,7 +77,8 @@ const RelayedView* StrategyEnd::view() const
 void StrategyHost::choose(const StrategyChoice& choice, LocalTime now)
 {
     m_own.choose(choice, {kStarHost, without(m_participants, kStarHost)}, now);
-    m_relay = isRelayed(choice) ? std::make_unique<RelayHost>(m_participants) : nullptr;
+    m_relayed = isRelayed(choice) ? &syncStrategy(choice.kind) : nullptr;
+    m_relay = m_relayed ? m_relayed->makeHost(m_participants, now) : nullptr;
     m_outgoing.clear();
 }
 
@@ -89,8 +88,8 @@ void StrategyHost::setParticipants(std::vector<ParticipantId> participants, Loca
         return;
     m_participants = std::move(participants);
     m_own.setOthers(without(m_participants, kStarHost), now);
-    if (m_relay)
-        m_relay = std::make_unique<RelayHost>(m_participants);
+    if (m_relayed)
+        m_relay = m_relayed->makeHost(m_participants, now);
     std::erase_if(m_outgoing, [this](const auto& entry) {
         return std::ranges::find(m_participants, entry.first) == m_participants.end();
     });
@@ -107,6 +106,7 @@ void StrategyHost::receive(ParticipantId from, std::span<const std::byte> bytes,
     if (!m_relay)
         return;
     m_relay->receive(from, bytes, now);
+    m_relay->advance(now);
     forward(now);
 }
 
@@ -116,6 +116,7 @@ void StrategyHost::advance(LocalTime now)
         return;
     for (const auto& bytes : m_own.takeDue(now))
         m_relay->receive(kStarHost, bytes, now);
+    m_relay->advance(now);
     forward(now);
 }
 
@@ -138,7 +139,9 @@ std::vector<std::vector<std::byte>> StrategyHost::takeDue(ParticipantId to)
 
 LocalTime StrategyHost::nextDue() const
 {
-    return m_outgoing.empty() ? m_own.nextDue() : LocalTime::min();
+    if (!m_outgoing.empty())
+        return LocalTime::min();
+    return m_relay ? std::min(m_own.nextDue(), m_relay->nextWake()) : m_own.nextDue();
 }
 
 } // namespace carina

@@ -66,7 +66,9 @@ private:
 
     std::vector<ParticipantId> m_participants;
     StrategyEnd m_own;
-    std::unique_ptr<StarNode> m_relay; // none where the session clock decides what is shown
+    // Neither where the session clock decides what is shown.
+    const SyncStrategy* m_relayed = nullptr;
+    std::unique_ptr<StarNode> m_relay; // its end at the host; made anew when somebody comes or goes
     std::map<ParticipantId, std::vector<std::vector<std::byte>>> m_outgoing;
 };
 

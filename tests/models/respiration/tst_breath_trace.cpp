@@ -28,6 +28,8 @@ private Q_SLOTS:
     void makesNoLongGapGood();
     void tellsTheFiguresOfTheLastBreath();
     void tellsSidesThatMakeTheBreath();
+    void roundsSidesSoThatTheyMakeTheBreath_data();
+    void roundsSidesSoThatTheyMakeTheBreath();
     void tellsOfNoBreathInApnoea();
     void tellsThePressuresOfAVentilator();
     void keepsCheckpointsThatChangeNothing();
@@ -204,6 +206,32 @@ void TestBreathTrace::tellsSidesThatMakeTheBreath()
         last_ml = breath->tidalVolume_ml;
     }
     QVERIFY(breaths > 4);
+}
+
+void TestBreathTrace::roundsSidesSoThatTheyMakeTheBreath_data()
+{
+    QTest::addColumn<double>("right_ml");
+    QTest::addColumn<double>("left_ml");
+    QTest::addColumn<int>("wholeRight_ml");
+    QTest::addColumn<int>("wholeLeft_ml");
+    QTest::newRow("both would be rounded down") << 183.4 << 166.3 << 184 << 166;
+    QTest::newRow("both would be rounded up") << 182.6 << 165.7 << 182 << 166;
+    QTest::newRow("each by itself") << 182.9 << 165.8 << 183 << 166;
+    QTest::newRow("one") << 182.9 << 166.1 << 183 << 166;
+    QTest::newRow("nothing to give") << 182.1 << 166.2 << 182 << 166;
+    QTest::newRow("a closed side") << 0.0 << 166.6 << 0 << 167;
+}
+
+void TestBreathTrace::roundsSidesSoThatTheyMakeTheBreath()
+{
+    QFETCH(double, right_ml);
+    QFETCH(double, left_ml);
+    const BreathTrace::WholeBreath whole = BreathTrace::inWhole(
+        {.tidalVolume_ml = right_ml + left_ml, .right_ml = right_ml, .left_ml = left_ml});
+    QCOMPARE(whole.tidalVolume_ml, qRound(right_ml + left_ml));
+    QCOMPARE(whole.right_ml + whole.left_ml, whole.tidalVolume_ml);
+    QTEST(whole.right_ml, "wholeRight_ml");
+    QTEST(whole.left_ml, "wholeLeft_ml");
 }
 
 void TestBreathTrace::tellsOfNoBreathInApnoea()

@@ -5,6 +5,9 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
+#include <cmath>
+#include <numbers>
+
 namespace carina::participants_model_test
 {
 
@@ -20,6 +23,9 @@ private Q_SLOTS:
     void saysWhoIsAtWork();
     void namesItsColumns();
     void marksWhoSeesTheSame();
+    void takesTheTrackersErrorForNoDifference();
+    void takesAHandForNoDifference_data();
+    void takesAHandForNoDifference();
     void saysWhetherSomebodyIsThere_data();
     void saysWhetherSomebodyIsThere();
     void saysWhoMayNotTakePart();
@@ -277,28 +283,76 @@ void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
     QCOMPARE(table.model.oldestSample_ms(), std::optional{700.0});
 }
 
-// A tube that moves at 100 mm/s is shown elsewhere by 4 mm after 40 ms: the delay explains that.
+// A tube that turns at 100 deg/s and moves at 200 mm/s is shown elsewhere by 4 degrees and 8 mm
+// after 40 ms: the delay explains that. Samples of a tracker at rest differ by 1 degree and 1 mm.
 void TestParticipantsModel::marksWhoSeesTheSame()
 {
     Table table;
     QCOMPARE(table.cell(kTraineeRow, Column::Same), kNoValue);
     table.node.pathReports.push_back(
         {.peer = FakeSessionNode::kTrainee, .meanDelay = milliseconds{40}});
-    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 3.5, 10.0, 100.0}};
+    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 8.9, 100.0, 200.0}};
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Delay), QStringLiteral("40 ms"));
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same"));
     const QString figures = table.cell(kTraineeRow, Column::Same, Qt::ToolTipRole);
-    for (const char* part : {"0.03°", "3.5 mm", "4.0 mm", "41 ms", "0.40°"})
+    for (const char* part : {"0.03°", "8.9 mm", "9.0 mm", "41 ms", "5.00°"})
         QVERIFY2(figures.contains(QString::fromUtf8(part)), qPrintable(figures));
-    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 4.5, 10.0, 100.0}};
+    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 9.1, 100.0, 200.0}};
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
     QCOMPARE(table.cell(kTraineeRow, Column::Same, Qt::AccessibleTextRole),
              QStringLiteral("Sees: differs"));
-    table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 0.4, 0.0, 0.0}};
+    table.node.reports = {{ObjectId{1}, milliseconds{41}, 5.1, 0.4, 100.0, 200.0}};
     table.deliver();
-    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same")); // nobody sees 0.4 mm
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
+}
+
+// What a tool at rest was off by in the demo, on one computer; the tracker measures no better.
+void TestParticipantsModel::takesTheTrackersErrorForNoDifference()
+{
+    Table table;
+    table.node.pathReports.push_back(
+        {.peer = FakeSessionNode::kTrainee, .meanDelay = microseconds{200}});
+    table.node.reports = {{ObjectId{1}, milliseconds{29}, 0.46, 0.2, 0.0, 0.0}};
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same"));
+    // An action is stated exactly: a view of it has no such excuse.
+    table.node.reports[0].limitDeg = 0.02;
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
+}
+
+void TestParticipantsModel::takesAHandForNoDifference_data()
+{
+    QTest::addColumn<milliseconds>("delay");
+    QTest::newRow("one computer") << milliseconds{0};
+    QTest::newRow("metro") << milliseconds{8};
+    QTest::newRow("wan") << milliseconds{40};
+}
+
+// A hand to and fro at 1.5 Hz, with 1 m/s^2 root mean square: the farthest that it gets from where
+// its motion of three frames and the delay before led, and twice that.
+void TestParticipantsModel::takesAHandForNoDifference()
+{
+    QFETCH(milliseconds, delay);
+    const double w = 2.0 * std::numbers::pi * 1.5;
+    const double amplitude_mm = 1000.0 * std::numbers::sqrt2 / (w * w);
+    const double age_s = 0.05 + 1e-3 * double(delay.count());
+    double farthest_mm = 0.0;
+    for (double t = 0.0; t < 1.0; t += 0.001) {
+        const double led = amplitude_mm * (std::cos(w * t) - w * age_s * std::sin(w * t));
+        farthest_mm =
+            std::max(farthest_mm, std::abs(amplitude_mm * std::cos(w * (t + age_s)) - led));
+    }
+    Table table;
+    table.node.pathReports.push_back({.peer = FakeSessionNode::kTrainee, .meanDelay = delay});
+    table.node.reports = {{ObjectId{1}, milliseconds{29}, 0.0, farthest_mm, 0.0, 0.0}};
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same"));
+    table.node.reports[0].driftMm = 2.0 * farthest_mm;
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
 }
 
 void TestParticipantsModel::forgetsTheObjectsOfWhoLeft()

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -253,6 +254,15 @@ private Q_SLOTS:
         QCOMPARE(curves, curvesToMeasure(settings.source));
     }
 
+    void drawsEveryStrategyLive()
+    {
+        const DriftSource source = liveDrift(allStrategies(), {});
+        QCOMPARE(source.byAction.size(), syncStrategies().size());
+        for (const SyncStrategy& strategy : syncStrategies())
+            for (const auto* drawn : {&source.byAction, &source.byParticipants, &source.byDelay})
+                QVERIFY(std::ranges::count(*drawn, strategy.name) == 1);
+    }
+
     void refusesWhatItDoesNotUnderstand_data()
     {
         QTest::addColumn<QString>("words");
@@ -264,6 +274,8 @@ private Q_SLOTS:
         row("an option there is not", "--out x --dead", "dead");
         row("seeds of a live session", "--out x --live --seeds 2", "--seeds");
         row("a warm-up of nothing", "--out x --warm-up-s 3", "--warm-up-s goes with --live");
+        row("a strategy of nothing", "--out x --strategy event", "--strategy goes with --live");
+        row("a strategy there is not", "--out x --live --strategy luck", "luck");
         row("too long a warm-up", "--out x --live --warm-up-s 301", "--warm-up-s");
         row("a word too many", "--out x yonder", "yonder");
         row("an option without its value", "--out x --seed", "--seed");

@@ -34,7 +34,7 @@ public:
           m_legs(participants + 1U, legs),
           m_offsets(participants + 1U)
     {
-        m_host = m_strategy->makeHost(participants, LocalTime{});
+        m_host = m_strategy->makeHost(starParticipants(participants), LocalTime{});
         for (std::uint16_t id = 1; id <= participants; ++id)
             m_participants.push_back(m_strategy->makeParticipant(
                 starSeat(ParticipantId{id}, participants), {}, LocalTime{}));

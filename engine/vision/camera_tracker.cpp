@@ -174,7 +174,7 @@ void CameraTracker::push(Tool& tool, std::optional<PoseSample> sample, SessionTi
         sample->time = exposed;
         sample->validity = Validity::Lost;
     }
-    tool.history.push(tool.filter.moving(*sample));
+    tool.history.push(*sample);
 }
 
 /// Until a session time, or until the clock is set. @returns the present time; nothing to end.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/tracking/delivery_thread.h"
-#include "engine/tracking/motion_filter.h"
 #include "engine/tracking/record/recorded_tracker.h"
 #include "engine/vision/marker_watch.h"
 #include "engine/vision/picture_source.h"
@@ -52,8 +51,7 @@ public:
 
 private:
     struct Tool {
-        MotionFilter filter;
-        PoseHistory history;
+        PoseHistory history{PoseHistory::Limits{.estimates = true}};
         std::optional<PoseSample> last; ///< X_TO, tracked
     };
 

@@ -37,6 +37,7 @@ PoseSample lostSince(const PoseSample& before, SessionTime t)
     PoseSample lost = before;
     lost.time = t;
     lost.motion.reset();
+    lost.covariance_O.reset();
     lost.validity = Validity::Lost;
     lost.how = before.time == t ? How::Exact : How::Predicted;
     return lost;
@@ -230,6 +231,7 @@ PoseSample PoseHistory::carriedOn(std::size_t index, SessionTime t,
     if (ahead == Duration::zero())
         return pose;
     pose.how = How::Predicted;
+    pose.covariance_O.reset();
     if (pose.motion)
         predict(pose, m_entries[index].filtered, ahead, treatment);
     if (ahead > m_limits.horizon) {

@@ -5,8 +5,12 @@ namespace carina
 
 std::optional<PoseError> predictedError(const TrackedTool& tool, const RigidTransform& X_TO)
 {
-    if (!tool.probe)
-        return std::nullopt;
+    if (!tool.probe) {
+        const auto newest = tool.history ? tool.history->newest() : std::nullopt;
+        return newest && newest->covariance_O
+                   ? std::optional{PoseError{.covariance_F = *newest->covariance_O}}
+                   : std::nullopt;
+    }
     const Vec3 d_O = X_TO.rotation().conjugate() * -X_TO.translation().stableNormalized();
     const Result<PoseError> error = poseError(*tool.probe, d_O, tool.noise);
     return error ? std::optional{*error} : std::nullopt;

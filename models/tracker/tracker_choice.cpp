@@ -53,9 +53,10 @@ Result<TrackerChoice> describedIn(const std::filesystem::path& file)
         .map([](TrackerDescription described) { return TrackerChoice{std::move(described)}; });
 }
 
-Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing)
+Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing,
+                                      const Progress& goesOn)
 {
-    return readAnyRecording(file).map([&](TrackerSequence sequence) {
+    return readAnyRecording(file, goesOn).map([&](TrackerSequence sequence) {
         return TrackerChoice{PlayedRecording{file, std::move(sequence), playing}};
     });
 }

@@ -64,15 +64,25 @@ bool StationTracking::takeChinMotion(ChinMotion motion)
 
 std::optional<PoseSample> StationTracking::at(ToolRole role, SessionTime t) const
 {
+    return inAnatomy(role, [t](const PoseHistory& history) { return history.at(t); });
+}
+
+std::optional<PoseSample> StationTracking::shownAt(ToolRole role, SessionTime t) const
+{
+    return inAnatomy(role, [t](const PoseHistory& history) { return history.shownAt(t); });
+}
+
+std::optional<PoseSample> StationTracking::inAnatomy(ToolRole role, const ReadPose& read) const
+{
     const PoseHistory* history = historyOf(role);
-    const auto X_TO = history ? history->at(t) : std::nullopt;
+    const auto X_TO = history ? read(*history) : std::nullopt;
     if (!X_TO)
         return std::nullopt;
     const Assumption assumption = assumed();
     const StationRegistration& registration = assumption.registration;
     PoseSample sample_A;
     if (const auto carries = carrier(assumption)) {
-        const auto X_TP = historyOf(carries->probe)->at(t);
+        const auto X_TP = read(*historyOf(carries->probe));
         if (!X_TP)
             return std::nullopt;
         sample_A = reframed(carries->X_PA.inverse(), seenFrom(*X_TP, *X_TO));

@@ -3,6 +3,7 @@
 #include "engine/geometry/rigid_transform.h"
 #include "engine/tracking/tracker.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -100,6 +101,9 @@ public:
     /// tool is lost while the probe that determines the pose of the manikin is lost.
     [[nodiscard]] std::optional<PoseSample> at(ToolRole role, SessionTime t) const;
 
+    /// The same as it is to be drawn, by PoseHistory::shownAt.
+    [[nodiscard]] std::optional<PoseSample> shownAt(ToolRole role, SessionTime t) const;
+
     /// The newest sample X_A<tool>, with its velocity for extrapolation.
     [[nodiscard]] std::optional<PoseSample> newest(ToolRole role) const;
 
@@ -115,6 +119,9 @@ private:
         RigidTransform X_PA;
     };
 
+    /// The pose of a tool in T.
+    using ReadPose = std::function<std::optional<PoseSample>(const PoseHistory&)>;
+    [[nodiscard]] std::optional<PoseSample> inAnatomy(ToolRole role, const ReadPose& read) const;
     [[nodiscard]] Assumption assumed() const;
     [[nodiscard]] std::optional<Carrier> carrier(const Assumption& assumption) const;
     [[nodiscard]] const PoseHistory* historyOf(ToolRole role) const;

@@ -1,7 +1,6 @@
 #include "engine/tracking/pose_history.h"
 
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/prediction.h"
 #include "engine/tracking/reframed.h"
 
 #include <algorithm>
@@ -46,6 +45,7 @@ PoseSample lostSince(const PoseSample& before, SessionTime t)
     PoseSample lost = before;
     lost.time = t;
     lost.motion.reset();
+    lost.covariance_O.reset();
     lost.validity = Validity::Lost;
     lost.how = before.time == t ? How::Exact : How::Predicted;
     return lost;
@@ -62,16 +62,15 @@ PoseSample between(const PoseSample& a, const PoseSample& b, SessionTime t)
             .how = How::Interpolated};
 }
 
-/// Moves a pose on by its motion.
-void predict(PoseSample& pose, double seconds)
+/// How far a pose that is shown is expected to be off, where the object is expected at X_FO after
+/// some seconds of a motion.
+PoseDeviation deviationOf(const RigidTransform& shown, const RigidTransform& X_FO,
+                          const ErrorGrowth& growth, double seconds)
 {
-    Motion& motion = *pose.motion;
-    pose.X_FO = movedOn(pose.X_FO, motion, seconds);
-    if (motion.growth)
-        pose.deviation =
-            PoseDeviation{metres(ErrorGrowth::rmsAfter(seconds, motion.growth->position)),
-                          radians(ErrorGrowth::rmsAfter(seconds, motion.growth->rotation))};
-    motion.growth.reset(); // it counts from the newest sample
+    return {metres(std::hypot(ErrorGrowth::rmsAfter(seconds, growth.position),
+                              (shown.translation() - X_FO.translation()).norm())),
+            radians(std::hypot(ErrorGrowth::rmsAfter(seconds, growth.rotation),
+                               angleBetween(shown.rotation(), X_FO.rotation()).si))};
 }
 
 } // namespace
@@ -91,8 +90,6 @@ std::optional<RigidTransform> PoseHistory::deviceFrame() const
 void PoseHistory::treat(const PoseTreatment& treatment)
 {
     const std::scoped_lock lock{m_mutex};
-    if (treatment.smooths && !m_treatment.smooths)
-        m_smoothing = {};
     m_treatment = treatment;
 }
 
@@ -101,76 +98,153 @@ bool PoseHistory::push(const PoseSample& measured)
     if (!isUsable(measured))
         return false;
     const std::scoped_lock lock{m_mutex};
-    const PoseSample raw = m_place ? placed(*m_place, measured) : measured;
-    const PoseSample sample = m_treatment.smooths ? m_smoothing.smoothed(raw) : raw;
-    const auto place = std::ranges::lower_bound(m_samples, sample.time, {}, &PoseSample::time);
-    if (place != m_samples.end() && place->time == sample.time) {
-        *place = sample;
+    const PoseSample sample = m_place ? placed(*m_place, measured) : measured;
+    const auto place = std::ranges::lower_bound(m_entries, sample.time, {}, timeOf);
+    const bool replaces = place != m_entries.end() && timeOf(*place) == sample.time;
+    const bool full = m_entries.size() >= m_limits.capacity;
+    if (full && !replaces && place == m_entries.begin())
+        return false;
+    const Entry entry = estimated(sample);
+    if (replaces) {
+        *place = entry;
         return true;
     }
-    const bool full = m_samples.size() >= m_limits.capacity;
-    if (full && place == m_samples.begin())
-        return false;
-    m_samples.insert(place, sample);
+    m_entries.insert(place, entry);
     if (full)
-        m_samples.pop_front();
+        m_entries.pop_front();
     return true;
+}
+
+PoseHistory::Entry PoseHistory::estimated(const PoseSample& sample)
+{
+    Entry entry{sample, ++m_added, sample.X_FO, m_smoothing.smoothed(sample).X_FO};
+    if (!m_limits.estimates || sample.motion)
+        return entry;
+    m_predictor.add(sample);
+    const bool isNewest = m_entries.empty() || timeOf(m_entries.back()) < sample.time;
+    if (const auto estimate = m_predictor.estimate();
+        estimate && isNewest && sample.validity != Validity::Lost) {
+        entry.filtered = estimate->X_FO;
+        entry.sample.motion = estimate->motion;
+    }
+    return entry;
 }
 
 std::optional<PoseSample> PoseHistory::at(SessionTime t) const
 {
     const std::scoped_lock lock{m_mutex};
-    const auto after = std::ranges::upper_bound(m_samples, t, {}, &PoseSample::time);
-    if (after == m_samples.begin())
+    return treated(t, {});
+}
+
+std::optional<PoseSample> PoseHistory::shownAt(SessionTime t) const
+{
+    const std::scoped_lock lock{m_mutex};
+    return treated(t, m_treatment);
+}
+
+std::optional<PoseSample> PoseHistory::treated(SessionTime t, const PoseTreatment& treatment) const
+{
+    const auto after = std::ranges::upper_bound(m_entries, t, {}, timeOf);
+    if (after == m_entries.begin())
         return std::nullopt;
-    const PoseSample& before = *std::prev(after);
-    const auto index = static_cast<std::size_t>(std::prev(after) - m_samples.begin());
+    const auto index = static_cast<std::size_t>(std::prev(after) - m_entries.begin());
+    const PoseSample before = measured(index, treatment);
     if (before.validity == Validity::Lost)
         return lostSince(before, t);
-    if (after == m_samples.end() || before.time == t)
-        return carriedOn(index, t);
-    if (after->validity == Validity::Lost || after->time - before.time > m_limits.longestGap)
+    if (after == m_entries.end() || before.time == t)
+        return carriedOn(index, t, treatment);
+    const PoseSample next = measured(index + 1, treatment);
+    if (next.validity == Validity::Lost || next.time - before.time > m_limits.longestGap)
         return lostSince(before, t);
-    return between(before, *after, t);
+    return between(before, next, t);
+}
+
+PredictionEffect PoseHistory::effect(Duration ahead, Duration within) const
+{
+    const std::scoped_lock lock{m_mutex};
+    PredictionEffect effect;
+    for (std::size_t i = m_entries.size(); i-- > 0;) {
+        const PoseSample& sample = m_entries[i].sample;
+        if (timeOf(m_entries.back()) - sample.time > within)
+            break;
+        if (sample.validity == Validity::Lost || !sample.motion)
+            continue;
+        const auto truth = treated(sample.time + ahead, {});
+        if (!truth || truth->how == How::Predicted)
+            continue;
+        effect.held.add(sample.X_FO, truth->X_FO);
+        effect.predicted.add(carriedOn(i, truth->time, {}).X_FO, truth->X_FO);
+    }
+    return {effect.held.root(), effect.predicted.root()};
 }
 
 std::optional<PoseSample> PoseHistory::newest() const
 {
     const std::scoped_lock lock{m_mutex};
-    if (m_samples.empty())
+    if (m_entries.empty())
         return std::nullopt;
-    return m_samples.back();
+    return m_entries.back().sample;
 }
 
-std::vector<PoseSample> PoseHistory::samples() const
+std::vector<PoseSample> PoseHistory::samples() const { return since(0).samples; }
+
+PoseHistory::Added PoseHistory::since(std::uint64_t cursor) const
 {
     const std::scoped_lock lock{m_mutex};
-    return {m_samples.begin(), m_samples.end()};
+    Added added{{}, m_added};
+    // The new ones are the last, except where one came late.
+    std::uint64_t missing = m_added - std::min(cursor, m_added);
+    for (auto entry = m_entries.rbegin(); entry != m_entries.rend() && missing > 0; ++entry) {
+        if (entry->number <= cursor)
+            continue;
+        added.samples.push_back(entry->sample);
+        --missing;
+    }
+    std::ranges::reverse(added.samples);
+    return added;
+}
+
+std::uint64_t PoseHistory::end() const
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_added;
 }
 
 void PoseHistory::clear()
 {
     const std::scoped_lock lock{m_mutex};
-    m_samples.clear();
+    m_entries.clear();
+    m_predictor = {};
+    m_smoothing = {};
+}
+
+/// The sample as it came, or smoothed.
+PoseSample PoseHistory::measured(std::size_t index, const PoseTreatment& treatment) const
+{
+    PoseSample sample = m_entries[index].sample;
+    if (treatment.smooths)
+        sample.X_FO = m_entries[index].smoothed;
+    return sample;
 }
 
 std::optional<Motion> PoseHistory::motionOf(std::size_t index) const
 {
-    const PoseSample& sample = m_samples[index];
+    const PoseSample& sample = m_entries[index].sample;
     if (sample.motion)
         return sample.motion;
     for (std::size_t i = index; i-- > 0;) {
-        if (sample.time - m_samples[i].time > m_limits.longestGap)
+        if (sample.time - timeOf(m_entries[i]) > m_limits.longestGap)
             return std::nullopt;
-        if (m_samples[i].validity != Validity::Lost)
-            return motionBetween(m_samples[i], sample);
+        if (m_entries[i].sample.validity != Validity::Lost)
+            return motionBetween(m_entries[i].sample, sample);
     }
     return std::nullopt;
 }
 
-PoseSample PoseHistory::carriedOn(std::size_t index, SessionTime t) const
+PoseSample PoseHistory::carriedOn(std::size_t index, SessionTime t,
+                                  const PoseTreatment& treatment) const
 {
-    PoseSample pose = m_samples[index];
+    PoseSample pose = measured(index, treatment);
     const Duration ahead = t - pose.time;
     pose.time = t;
     pose.how = How::Exact;
@@ -178,13 +252,30 @@ PoseSample PoseHistory::carriedOn(std::size_t index, SessionTime t) const
     if (ahead == Duration::zero())
         return pose;
     pose.how = How::Predicted;
-    if (pose.motion && m_treatment.predicts)
-        predict(pose, toSeconds(std::min(ahead, m_limits.horizon)));
+    pose.covariance_O.reset();
+    if (pose.motion)
+        predict(pose, m_entries[index].filtered, ahead, treatment);
     if (ahead > m_limits.horizon) {
         pose.validity = Validity::Lost;
         pose.motion.reset();
     }
     return pose;
+}
+
+/// Moves a measured pose on by its motion, of an object that was at X_FO.
+void PoseHistory::predict(PoseSample& pose, const RigidTransform& X_FO, Duration ahead,
+                          const PoseTreatment& treatment) const
+{
+    const Motion measured = *pose.motion;
+    if (treatment.predicts)
+        pose.X_FO = movedOn(treatment.smooths ? pose.X_FO : X_FO, *pose.motion,
+                            toSeconds(std::min(ahead, m_limits.horizon)));
+    if (measured.growth) {
+        Motion motion = measured;
+        const RigidTransform expected = movedOn(X_FO, motion, toSeconds(ahead));
+        pose.deviation = deviationOf(pose.X_FO, expected, *measured.growth, toSeconds(ahead));
+    }
+    pose.motion->growth.reset(); // it counts from the newest sample
 }
 
 } // namespace carina

@@ -2,6 +2,7 @@
 
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
+#include "engine/geometry/fit/motion_covariance.h"
 #include "engine/geometry/rigid_transform.h"
 
 #include <algorithm>
@@ -65,6 +66,8 @@ struct PoseSample {
     double error = 0.0; ///< RMS fit error of the device, metres
     How how = How::Exact;
     std::optional<PoseDeviation> deviation{}; ///< of a predicted pose, where it is known
+    /// Of a measured pose, as a small motion of the points of O (Mat6), where its tracker tells it.
+    std::optional<Mat6> covariance_O{};
 };
 
 inline double ErrorGrowth::rmsAfter(double dt, const Polynomial& variance)

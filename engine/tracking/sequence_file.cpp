@@ -102,7 +102,10 @@ Result<void> SequenceReader::takeFrameField(std::string_view key, std::string_vi
         m_frameTime = value;
     } else if (name.ends_with(kTransformSuffix)) {
         name.remove_suffix(kTransformSuffix.size());
-        m_frameTools[toolIndex(std::string{name})].transform = value;
+        std::string& transform = m_frameTools[toolIndex(std::string{name})].transform;
+        if (!transform.empty())
+            return badFrame(Errc::FileMalformed, "it has two transforms of " + std::string{name});
+        transform = value;
     } else if (name.ends_with(kStatusSuffix)) {
         name.remove_suffix(kStatusSuffix.size());
         m_frameTools[toolIndex(std::string{name})].status = value;

@@ -1,14 +1,12 @@
 #pragma once
 
 #include "engine/tracking/delivery_thread.h"
-#include "engine/tracking/motion_filter.h"
 #include "engine/tracking/record/recorded_tracker.h"
-#include "engine/tracking/stoppable_thread.h"
 #include "engine/vision/marker_watch.h"
 #include "engine/vision/picture_source.h"
 
-#include <deque>
-#include <mutex>
+#include <memory>
+#include <thread>
 
 namespace carina
 {
@@ -36,44 +34,31 @@ struct CameraTrackerSettings {
 /// pictures whose time has passed before they could be looked at are left out. A webcam that is not
 /// there, or goes away, is tried again every half second. A tool that is not seen keeps its last
 /// pose, marked as lost; one that was never seen has none.
+///
+/// A driver may keep the thread waiting for a picture for seconds, of a camera that was unplugged.
+/// stop() and the destructor do not wait for that: what comes then is thrown away, and the next
+/// start() waits on its own thread until the camera is free.
 class CameraTracker : public Tracker
 {
 public:
     /// @returns OutOfRange for a camera or a body that cannot be used (isUsable, checkBody).
     [[nodiscard]] static Result<std::unique_ptr<CameraTracker>> make(CameraTrackerSettings settings,
                                                                      ReadSessionClock clock);
-    ~CameraTracker() override { stop(); }
+    ~CameraTracker() override;
 
-    [[nodiscard]] Result<void> start() override { return m_thread.start(); }
-    void stop() override { m_thread.stop(); }
-    [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
+    [[nodiscard]] Result<void> start() override;
+    void stop() override;
+    [[nodiscard]] std::vector<TrackedTool> tools() const override;
     [[nodiscard]] std::string trouble() const override;
 
 private:
-    struct Tool {
-        MotionFilter filter;
-        PoseHistory history;
-        std::optional<PoseSample> last; ///< X_TO, tracked
-    };
+    class Watching;
 
     CameraTracker(CameraTrackerSettings settings, ReadSessionClock clock);
-    void run(const std::stop_token& stopping);
-    void play(PictureSource& source, const std::stop_token& stopping);
-    void watch(PictureSource& source, const std::stop_token& stopping);
-    void take(const GreyPicture& picture, Duration time, SessionTime exposed);
-    static void push(Tool& tool, std::optional<PoseSample> sample, SessionTime exposed);
-    [[nodiscard]] std::optional<SessionTime> wait(SessionTime until,
-                                                  const std::stop_token& stopping);
-    void say(std::string trouble);
 
-    CameraTrackerSettings m_settings;
-    ReadSessionClock m_clock;
-    MarkerWatch m_watch;
-    std::deque<Tool> m_tracked; // one for each of m_tools; a history cannot be moved
-    std::vector<TrackedTool> m_tools;
-    mutable std::mutex m_mutex;
-    std::string m_trouble;
-    StoppableThread m_thread; // last: ends before what it uses
+    /// Shared with the thread, which may still wait for a picture when the tracker has ended.
+    std::shared_ptr<Watching> m_watching;
+    std::jthread m_thread;
 };
 
 } // namespace carina

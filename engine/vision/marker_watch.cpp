@@ -117,6 +117,17 @@ ExpectedError expectedError(const FittedBody& pose)
                 std::sqrt(pointCovariance(pose.covariance_T, pose.X_TB.translation()).trace())};
 }
 
+/// The covariance as a small motion of the points of the body.
+Mat6 inBody(const FittedBody& pose)
+{
+    const Mat3 R_BT = pose.X_TB.rotation().conjugate().toRotationMatrix();
+    Mat6 toBody = Mat6::Zero();
+    toBody.topLeftCorner<3, 3>() = R_BT;
+    toBody.bottomLeftCorner<3, 3>() = -R_BT * crossMatrix(pose.X_TB.translation());
+    toBody.bottomRightCorner<3, 3>() = R_BT;
+    return toBody * pose.covariance_T * toBody.transpose();
+}
+
 std::optional<PoseSample> sampleOf(const BodySight& sight, double focal, SessionTime time)
 {
     if (!sight.pose || sight.isAmbiguous)
@@ -124,6 +135,7 @@ std::optional<PoseSample> sampleOf(const BodySight& sight, double focal, Session
     const FittedBody& pose = *sight.pose;
     PoseSample sample{.time = time, .X_FO = pose.X_TB};
     sample.error = pose.rms * pose.X_TB.translation().norm() / focal;
+    sample.covariance_O = inBody(pose);
     const ExpectedError expected = expectedError(pose);
     if (expected.rotation > kLargeRotation || expected.position > kLargePosition) {
         sample.validity = Validity::PartlyOccluded;

@@ -65,9 +65,12 @@ private:
     std::vector<std::optional<Known>> m_known; // of each body, the last pose that was sure
 };
 
-/// A body's pose as a sample of a tracker: tracked, or partly occluded where its expected error is
-/// large, above 1 degree or 3 mm (RMS). std::nullopt where it was not seen, and where it is
-/// ambiguous.
+/// The covariance of a body's pose as a small motion of the points of the body, see Mat6.
+[[nodiscard]] Mat6 inBody(const FittedBody& pose);
+
+/// A body's pose as a sample of a tracker, with its covariance: tracked, or partly occluded where
+/// its expected error is large, above 1 degree or 3 mm (RMS). std::nullopt where it was not seen,
+/// and where it is ambiguous.
 /// @param focal of the camera, pixels: the fit error is that of the corners at their distance
 [[nodiscard]] std::optional<PoseSample> sampleOf(const BodySight& sight, double focal,
                                                  SessionTime time);

@@ -38,7 +38,7 @@ ObjectPoses posesOf(const StationTracking& tracking)
 {
     return {.at = [&tracking](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {
                 const auto tool = toolOf(kind);
-                return tool ? tracking.at(*tool, t) : std::nullopt;
+                return tool ? tracking.shownAt(*tool, t) : std::nullopt;
             },
             .newest = [&tracking](ObjectKind kind) -> std::optional<SessionTime> {
                 const auto tool = toolOf(kind);

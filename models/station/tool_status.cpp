@@ -1,7 +1,6 @@
 #include "models/station/tool_status.h"
 
 #include "engine/tracking/markers/tool_error.h"
-#include "engine/tracking/prediction.h"
 
 #include <QCoreApplication>
 
@@ -107,10 +106,7 @@ void addExpected(ToolStatus& status, const TrackedTool& tool,
     if (const auto ahead = tool.history->at(samples.back().time + kPredictedAhead);
         ahead && ahead->deviation)
         status.deviation_mm = inMillimetres(ahead->deviation->position);
-    const auto lately = std::ranges::find_if(samples, [&](const PoseSample& sample) {
-        return samples.back().time - sample.time <= kEffectWindow;
-    });
-    const PredictionEffect effect = predictionEffect({lately, samples.end()}, kPredictedAhead);
+    const PredictionEffect effect = tool.history->effect(kPredictedAhead, kEffectWindow);
     if (effect.predicted.poses == 0)
         return;
     status.predicted_mm = inMillimetres(metres(effect.predicted.position));

@@ -1,5 +1,6 @@
 #include "models/tracker/camera_calibration.h"
 
+#include "engine/core/ended_threads.h"
 #include "engine/core/expects.h"
 #include "engine/io/files/unused_name.h"
 #include "engine/io/site/devices/camera_file.h"
@@ -36,41 +37,61 @@ std::optional<CameraToCalibrate> cameraOf(const TrackerChoice& choice)
         {described->camera.width, described->camera.height}};
 }
 
+CameraCalibration::CameraCalibration() : m_shared{std::make_shared<Shared>()}
+{
+    m_shared->owner = this;
+}
+
+CameraCalibration::~CameraCalibration()
+{
+    {
+        const std::lock_guard lock{m_shared->mutex};
+        m_shared->owner = nullptr;
+    }
+    joinLater(std::move(m_thread));
+}
+
 void CameraCalibration::begin(const CameraToCalibrate& camera, double square_mm)
 {
-    end();
+    m_thread.request_stop();
     const std::filesystem::path path{camera.place.toStdString()};
     const PicturePlace place{.kind = kindOfPlace(path),
                              .path = path,
                              .width = camera.size.width(),
                              .height = camera.size.height()};
     const CalibrationBoard board{.square = 1e-3 * square_mm};
-    tell({.state = State::Looking});
-    m_thread = std::jthread{
-        [this, place, board](const std::stop_token& stopping) { look(stopping, place, board); }};
+    tell(*m_shared, {.state = State::Looking}, {});
+    m_thread = std::jthread{[shared = m_shared, before = std::move(m_thread), place,
+                             board](const std::stop_token& stopping) mutable {
+        if (before.joinable())
+            before.join(); // which has the camera
+        look(stopping, *shared, place, board);
+    }};
 }
 
 void CameraCalibration::end()
 {
-    m_thread.request_stop();
-    if (m_thread.joinable())
-        m_thread.join();
+    {
+        // Nothing is told by the thread after this.
+        const std::lock_guard lock{m_shared->mutex};
+        m_thread.request_stop();
+    }
     Progress now = progress();
     if (now.state == State::Looking) {
         now.state = State::Ended;
-        tell(std::move(now));
+        tell(*m_shared, std::move(now), {});
     }
 }
 
-void CameraCalibration::look(const std::stop_token& stopping, const PicturePlace& place,
-                             const CalibrationBoard& board)
+void CameraCalibration::look(const std::stop_token& stopping, Shared& shared,
+                             const PicturePlace& place, const CalibrationBoard& board)
 {
     auto source = PictureSource::open(place);
     Progress now{.state = State::Looking};
     if (!source) {
         now.state = State::Silent;
         now.trouble = source.error().detail;
-        return tell(std::move(now));
+        return tell(shared, std::move(now), stopping);
     }
     BoardCalibration calibration{board};
     while (!stopping.stop_requested()) {
@@ -81,29 +102,30 @@ void CameraCalibration::look(const std::stop_token& stopping, const PicturePlace
             continue;
         now.coverage = calibration.coverage();
         now.fitted = calibration.fit();
-        tell(now);
+        tell(shared, now, stopping);
     }
-    const bool isGone = place.kind == PicturePlace::Kind::Camera && !stopping.stop_requested();
+    const bool isGone = place.kind == PicturePlace::Kind::Camera;
     now.state = isGone ? State::Silent : State::Ended;
     if (isGone)
         now.trouble = place.path.string();
-    tell(std::move(now));
+    tell(shared, std::move(now), stopping);
 }
 
-void CameraCalibration::tell(Progress progress)
+/// Unless the thread with this token was asked to stop.
+void CameraCalibration::tell(Shared& shared, Progress progress, const std::stop_token& stopping)
 {
-    {
-        const std::lock_guard lock{m_mutex};
-        m_progress = std::move(progress);
-    }
+    const std::lock_guard lock{shared.mutex};
+    if (stopping.stop_requested() || shared.owner == nullptr)
+        return;
+    shared.progress = std::move(progress);
     QMetaObject::invokeMethod(
-        this, [this] { Q_EMIT changed(); }, Qt::QueuedConnection);
+        shared.owner, [owner = shared.owner] { Q_EMIT owner->changed(); }, Qt::QueuedConnection);
 }
 
 CameraCalibration::Progress CameraCalibration::progress() const
 {
-    const std::lock_guard lock{m_mutex};
-    return m_progress;
+    const std::lock_guard lock{m_shared->mutex};
+    return m_shared->progress;
 }
 
 BoardCoverage CameraCalibration::coverage() const { return progress().coverage; }

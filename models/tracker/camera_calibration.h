@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QSize>
 
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -31,12 +32,12 @@ class CameraCalibration : public QObject
     Q_OBJECT
 
 public:
-    CameraCalibration() = default;
-    ~CameraCalibration() override { end(); }
+    CameraCalibration();
+    ~CameraCalibration() override;
 
     /// Begins anew. @param square_mm side of a square of the board, as measured on the print
     void begin(const CameraToCalibrate& camera, double square_mm);
-    /// Frees the camera; what was found is kept.
+    /// Frees the camera, as soon as its driver lets go; what was found is kept.
     void end();
 
     /// Corners seen in each ninth of the picture, row by row.
@@ -68,14 +69,20 @@ private:
         std::string trouble{};
     };
 
-    void look(const std::stop_token& stopping, const PicturePlace& place,
-              const CalibrationBoard& board);
-    void tell(Progress progress);
+    /// What is shared with the thread, which may still wait for a picture when this has ended.
+    struct Shared {
+        std::mutex mutex;
+        Progress progress;
+        CameraCalibration* owner = nullptr; ///< null once that has ended
+    };
+
+    static void look(const std::stop_token& stopping, Shared& shared, const PicturePlace& place,
+                     const CalibrationBoard& board);
+    static void tell(Shared& shared, Progress progress, const std::stop_token& stopping);
     [[nodiscard]] Progress progress() const;
     [[nodiscard]] static QString faultText(CalibrationFault fault);
 
-    mutable std::mutex m_mutex;
-    Progress m_progress;
+    std::shared_ptr<Shared> m_shared;
     std::jthread m_thread;
 };
 

@@ -1,5 +1,6 @@
 #include "models/tracker/pose_recording.h"
 
+#include "engine/core/expects.h"
 #include "engine/io/files/unused_name.h"
 #include "engine/net/devices/any_recording.h"
 
@@ -8,11 +9,18 @@
 namespace carina
 {
 
-PoseRecording::PoseRecording(ReadSessionClock clock) : m_clock{std::move(clock)} {}
+constexpr double kReadingShare = 0.7; ///< of the writing in another form: the record is read first
+
+PoseRecording::PoseRecording(ReadSessionClock clock) : m_clock{std::move(clock)}
+{
+    connect(&m_writing, &BackgroundWork::progressed, this, &PoseRecording::changed);
+    connect(&m_writing, &BackgroundWork::finished, this, &PoseRecording::changed);
+}
 
 PoseRecording::~PoseRecording()
 {
-    static_cast<void>(end()); // the record itself is written, whatever becomes of another form
+    end();
+    m_writing.wait();
 }
 
 void PoseRecording::follow(std::vector<TrackedTool> tools, std::shared_ptr<const void> owner)
@@ -26,6 +34,8 @@ void PoseRecording::follow(std::vector<TrackedTool> tools, std::shared_ptr<const
 
 Result<void> PoseRecording::begin(const QString& file)
 {
+    CARINA_EXPECTS(!isBeingWritten());
+    m_problem.reset();
     const std::filesystem::path asked = file.toStdString();
     if (!canWriteRecording(asked))
         return fail(Errc::UnknownFormat, asked.string());
@@ -42,25 +52,46 @@ Result<void> PoseRecording::begin(const QString& file)
     return {};
 }
 
-Result<void> PoseRecording::end()
+void PoseRecording::end()
 {
     if (!m_recorder)
-        return {};
+        return;
     const std::filesystem::path record = m_recorder->file();
     m_recorder.reset(); // which writes the rest
+    if (record != m_file)
+        m_writing.start([this, record, file = m_file](const Progress& goesOn) {
+            if (const auto written = write(record, file, goesOn); !written)
+                m_problem = written.error();
+        });
     Q_EMIT changed();
-    if (record == m_file)
-        return {};
-    const auto sequence = readAnyRecording(record);
+}
+
+/// Writes a record in another form.
+Result<void> PoseRecording::write(const std::filesystem::path& record,
+                                  const std::filesystem::path& file, const Progress& goesOn)
+{
+    const auto sequence =
+        readAnyRecording(record, [&goesOn](double share) { return goesOn(kReadingShare * share); });
     if (sequence)
-        return writeAnyRecording(m_file, *sequence);
+        return writeAnyRecording(file, *sequence, [&goesOn](double share) {
+            return goesOn(kReadingShare + (1.0 - kReadingShare) * share);
+        });
     if (sequence.error().code == Errc::FileEmpty)
         return {}; // there was nothing to record
     return tl::unexpected(sequence.error());
 }
 
+QString PoseRecording::writingText() const
+{
+    return tr("Writing %1: %2 %")
+        .arg(QFileInfo{QString::fromStdString(m_file.string())}.fileName())
+        .arg(m_writing.percent());
+}
+
 QString PoseRecording::text() const
 {
+    if (isBeingWritten())
+        return writingText();
     if (!m_recorder)
         return {};
     const QString name = QFileInfo{QString::fromStdString(m_recorder->file().string())}.fileName();

@@ -124,9 +124,10 @@ Result<std::optional<TrackerChoice>> trackerOfSite(const std::filesystem::path& 
         });
 }
 
-Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing)
+Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing,
+                                      const Progress& goesOn)
 {
-    return readAnyRecording(file).map([&](TrackerSequence sequence) {
+    return readAnyRecording(file, goesOn).map([&](TrackerSequence sequence) {
         return TrackerChoice{PlayedRecording{file, std::move(sequence), playing}};
     });
 }

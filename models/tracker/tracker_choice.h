@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/progress.h"
 #include "engine/io/site/devices/site_devices.h"
 #include "engine/tracking/record/recorded_tracker.h"
 #include "engine/tracking/simulated/simulated_tracker.h"
@@ -59,8 +60,9 @@ struct TrackerChoice {
 /// @returns the errors of readSiteFile and of readSiteDevices.
 [[nodiscard]] Result<std::optional<TrackerChoice>> trackerOfSite(const std::filesystem::path& site);
 
-/// The recording in a file. @returns the errors of reading it.
-[[nodiscard]] Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing);
+/// The recording in a file. @returns the errors of reading it; Cancelled.
+[[nodiscard]] Result<TrackerChoice> recordedTracker(const std::string& file, Playing playing,
+                                                    const Progress& goesOn = {});
 
 /// As it is shown, and as a site names the tracker that it was registered with: "Simulated
 /// tracker", "Recording of FILE", "NDI tracker at /dev/ttyUSB0", "Markers before the camera

@@ -170,7 +170,7 @@ std::optional<QString> whatIsMissing(const TrackerForm& form)
     return TrackerFormWords::missing(form);
 }
 
-Result<TrackerChoice> choiceOf(const TrackerForm& form)
+Result<TrackerChoice> choiceOf(const TrackerForm& form, const Progress& goesOn)
 {
     const auto asChoice = [](TrackerDescription described) {
         return TrackerChoice{std::move(described)};
@@ -184,7 +184,7 @@ Result<TrackerChoice> choiceOf(const TrackerForm& form)
         return TrackerChoice{describedServer(form)};
     case TrackerSource::Recording:
         return recordedTracker(form.recording.trimmed().toStdString(),
-                               form.isLooped ? Playing::Looped : Playing::Once);
+                               form.isLooped ? Playing::Looped : Playing::Once, goesOn);
     case TrackerSource::Description:
         return describedIn(form.description.trimmed().toStdString());
     }

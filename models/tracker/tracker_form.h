@@ -81,9 +81,9 @@ struct OfferedAddress {
 /// What a person has to correct, as a sentence; std::nullopt if nothing is missing.
 [[nodiscard]] std::optional<QString> whatIsMissing(const TrackerForm& form);
 
-/// The tracker that a form names.
+/// The tracker that a form names. A recording takes long.
 /// @pre nothing is missing.
-/// @returns the errors of reading its files.
-[[nodiscard]] Result<TrackerChoice> choiceOf(const TrackerForm& form);
+/// @returns the errors of reading its files; Cancelled.
+[[nodiscard]] Result<TrackerChoice> choiceOf(const TrackerForm& form, const Progress& goesOn = {});
 
 } // namespace carina

@@ -35,8 +35,10 @@ RecordButton::RecordButton(PoseRecording& recording, QWidget* parent)
 
 void RecordButton::press()
 {
+    if (m_recording.isBeingWritten())
+        return m_recording.cancel();
     if (m_recording.isUnderWay())
-        return end();
+        return m_recording.end();
     const QString file = QFileDialog::getSaveFileName(
         this, tr("Record the poses of the tracker's tools"), QStringLiteral("poses.csv"),
         tr("Carina's record (*.csv);;Sequence of Plus and 3D Slicer (*.igs.mha);;"
@@ -52,19 +54,16 @@ void RecordButton::beginTo(const QString& file)
     refresh();
 }
 
-void RecordButton::end()
-{
-    const auto ended = m_recording.end();
-    m_problem = ended ? QString{} : errorText(ended.error());
-    refresh();
-}
-
 void RecordButton::refresh()
 {
-    m_button->setText(m_recording.isUnderWay() ? tr("End the r&ecording")
-                                               : tr("R&ecord the poses…"));
-    m_button->setEnabled(m_recording.isUnderWay() || m_recording.hasTools());
-    m_text->setText(m_problem.isEmpty() ? m_recording.text() : m_problem);
+    const bool isWriting = m_recording.isBeingWritten();
+    m_button->setText(isWriting                  ? tr("&Cancel the writing")
+                      : m_recording.isUnderWay() ? tr("End the r&ecording")
+                                                 : tr("R&ecord the poses…"));
+    m_button->setEnabled(isWriting || m_recording.isUnderWay() || m_recording.hasTools());
+    if (isWriting || m_recording.isUnderWay() || !m_problem.isEmpty())
+        return m_text->setText(m_problem.isEmpty() ? m_recording.text() : m_problem);
+    m_text->setText(m_recording.problem() ? errorText(*m_recording.problem()) : QString{});
 }
 
 } // namespace carina

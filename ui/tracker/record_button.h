@@ -10,8 +10,8 @@ class QPushButton;
 namespace carina
 {
 
-/// A button that begins and ends a recording of the tracker's poses, and beside it what is being
-/// recorded.
+/// A button that begins and ends a recording of the tracker's poses, and cancels the writing of it
+/// in another form; and beside it what is being recorded or written.
 class RecordButton : public QWidget
 {
     Q_OBJECT
@@ -24,7 +24,6 @@ public:
 
     /// Begins a recording to this file. What goes wrong is said beside the button.
     void beginTo(const QString& file);
-    void end();
 
 private:
     void press();

@@ -18,6 +18,8 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace carina
 {
 namespace
@@ -218,6 +220,8 @@ void TrackerDialog::connectFields()
     connect(m_try, &QPushButton::clicked, this, &TrackerDialog::tryIt);
     connect(m_calibrate, &QPushButton::clicked, this, &TrackerDialog::calibrate);
     connect(&m_trial, &TrackerTrial::changed, this, &TrackerDialog::refresh);
+    connect(&m_reading, &BackgroundWork::progressed, this, &TrackerDialog::refresh);
+    connect(&m_reading, &BackgroundWork::finished, this, &TrackerDialog::takeRead);
 }
 
 TrackerForm TrackerDialog::form() const
@@ -240,6 +244,7 @@ TrackerForm TrackerDialog::form() const
 void TrackerDialog::edited()
 {
     m_trial.end();
+    m_reading.cancel();
     refresh();
 }
 
@@ -271,22 +276,34 @@ void TrackerDialog::calibrate()
 
 void TrackerDialog::accept()
 {
-    if (whatIsMissing(form()))
+    if (whatIsMissing(form()) || m_reading.isUnderWay())
         return;
     m_trial.end();
     m_server->endTrial();
-    auto chosen = choiceOf(form());
-    if (!chosen)
-        return m_missing->setText(errorText(chosen.error()));
-    m_choice = *std::move(chosen);
+    m_reading.start(
+        [this, chosen = form()](const Progress& goesOn) { m_read = choiceOf(chosen, goesOn); });
+    refresh();
+}
+
+void TrackerDialog::takeRead()
+{
+    refresh();
+    auto read = std::exchange(m_read, std::nullopt);
+    if (form() != m_asked)
+        return; // a field was changed meanwhile
+    if (!*read)
+        return m_missing->setText(errorText(read->error()));
+    m_choice = **std::move(read);
     QDialog::accept();
 }
 
 void TrackerDialog::refresh()
 {
     const auto missing = whatIsMissing(form());
-    m_missing->setText(missing.value_or(QString{}));
-    m_use->setEnabled(!missing);
+    const bool isReading = m_reading.isUnderWay();
+    m_missing->setText(isReading ? tr("Reading: %1 %").arg(m_reading.percent())
+                                 : missing.value_or(QString{}));
+    m_use->setEnabled(!missing && !isReading);
     m_try->setEnabled(!missing);
     m_calibrate->setEnabled(!missing);
     m_found->setText(m_trial.text());

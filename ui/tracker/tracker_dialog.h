@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/tracker/background_work.h"
 #include "models/tracker/tracker_form.h"
 #include "models/tracker/tracker_trial.h"
 
@@ -37,7 +38,8 @@ public:
     /// What was chosen. @pre the dialog was accepted.
     [[nodiscard]] const TrackerChoice& choice() const { return *m_choice; }
 
-    /// Takes the choice, if its files can be read; else it says why not.
+    /// Takes the choice, if its files can be read; else it says why not. Meanwhile it tells how far
+    /// it is, and reading ends where a field is changed or the window closed.
     void accept() override;
 
 private:
@@ -54,6 +56,7 @@ private:
     void calibrate();
     void edited();
     void refresh();
+    void takeRead();
 
     TrackerTrial m_trial;
     std::optional<TrackerChoice> m_choice;
@@ -72,6 +75,9 @@ private:
     QPushButton* m_calibrate;
     QLabel* m_missing;
     QPushButton* m_use;
+    TrackerForm m_asked;                         ///< whose files are read
+    std::optional<Result<TrackerChoice>> m_read; ///< set by the thread that reads
+    BackgroundWork m_reading;                    ///< last: ends before what it uses
 };
 
 } // namespace carina

@@ -37,6 +37,19 @@ enum ToolColumn {
 
 QString none() { return QStringLiteral("–"); }
 
+/// How good its predicted poses were, and are expected to be.
+QString aheadText(const ToolStatus& tool)
+{
+    if (!tool.predicted_mm || !tool.held_mm)
+        return none();
+    const QString were = TrackerPanel::tr("%1 (%2)")
+                             .arg(*tool.predicted_mm, 0, 'f', 1)
+                             .arg(*tool.held_mm, 0, 'f', 1);
+    return tool.deviation_mm
+               ? TrackerPanel::tr("%1 ± %2").arg(were).arg(*tool.deviation_mm, 0, 'f', 1)
+               : were;
+}
+
 } // namespace
 
 TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
@@ -68,7 +81,8 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
     m_table->horizontalHeaderItem(kToolAhead)
         ->setToolTip(
             shownAsIs(tr("How far poses predicted by %1 ms were off in the last seconds (RMS); in "
-                         "brackets, how far without prediction")
+                         "brackets, how far without prediction; after ±, how far they are expected "
+                         "to be off now, by the tool's motion")
                           .arg(kPredictedAhead / std::chrono::milliseconds{1})));
     m_table->horizontalHeaderItem(kToolEdge)->setToolTip(
         tr("How far inside the working volume the tool is; below 0 it is outside"));
@@ -186,15 +200,7 @@ void TrackerPanel::show(const std::vector<ToolStatus>& tools)
                                                   .arg(*tool.expected_mm, 0, 'f', 2)
                                                   .arg(tool.expected_deg.value_or(0.0), 0, 'f', 2)
                                             : none());
-        put(kToolAhead,
-            tool.predicted_mm && tool.held_mm
-                ? tr("%1 (%2)").arg(*tool.predicted_mm, 0, 'f', 1).arg(*tool.held_mm, 0, 'f', 1)
-                : none());
-        m_table->item(row, kToolAhead)
-            ->setToolTip(shownAsIs(tool.deviation_mm
-                                       ? tr("Expected now, by the tool's motion: %1 mm (RMS)")
-                                             .arg(*tool.deviation_mm, 0, 'f', 1)
-                                       : QString{}));
+        put(kToolAhead, aheadText(tool));
         put(kToolEdge, volume && tool.isVisible && tool.p_T
                            ? QString::number(qRound(1e3 * volume->insideBy(*tool.p_T)))
                            : none());

@@ -43,7 +43,7 @@ Result<std::vector<PoseSample>> samplesAsStamped(const QString& file,
         return fail(Errc::FileUnreadable, file.toStdString());
     QByteArray line;
     do
-        line = text.readLine().trimmed();
+        line = text.readLine().simplified(); // words are also apart by tabs
     while (!text.atEnd() && (line.isEmpty() || line.startsWith('#')));
     const double first_s = line.left(line.indexOf(' ')).toDouble();
     if (!origin_s)

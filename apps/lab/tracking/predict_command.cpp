@@ -18,10 +18,6 @@ constexpr Key kSchema{"schema", "carina.predict/1"};
 constexpr Key kRecording{"recording", "FILE as given"};
 constexpr Key kSamples{"samples", "poses of the recording"};
 constexpr Key kDuration{"duration_s", "from the first to the last"};
-constexpr Key kPositionJerk{"position_jerk_m_s2.5",
-                            "fixed on the first half: jerk that the filter assumes, root of its "
-                            "spectral density"};
-constexpr Key kRotationJerk{"rotation_jerk_deg_s2.5", "the same for the rotation"};
 constexpr Key kAhead40{"ahead_40ms", "scored on the second half, for a pose predicted by 40 ms:"};
 constexpr Key kPoses{"poses", "that were predicted", 1};
 constexpr Key kHeldPosition{"hold_position_mm",
@@ -35,36 +31,37 @@ constexpr Key kLineRotation{"line_rotation_ratio_to_hold", "the same for the rot
 constexpr Key kSmoothedPosition{"smoothed_position_ratio_to_hold",
                                 "error of the newest pose after a 1-Euro filter, which lags behind",
                                 1};
-constexpr Key kExpectedPosition{"expected_position_ratio_to_error",
-                                "the error that the filter expects, in shares of its error", 1};
+constexpr Key kExpectedPosition{
+    "expected_position_ratio_to_error",
+    "the error that is expected of each pose, in shares of the one found", 1};
 constexpr Key kExpectedRotation{"expected_rotation_ratio_to_error", "the same for the rotation", 1};
 constexpr Key kAhead80{"ahead_80ms", "the same keys, for 80 ms"};
 constexpr Key kPosition40{"position_ratio_to_hold_40ms",
-                          "error of the filter at 40 ms, in shares of the error of holding"};
+                          "error of the poses that are drawn, predicted by 40 ms, in shares "
+                          "of the error of holding"};
 constexpr Key kRotation40{"rotation_ratio_to_hold_40ms", "the same for the rotation"};
 constexpr Key kPosition80{"position_ratio_to_hold_80ms", "the same at 80 ms"};
 constexpr Key kRotation80{"rotation_ratio_to_hold_80ms", "the same for the rotation"};
 } // namespace predict_key
 
 constexpr std::size_t kFewestSamples = 100;
-constexpr Duration kFittedFor = 60ms; // between the two that are scored
 
 /// The errors of all predictors for one time ahead, on the second half.
 struct Scores {
     PredictionError hold;
     PredictionError line;
     PredictionError smoothed;
-    PredictionScore filter;
+    PredictionScore shown;
 };
 
-Scores scoresOf(std::span<const PoseSample> samples, Duration ahead,
-                const MotionFilter::Noise& noise)
+Scores scoresOf(std::span<const PoseSample> samples, Duration ahead)
 {
-    const auto scoreOf = [&](Predictor predictor, bool smooths = false) {
-        return predictionScore(samples, samples.size() / 2, ahead, predictor, noise, smooths);
+    const auto scoreOf = [&](Predictor predictor, const PoseTreatment& treatment = {}) {
+        return predictionScore(samples, samples.size() / 2, ahead, predictor, treatment);
     };
-    return {scoreOf(Predictor::Hold).error, scoreOf(Predictor::Line).error,
-            scoreOf(Predictor::Hold, true).error, scoreOf(Predictor::Filter)};
+    return {scoreOf(Predictor::History, {.predicts = false}).error, scoreOf(Predictor::Line).error,
+            scoreOf(Predictor::History, {.predicts = false, .smooths = true}).error,
+            scoreOf(Predictor::History)};
 }
 
 QJsonObject baselinesOf(const Scores& scores)
@@ -76,9 +73,9 @@ QJsonObject baselinesOf(const Scores& scores)
             {predict_key::kLineRotation, scores.line.rotation / scores.hold.rotation},
             {predict_key::kSmoothedPosition, scores.smoothed.position / scores.hold.position},
             {predict_key::kExpectedPosition,
-             scores.filter.expectedPosition / scores.filter.error.position},
+             scores.shown.expectedPosition / scores.shown.error.position},
             {predict_key::kExpectedRotation,
-             scores.filter.expectedRotation / scores.filter.error.rotation}};
+             scores.shown.expectedRotation / scores.shown.error.rotation}};
 }
 
 Result<QJsonObject> predict(const Words& words)
@@ -95,10 +92,8 @@ Result<QJsonObject> predict(const Words& words)
     if (samples->size() < kFewestSamples)
         return words.refuse(
             QStringLiteral("needs a recording of at least %1 poses.").arg(kFewestSamples));
-    const MotionFilter::Noise noise =
-        bestNoise(std::span{*samples}.first(samples->size() / 2), kFittedFor);
-    const Scores at40 = scoresOf(*samples, 40ms, noise);
-    const Scores at80 = scoresOf(*samples, 80ms, noise);
+    const Scores at40 = scoresOf(*samples, 40ms);
+    const Scores at80 = scoresOf(*samples, 80ms);
     if (!(at80.hold.position > 0.0 && at80.hold.rotation > 0.0))
         return words.refuse(QStringLiteral("needs a recording that moves and turns."));
     return QJsonObject{
@@ -106,14 +101,12 @@ Result<QJsonObject> predict(const Words& words)
         {predict_key::kRecording, file},
         {predict_key::kSamples, qint64(samples->size())},
         {predict_key::kDuration, toSeconds(samples->back().time - samples->front().time)},
-        {predict_key::kPositionJerk, noise.position.jerk},
-        {predict_key::kRotationJerk, inDegrees(radians(noise.rotation.jerk))},
         {predict_key::kAhead40, baselinesOf(at40)},
         {predict_key::kAhead80, baselinesOf(at80)},
-        {predict_key::kPosition40, at40.filter.error.position / at40.hold.position},
-        {predict_key::kRotation40, at40.filter.error.rotation / at40.hold.rotation},
-        {predict_key::kPosition80, at80.filter.error.position / at80.hold.position},
-        {predict_key::kRotation80, at80.filter.error.rotation / at80.hold.rotation}};
+        {predict_key::kPosition40, at40.shown.error.position / at40.hold.position},
+        {predict_key::kRotation40, at40.shown.error.rotation / at40.hold.rotation},
+        {predict_key::kPosition80, at80.shown.error.position / at80.hold.position},
+        {predict_key::kRotation80, at80.shown.error.rotation / at80.hold.rotation}};
 }
 
 } // namespace
@@ -126,12 +119,11 @@ Command predictCommand()
         .summary = "how well recorded poses are predicted",
         .uses = {{.lines = {"FILE"},
                   .text = "Predicts the poses of a recorded trajectory (TUM text: seconds x y z qx "
-                          "qy qz qw) by 40 and 80 ms with the filter that gives tools and heads "
-                          "their velocity. Its parameters are fixed on the first half of the "
-                          "recording and scored on the second.",
+                          "qy qz qw) by 40 and 80 ms as the programs do that draw them. What the "
+                          "predictor has to learn of the noise it learns on the way; scored is the "
+                          "second half.",
                   .schema = predict_key::kSchema,
                   .keys = {predict_key::kRecording, predict_key::kSamples, predict_key::kDuration,
-                           predict_key::kPositionJerk, predict_key::kRotationJerk,
                            predict_key::kAhead40, predict_key::kPoses, predict_key::kHeldPosition,
                            predict_key::kHeldRotation, predict_key::kLinePosition,
                            predict_key::kLineRotation, predict_key::kSmoothedPosition,

@@ -1,11 +1,9 @@
 #include "apps/lab/tracking/prediction_score.h"
 
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/one_euro_filter.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,9 +13,6 @@ namespace
 {
 
 constexpr std::size_t kLineSamples = 6;
-constexpr int kPowers = 8; // of two, up and down
-constexpr std::size_t kSettlingSamples = 60;
-constexpr double kLeastScale = 1e-3; // of the noise: a motion may be predicted exactly
 
 /// Extrapolates the line of least squares through `values` at `times`, seconds from the last.
 Vec3 onLine(std::span<const double> times, std::span<const Vec3> values, double ahead)
@@ -53,52 +48,37 @@ RigidTransform lineAhead(std::span<const PoseSample> last, double ahead)
             onLine(times, places, ahead)};
 }
 
-RigidTransform ahead(std::span<const PoseSample> seen, const MotionFilter& filter, Duration time,
-                     Predictor predictor)
+RigidTransform linePose(std::span<const PoseSample> seen, double ahead)
 {
-    if (predictor == Predictor::Filter && filter.motion())
-        return filter.predicted(seen.back().time + time);
-    if (predictor == Predictor::Line && seen.size() >= kLineSamples)
-        return lineAhead(seen.last(kLineSamples), toSeconds(time));
-    return seen.back().X_FO;
-}
-
-/// All deviations of a filter times a factor, which changes what it expects and not what it
-/// predicts.
-AccelerationFilter::Noise scaled(const AccelerationFilter::Noise& noise, double by)
-{
-    const double factor = std::max(kLeastScale, by);
-    return {.measurement = factor * noise.measurement,
-            .jerk = factor * noise.jerk,
-            .rate = factor * noise.rate,
-            .acceleration = factor * noise.acceleration};
+    return seen.size() >= kLineSamples ? lineAhead(seen.last(kLineSamples), ahead)
+                                       : seen.back().X_FO;
 }
 
 } // namespace
 
 PredictionScore predictionScore(std::span<const PoseSample> samples, std::size_t first,
-                                Duration time, Predictor predictor,
-                                const MotionFilter::Noise& noise, bool smooths)
+                                Duration time, Predictor predictor, const PoseTreatment& treatment)
 {
-    MotionFilter filter{noise};
-    OneEuroFilter smoothing;
+    PoseHistory recorded{{.capacity = samples.size()}};
+    for (const PoseSample& sample : samples)
+        recorded.push(sample);
+    PoseHistory history{{.estimates = true}};
+    history.treat(treatment);
     PredictionScore score;
-    std::vector<PoseSample> seen;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        seen.push_back(smooths ? smoothing.smoothed(samples[i]) : samples[i]);
-        filter.add(samples[i]);
-        if (i < first)
+        history.push(samples[i]);
+        const SessionTime then = samples[i].time + time;
+        const auto truth = i < first ? std::nullopt : recorded.at(then);
+        if (!truth || truth->how == How::Predicted)
             continue;
-        const auto truth = measuredAt(samples, i + 1, samples[i].time + time);
-        if (!truth)
-            continue;
-        score.error.add(ahead(seen, filter, time, predictor), *truth);
-        if (const auto motion = filter.motion()) {
-            const double seconds = toSeconds(time);
-            score.expectedPosition +=
-                std::pow(ErrorGrowth::rmsAfter(seconds, motion->growth->position), 2);
-            score.expectedRotation +=
-                std::pow(ErrorGrowth::rmsAfter(seconds, motion->growth->rotation), 2);
+        const auto shown = history.shownAt(then);
+        score.error.add(predictor == Predictor::Line
+                            ? linePose(samples.first(i + 1), toSeconds(time))
+                            : shown->X_FO,
+                        truth->X_FO);
+        if (shown->deviation) {
+            score.expectedPosition += std::pow(shown->deviation->position.si, 2);
+            score.expectedRotation += std::pow(shown->deviation->rotation.si, 2);
         }
     }
     const double poses = std::max(1.0, double(score.error.poses));
@@ -106,35 +86,6 @@ PredictionScore predictionScore(std::span<const PoseSample> samples, std::size_t
     score.expectedPosition = std::sqrt(score.expectedPosition / poses);
     score.expectedRotation = std::sqrt(score.expectedRotation / poses);
     return score;
-}
-
-MotionFilter::Noise bestNoise(std::span<const PoseSample> samples, Duration time)
-{
-    const MotionFilter::Noise usual = MotionFilter::handsAndHeads();
-    MotionFilter::Noise best = usual;
-    // What a filter expects before it has settled would outweigh all that follows.
-    const std::size_t first = std::min(kSettlingSamples, samples.size() / 4);
-    PredictionScore leastPosition;
-    PredictionScore leastRotation;
-    leastPosition.error.position = leastRotation.error.rotation =
-        std::numeric_limits<double>::infinity();
-    for (int power = -kPowers; power <= kPowers; ++power) {
-        MotionFilter::Noise noise = usual;
-        noise.rotation.jerk *= std::exp2(power);
-        noise.position.jerk *= std::exp2(power);
-        const PredictionScore score =
-            predictionScore(samples, first, time, Predictor::Filter, noise);
-        if (score.error.rotation < leastRotation.error.rotation) {
-            best.rotation = noise.rotation;
-            leastRotation = score;
-        }
-        if (score.error.position < leastPosition.error.position) {
-            best.position = noise.position;
-            leastPosition = score;
-        }
-    }
-    return {scaled(best.rotation, leastRotation.error.rotation / leastRotation.expectedRotation),
-            scaled(best.position, leastPosition.error.position / leastPosition.expectedPosition)};
 }
 
 } // namespace carina::lab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
+#include "engine/core/progress.h"
 #include "engine/core/result.h"
 #include "engine/geometry/vec.h"
 
@@ -37,8 +38,6 @@ struct ImportedSet {
     std::vector<std::string> leftOut; ///< duplicate surfaces, and whole lungs beside their lobes
 };
 
-/// Called with the share of an import that is done, 0 to 1; returns false to stop it. Called in the
-/// thread that called the import.
-using ImportProgress = std::function<bool(double share)>;
+using ImportProgress = Progress;
 
 } // namespace carina

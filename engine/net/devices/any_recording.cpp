@@ -9,6 +9,8 @@
 #include "engine/tracking/tum_file.h"
 
 #include <algorithm>
+#include <fstream>
+#include <istream>
 
 namespace carina
 {
@@ -22,19 +24,57 @@ bool beginsWith(const std::filesystem::path& file, std::string_view words)
     return input && input->read(text.data(), std::streamsize(text.size())) && text == words;
 }
 
-Result<TrackerSequence> ownRecord(const std::filesystem::path& file)
+/// A file that is read, and asks meanwhile whether to go on.
+class WatchedFile : public std::filebuf
 {
-    return field::openFile(file).and_then(
-        [&](std::ifstream input) { return pose_record::read(input, file.string()); });
-}
+public:
+    WatchedFile(const std::filesystem::path& file, std::uint64_t size, const Progress& goesOn)
+        : m_size{double(std::max<std::uint64_t>(1, size))}, m_goesOn{goesOn}
+    {
+        open(file, std::ios::in | std::ios::binary);
+    }
+    [[nodiscard]] bool isStopped() const { return m_isStopped; }
 
-Result<TrackerSequence> trajectory(const std::filesystem::path& file)
+protected:
+    int_type underflow() override
+    {
+        if (m_isStopped || (m_goesOn && !m_goesOn(std::min(1.0, m_read / m_size)))) {
+            m_isStopped = true;
+            return traits_type::eof();
+        }
+        const int_type next = std::filebuf::underflow();
+        m_read += double(egptr() - gptr());
+        return next;
+    }
+
+private:
+    double m_size;
+    double m_read = 0.0;
+    const Progress& m_goesOn;
+    bool m_isStopped = false;
+};
+
+Result<TrackerSequence> trajectory(std::istream& input, const std::filesystem::path& file)
 {
-    return readTumFile(file).map([&](std::vector<PoseSample> samples) {
+    return readTum(input, file.string()).map([&](std::vector<PoseSample> samples) {
         const std::string name = file.stem().string();
         return TrackerSequence{
             {{.name = name, .role = toolRoleOfName(name), .samples = std::move(samples)}}};
     });
+}
+
+Result<TrackerSequence> readAs(std::istream& input, const std::filesystem::path& file)
+{
+    if (file.extension() == ".mha")
+        return readSequence(input, file.string());
+    if (beginsWith(file, pose_record::kFirstLine))
+        return pose_record::read(input, file.string());
+    if (isConversation(file))
+        return replayedConversation(input, file.string());
+    if (file.extension() == ".tum" || file.extension() == ".txt")
+        return trajectory(input, file);
+    return beginsWith(file, "ObjectType") ? readSequence(input, file.string())
+                                          : fail(Errc::UnknownFormat, file.string());
 }
 
 std::string recordText(const TrackerSequence& sequence)
@@ -50,9 +90,13 @@ std::string recordText(const TrackerSequence& sequence)
     return text;
 }
 
-Result<void> writeTrajectories(const std::filesystem::path& file, const TrackerSequence& sequence)
+Result<void> writeTrajectories(const std::filesystem::path& file, const TrackerSequence& sequence,
+                               const Progress& goesOn)
 {
-    for (std::size_t i = 0; i < sequence.tools.size(); ++i) {
+    const std::size_t tools = sequence.tools.size();
+    for (std::size_t i = 0; i < tools; ++i) {
+        if (goesOn && !goesOn(double(i) / double(tools)))
+            return fail(Errc::Cancelled, file.string());
         std::filesystem::path each = file;
         if (i > 0)
             each.replace_filename(file.stem().string() + "-" + std::to_string(i + 1) + ".tum");
@@ -64,30 +108,30 @@ Result<void> writeTrajectories(const std::filesystem::path& file, const TrackerS
 
 } // namespace
 
-Result<TrackerSequence> readAnyRecording(const std::filesystem::path& file)
+Result<TrackerSequence> readAnyRecording(const std::filesystem::path& file, const Progress& goesOn)
 {
-    if (const auto size = readableSize(file, kMeasurementLimit); !size)
+    const auto size = readableSize(file, kMeasurementLimit);
+    if (!size)
         return tl::unexpected(size.error());
-    if (file.extension() == ".mha")
-        return readSequenceFile(file);
-    if (beginsWith(file, pose_record::kFirstLine))
-        return ownRecord(file);
-    if (isConversation(file))
-        return replayedConversation(file);
-    if (file.extension() == ".tum" || file.extension() == ".txt")
-        return trajectory(file);
-    return beginsWith(file, "ObjectType") ? readSequenceFile(file)
-                                          : fail(Errc::UnknownFormat, file.string());
+    WatchedFile watched{file, *size, goesOn};
+    if (!watched.is_open())
+        return fail(Errc::FileUnreadable, file.string());
+    std::istream input{&watched};
+    auto sequence = readAs(input, file);
+    return watched.isStopped() ? fail(Errc::Cancelled, file.string()) : std::move(sequence);
 }
 
-Result<void> writeAnyRecording(const std::filesystem::path& file, const TrackerSequence& sequence)
+Result<void> writeAnyRecording(const std::filesystem::path& file, const TrackerSequence& sequence,
+                               const Progress& goesOn)
 {
     if (file.extension() == ".csv")
         return writeWholeFile(file, recordText(sequence));
     if (file.extension() == ".mha")
-        return writeWholeFile(file, sequenceText(sequence));
+        return sequenceText(sequence, goesOn).and_then([&](const std::string& text) {
+            return writeWholeFile(file, text);
+        });
     if (file.extension() == ".tum")
-        return writeTrajectories(file, sequence);
+        return writeTrajectories(file, sequence, goesOn);
     return fail(Errc::UnknownFormat, file.string());
 }
 

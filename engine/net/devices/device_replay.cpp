@@ -186,21 +186,24 @@ std::string beginningOf(std::istream& input, std::size_t most)
 
 } // namespace
 
-Result<TrackerSequence> replayedConversation(const std::filesystem::path& file)
+Result<TrackerSequence> replayedConversation(std::istream& input, const std::string& name)
 {
-    auto input = field::openFile(file);
-    if (!input)
-        return tl::unexpected(input.error());
-    const bool isOurs = beginningOf(*input, kDeviceLogBegins.size()) == kDeviceLogBegins;
-    input->clear();
-    input->seekg(0);
-    auto sequence = isOurs ? replayed(*input, file.string())
-                           : readNdiRecording(*input, file.string()).map([](const auto& exchanges) {
+    const bool isOurs = beginningOf(input, kDeviceLogBegins.size()) == kDeviceLogBegins;
+    input.clear();
+    input.seekg(0);
+    auto sequence = isOurs ? replayed(input, name)
+                           : readNdiRecording(input, name).map([](const auto& exchanges) {
                                  return handlesIn(decode(exchanges));
                              });
     if (sequence && !hasPose(*sequence))
-        return fail(Errc::FileMalformed, file.string() + ": it has no pose");
+        return fail(Errc::FileMalformed, name + ": it has no pose");
     return sequence;
+}
+
+Result<TrackerSequence> replayedConversation(const std::filesystem::path& file)
+{
+    return field::openFile(file).and_then(
+        [&](std::ifstream input) { return replayedConversation(input, file.string()); });
 }
 
 bool isConversation(const std::filesystem::path& file)

@@ -4,6 +4,7 @@
 #include "engine/tracking/sequence_file.h"
 
 #include <filesystem>
+#include <iosfwd>
 
 namespace carina
 {
@@ -14,8 +15,12 @@ namespace carina
 /// tracker of NDI, has tools named by the handles of their ports; where it has no times either,
 /// the device is held to have exposed 60 times a second.
 ///
-/// @returns FileNotFound; FileUnreadable; FileEmpty; FileMalformed with the line, also where it has
-///          no pose.
+/// @param name of the input in errors
+/// @returns FileUnreadable; FileEmpty; FileMalformed with the line, also where it has no pose.
+[[nodiscard]] Result<TrackerSequence> replayedConversation(std::istream& input,
+                                                           const std::string& name);
+
+/// The same from a file. @returns also FileNotFound.
 [[nodiscard]] Result<TrackerSequence> replayedConversation(const std::filesystem::path& file);
 
 /// Whether a file is a conversation with a device: one of Carina's, or one that readNdiRecording

@@ -243,7 +243,7 @@ void DeviceTracker::take(const DeviceSight& sight, LocalTime now)
                             .X_FO = *tool.X_TO,
                             .validity = sight.X_TO ? sight.validity : Validity::Lost,
                             .error = sight.error};
-    tool.history.push(tool.filter.moving(sample));
+    tool.history.push(sample);
 }
 
 } // namespace carina

@@ -3,7 +3,6 @@
 #include "engine/net/devices/device_client.h"
 #include "engine/net/devices/device_log.h"
 #include "engine/tracking/delivery_thread.h"
-#include "engine/tracking/motion_filter.h"
 
 #include <QThread>
 
@@ -39,8 +38,7 @@ public:
 private:
     class Line;
     struct Tool {
-        MotionFilter filter;
-        PoseHistory history;
+        PoseHistory history{PoseHistory::Limits{.estimates = true}};
         std::optional<RigidTransform> X_TO; ///< the last one seen
     };
 

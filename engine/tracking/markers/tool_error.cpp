@@ -5,8 +5,12 @@ namespace carina
 
 std::optional<PoseError> predictedError(const TrackedTool& tool, const RigidTransform& X_TO)
 {
-    if (!tool.probe)
-        return std::nullopt;
+    if (!tool.probe) {
+        const auto newest = tool.history ? tool.history->newest() : std::nullopt;
+        return newest && newest->covariance_O
+                   ? std::optional{PoseError{.covariance_F = *newest->covariance_O}}
+                   : std::nullopt;
+    }
     // Of the device that sees it.
     const auto X_TD = tool.history != nullptr ? tool.history->deviceFrame() : std::nullopt;
     const Vec3 p_TD = X_TD.value_or(RigidTransform{}).translation();

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
+#include <set>
 #include <vector>
 
 namespace carina
@@ -16,6 +18,7 @@ namespace carina
 namespace
 {
 
+constexpr std::size_t kFramesAtOnce = 256; ///< written until it is asked whether to go on
 constexpr std::string_view kColumns = "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,error_mm,state,role,tool";
 constexpr std::array<std::string_view, 3> kStates{"tracked", "partly", "lost"};
 constexpr std::size_t kNumbers = 9;
@@ -163,6 +166,23 @@ std::string nameInSequence(const RecordedTool& tool)
     return name.empty() ? toolRoleWord(tool.role) : name;
 }
 
+/// The first name that two tools have in a sequence.
+std::optional<std::string> nameOfTwo(const TrackerSequence& sequence)
+{
+    std::set<std::string> names;
+    for (const RecordedTool& tool : sequence.tools)
+        if (std::string name = nameInSequence(tool); !names.insert(name).second)
+            return name;
+    return std::nullopt;
+}
+
+std::string sequenceHead(std::size_t frames)
+{
+    return "ObjectType = Image\nNDims = 3\nBinaryData = True\n"
+           "BinaryDataByteOrderMSB = False\nCompressedData = False\nDimSize = 0 0 "
+           + std::to_string(frames) + "\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n";
+}
+
 std::string matrixText(const RigidTransform& X)
 {
     Mat4 matrix = Mat4::Identity();
@@ -207,19 +227,22 @@ Result<TrackerSequence> pose_record::read(std::istream& input, const std::string
     return reader.finish();
 }
 
-std::string sequenceText(const TrackerSequence& sequence)
+Result<std::string> sequenceText(const TrackerSequence& sequence, const Progress& goesOn)
 {
+    if (const auto name = nameOfTwo(sequence))
+        return fail(Errc::NameUnclear, "two tools are called " + *name
+                                           + " in a sequence; in .csv and .tum they are kept "
+                                             "apart");
     std::map<SessionTime, std::vector<std::pair<const RecordedTool*, const PoseSample*>>> frames;
     for (const RecordedTool& tool : sequence.tools)
         for (const PoseSample& sample : tool.samples)
             frames[sample.time].push_back({&tool, &sample});
-    std::string text = "ObjectType = Image\nNDims = 3\nBinaryData = True\n"
-                       "BinaryDataByteOrderMSB = False\nCompressedData = False\n"
-                       "DimSize = 0 0 "
-                       + std::to_string(frames.size())
-                       + "\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n";
+    std::string text = sequenceHead(frames.size());
     std::size_t number = 0;
     for (const auto& [time, tools] : frames) {
+        if (goesOn && number % kFramesAtOnce == 0
+            && !goesOn(double(number) / double(frames.size())))
+            return fail(Errc::Cancelled, "a sequence");
         const std::string frame = printed("Seq_Frame%04zu_", number++);
         for (const auto& [tool, sample] : tools) {
             const std::string transform = frame + nameInSequence(*tool) + "ToTrackerTransform";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/progress.h"
 #include "engine/tracking/sequence_file.h"
 
 #include <filesystem>
@@ -41,7 +42,9 @@ inline constexpr std::string_view kFirstLine = "# carina.poses/1";
 /// reads: a frame for each time at which a tool was sampled, with the transforms of the tools
 /// sampled then. Names lose what is no letter or digit. Fit errors are not in this form, and a tool
 /// that is partly occluded is OK.
-[[nodiscard]] std::string sequenceText(const TrackerSequence& sequence);
+/// @returns NameUnclear where two tools have the same name in this form; Cancelled.
+[[nodiscard]] Result<std::string> sequenceText(const TrackerSequence& sequence,
+                                               const Progress& goesOn = {});
 
 /// The poses of a tool as a TUM trajectory, that readTum reads; lost samples are left out.
 [[nodiscard]] std::string tumText(const RecordedTool& tool);

@@ -46,7 +46,8 @@ void PoseRecorder::follow(const std::vector<TrackedTool>& tools, std::shared_ptr
     m_followed.clear();
     for (const TrackedTool& tool : tools) {
         const auto newest = tool.history->newest();
-        m_followed.push_back({tool, newest ? std::optional{newest->time} : std::nullopt});
+        m_followed.push_back(
+            {tool, tool.history->end(), newest ? std::optional{newest->time} : std::nullopt});
     }
     m_owner = std::move(owner);
 }
@@ -58,9 +59,11 @@ void PoseRecorder::write()
         return;
     for (Followed& followed : m_followed) {
         const RecordedTool named{followed.tool.name, followed.tool.role};
-        for (const PoseSample& sample : followed.tool.history->samples()) {
+        const PoseHistory::Added added = followed.tool.history->since(followed.cursor);
+        followed.cursor = added.cursor;
+        for (const PoseSample& sample : added.samples) {
             if (followed.last && sample.time <= *followed.last)
-                continue;
+                continue; // came late: a record goes on in time
             m_output << pose_record::line(named, sample);
             followed.last = sample.time;
             ++m_count;

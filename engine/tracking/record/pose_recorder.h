@@ -38,6 +38,7 @@ public:
 private:
     struct Followed {
         TrackedTool tool;
+        std::uint64_t cursor = 0;          ///< behind what is written
         std::optional<SessionTime> last{}; ///< written
     };
 

@@ -24,10 +24,8 @@ RecordedTracker::RecordedTracker(const TrackerSequence& sequence, ReadSessionClo
 Result<void> RecordedTracker::start()
 {
     stop();
-    for (Tool& tool : m_played) {
+    for (Tool& tool : m_played)
         tool.history.clear();
-        tool.filter = MotionFilter{};
-    }
     m_delivered = 0;
     m_start.reset();
     return m_thread.start();
@@ -38,8 +36,6 @@ void RecordedTracker::rewind()
 {
     m_start = *m_start + (m_entries.back().sample.time - m_entries.front().sample.time) + kPause;
     m_delivered = 0;
-    for (Tool& tool : m_played)
-        tool.filter = MotionFilter{};
 }
 
 std::optional<SessionTime> RecordedTracker::advance(SessionTime now)
@@ -56,7 +52,7 @@ std::optional<SessionTime> RecordedTracker::advance(SessionTime now)
         entry.sample.time = *m_start + (entry.sample.time - m_entries.front().sample.time);
         if (entry.sample.time > now)
             return entry.sample.time;
-        entry.tool->history.push(entry.tool->filter.moving(entry.sample));
+        entry.tool->history.push(entry.sample);
     }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/tracking/delivery_thread.h"
-#include "engine/tracking/motion_filter.h"
 #include "engine/tracking/sequence_file.h"
 
 namespace carina
@@ -15,8 +14,8 @@ enum class Playing : std::uint8_t {
 
 /// A tracker that plays a recording at the speed of the recording: the time of a sample is
 /// the session time of the start plus its time since the first sample of the recording. Each tool's
-/// history can hold the whole recording. Each sample gets the velocity that a MotionFilter
-/// estimates.
+/// history can hold the whole recording. Their motion is
+/// estimated as that of a device's.
 class RecordedTracker : public Tracker
 {
 public:
@@ -37,10 +36,9 @@ public:
 
 private:
     struct Tool {
-        explicit Tool(std::size_t samples) : history{{.capacity = samples}} {}
+        explicit Tool(std::size_t samples) : history{{.capacity = samples, .estimates = true}} {}
 
         PoseHistory history;
-        MotionFilter filter;
     };
     struct Entry {
         Tool* tool = nullptr;

@@ -97,7 +97,7 @@ SessionTime SimulatedTracker::advance(SessionTime now)
     }
     while (!m_underway.empty() && m_underway.front().sample.time + m_settings.latency <= now) {
         Tool& tool = *m_underway.front().tool;
-        tool.history.push(tool.filter.moving(m_underway.front().sample));
+        tool.history.push(m_underway.front().sample);
         m_underway.pop_front();
     }
     if (m_underway.empty())

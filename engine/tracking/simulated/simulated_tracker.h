@@ -3,7 +3,6 @@
 #include "engine/core/units.h"
 #include "engine/tracking/delivery_thread.h"
 #include "engine/tracking/markers/marker_pose.h"
-#include "engine/tracking/motion_filter.h"
 #include "engine/tracking/tracker.h"
 #include "engine/tracking/working_volume.h"
 
@@ -60,7 +59,7 @@ struct SimulatedTrackerSettings {
 /// occluded.
 ///
 /// Every sample has the time of its exposure and is delivered `latency` later, with the motion that
-/// a MotionFilter estimates. A lost sample holds the last pose measured; a tool not seen yet has no
+/// its history estimates. A lost sample holds the last pose measured; a tool not seen yet has no
 /// samples.
 class SimulatedTracker : public Tracker
 {
@@ -85,8 +84,7 @@ private:
         Probe probe;
         std::optional<RigidTransform> lastX_TO;
         bool isSeen = false; ///< at the last exposure
-        MotionFilter filter;
-        PoseHistory history;
+        PoseHistory history{PoseHistory::Limits{.estimates = true}};
     };
     struct Measurement {
         Tool* tool = nullptr;

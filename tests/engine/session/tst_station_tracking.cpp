@@ -101,6 +101,21 @@ private Q_SLOTS:
         QVERIFY(told->time == at(0.5));
     }
 
+    /// What others are sent and what is measured stays as the tracker said it.
+    void smoothsAndHoldsOnlyWhatIsDrawn()
+    {
+        m_tracker->tube.treat({.predicts = false, .smooths = true});
+        m_tracker->tube.push(m_screw.sample(0.5));
+        m_tracker->tube.push(m_screw.sample(0.52));
+        const RigidTransform X_AE = kRegistration.X_AT * m_screw.X_TO(0.52);
+        const auto held = m_station->shownAt(ToolRole::Tube, at(0.56));
+        QVERIFY(!same(held->X_FO, X_AE));
+        QVERIFY(same(held->X_FO, m_station->shownAt(ToolRole::Tube, at(0.52))->X_FO));
+        QVERIFY(same(m_station->newest(ToolRole::Tube)->X_FO, X_AE));
+        QVERIFY(same(m_station->at(ToolRole::Tube, at(0.52))->X_FO, X_AE));
+        QVERIFY(!same(m_station->at(ToolRole::Tube, at(0.56))->X_FO, X_AE));
+    }
+
     /// The connector where it is calibrated to be on the markers; its tip moves as a part of both.
     void tellsTheConnectorOfACalibratedTube()
     {

@@ -178,6 +178,35 @@ private Q_SLOTS:
         QVERIFY(history.samples().empty());
     }
 
+    void givesWhatWasAddedSinceACursor()
+    {
+        PoseHistory history{keeping(4)};
+        history.push(sampleAt(10ms));
+        const auto since = [&](std::uint64_t& cursor) {
+            const PoseHistory::Added added = history.since(cursor);
+            cursor = added.cursor;
+            std::vector<SessionTime> times;
+            for (const PoseSample& sample : added.samples)
+                times.push_back(sample.time);
+            return times;
+        };
+        std::uint64_t cursor = history.end();
+        QVERIFY(since(cursor).empty());
+        history.push(sampleAt(30ms));
+        history.push(sampleAt(20ms)); // late
+        QCOMPARE(since(cursor), (std::vector{at(20ms), at(30ms)}));
+        QVERIFY(since(cursor).empty());
+        history.push(sampleAt(15ms)); // later still
+        QCOMPARE(since(cursor), std::vector{at(15ms)});
+        for (const Duration t : {40ms, 50ms, 60ms, 70ms, 80ms}) // more than are kept
+            history.push(sampleAt(t));
+        QCOMPARE(since(cursor), (std::vector{at(50ms), at(60ms), at(70ms), at(80ms)}));
+        history.clear();
+        QVERIFY(since(cursor).empty());
+        history.push(sampleAt(10ms));
+        QCOMPARE(since(cursor), std::vector{at(10ms)});
+    }
+
     /// Every writer owns the times of one remainder, so that each sample of all of them must be
     /// there in the end; readers check that what they see is whole.
     void servesSeveralThreadsAtOnce()

@@ -173,6 +173,9 @@ private Q_SLOTS:
         row("NaN pose", posed("1 0 0 nan 0 1 0 0 0 0 1 0 0 0 0 1"), NotFinite, "frame 0: Stylus");
         row("scaled", posed("2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1"), NotARotation, "frame 0: Stylus");
         row("mirrored", posed("1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1"), NotARotation, "Stylus");
+        row("a tool twice",
+            SequenceText{}.frame("0").tool("Stylus", kIdentity).tool("Stylus", kIdentity).text(),
+            FileMalformed, "frame 0: it has two transforms of Stylus");
         row("no time", timed(""), FileMalformed, "frame 0: its Timestamp");
         row("a word as time", timed("noon"), FileMalformed, "Timestamp");
         row("NaN time", timed("nan"), NotFinite, "Timestamp");

@@ -9,6 +9,10 @@
 
 #include <atomic>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace carina::camera_tracker_test
 {
 namespace
@@ -182,6 +186,25 @@ private Q_SLOTS:
         QVERIFY((*tracker)->start());
         QTRY_VERIFY((*tracker)->trouble().find("640 x 480") != std::string::npos);
         QVERIFY((*tracker)->tools()[0].history->samples().empty());
+    }
+
+    /// A video that is a pipe: whoever reads it waits for as long as nothing is written.
+    void endsWhileItsSourceKeepsItWaiting()
+    {
+        const QTemporaryDir folder;
+        const QByteArray pipe = folder.filePath(QStringLiteral("video.avi")).toLocal8Bit();
+        QCOMPARE(mkfifo(pipe.constData(), 0600), 0);
+        StoppedClock clock;
+        clock.set(kBegin);
+        CameraTrackerSettings settings = settingsFor(folder);
+        settings.place = {.kind = PicturePlace::Kind::Video, .path = pipe.toStdString()};
+        auto tracker = CameraTracker::make(settings, clock.reader());
+        QVERIFY((*tracker)->start());
+        int writer = -1; // can be opened as soon as there is a reader
+        QTRY_VERIFY((writer = open(pipe.constData(), O_WRONLY | O_NONBLOCK)) >= 0);
+        (*tracker)->stop();
+        tracker->reset();
+        QCOMPARE(close(writer), 0); // only now may it read the end
     }
 
     void startsWithoutItsVideoAndSaysSo()

@@ -234,6 +234,24 @@ private Q_SLOTS:
         else
             QVERIFY(sight.isAmbiguous);
     }
+
+    /// The error of a point of the body is the same in whatever frame the covariance is told.
+    void tellsTheCovarianceInTheBody()
+    {
+        FittedBody pose{.X_TB = {rotationFromVector({0.4, -1.1, 0.3}), {0.1, -0.2, -0.7}}};
+        Mat6 half = Mat6::Zero();
+        for (int i = 0; i < 36; ++i)
+            half(i / 6, i % 6) = std::sin(1.0 + 2.3 * i);
+        pose.covariance_T = half * half.transpose();
+        const Mat3 R_TB = pose.X_TB.rotation().toRotationMatrix();
+        for (const Vec3& p_BQ : {Vec3{0.0, 0.0, 0.0}, Vec3{0.03, -0.2, 0.1}}) {
+            const Mat3 in_T = pointCovariance(pose.covariance_T, pose.X_TB * p_BQ);
+            const Mat3 in_B = pointCovariance(inBody(pose), p_BQ);
+            QVERIFY((R_TB * in_B * R_TB.transpose() - in_T).norm() < 1e-9 * in_T.norm());
+        }
+        const auto sample = sampleOf({.markers = 1, .pose = pose}, 500.0, SessionTime{});
+        QVERIFY(sample->covariance_O == inBody(pose));
+    }
 };
 
 CARINA_TEST(TestMarkerWatch)

@@ -99,6 +99,21 @@ private Q_SLOTS:
         QVERIFY(std::abs(status.expected_deg.value() - inDegrees(radians(turn))) < 1e-6);
     }
 
+    /// As by a camera: 0.3 mm and 1 mrad about each axis, the shift and the turn of one point.
+    void theErrorToExpectIsThatOfTheCovarianceThatItsTrackerTells()
+    {
+        OneTool tracker;
+        PoseSample sample{.time = kNow - 10ms, .X_FO = RigidTransform::translation({0, 0, -1})};
+        Vec6 variances;
+        variances << Vec3::Constant(1e-6), Vec3::Constant(0.09e-6);
+        sample.covariance_O = Mat6{variances.asDiagonal()};
+        tracker.push(sample);
+        const ToolStatus status = tracker.status();
+        QVERIFY(std::abs(status.expected_mm.value() - std::sqrt(3.0) * 0.3) < 1e-9);
+        QVERIFY(std::abs(status.expected_deg.value() - inDegrees(radians(std::sqrt(3.0) * 1e-3)))
+                < 1e-9);
+    }
+
     void predictionIsComparedWithWhatFollowed()
     {
         OneTool tracker;

@@ -44,7 +44,8 @@ private Q_SLOTS:
         recording.follow({{"Tube", ToolRole::Tube, &second}}, {});
         QVERIFY(recording.isUnderWay());
         second.push(atMillisecond(3));
-        QVERIFY(recording.end());
+        recording.end();
+        QVERIFY(!recording.isBeingWritten()); // it has the form of the record
         const auto sequence = readAnyRecording(file.toStdString());
         QVERIFY2(sequence, sequence ? "" : sequence.error().detail.c_str());
         QCOMPARE(sequence->tools.size(), std::size_t{1});
@@ -66,9 +67,47 @@ private Q_SLOTS:
         QVERIFY(recording.begin(file));
         history.push(atMillisecond(1));
         QVERIFY(recording.text().contains(QStringLiteral("poses.igs.mha-2.csv")));
-        QVERIFY(recording.end());
+        recording.end();
+        QVERIFY(recording.isBeingWritten());
+        QTRY_VERIFY(!recording.isBeingWritten());
+        QVERIFY(!recording.problem());
         QVERIFY(before.open(QIODevice::ReadOnly));
         QCOMPARE(before.readAll(), QByteArray{"of yesterday"});
+        QVERIFY(readAnyRecording(file.toStdString()));
+    }
+
+    /// Two tools whose names are one in a sequence: the record has both.
+    void tellsWhatCannotBeWrittenInAnotherForm()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("poses.igs.mha"));
+        PoseRecording recording{noTimeYet};
+        PoseHistory first;
+        PoseHistory second;
+        recording.follow({{"Tube 1", ToolRole::Tube, &first}, {"Tube-1", ToolRole::Tube, &second}},
+                         {});
+        QVERIFY(recording.begin(file));
+        first.push(atMillisecond(1));
+        second.push(atMillisecond(1));
+        recording.end();
+        QTRY_VERIFY(!recording.isBeingWritten());
+        QCOMPARE(recording.problem().value().code, Errc::NameUnclear);
+        QVERIFY(!QFile::exists(file));
+        const auto record = readAnyRecording((file + QStringLiteral(".csv")).toStdString());
+        QCOMPARE(record->tools.size(), std::size_t{2});
+    }
+
+    void writesTheOtherFormAlsoWhereTheProgramEnds()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("poses.tum"));
+        {
+            PoseHistory history;
+            PoseRecording recording{noTimeYet};
+            recording.follow({{"Tube", ToolRole::Tube, &history}}, {});
+            QVERIFY(recording.begin(file));
+            history.push(atMillisecond(1));
+        }
         QVERIFY(readAnyRecording(file.toStdString()));
     }
 };

@@ -46,6 +46,7 @@ private Q_SLOTS:
         history.push(sampleAt(2));
         press.click();
         QVERIFY(!recording.isUnderWay());
+        QTRY_VERIFY(!recording.isBeingWritten());
         QCOMPARE(text.text(), QString{});
         for (const QString& each : {file, file + QStringLiteral(".csv")}) {
             const auto sequence = readAnyRecording(each.toStdString());

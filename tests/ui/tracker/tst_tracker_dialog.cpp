@@ -6,10 +6,12 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableWidget>
 #include <QTcpServer>
+#include <QTemporaryDir>
 
 namespace carina::tracker_dialog_test
 {
@@ -47,7 +49,7 @@ private Q_SLOTS:
         QVERIFY(find<QAbstractButton>(dialog, "use").isEnabled());
         QVERIFY(!find<QComboBox>(dialog, "address").isVisible());
         QTest::keyClick(&dialog, Qt::Key_Return);
-        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
         QVERIFY(dialog.choice().isSimulated());
     }
 
@@ -61,6 +63,7 @@ private Q_SLOTS:
         QCOMPARE(dialog.form().address, QStringLiteral("/dev/ttyUSB0"));
         QVERIFY(find<QAbstractButton>(dialog, "use").isEnabled());
         find<QAbstractButton>(dialog, "use").click();
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
         const auto& described = std::get<TrackerDescription>(dialog.choice().device);
         QCOMPARE(described.address, std::string{"/dev/ttyUSB0"});
         QCOMPARE(described.tools.size(), std::size_t{1});
@@ -79,9 +82,38 @@ private Q_SLOTS:
         auto& rate = find<QComboBox>(dialog, "fastestRate");
         rate.setCurrentIndex(rate.findData(115200));
         find<QAbstractButton>(dialog, "use").click();
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
         const auto& described = std::get<TrackerDescription>(dialog.choice().device);
         QCOMPARE(described.poses, NdiPoseReply::Tx);
         QCOMPARE(described.fastestRate, 115200);
+    }
+
+    void readsARecordingWhileItsWindowIsAlive()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("poses.tum"));
+        QFile written{file};
+        QVERIFY(written.open(QIODevice::WriteOnly));
+        QVERIFY(written.write("0 0 0 -1 0 0 0 1\n0.1 0 0 -1 0 0 0 1\n") > 0);
+        written.close();
+        TrackerDialog dialog{{.source = TrackerSource::Recording, .recording = file}, {}};
+        dialog.accept();
+        QVERIFY(dialog.result() != int(QDialog::Accepted));
+        QVERIFY(find<QLabel>(dialog, "missing").text().startsWith(QStringLiteral("Reading")));
+        QVERIFY(!find<QAbstractButton>(dialog, "use").isEnabled());
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
+        const auto& played = std::get<PlayedRecording>(dialog.choice().device);
+        QCOMPARE(played.sequence.tools.at(0).samples.size(), std::size_t{2});
+    }
+
+    void takesNothingThatWasChangedWhileItWasRead()
+    {
+        TrackerDialog dialog{{}, onePort()};
+        dialog.show();
+        dialog.accept();
+        choose(dialog, TrackerSource::Polaris);
+        QTRY_VERIFY(find<QAbstractButton>(dialog, "use").isEnabled());
+        QVERIFY(dialog.result() != int(QDialog::Accepted));
     }
 
     void saysWhatIsMissing()

@@ -24,7 +24,8 @@ ToolStatus seen(const char* name)
             .expected_mm = 0.081,
             .expected_deg = 0.043,
             .predicted_mm = 0.42,
-            .held_mm = 2.94};
+            .held_mm = 2.94,
+            .deviation_mm = 0.53};
 }
 
 ToolStatus unseen(const char* name)
@@ -55,7 +56,7 @@ private Q_SLOTS:
             return TrackerSight{{}, {seen("Tube"), unseen("Stylus")}};
         }};
         QCOMPARE(rowOf(panel, 0),
-                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|–"));
+                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9) ± 0.5|–"));
         QCOMPARE(rowOf(panel, 1), QStringLiteral("Stylus|▲ out of view|–|3.50|–|–|–|–"));
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("trouble"))->text().isEmpty());
     }
@@ -95,19 +96,19 @@ private Q_SLOTS:
         sight.tools[1].p_T = Vec3{0.0, 0.0, -2.5};
         TrackerPanel panel{[&] { return std::optional{sight}; }};
         QCOMPARE(rowOf(panel, 0),
-                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|100"));
+                 QStringLiteral("Tube|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9) ± 0.5|100"));
         QCOMPARE(rowOf(panel, 1),
-                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|-100"));
+                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9) ± 0.5|-100"));
         // A person knows that theirs sees farther; the same tracker does not undo that.
         auto& volume = *panel.findChild<QComboBox*>(QStringLiteral("volume"));
         volume.setCurrentIndex(volume.findData(int(KnownVolume::PolarisExtended)));
         panel.look();
         QCOMPARE(rowOf(panel, 1),
-                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|500"));
+                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9) ± 0.5|500"));
         sight.usualVolume = KnownVolume::None;
         panel.look();
         QCOMPARE(rowOf(panel, 1),
-                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9)|–"));
+                 QStringLiteral("Head|✓ visible|60|0.02|0.12|0.08, 0.04°|0.4 (2.9) ± 0.5|–"));
         QVERIFY(!panel.findChild<QWidget*>(QStringLiteral("places"))->isVisibleTo(&panel));
     }
 

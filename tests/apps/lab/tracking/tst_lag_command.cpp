@@ -13,7 +13,8 @@ namespace
 {
 
 /// A body that turns to and fro about y, stamped so much later.
-QString recordingIn(const QTemporaryDir& folder, const QString& name, double rate_Hz, double late_s)
+QString recordingIn(const QTemporaryDir& folder, const QString& name, double rate_Hz, double late_s,
+                    char apart = ' ')
 {
     const QString path = folder.filePath(name);
     std::ofstream file{path.toStdString()};
@@ -22,8 +23,10 @@ QString recordingIn(const QTemporaryDir& folder, const QString& name, double rat
     for (int i = 0; i < 20 * rate_Hz; ++i) {
         const double t = i / rate_Hz;
         const double turn = 0.5 * std::sin(3.1 * t) + 0.3 * std::sin(4.7 * t + 1.0);
-        file << 1700000000.0 + t + late_s << " 0 0 0 0 " << std::sin(turn / 2) << " 0 "
-             << std::cos(turn / 2) << '\n';
+        for (const double number :
+             {1700000000.0 + t + late_s, 0.0, 0.0, 0.0, 0.0, std::sin(turn / 2), 0.0})
+            file << number << apart;
+        file << std::cos(turn / 2) << '\n';
     }
     return path;
 }
@@ -44,7 +47,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const QString one = recordingIn(folder, QStringLiteral("one.txt"), 60.0, 0.0);
-        const QString other = recordingIn(folder, QStringLiteral("other.txt"), 45.0, 0.083);
+        const QString other = recordingIn(folder, QStringLiteral("other.txt"), 45.0, 0.083, '\t');
         const auto object = lagCommand().run({one, other});
         QVERIFY(object);
         QVERIFY(std::abs(number(*object, "lag_ms") - 83.0) < 1.0);

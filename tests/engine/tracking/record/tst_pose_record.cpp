@@ -144,7 +144,7 @@ private Q_SLOTS:
     void isTheSameAsASequenceOfPlus()
     {
         const TrackerSequence written = twoTools();
-        std::istringstream input{sequenceText(written)};
+        std::istringstream input{*sequenceText(written)};
         const auto sequence = readSequence(input, "sequence");
         QVERIFY2(sequence.has_value(), sequence ? "" : sequence.error().detail.c_str());
         QCOMPARE(sequence->tools.size(), std::size_t{2});
@@ -155,6 +155,35 @@ private Q_SLOTS:
             QCOMPARE(sequence->tools[1].samples[i].validity == Validity::Lost, i == 2);
             QCOMPARE(sequence->tools[1].samples[i].time, written.tools[1].samples[i].time);
         }
+    }
+
+    /// A sequence keeps letters and digits of a name alone.
+    void refusesASequenceOfTwoToolsThatWouldBeOne_data()
+    {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::newRow("equal names") << QStringLiteral("Tube") << QStringLiteral("Tube");
+        QTest::newRow("equal letters") << QStringLiteral("Tube 1") << QStringLiteral("Tube-1");
+        QTest::newRow("the word of its role") << QStringLiteral("tube") << QStringLiteral("管");
+    }
+    void refusesASequenceOfTwoToolsThatWouldBeOne()
+    {
+        QFETCH(const QString, first);
+        QFETCH(const QString, second);
+        TrackerSequence sequence = twoTools();
+        sequence.tools[0].name = first.toStdString();
+        sequence.tools[1].name = second.toStdString();
+        sequence.tools[1].role = ToolRole::Tube;
+        const auto text = sequenceText(sequence);
+        QVERIFY(!text);
+        QCOMPARE(text.error().code, Errc::NameUnclear);
+        QVERIFY(text.error().detail.find("ube") != std::string::npos);
+    }
+
+    void writesNoSequenceThatIsStopped()
+    {
+        QCOMPARE(sequenceText(twoTools(), [](double) { return false; }).error().code,
+                 Errc::Cancelled);
     }
 
     void isTheSameAsATrajectoryWithoutWhatIsLost()

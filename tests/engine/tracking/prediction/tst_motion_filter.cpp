@@ -1,13 +1,12 @@
-#include "engine/tracking/motion_filter.h"
+#include "engine/tracking/prediction/motion_filter.h"
 
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/prediction/prediction.h"
 #include "tests/support/test_class.h"
-#include "tests/support/test_data.h"
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -71,6 +70,13 @@ Errors errorsOf(const std::vector<PoseSample>& samples,
     return errors;
 }
 
+/// What a filter says of a time so many seconds after its newest sample.
+RigidTransform predicted(const MotionFilter& filter, double ahead)
+{
+    Motion motion = *filter.motion();
+    return movedOn(filter.pose(), motion, ahead);
+}
+
 Errors errorsOfFilter(const std::vector<PoseSample>& samples,
                       const std::function<RigidTransform(SessionTime)>& truth)
 {
@@ -80,7 +86,7 @@ Errors errorsOfFilter(const std::vector<PoseSample>& samples,
         if (samples[index].time > newest)
             filter.add(samples[index]);
         newest = samples[index].time;
-        return filter.motion() ? filter.predicted(t) : samples[index].X_FO;
+        return filter.motion() ? predicted(filter, toSeconds(t - newest)) : samples[index].X_FO;
     });
 }
 
@@ -97,28 +103,6 @@ QByteArray shown(const Errors& errors)
     for (const double error : errors)
         text += QByteArray::number(error) + ' ';
     return text;
-}
-
-std::vector<PoseSample> recordedHead()
-{
-    std::vector<PoseSample> samples;
-    const auto file = test::testData("head-motion/traj1_quest2_to_tool1_cut.txt");
-    if (!file)
-        return samples;
-    std::ifstream in{*file};
-    double start = -1.0;
-    for (std::array<double, 8> row{}; [&] {
-             for (double& number : row)
-                 in >> number;
-             return bool(in);
-         }();) {
-        start = start < 0.0 ? row[0] : start;
-        const Duration t = fromSeconds(row[0] - start);
-        if (samples.empty() || SessionTime{t} > samples.back().time)
-            samples.push_back(
-                sampleAt(t, {Quat{row[7], row[4], row[5], row[6]}, Vec3{row[1], row[2], row[3]}}));
-    }
-    return samples;
 }
 
 } // namespace
@@ -139,7 +123,7 @@ private Q_SLOTS:
         }
         QVERIFY((filter.motion()->w_FO - w).norm() < 1e-6);
         QVERIFY((filter.motion()->v_FO - v).norm() < 1e-6);
-        const RigidTransform ahead = filter.predicted(SessionTime{6s});
+        const RigidTransform ahead = predicted(filter, 6.0 - 299.0 / 60.0);
         QVERIFY(angleBetween(ahead.rotation(), rotationFromVector(6.0 * w)).si < 1e-5);
         QVERIFY((ahead.translation() - 6.0 * v).norm() < 1e-5);
     }
@@ -155,7 +139,7 @@ private Q_SLOTS:
             filter.add(sampleAt(fromSeconds(i / 100.0), poseAt(i / 100.0)));
         QVERIFY((filter.motion()->w_FO - 2.4 * axis).norm() < 1e-4);
         QVERIFY((filter.motion()->v_FO - 3.0 * axis).norm() < 1e-4);
-        const RigidTransform ahead = filter.predicted(SessionTime{3100ms});
+        const RigidTransform ahead = predicted(filter, 0.1);
         QVERIFY(angleBetween(ahead.rotation(), poseAt(3.1).rotation()).si < 1e-4);
         QVERIFY((ahead.translation() - poseAt(3.1).translation()).norm() < 1e-4);
     }
@@ -230,29 +214,6 @@ private Q_SLOTS:
         const Errors held = errorsOfHold(samples, truth);
         for (std::size_t k = 1; k < errors.size(); ++k)
             QVERIFY2(errors[k] < 0.4 * held[k], shown(held));
-    }
-
-    void predictsARecordedHead()
-    {
-        const std::vector<PoseSample> samples = recordedHead();
-        if (samples.empty())
-            QSKIP("head-motion/traj1_quest2_to_tool1_cut.txt is not there");
-        const auto truth = [&, index = std::size_t{0}](SessionTime t) mutable {
-            index = std::min(index, samples.size() - 2);
-            while (index > 0 && samples[index].time > t)
-                --index;
-            while (index + 2 < samples.size() && samples[index + 1].time <= t)
-                ++index;
-            const Duration gap = samples[index + 1].time - samples[index].time;
-            return interpolate(samples[index].X_FO, samples[index + 1].X_FO,
-                               toSeconds(t - samples[index].time) / toSeconds(gap));
-        };
-        const Errors errors = errorsOfFilter(samples, truth);
-        const Errors held = errorsOfHold(samples, truth);
-        for (std::size_t k = 1; k < errors.size(); ++k)
-            QVERIFY2(errors[k] < 0.7 * held[k], shown(errors) + "held " + shown(held));
-        // The filter, not the recording, at a millisecond.
-        QVERIFY2(errors[0] < 0.1, shown(errors));
     }
 };
 

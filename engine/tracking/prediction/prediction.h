@@ -2,8 +2,7 @@
 
 #include "engine/tracking/pose_sample.h"
 
-#include <optional>
-#include <span>
+#include <cstddef>
 
 namespace carina
 {
@@ -30,23 +29,11 @@ struct PredictionError {
     [[nodiscard]] PredictionError root() const;
 };
 
-/// The measured pose at t, between the two samples around it; nothing where it is not after
-/// samples[from] and before the last one, where one of the two is lost, and in a gap of more than
-/// 150 ms.
-/// @param samples in ascending order of time
-[[nodiscard]] std::optional<RigidTransform> measuredAt(std::span<const PoseSample> samples,
-                                                       std::size_t from, SessionTime t);
-
 /// What prediction by some time achieves: the error of the predicted poses beside that of holding
 /// the newest sample.
 struct PredictionEffect {
     PredictionError held;
     PredictionError predicted;
 };
-
-/// Of all samples with a motion for which a later measurement shows where the object was.
-/// @param samples in ascending order of time
-[[nodiscard]] PredictionEffect predictionEffect(std::span<const PoseSample> samples,
-                                                Duration ahead);
 
 } // namespace carina

@@ -1,9 +1,7 @@
-#include "engine/tracking/motion_filter.h"
+#include "engine/tracking/prediction/motion_filter.h"
 
-#include "engine/core/expects.h"
 #include "engine/core/units.h"
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/prediction.h"
 
 namespace carina
 {
@@ -83,14 +81,6 @@ void MotionFilter::add(const PoseSample& sample)
     m_p_FO += m_positionFilter.correct(sample.X_FO.translation() - m_p_FO);
 }
 
-PoseSample MotionFilter::moving(PoseSample sample)
-{
-    add(sample);
-    if (sample.validity != Validity::Lost)
-        sample.motion = motion();
-    return sample;
-}
-
 void MotionFilter::begin(const PoseSample& sample)
 {
     m_rotationFilter = AccelerationFilter{m_noise.rotation};
@@ -111,13 +101,6 @@ std::optional<Motion> MotionFilter::motion() const
                   .alpha_FO = m_rotationFilter.acceleration(),
                   .growth = ErrorGrowth{.position = m_positionFilter.growth(),
                                         .rotation = m_rotationFilter.growth()}};
-}
-
-RigidTransform MotionFilter::predicted(SessionTime t) const
-{
-    CARINA_EXPECTS(m_samples >= kSamplesNeeded);
-    Motion motion = *this->motion();
-    return movedOn({m_q_FO, m_p_FO}, motion, toSeconds(t - m_time));
 }
 
 } // namespace carina

@@ -42,10 +42,9 @@ private:
     Mat3 m_covariance;
 };
 
-/// Estimates velocity and acceleration of a tracked object O in F from its tracker's samples. Poses
-/// are predicted with it: on this machine to the time at which a frame is lit, and on other
-/// machines, to which the velocity is sent with the pose. The estimated uncertainty is right where
-/// the noise is.
+/// Estimates velocity and acceleration of a tracked object O in F from its tracker's samples, for a
+/// noise that is known: the estimated uncertainty is right where that is. A MotionPredictor has
+/// several of them.
 ///
 /// Position and rotation have one AccelerationFilter each; the innovation of the rotation is the
 /// rotation vector of q_measured q_predicted^-1, in axes of F.
@@ -69,15 +68,11 @@ public:
     /// Adds the next sample. One that is lost, or not later than the last, is ignored.
     void add(const PoseSample& sample);
 
-    /// Adds a sample. @returns the sample with the estimated motion; a lost one unchanged.
-    [[nodiscard]] PoseSample moving(PoseSample sample);
-
     /// The motion at the newest sample, and how uncertain a pose becomes that is predicted with it;
     /// nothing before kSamplesNeeded samples.
     [[nodiscard]] std::optional<Motion> motion() const;
-    /// The filtered pose X_FO, moved on to t (movedOn).
-    /// @pre motion() has a value.
-    [[nodiscard]] RigidTransform predicted(SessionTime t) const;
+    /// The filtered pose X_FO at the newest sample, from which motion() goes on (movedOn).
+    [[nodiscard]] RigidTransform pose() const { return {m_q_FO, m_p_FO}; }
 
 private:
     void begin(const PoseSample& sample);

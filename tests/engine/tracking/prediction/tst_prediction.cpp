@@ -1,8 +1,8 @@
-#include "engine/tracking/prediction.h"
+#include "engine/tracking/prediction/prediction.h"
 
 #include "engine/geometry/rotation.h"
-#include "engine/tracking/motion_filter.h"
 #include "engine/tracking/pose_history.h"
+#include "engine/tracking/prediction/motion_filter.h"
 #include "engine/tracking/reframed.h"
 #include "tests/support/test_class.h"
 
@@ -87,29 +87,58 @@ private Q_SLOTS:
         QCOMPARE(motion.a_FO.norm(), 0.0);
     }
 
-    void holdsThePoseWhereAPersonWantsItSo()
+    void holdsThePoseThatIsDrawnWhereAPersonWantsItSo()
     {
         PoseHistory history;
         history.push(moving(kX_FO, kOfO));
         history.treat({.predicts = false});
-        QVERIFY((history.at(at(0.08))->X_FO.translation() - kX_FO.translation()).norm() == 0.0);
-        QCOMPARE(history.at(at(0.08))->how, How::Predicted);
+        const auto shift = [&](const PoseSample& pose) {
+            return (pose.X_FO.translation() - kX_FO.translation()).norm();
+        };
+        QCOMPARE(shift(*history.shownAt(at(0.08))), 0.0);
+        QCOMPARE(history.shownAt(at(0.08))->how, How::Predicted);
+        QVERIFY(shift(*history.at(at(0.08))) > 0.01); // what is measured with is not held
         history.treat({.predicts = true});
-        QVERIFY((history.at(at(0.08))->X_FO.translation() - kX_FO.translation()).norm() > 0.01);
+        QVERIFY(shift(*history.shownAt(at(0.08))) > 0.01);
     }
 
-    void smoothsWhereAPersonWantsItSo()
+    void smoothsWhatIsDrawnAndNothingThatIsStored()
     {
-        const auto jump = [](PoseHistory& history) {
-            history.push({.time = at(0.0)});
-            history.push({.time = at(0.01), .X_FO = RigidTransform::translation({0.001, 0, 0})});
-            return history.newest()->X_FO.translation().x();
+        PoseHistory history;
+        history.treat({.smooths = true});
+        history.push({.time = at(0.0)});
+        history.push({.time = at(0.01), .X_FO = RigidTransform::translation({0.001, 0, 0})});
+        const auto x = [](const std::optional<PoseSample>& pose) {
+            return pose->X_FO.translation().x();
         };
-        PoseHistory raw;
-        PoseHistory smoothed;
-        smoothed.treat({.smooths = true});
-        QCOMPARE(jump(raw), 0.001);
-        QVERIFY(jump(smoothed) < 0.0005);
+        QVERIFY(x(history.shownAt(at(0.01))) < 0.0005);
+        QVERIFY(x(history.shownAt(at(0.005))) < 0.00025);
+        QCOMPARE(x(history.at(at(0.01))), 0.001);
+        QCOMPARE(x(history.newest()), 0.001);
+        QCOMPARE(x(history.samples()[1]), 0.001);
+        history.treat({}); // also of what came before
+        QCOMPARE(x(history.shownAt(at(0.01))), 0.001);
+    }
+
+    /// The variance of a constant velocity that is uncertain by 0.1 m/s per axis is (0.1 t)^2.
+    void growsLessSureWithTheTimeAhead()
+    {
+        Motion motion = kOfO;
+        motion.a_FO = motion.alpha_FO = Vec3::Zero();
+        motion.growth = ErrorGrowth{.position = {0.0, 0.0, 0.01}, .rotation = {1e-6}};
+        PoseHistory history;
+        history.push(moving(kX_FO, motion));
+        for (const double ahead : {0.02, 0.04, 0.08, 0.15, 0.5}) { // the last beyond the horizon
+            const double stays = motion.v_FO.norm() * std::max(0.0, ahead - 0.15);
+            const auto expected = std::hypot(std::sqrt(3.0) * 0.1 * ahead, stays);
+            const auto pose = history.at(at(ahead));
+            QVERIFY(std::abs(pose->deviation->position.si - expected) < 1e-9);
+        }
+        // One that is held is also off by the way.
+        history.treat({.predicts = false});
+        const double held = history.shownAt(at(0.05))->deviation->position.si;
+        const double way = 0.05 * motion.v_FO.norm();
+        QVERIFY(std::abs(held - std::hypot(std::sqrt(3.0) * 0.005, way)) < 1e-9);
     }
 
     void carriesAccelerationOverToOtherFrames()
@@ -164,8 +193,9 @@ private Q_SLOTS:
             if (!filter.motion())
                 continue;
             const double ahead = kAhead * kDt;
-            expected.emplace_back(filter.predicted(at(kDt * (i + 1) + ahead)).translation(),
-                                  ErrorGrowth::rmsAfter(ahead, filter.motion()->growth->position));
+            Motion motion = *filter.motion();
+            const double rms = ErrorGrowth::rmsAfter(ahead, motion.growth->position);
+            expected.emplace_back(movedOn(filter.pose(), motion, ahead).translation(), rms);
         }
         QVERIFY(count > 10'000);
         const double ratio = std::sqrt(squares / predicted);
@@ -175,19 +205,22 @@ private Q_SLOTS:
     void comparesWithWhatWasMeasuredLater()
     {
         // At constant speed a prediction is right, and holding is off by the way.
-        std::vector<PoseSample> samples;
-        for (int i = 0; i < 60; ++i)
-            samples.push_back({.time = at(i / 60.0),
-                               .X_FO = RigidTransform::translation({0.2 * i / 60.0, 0.0, 0.0}),
-                               .motion = Motion{.v_FO = {0.2, 0.0, 0.0}}});
-        const PredictionEffect effect = predictionEffect(samples, 40ms);
-        QVERIFY(std::abs(effect.held.position - 0.008) < 1e-9);
-        QVERIFY(effect.predicted.position < 1e-9);
-        QCOMPARE(effect.held.poses, std::size_t{57});
-        samples[30].validity = Validity::Lost;
-        QVERIFY(predictionEffect(samples, 40ms).held.poses < 57);
-        QVERIFY(!measuredAt(samples, 1, at(2.0)));
-        QVERIFY(!measuredAt(samples, 1, at(29.5 / 60.0)));
+        const auto effect = [](int lost, Duration within) {
+            PoseHistory history;
+            for (int i = 0; i < 60; ++i)
+                history.push({.time = at(i / 60.0),
+                              .X_FO = RigidTransform::translation({0.2 * i / 60.0, 0.0, 0.0}),
+                              .motion = Motion{.v_FO = {0.2, 0.0, 0.0}},
+                              .validity = i == lost ? Validity::Lost : Validity::Tracked});
+            return history.effect(40ms, within);
+        };
+        const PredictionEffect whole = effect(-1, 2s);
+        QVERIFY(std::abs(whole.held.position - 0.008) < 1e-9);
+        QVERIFY(whole.predicted.position < 1e-9);
+        QCOMPARE(whole.held.poses, std::size_t{57});
+        // The lost one itself, and the three whose later pose lies beside it.
+        QCOMPARE(effect(30, 2s).held.poses, std::size_t{54});
+        QCOMPARE(effect(-1, 500ms).held.poses, std::size_t{28});
     }
 };
 

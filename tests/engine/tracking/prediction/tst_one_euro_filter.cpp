@@ -1,4 +1,4 @@
-#include "engine/tracking/one_euro_filter.h"
+#include "engine/tracking/prediction/one_euro_filter.h"
 
 #include "engine/geometry/rotation.h"
 #include "tests/support/test_class.h"

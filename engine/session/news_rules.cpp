@@ -49,6 +49,11 @@ bool isSaid(const SessionState& state, const Fact& fact)
                        const SharedObject* object = known(state.objects(), f.object);
                        return object && object->owner == f.owner;
                    },
+                   [&](const fact::LessonShown& f) {
+                       const Station* station = known(state.stations(), fact.station);
+                       return station
+                              && station->lesson == ShownLesson{fact.author, f.to, f.lesson};
+                   },
                    [](const auto&) { return false; }},
         fact.body);
 }

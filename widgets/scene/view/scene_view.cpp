@@ -186,24 +186,27 @@ std::vector<SceneCamera> SceneView::camerasOf(const SceneFrame& frame) const
 
 void SceneView::sendRay(const QPointF& position)
 {
-    const SightRay ray = rayAt(position);
-    Q_EMIT clicked(ray.p_A_eye, ray.dir_A);
+    if (const auto ray = rayAt(position))
+        Q_EMIT clicked(ray->p_A_eye, ray->dir_A);
 }
 
-SightRay SceneView::rayAt(const QPointF& position) const
+/// Through the picture of the eye that has this pixel of the widget.
+std::optional<SightRay> SceneView::rayAt(const QPointF& position) const
 {
-    SceneFrame seen;
-    seen.viewpoint = m_frame.viewpoint;
-    const SceneCamera camera = camerasOf(seen).front();
-    return rayThrough({position.x() / std::max(1, m_window->width()),
-                       position.y() / std::max(1, m_window->height())},
-                      {camera.pose, camera.frustum});
+    for (const EyeSight& eye : sightsOf(camerasOf(m_frame))) {
+        const QRectF area{eye.picture};
+        if (area.contains(position))
+            return rayThrough({(position.x() - area.x()) / area.width(),
+                               (position.y() - area.y()) / area.height()},
+                              eye.sight);
+    }
+    return std::nullopt;
 }
 
 std::optional<SightRay> SceneView::rayUnderMouse() const
 {
     const auto& place = m_window->mousePlace();
-    return place ? std::optional{rayAt(*place)} : std::nullopt;
+    return place ? rayAt(*place) : std::nullopt;
 }
 
 /// By where the eyes were in the latest frame: the frame source is asked for the frame only once

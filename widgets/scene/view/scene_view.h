@@ -134,8 +134,8 @@ public:
     [[nodiscard]] std::map<std::uint16_t, std::size_t> visiblePixels();
 
 Q_SIGNALS:
-    /// A point in the picture was clicked: the ray through it from the eye of the view's own camera
-    /// or what was drawn in its place, in A, with a unit direction.
+    /// A point in the picture was clicked: the ray through it from the eye that sees it there, in
+    /// A, with a unit direction.
     void clicked(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
 
 private:
@@ -143,7 +143,7 @@ private:
     void drawExposed(LocalTime asked);
     void placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras);
     void sendRay(const QPointF& position);
-    [[nodiscard]] SightRay rayAt(const QPointF& position) const;
+    [[nodiscard]] std::optional<SightRay> rayAt(const QPointF& position) const;
     [[nodiscard]] const SceneSettings& inForce() const { return m_instead ? *m_instead : m_own; }
     void applyLooks();
     void applySection();

@@ -149,7 +149,8 @@ private Q_SLOTS:
     {
         LogWriter writer = sampleSession();
         const fact::LessonShown shown{kNobody, sampleLesson()};
-        QCOMPARE(judged(writer, kSampleInstructor, fact::LessonEnded{}), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleInstructor, fact::LessonEnded{}),
+                 QByteArray{"out of range"});
         show(writer, kNobody);
         QCOMPARE(judged(writer, kSampleInstructor, shown), QByteArray{"out of range"});
         QCOMPARE(judged(writer, kSampleInstructor, fact::LessonShown{kSampleTrainee, shown.lesson}),

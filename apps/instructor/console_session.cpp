@@ -27,13 +27,15 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_people{m_session, m_stations.shown()},
       m_network{m_session},
       m_object{m_session, m_stations.shown()},
+      m_lesson{m_session, m_stations.shown()},
       m_actions{m_object},
       m_respiration{m_session, m_stations.shown()},
       m_trace{m_session, m_stations.shown()},
       m_checkpoints{*m_hosted.node},
-      m_shown{*m_hosted.node, m_stations.shown(), patient.model},
-      m_window{m_session, m_breathing, m_respiration, m_trace,    m_participants,    m_conduct,
-               m_people,  m_network,   m_actions,     m_stations, m_shown.patient(), m_shown.view()}
+      m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses()},
+      m_window{m_session, m_breathing,       m_respiration, m_trace,   m_participants,
+               m_conduct, m_people,          m_network,     m_actions, m_stations,
+               m_lesson,  m_shown.patient(), m_shown.view()}
 {
     m_shown.onShown(
         [this](const PatientModel& another, StationView& view) { m_window.show(another, view); });
@@ -93,6 +95,7 @@ void ConsoleSession::setStation(StationId station)
 {
     m_breathing.setStation(station);
     m_object.setStation(station);
+    m_lesson.setStation(station);
     m_people.setStation(station);
     m_respiration.setStation(station);
     m_trace.setStation(station);

@@ -52,6 +52,7 @@ private:
     PeopleModel m_people;
     NetworkModel m_network;
     SharedObjectModel m_object;
+    LessonModel m_lesson;
     ObjectActionModel m_actions;
     RespirationModel m_respiration;
     BreathTrace m_trace;

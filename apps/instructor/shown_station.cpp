@@ -7,11 +7,13 @@
 namespace carina
 {
 
-ShownStation::ShownStation(SessionNode& node, StationId station, SharedPatientModel first)
+ShownStation::ShownStation(SessionNode& node, StationId station, SharedPatientModel first,
+                           ObjectPoses own)
     : m_node{node},
       m_station{station},
       m_patient{node, station, std::move(first), AnatomyCache::defaultFolder()},
-      m_view{std::make_unique<StationView>(node, station, m_patient.patient()->lungs())}
+      m_own{std::move(own)},
+      m_view{std::make_unique<StationView>(node, station, m_patient.patient()->lungs(), m_own)}
 {
 }
 
@@ -35,7 +37,7 @@ void ShownStation::setStation(StationId station)
 void ShownStation::onShown(std::function<void(const PatientModel&, StationView&)> callback)
 {
     m_patient.follow([this, callback = std::move(callback)](const SharedPatientModel& another) {
-        auto view = std::make_unique<StationView>(m_node, m_station, another->lungs());
+        auto view = std::make_unique<StationView>(m_node, m_station, another->lungs(), m_own);
         callback(*another, *view);
         m_view = std::move(view);
         return Result<void>{};

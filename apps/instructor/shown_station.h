@@ -14,8 +14,10 @@ namespace carina
 class ShownStation
 {
 public:
-    /// @param first is shown until the station's patient is available @pre node outlives this.
-    ShownStation(SessionNode& node, StationId station, SharedPatientModel first);
+    /// @param first is shown until the station's patient is available
+    /// @param own poses of this program's objects
+    /// @pre node outlives this.
+    ShownStation(SessionNode& node, StationId station, SharedPatientModel first, ObjectPoses own);
 
     void setStation(StationId station);
     /// The callback is called with a new patient and view in place, while the former ones still
@@ -32,6 +34,7 @@ private:
     SessionNode& m_node;
     StationId m_station;
     SessionPatient m_patient;
+    ObjectPoses m_own;
     std::unique_ptr<StationView> m_view;
 };
 

@@ -30,26 +30,31 @@ bool isSaid(const SessionState& state, const Fact& fact)
         return found == entries.end() ? nullptr : &found->second;
     };
     return std::visit(
-        Overloaded{[&](const fact::RegistrationStated& f) {
-                       const Participant* who = known(state.participants(), fact.author);
-                       return who && who->registration == f.standing;
-                   },
-                   [&](const fact::PlaceChosen& f) {
-                       const Participant* who = known(state.participants(), f.participant);
-                       return who && who->turn == f.turn;
-                   },
-                   [&](const fact::ObjectWanted& f) {
-                       const SharedObject* object = known(state.objects(), f.object);
-                       return object
-                              && f.wanted
-                                     == (std::ranges::find(object->wantedBy, fact.author)
-                                         != object->wantedBy.end());
-                   },
-                   [&](const fact::ObjectHandedOver& f) {
-                       const SharedObject* object = known(state.objects(), f.object);
-                       return object && object->owner == f.owner;
-                   },
-                   [](const auto&) { return false; }},
+        Overloaded{
+            [&](const fact::RegistrationStated& f) {
+                const Participant* who = known(state.participants(), fact.author);
+                return who && who->registration == f.standing;
+            },
+            [&](const fact::PlaceChosen& f) {
+                const Participant* who = known(state.participants(), f.participant);
+                return who && who->turn == f.turn;
+            },
+            [&](const fact::ObjectWanted& f) {
+                const SharedObject* object = known(state.objects(), f.object);
+                return object
+                       && f.wanted
+                              == (std::ranges::find(object->wantedBy, fact.author)
+                                  != object->wantedBy.end());
+            },
+            [&](const fact::ObjectHandedOver& f) {
+                const SharedObject* object = known(state.objects(), f.object);
+                return object && object->owner == f.owner;
+            },
+            [&](const fact::LessonShown& f) {
+                const Station* station = known(state.stations(), fact.station);
+                return station && station->lesson == ShownLesson{fact.author, f.to, f.lesson};
+            },
+            [](const auto&) { return false; }},
         fact.body);
 }
 

@@ -4,6 +4,7 @@
 #include "engine/session/conduct_rules.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/facts/plain_name.h"
+#include "engine/session/lesson_rules.h"
 #include "engine/session/news_rules.h"
 #include "engine/session/object_rules.h"
 #include "engine/session/participant_limits.h"
@@ -130,7 +131,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
         Overloaded{
             [&](const fact::ObjectShared& f) {
                 const auto known = state.objects().find(f.object);
-                return f.owner == author.id && f.kind != ObjectKind::Patient
+                return f.owner == author.id && f.kind != ObjectKind::Patient && !isOfLesson(f.kind)
                        && (known == state.objects().end() || known->second.owner == author.id);
             },
             [&](const fact::ObjectHandedOver& f) { return mayPassOn(state, author, f); },
@@ -217,6 +218,8 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
                                  [](const fact::ObjectHandedOver&) { return Result<void>{}; },
                                  [](const fact::ObjectWanted&) { return Result<void>{}; },
                                  [](const fact::RegistrationStated&) { return Result<void>{}; },
+                                 [](const fact::LessonShown&) { return Result<void>{}; },
+                                 [](const fact::LessonEnded&) { return Result<void>{}; },
                                  [&](const auto&) -> Result<void> {
                                      return fail(Errc::SessionEnded, state.name());
                                  }},
@@ -310,6 +313,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             })
             .and_then([&] { return checkStation(m_state, fact.station, fact.body); })
             .and_then([&] { return checkStations(m_state, fact.station, fact.body); })
+            .and_then([&] { return checkLessons(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPatient(m_state, fact.station, fact.body); })
             .and_then([&] { return checkPhase(m_state, fact.body); })
             .and_then([&] { return checkCheckpoint(now, fact.body); })

@@ -53,10 +53,10 @@ public:
     ///          station, and where the host or the last instructor is to be muted or removed;
     ///          Muted; SessionFull, NameUnclear, SessionLocked and Banned for a join; NameUnclear
     ///          for an object; NameUnclear, StationCount and StationOccupied for a station;
-    ///          SessionEnded after the end, except for facts about participants, entry and shared
-    ///          objects; OutOfRange for a parameter outside the range of a patient, an unknown
-    ///          participant or object, a phase that cannot follow the present one, a breath of the
-    ///          manikin too soon after the last, and a registration or place that is known;
+    ///          SessionEnded after the end, except for facts about participants, entry, shared
+    ///          objects and lessons; OutOfRange for a parameter outside the range of a patient, an
+    ///          unknown participant or object, a phase that cannot follow the present one, a breath
+    ///          of the manikin too soon after the last, and a registration or place that is known;
     ///          StationUnknown for a station that is not open; OwnerChanged for an object that has
     ///          changed its owner meanwhile, and for work that another has taken meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,

@@ -50,6 +50,7 @@ struct SessionState::Applier {
         joined.muted = before && before->muted;
         joined.turn = before ? before->turn : Angle{};
         state.m_participants.insert_or_assign(body.participant, std::move(joined));
+        endLessonsOf(body.participant);
         bringAlong(body.participant);
         takeUpWork(body.participant);
     }
@@ -87,6 +88,7 @@ struct SessionState::Applier {
             return;
         participant->station = around.station;
         participant->moved = around.committed;
+        endLessonsOf(body.participant);
         bringAlong(body.participant);
         takeUpWork(body.participant);
     }
@@ -109,6 +111,23 @@ struct SessionState::Applier {
     {
         if (Participant* participant = known(body.participant))
             participant->turn = body.turn;
+    }
+    void operator()(const fact::LessonShown& body) const
+    {
+        forStations([&](Station& station) {
+            station.lesson = ShownLesson{around.author, body.to, body.lesson};
+        });
+    }
+    void operator()(const fact::LessonEnded&) const
+    {
+        forStations([](Station& station) { station.lesson.reset(); });
+    }
+    /// Whoever has gone cannot end what they show.
+    void endLessonsOf(ParticipantId id) const
+    {
+        for (auto& [number, station] : state.m_stations)
+            if (station.lesson && station.lesson->by == id)
+                station.lesson.reset();
     }
     void operator()(const fact::ObjectShared& body) const
     {
@@ -156,6 +175,7 @@ struct SessionState::Applier {
         forStations([&body](Station& station) {
             station.anatomyHash = body.contentHash;
             station.anatomyName = body.name;
+            station.lesson.reset(); // of parts of the patient before
         });
     }
     void operator()(const fact::BreathingRateSet& body) const
@@ -246,6 +266,7 @@ struct SessionState::Applier {
     {
         if (Participant* participant = known(id))
             participant->present = false;
+        endLessonsOf(id);
         for (auto& [number, object] : state.m_objects) {
             std::erase(object.wantedBy, id);
             if (object.owner == id && isLiftable(object.kind))

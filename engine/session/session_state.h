@@ -53,6 +53,15 @@ struct SharedObject {
     std::optional<std::uint16_t> inPlace{};
 };
 
+/// What is shown to others at a station.
+struct ShownLesson {
+    ParticipantId by;           ///< an instructor
+    ParticipantId to = kNobody; ///< kNobody: everybody at the station
+    Lesson lesson;
+
+    friend bool operator==(const ShownLesson&, const ShownLesson&) = default;
+};
+
 struct Station {
     StationId id;
     std::string name;
@@ -61,6 +70,7 @@ struct Station {
     std::string anatomyName;
     RespirationTimeline respiration;
     ParticipantId worker = kNobody; ///< who took up the work last, and may have gone
+    std::optional<ShownLesson> lesson{};
 };
 
 /// Everything that follows from the facts so far, the same at every node. A value: it is copied to

@@ -1,6 +1,7 @@
 #include "models/objects/object_action_model.h"
 
 #include "engine/sync/wire/sequence.h"
+#include "models/objects/object_words.h"
 #include "models/patient/shared_patient.h"
 
 #include <QTimer>
@@ -70,11 +71,12 @@ bool isSameMotion(const ShownObject& shown, const ObjectAction& action)
 } // namespace
 
 ObjectActionModel::ObjectActionModel(SharedObjectModel& object, QObject* parent)
-    : QObject{parent}, m_object{object}
+    : QObject{parent}, m_object{object}, m_station{object.station()}
 {
     connect(&m_object, &SharedObjectModel::changed, this, [this] {
+        followStation();
         forgetOthers();
-        resetPatient();
+        returnTaken();
         Q_EMIT changed();
     });
     auto* timer = new QTimer{this};
@@ -152,7 +154,7 @@ void ObjectActionModel::start()
 {
     if (!canStart())
         return;
-    remember(m_object.chosen()->id);
+    remember(m_object.chosen()->id, stepText());
     act(chosenAction());
 }
 
@@ -166,12 +168,31 @@ void ObjectActionModel::reset()
 {
     if (!canReset())
         return;
-    remember(m_object.chosen()->id);
+    remember(m_object.chosen()->id, tr("%1 → original place"));
     act({.anew = true});
 }
 
-void ObjectActionModel::remember(ObjectId object)
+QString ObjectActionModel::stepText() const
 {
+    const QString axis = QStringLiteral("xyz").mid(int(m_axis), 1);
+    switch (m_kind) {
+    case ActionKind::Rotation:
+        return tr("%1: turned about %2").arg(QStringLiteral("%1"), axis);
+    case ActionKind::Translation:
+        return tr("%1: moved along %2").arg(QStringLiteral("%1"), axis);
+    case ActionKind::Scaling:
+        return tr("%1: size changed");
+    }
+    return {};
+}
+
+void ObjectActionModel::remember(ObjectId object, const QString& what)
+{
+    const auto state = m_object.session().node().state();
+    if (m_history)
+        m_history->add(
+            *this, what.arg(objectWord(state->objects().at(object))),
+            [this, object] { undoOf(object); }, object.value);
     const auto shown = shownOf(object);
     std::vector<ActedPose>& steps = m_steps[object];
     steps.push_back(shown ? shown->acted : ActedPose{});
@@ -186,9 +207,23 @@ void ObjectActionModel::forgetOthers()
     const ParticipantId self = m_object.session().node().self();
     std::erase_if(m_steps, [&](const auto& entry) {
         const auto object = state->objects().find(entry.first);
-        return object == state->objects().end()
-               || (object->second.owner != self && object->second.owner != kNobody);
+        const bool isOthers = object == state->objects().end()
+                              || (object->second.owner != self && object->second.owner != kNobody);
+        if (isOthers && m_history)
+            m_history->forget(*this, entry.first.value);
+        return isOthers;
     });
+}
+
+/// What was done at another station is not undone from here.
+void ObjectActionModel::followStation()
+{
+    if (std::exchange(m_station, m_object.station()) == m_object.station())
+        return;
+    m_steps.clear();
+    m_returns.clear();
+    if (m_history)
+        m_history->forget(*this);
 }
 
 bool ObjectActionModel::canUndo() const
@@ -202,12 +237,42 @@ void ObjectActionModel::undo()
 {
     if (!canUndo())
         return;
-    const auto steps = m_steps.find(m_object.chosen()->id);
+    undoOf(m_object.chosen()->id);
+}
+
+void ObjectActionModel::undoOf(ObjectId object)
+{
+    const auto steps = m_steps.find(object);
+    if (steps == m_steps.end())
+        return;
     const ActedPose before = steps->second.back();
     steps->second.pop_back();
     if (steps->second.empty())
         m_steps.erase(steps);
-    act({.from = before, .anew = true});
+    bringTo(object, before);
+}
+
+/// What was put back is lifted out again for it.
+void ObjectActionModel::bringTo(ObjectId object, const ActedPose& pose)
+{
+    SessionNode& node = m_object.session().node();
+    const auto state = node.state();
+    const auto found = state->objects().find(object);
+    if (found == state->objects().end())
+        return;
+    const SharedObject& at = found->second;
+    if (at.owner == node.self()) {
+        node.act(object, {.from = pose, .anew = true});
+        return look();
+    }
+    const Return back{object, std::uint16_t(at.epoch + 1), pose};
+    const auto underWay = std::ranges::find(m_returns, object, &Return::object);
+    if (underWay != m_returns.end() && underWay->epoch == back.epoch) {
+        *underWay = back; // of several steps at once
+        return;
+    }
+    m_returns.push_back(back);
+    node.propose(at.station, fact::ObjectHandedOver{object, node.self(), at.epoch});
 }
 
 void ObjectActionModel::putBack()
@@ -216,7 +281,7 @@ void ObjectActionModel::putBack()
         return;
     const ObjectId object = m_object.chosen()->id;
     if (m_object.isOwn())
-        remember(object);
+        remember(object, tr("%1 → put back"));
     m_object.putBack(object);
     look();
 }
@@ -243,35 +308,39 @@ void ObjectActionModel::putAllBack()
     const auto state = node.state();
     for (const ObjectId object : m_object.toPutBack()) {
         if (state->objects().at(object).owner == node.self())
-            remember(object);
+            remember(object, tr("%1 → put back"));
         m_object.putBack(object);
     }
     if (const SharedObject* patient = strayPatient(*state)) {
         const bool isOwn = patient->owner == node.self();
-        m_toReset = Reset{patient->id, std::uint16_t(patient->epoch + (isOwn ? 0 : 1))};
+        m_returns.push_back({patient->id, std::uint16_t(patient->epoch + (isOwn ? 0 : 1)), {}});
         if (!isOwn)
             node.propose(m_object.station(),
                          fact::ObjectHandedOver{patient->id, node.self(), patient->epoch});
-        resetPatient();
+        returnTaken();
     }
     look();
 }
 
-/// Once it is this person's.
-void ObjectActionModel::resetPatient()
+/// Once it is this person's; unless another took it meanwhile.
+void ObjectActionModel::returnTaken()
 {
     SessionNode& node = m_object.session().node();
     const auto state = node.state();
-    const auto patient =
-        m_toReset ? state->objects().find(m_toReset->object) : state->objects().end();
-    if (patient == state->objects().end() || isAfter(m_toReset->epoch, patient->second.epoch))
-        return;
-    const bool isInTime = m_toReset->epoch == patient->second.epoch;
-    m_toReset.reset();
-    if (!isInTime || patient->second.owner != node.self())
-        return; // another took it meanwhile
-    remember(patient->first);
-    node.act(patient->first, {.anew = true});
+    std::vector<Return> due;
+    std::erase_if(m_returns, [&](const Return& each) {
+        const auto object = state->objects().find(each.object);
+        if (object == state->objects().end() || isAfter(each.epoch, object->second.epoch))
+            return false;
+        if (each.epoch == object->second.epoch && object->second.owner == node.self())
+            due.push_back(each);
+        return true;
+    });
+    for (const Return& each : due) {
+        if (!each.to)
+            remember(each.object, tr("%1 → original place"));
+        node.act(each.object, {.from = each.to.value_or(ActedPose{}), .anew = true});
+    }
 }
 
 void ObjectActionModel::act(const ObjectAction& action)

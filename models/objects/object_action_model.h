@@ -1,6 +1,9 @@
 #pragma once
 
 #include "models/objects/shared_object_model.h"
+#include "models/session/change_history.h"
+
+#include <QPointer>
 
 #include <array>
 #include <map>
@@ -13,7 +16,8 @@ namespace carina
 /// The actions of a person on the chosen shared object: rotate it about or translate it along an
 /// axis of the anatomy frame A, or scale it, at constant speed until stopped; reset it to its
 /// original pose, or put it back; and undo these, the last first, as long as nobody else has had
-/// it since. Motion started by other participants is shown as well.
+/// it since, also by the history of the session. Motion started by other participants is shown as
+/// well.
 class ObjectActionModel : public QObject
 {
     Q_OBJECT
@@ -28,6 +32,10 @@ public:
 
     /// @pre object outlives this.
     explicit ObjectActionModel(SharedObjectModel& object, QObject* parent = nullptr);
+
+    /// Adds its steps to a history from now on, by which alone they are to be undone.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+    [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
 
     [[nodiscard]] SharedObjectModel& object() const { return m_object; }
 
@@ -73,15 +81,21 @@ Q_SIGNALS:
 private:
     using Shown = std::array<QString, 2>;
 
-    static constexpr std::size_t kMostSteps = 50; ///< that can be undone, for each object
+    /// That can be undone, for each object: as many as a history may have of it.
+    static constexpr std::size_t kMostSteps = ChangeHistory::kMost;
 
     [[nodiscard]] std::optional<ShownObject> shown() const;
     [[nodiscard]] std::optional<ShownObject> shownOf(ObjectId object) const;
     /// The patient, where it is not in its place and this person may put it back.
     [[nodiscard]] const SharedObject* strayPatient(const SessionState& state) const;
-    void remember(ObjectId object);
+    /// @param what the step is, with %1 for the object
+    void remember(ObjectId object, const QString& what);
+    void undoOf(ObjectId object);
+    void bringTo(ObjectId object, const ActedPose& pose);
+    void followStation();
     void forgetOthers();
-    void resetPatient();
+    void returnTaken();
+    [[nodiscard]] QString stepText() const;
     [[nodiscard]] ObjectAction chosenAction() const;
     void act(const ObjectAction& action);
     void look();
@@ -93,11 +107,15 @@ private:
     Shown m_told;                                     ///< at the latest changed()
     /// Where each object was before this person's steps, the last step last.
     std::map<ObjectId, std::vector<ActedPose>> m_steps;
-    struct Reset {
+    /// What is to be brought somewhere once it is this person's.
+    struct Return {
         ObjectId object;
-        std::uint16_t epoch = 0; ///< of the ownership in which it is to be reset
+        std::uint16_t epoch = 0;     ///< of the ownership in which it is
+        std::optional<ActedPose> to; ///< nothing: to its original place, which is a step
     };
-    std::optional<Reset> m_toReset; ///< a patient, once it is taken over
+    std::vector<Return> m_returns;
+    StationId m_station; ///< of the steps
+    QPointer<ChangeHistory> m_history;
 };
 
 } // namespace carina

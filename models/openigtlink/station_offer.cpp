@@ -45,6 +45,10 @@ const char* wordOf(ObjectKind kind)
     case ObjectKind::Jaw:
     case ObjectKind::Tube:
     case ObjectKind::Patient:
+    case ObjectKind::OrganGroup:
+    case ObjectKind::SpareTube:
+    case ObjectKind::View:
+    case ObjectKind::Pointer:
         break;
     }
     return nullptr;

@@ -6,11 +6,12 @@
 namespace carina
 {
 
-void ChangeHistory::add(const QObject& owner, const QString& text, std::function<void()> takeBack)
+void ChangeHistory::add(const QObject& owner, const QString& text, std::function<void()> takeBack,
+                        int topic)
 {
     if (m_changes.size() == kMost)
         m_changes.erase(m_changes.begin());
-    m_changes.push_back({&owner, text, std::move(takeBack)});
+    m_changes.push_back({&owner, text, std::move(takeBack), topic});
     Q_EMIT changed();
 }
 
@@ -27,6 +28,13 @@ void ChangeHistory::retitle(const QObject& owner, const QString& text)
 void ChangeHistory::forget(const QObject& owner)
 {
     if (std::erase_if(m_changes, [&owner](const Change& c) { return c.owner == &owner; }) > 0)
+        Q_EMIT changed();
+}
+
+void ChangeHistory::forget(const QObject& owner, int topic)
+{
+    const auto isMeant = [&](const Change& c) { return c.owner == &owner && c.topic == topic; };
+    if (std::erase_if(m_changes, isMeant) > 0)
         Q_EMIT changed();
 }
 

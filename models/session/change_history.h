@@ -20,11 +20,15 @@ public:
 
     /// Adds a change. @param owner whose change it is, for retitle and forget
     /// @param text what it was: "Tidal volume → 400 ml"
-    void add(const QObject& owner, const QString& text, std::function<void()> takeBack);
+    /// @param topic which of the owner's things it is about, for forget
+    void add(const QObject& owner, const QString& text, std::function<void()> takeBack,
+             int topic = 0);
     /// The owner's last change goes on, as a slider that is dragged: it is called so from now on.
     void retitle(const QObject& owner, const QString& text);
     /// Removes the changes of an owner, which can no longer be taken back.
     void forget(const QObject& owner);
+    /// Likewise those about one thing.
+    void forget(const QObject& owner, int topic);
 
     [[nodiscard]] bool isEmpty() const { return m_changes.empty(); }
     /// What each change was, the last first.
@@ -42,6 +46,7 @@ private:
         const QObject* owner = nullptr;
         QString text;
         std::function<void()> takeBack;
+        int topic = 0;
     };
 
     std::vector<Change> m_changes;

@@ -39,6 +39,8 @@ bool staysWithPatient(ObjectKind kind, bool ownerIsAtWork)
     case ObjectKind::Patient:
     case ObjectKind::OrganGroup:
     case ObjectKind::SpareTube:
+    case ObjectKind::View:
+    case ObjectKind::Pointer:
         return true;
     case ObjectKind::Head:
     case ObjectKind::Stylus:

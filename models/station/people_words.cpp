@@ -30,6 +30,8 @@ QString nameBeside(const PersonPose& person, ParticipantId worker)
     case ObjectKind::Hand:
     case ObjectKind::OrganGroup:
     case ObjectKind::SpareTube:
+    case ObjectKind::View:
+    case ObjectKind::Pointer:
         break;
     }
     return {};

@@ -1,6 +1,7 @@
 #include "models/station/station_view.h"
 
 #include "engine/lungs/drawing/chest_drawing.h"
+#include "engine/session/lesson_rules.h"
 #include "models/patient/shared_patient.h"
 
 namespace carina
@@ -27,6 +28,8 @@ std::optional<ToolRole> toolOf(ObjectKind kind)
     case ObjectKind::Patient:
     case ObjectKind::OrganGroup:
     case ObjectKind::SpareTube:
+    case ObjectKind::View:
+    case ObjectKind::Pointer:
         break;
     }
     return std::nullopt;
@@ -79,6 +82,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
         moment.pose = exaggerated(drawn, m_exaggeration);
     }
     addPeople(moment, *state);
+    addLesson(moment, *state);
     if (const SharedObject* patient = sharedPatient(*state, m_station))
         moment.patient = m_node.shown(patient->id, t);
     moment.lifted = liftedObjects(m_node, m_station, t);
@@ -106,6 +110,25 @@ void StationView::addPeople(StationMoment& moment, const SessionState& state) co
     }
     if (const PersonPose* jaw = atWork(moment.people, ObjectKind::Jaw))
         moment.jaw = jaw->pose;
+}
+
+/// What is pointed with is seen by those to whom something is shown; what is looked at is nothing
+/// to be drawn.
+void StationView::addLesson(StationMoment& moment, const SessionState& state) const
+{
+    if (const ShownLesson* lesson = lessonFor(state, m_node.self()))
+        moment.lesson = *lesson;
+    const auto isShown = [&moment](const PersonPose& person) {
+        return moment.lesson && moment.lesson->by == person.owner;
+    };
+    for (const PersonPose& person : moment.people)
+        if (person.kind == ObjectKind::View && isShown(person)
+            && person.pose.validity != Validity::Lost)
+            moment.lessonView = person.pose;
+    std::erase_if(moment.people, [&](const PersonPose& person) {
+        return person.kind == ObjectKind::View
+               || (person.kind == ObjectKind::Pointer && !person.isOwn && !isShown(person));
+    });
 }
 
 StationMoment StationView::litAt(LocalTime lit, std::size_t level) const

@@ -18,19 +18,21 @@ namespace carina
 /// The state of everything that moves at a station, at one session time.
 struct StationMoment {
     SessionTime time{};
-    ChestShape breathing;               ///< from the respiratory mechanics
-    BodyPosition position{};            ///< how the patient lies or sits
-    ChestPose pose;                     ///< the pose of the chest that shows `breathing`
-    Volume notDrawn{};                  ///< volume of the lungs that the pose cannot show
-    double exaggeration = 1.0;          ///< of the pose; unless 1, the drawn volumes are not true
-    std::optional<PoseSample> tube;     ///< X_AE of who is at work; empty if never seen
-    std::optional<PoseSample> jaw;      ///< X_AJ of who is at work
-    std::optional<PoseSample> head;     ///< X_AH of this program's participant
-    ParticipantId worker = kNobody;     ///< who is at work
-    std::vector<PersonPose> people;     ///< what all who are there share, this program's included
-    std::optional<ShownObject> patient; ///< X_AV; empty before any action on the patient
-    std::vector<LiftedObject> lifted;   ///< what is not in its place
-    std::optional<Duration> sampleAge;  ///< of the tube's newest sample at `time`
+    ChestShape breathing;                 ///< from the respiratory mechanics
+    BodyPosition position{};              ///< how the patient lies or sits
+    ChestPose pose;                       ///< the pose of the chest that shows `breathing`
+    Volume notDrawn{};                    ///< volume of the lungs that the pose cannot show
+    double exaggeration = 1.0;            ///< of the pose; unless 1, the drawn volumes are not true
+    std::optional<PoseSample> tube;       ///< X_AE of who is at work; empty if never seen
+    std::optional<PoseSample> jaw;        ///< X_AJ of who is at work
+    std::optional<PoseSample> head;       ///< X_AH of this program's participant
+    ParticipantId worker = kNobody;       ///< who is at work
+    std::vector<PersonPose> people;       ///< what all who are there share, this program's included
+    std::optional<ShownLesson> lesson;    ///< shown to this program's participant
+    std::optional<PoseSample> lessonView; ///< X_AD of who shows it, while that is known
+    std::optional<ShownObject> patient;   ///< X_AV; empty before any action on the patient
+    std::vector<LiftedObject> lifted;     ///< what is not in its place
+    std::optional<Duration> sampleAge;    ///< of the tube's newest sample at `time`
 };
 
 /// Whether the virtual patient is displaced from its original pose.
@@ -63,6 +65,7 @@ public:
 
 private:
     void addPeople(StationMoment& moment, const SessionState& state) const;
+    void addLesson(StationMoment& moment, const SessionState& state) const;
 
     const SessionNode& m_node;
     StationId m_station;

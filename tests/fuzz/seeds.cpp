@@ -165,7 +165,12 @@ std::vector<std::string> factBodies()
         fact::WorkTaken{ParticipantId{4}, self},
         fact::PlaceChosen{self, degrees(90.0)},
         fact::BreathingStopped{true, std::chrono::seconds{30}},
-        fact::BagSqueezed{{perMinute(10.0), millilitres(400.0)}}};
+        fact::BagSqueezed{{perMinute(10.0), millilitres(400.0)}},
+        fact::LessonShown{self,
+                          {{true, LessonCut::AllButAirway, {0.0, -1.0, 0.0}, 0.01},
+                           true,
+                           {{1, 3, LessonStyle::Ghost}, {7, 7, LessonStyle::Solid, true, true}}}},
+        fact::LessonEnded{}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
     for (const FactBody& body : bodies)

@@ -78,7 +78,7 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
                                    ParticipantsModel& participants, ConductModel& conduct,
                                    PeopleModel& people, NetworkModel& network,
                                    ObjectActionModel& actions, StationsModel& stations,
-                                   SessionPatient& patient, StationView& view)
+                                   LessonModel& lesson, SessionPatient& patient, StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_session{session},
       m_participants{participants},
@@ -90,12 +90,14 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->setupUi(this);
     breathing.setHistory(m_history);
     respiration.setHistory(m_history);
+    actions.setHistory(m_history);
+    lesson.setHistory(m_history);
     m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
     m_ui->breathing->setModel(breathing);
     m_ui->condition->setModel(respiration);
     m_ui->waveforms->setTrace(trace);
     m_ui->participants->setModel(participants, conduct, stations, people);
-    m_ui->pane->setModels(session, respiration, stations, people);
+    m_ui->pane->setModels(session, respiration, stations, people, lesson);
     m_ui->pane->show(*patient.patient(), view);
     m_ui->network->setModel(network);
     refreshInvitation();
@@ -110,6 +112,8 @@ InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breath
     m_ui->parts->setScene(m_ui->pane->scene());
     m_ui->section->setScene(m_ui->pane->scene());
     m_ui->partsPage->setFocusProxy(m_ui->parts);
+    m_teacher = std::make_unique<SceneTeacher>(lesson, m_ui->pane->scene());
+    connectParts();
     // What it says never widens the window: what matters stands in front.
     m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_ui->statusBar->addWidget(m_status, 1);
@@ -136,6 +140,17 @@ void InstructorWindow::show(const PatientModel& patient, StationView& view)
     m_objects.setGroups(patient.groups());
     m_ui->parts->setScene(m_ui->pane->scene());
     m_ui->section->setScene(m_ui->pane->scene());
+}
+
+/// A part is chosen in the picture or in the list.
+void InstructorWindow::connectParts()
+{
+    m_chooser = std::make_unique<PartChooser>(m_ui->pane->scene(), *m_ui->parts);
+    connect(m_chooser.get(), &PartChooser::chosen, m_ui->pane, &PatientPane::tellPart);
+    connect(m_ui->parts, &PartsPanel::chosenInList, this,
+            [this](const std::vector<std::uint16_t>& parts) {
+                m_teacher->pointAt(parts.size() == 1 ? std::optional{parts.front()} : std::nullopt);
+            });
 }
 
 void InstructorWindow::layDocks()

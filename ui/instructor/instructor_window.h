@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/lesson/lesson_model.h"
 #include "models/network/network_model.h"
 #include "models/objects/object_action_model.h"
 #include "models/patient/session_patient.h"
@@ -12,6 +13,8 @@
 #include "models/session/people_model.h"
 #include "models/session/session_model.h"
 #include "models/station/stations_model.h"
+#include "ui/lesson/scene_teacher.h"
+#include "ui/scene/part_chooser.h"
 #include "ui/scene/station_scene.h"
 
 #include <QLabel>
@@ -41,7 +44,7 @@ public:
                      RespirationModel& respiration, BreathTrace& trace,
                      ParticipantsModel& participants, ConductModel& conduct, PeopleModel& people,
                      NetworkModel& network, ObjectActionModel& actions, StationsModel& stations,
-                     SessionPatient& patient, StationView& view);
+                     LessonModel& lesson, SessionPatient& patient, StationView& view);
     ~InstructorWindow() override;
 
     /// Draws another patient from now on. @pre both outlive the window, or live until the next
@@ -61,6 +64,7 @@ protected:
 private:
     void fillSessionBar();
     void layDocks();
+    void connectParts();
     /// Shows the invitation beneath the waveforms where there is room.
     void useHeight();
     void refreshInvitation();
@@ -80,6 +84,8 @@ private:
     bool m_isLaidOut = false;
     bool m_endAsked = false;
     std::function<bool()> m_mayClose;
+    std::unique_ptr<SceneTeacher> m_teacher;
+    std::unique_ptr<PartChooser> m_chooser;
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;
 };

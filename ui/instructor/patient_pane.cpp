@@ -1,6 +1,7 @@
 #include "ui/instructor/patient_pane.h"
 
 #include "models/station/people_words.h"
+#include "ui/lesson/lesson_bar.h"
 #include "ui/panels/people_menus.h"
 #include "ui_patient_pane.h"
 
@@ -17,13 +18,23 @@ PatientPane::PatientPane(QWidget* parent)
 PatientPane::~PatientPane() = default;
 
 void PatientPane::setModels(SessionModel& session, const RespirationModel& respiration,
-                            StationsModel& stations, PeopleModel& people)
+                            StationsModel& stations, PeopleModel& people, LessonModel& lesson)
 {
     m_session = &session;
     m_respiration = &respiration;
     m_stations = &stations;
     m_people = &people;
+    m_lesson = &lesson;
     m_ui->stations->setModel(stations);
+    auto* bar = new LessonBar;
+    bar->setModel(lesson);
+    m_ui->views->addWidget(bar);
+    setTabOrder(m_ui->exaggeration, bar);
+    setTabOrder(bar, m_ui->scene);
+    connect(&lesson, &LessonModel::changed, this, [this] {
+        if (m_stationScene)
+            refreshPeople();
+    });
 }
 
 void PatientPane::show(const PatientModel& patient, StationView& view)
@@ -32,6 +43,7 @@ void PatientPane::show(const PatientModel& patient, StationView& view)
     if (m_stationScene) {
         view.exaggerate(m_ui->exaggeration->value());
         m_stationScene->show(patient, view);
+        m_part.clear();
         return;
     }
     m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
@@ -81,7 +93,17 @@ void PatientPane::refreshPeople()
     QStringList told{m_people->workText()};
     if (const auto& eyes = m_stationScene->throughEyesOf())
         told += throughEyesText(*m_session->node().state(), m_stationScene->moment(), *eyes);
+    if (const QString shown = m_lesson->text(); !shown.isEmpty())
+        told.prepend(shown);
+    if (!m_part.isEmpty())
+        told += tr("Part: %1").arg(m_part);
     m_ui->peopleState->setText(told.join(QStringLiteral("      ")));
+}
+
+void PatientPane::tellPart(const QString& name)
+{
+    m_part = name;
+    refreshPeople();
 }
 
 QString PatientPane::patientText() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/lesson/lesson_model.h"
 #include "models/respiration/respiration_model.h"
 #include "models/session/people_model.h"
 #include "models/session/session_model.h"
@@ -30,7 +31,7 @@ public:
 
     /// To be called once, before anything else. @pre all outlive the pane.
     void setModels(SessionModel& session, const RespirationModel& respiration,
-                   StationsModel& stations, PeopleModel& people);
+                   StationsModel& stations, PeopleModel& people, LessonModel& lesson);
     /// Draws a patient from now on. @pre both outlive the pane, or live until the next show.
     void show(const PatientModel& patient, StationView& view);
     using QWidget::show;
@@ -41,6 +42,8 @@ public:
 
     /// Says again what changes by itself.
     void refresh();
+    /// Says which part was chosen in the picture; empty: none.
+    void tellPart(const QString& name);
 
 private:
     void connectViews();
@@ -53,6 +56,8 @@ private:
     const RespirationModel* m_respiration = nullptr;
     const StationsModel* m_stations = nullptr;
     PeopleModel* m_people = nullptr;
+    const LessonModel* m_lesson = nullptr;
+    QString m_part; ///< that was chosen in the picture
     StationView* m_view = nullptr;
     std::unique_ptr<StationScene> m_stationScene;
 };

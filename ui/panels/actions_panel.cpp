@@ -122,6 +122,7 @@ void ActionsPanel::refreshAction()
         m_ui->speed->setValue(m_model->speed());
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
     m_ui->putAllBack->setEnabled(m_model->canPutAllBack());
+    m_ui->undoAction->setVisible(!m_model->hasHistory()); // which has one for all panels
     m_ui->undoAction->setEnabled(m_model->canUndo());
     m_ui->reset->setEnabled(m_model->canReset());
     m_ui->stop->setEnabled(m_model->canStop());

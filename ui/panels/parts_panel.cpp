@@ -175,7 +175,10 @@ PartsPanel::PartsPanel(QWidget* parent)
     m_parts->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_showAll->setObjectName(QStringLiteral("showAll"));
     connect(m_words, &QLineEdit::textChanged, this, &PartsPanel::filter);
-    connect(m_parts, &QTreeWidget::itemSelectionChanged, this, &PartsPanel::refresh);
+    connect(m_parts, &QTreeWidget::itemSelectionChanged, this, [this] {
+        refresh();
+        Q_EMIT chosenInList(chosen());
+    });
     connect(m_parts, &QTreeWidget::itemChanged, this, &PartsPanel::showOrHide);
     connect(m_showAll, &QPushButton::clicked, this, &PartsPanel::showAll);
     layOut();
@@ -233,6 +236,32 @@ void PartsPanel::setScene(SceneView& scene)
                     [](const ScenePart& part) { return !part.colors.empty(); }));
     filter(m_words->text());
     refresh();
+}
+
+void PartsPanel::choose(std::optional<std::uint16_t> part)
+{
+    {
+        const QSignalBlocker silently{m_parts};
+        m_parts->clearSelection();
+        QTreeWidgetItem* item = part ? itemOf(*part) : nullptr;
+        if (item != nullptr) {
+            if (item->isHidden())
+                m_words->clear();
+            item->setSelected(true);
+            m_parts->setCurrentItem(item);
+            m_parts->scrollToItem(item);
+        }
+    }
+    refresh();
+}
+
+QTreeWidgetItem* PartsPanel::itemOf(std::uint16_t part) const
+{
+    for (QTreeWidgetItem* region : regions())
+        for (int row = 0; row < region->childCount(); ++row)
+            if (idOf(*region->child(row)) == part)
+                return region->child(row);
+    return nullptr;
 }
 
 std::vector<QTreeWidgetItem*> PartsPanel::regions() const

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QLineEdit;
@@ -31,6 +32,13 @@ public:
 
     /// Lists the parts that the view has now. @pre the view outlives the panel.
     void setScene(SceneView& scene);
+    /// Chooses a part in the list, and no other; std::nullopt chooses none. A filter that hides it
+    /// is cleared.
+    void choose(std::optional<std::uint16_t> part);
+
+Q_SIGNALS:
+    /// A person chose these parts in the list; a region stands for its listed parts.
+    void chosenInList(const std::vector<std::uint16_t>& parts);
 
 private:
     void layOut();
@@ -45,6 +53,7 @@ private:
                                    bool PartLook::*which);
     [[nodiscard]] std::vector<QTreeWidgetItem*> regions() const;
     [[nodiscard]] std::vector<std::uint16_t> chosen() const;
+    [[nodiscard]] QTreeWidgetItem* itemOf(std::uint16_t part) const;
     void change(const std::vector<std::uint16_t>& ids,
                 const std::function<void(PartLook&)>& applied);
     void showOrHide(QTreeWidgetItem* item, int column);

@@ -2,6 +2,7 @@
 
 #include "models/text/shown_as_is.h"
 
+#include <QKeyEvent>
 #include <QShortcut>
 
 namespace carina
@@ -32,6 +33,13 @@ UndoButton::UndoButton(ChangeHistory& history, QWidget* parent)
     connect(&m_menu, &QMenu::aboutToShow, this, &UndoButton::list);
     connect(&m_history, &ChangeHistory::changed, this, &UndoButton::refresh);
     refresh();
+}
+
+void UndoButton::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Down && isEnabled())
+        return showMenu();
+    QToolButton::keyPressEvent(event);
 }
 
 void UndoButton::refresh()

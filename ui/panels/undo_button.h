@@ -18,6 +18,10 @@ public:
     /// @pre the history outlives this.
     explicit UndoButton(ChangeHistory& history, QWidget* parent = nullptr);
 
+protected:
+    /// The arrow key down opens the list.
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     void refresh();
     void list();

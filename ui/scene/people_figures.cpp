@@ -20,6 +20,7 @@ constexpr std::array kPeopleColors{QColor{150, 186, 214}, QColor{222, 188, 122},
                                    QColor{176, 116, 100}, QColor{206, 214, 196}};
 constexpr QColor kVisorColor{38, 44, 56};
 constexpr QColor kBladeColor{196, 202, 208};
+constexpr QColor kPointerColor{236, 92, 160};
 
 const Vec3 kAboveHead{0.0, kHeadTop, 0.085};
 const Vec3 kOnTube{0.0, 0.0, 0.01};
@@ -34,6 +35,7 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
     case ObjectKind::Stylus:
         return !person.isOwn;
     case ObjectKind::Laryngoscope:
+    case ObjectKind::Pointer:
         return true;
     case ObjectKind::Tube:
         // While nobody is at work the own tube is the one that is drawn with the patient.
@@ -42,6 +44,7 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
     case ObjectKind::Patient:
     case ObjectKind::OrganGroup:
     case ObjectKind::SpareTube:
+    case ObjectKind::View:
         break;
     }
     return false;
@@ -77,6 +80,9 @@ public:
             add("Stylus", shapes.stylus, color);
             add("Direction", shapes.ray, color);
             break;
+        case ObjectKind::Pointer:
+            add("Pointer", shapes.stylus, kPointerColor);
+            break;
         case ObjectKind::Laryngoscope:
             add("Laryngoscope", person.isOwn && m_ownBlade ? m_ownBlade : shapes.blade,
                 kBladeColor);
@@ -91,6 +97,7 @@ public:
         case ObjectKind::Patient:
         case ObjectKind::OrganGroup:
         case ObjectKind::SpareTube:
+        case ObjectKind::View:
             break;
         }
         return std::move(m_figure);

@@ -51,16 +51,30 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     SceneFrame frame =
         sceneFrame(m_moment, m_patient->lungs().field(), throatAt(m_moment, *m_patient));
     addLifted(frame, m_moment, *m_patient);
-    const auto eyesOf = m_output == ViewOutput::Screen ? m_throughEyesOf : std::nullopt;
+    findViewpoint();
+    frame.viewpoint = m_viewpoint;
+    const bool ownChoice = m_output == ViewOutput::Screen && !m_viewpoint;
+    const auto eyesOf = ownChoice ? m_throughEyesOf : std::nullopt;
     addPeople(frame, m_moment, eyesOf);
     if (eyesOf) {
         const PersonPose* head = headOf(m_moment.people, *eyesOf);
         frame.eyes = m_standardHeadset.eyes(ViewOutput::Mono,
                                             head ? std::optional{head->pose} : std::nullopt);
-    } else if (m_headset) {
+    } else if (m_headset && !m_viewpoint) {
         frame.eyes = m_headset->eyes(m_output, m_moment.head);
     }
     return frame;
+}
+
+/// Nobody's picture is moved whose own head moves it. While no poses arrive the last one is kept.
+void StationScene::findViewpoint()
+{
+    const bool isShown = m_followsView && m_output == ViewOutput::Screen && !m_moment.head
+                         && m_moment.lesson && m_moment.lesson->lesson.showsView;
+    if (!isShown)
+        m_viewpoint.reset();
+    else if (m_moment.lessonView)
+        m_viewpoint = m_moment.lessonView->X_FO;
 }
 
 void StationScene::showFigures()

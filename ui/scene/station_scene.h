@@ -43,6 +43,12 @@ public:
         return m_throughEyesOf;
     }
 
+    /// Looks from now on, on a screen and while this program's participant has no tracked head,
+    /// from where an instructor does who shows that.
+    void followView(bool follows) { m_followsView = follows; }
+    /// Whether the latest frame was drawn so.
+    [[nodiscard]] bool isViewFollowed() const { return m_viewpoint.has_value(); }
+
     [[nodiscard]] SceneView& scene() const { return m_scene; }
     [[nodiscard]] const PatientModel& patient() const { return *m_patient; }
     /// The moment of the latest frame.
@@ -56,6 +62,7 @@ private:
     /// Has the scene make figures of the people of the moment, and of what is lifted out, if these
     /// are others than before.
     void showFigures();
+    void findViewpoint();
 
     SceneView& m_scene;
     const PatientModel* m_patient;
@@ -68,6 +75,8 @@ private:
     std::optional<ParticipantId> m_throughEyesOf;
     std::optional<HeadsetView> m_headset;
     ViewOutput m_output = ViewOutput::Screen;
+    bool m_followsView = false;
+    std::optional<RigidTransform> m_viewpoint; ///< X_AD of who shows their view
     StationMoment m_moment;
 };
 

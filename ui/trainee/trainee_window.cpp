@@ -1,5 +1,6 @@
 #include "ui/trainee/trainee_window.h"
 
+#include "models/lesson/lesson_words.h"
 #include "models/station/own_station.h"
 #include "models/station/people_words.h"
 #include "models/station/station_notice.h"
@@ -49,7 +50,9 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_objects{actions.object()},
       m_chinProbe{chinProbe},
       m_standing{std::move(standing)},
-      m_stationScene{*m_scene, *patient.patient(), view}
+      m_stationScene{*m_scene, *patient.patient(), view},
+      m_lesson{m_stationScene, node},
+      m_chooser{*m_scene, *m_partsPanel}
 {
     setWindowTitle(tr("Carina trainee"));
     setPalette(QPalette{Qt::white, Qt::black});
@@ -240,13 +243,12 @@ void TraineeWindow::addPresets()
             m_stationScene.seeThrough(std::nullopt);
             m_scene->showFrom(preset);
         }));
-        m_presets.back()->setEnabled(m_stationScene.output() == ViewOutput::Screen);
     };
     add(ViewPreset::Front, tr("From the &front"));
     add(ViewPreset::Right, tr("From the &right side"));
     add(ViewPreset::Trainee, tr("From the &head end"));
     m_presets.push_back(m_menu.addMenu(eyes));
-    m_presets.back()->setEnabled(m_stationScene.output() == ViewOutput::Screen);
+    refreshLesson();
 }
 
 void TraineeWindow::addPeople()
@@ -343,8 +345,6 @@ void TraineeWindow::placeAnother()
 void TraineeWindow::showTo(ViewOutput output)
 {
     m_stationScene.showTo(m_headset, output);
-    for (QAction* preset : m_presets)
-        preset->setEnabled(output == ViewOutput::Screen);
     // A headset's picture keeps all of the window.
     for (QDockWidget* dock : {m_actions, m_parts, m_tracker}) {
         dock->setFloating(output != ViewOutput::Screen);
@@ -379,10 +379,13 @@ QString TraineeWindow::notice() const
     if (notice.isEmpty())
         notice = m_chinProbe.notice();
     if (const auto& eyes = m_stationScene.throughEyesOf();
-        eyes && m_stationScene.output() == ViewOutput::Screen) {
+        eyes && m_stationScene.output() == ViewOutput::Screen && !m_stationScene.isViewFollowed()) {
         const QString told = throughEyesText(*m_node.state(), m_stationScene.moment(), *eyes);
         notice = notice.isEmpty() ? told : told + QLatin1Char('\n') + notice;
     }
+    const QString lesson = lessonNotice(m_stationScene.moment(), m_stationScene.isViewFollowed());
+    if (!lesson.isEmpty())
+        notice = notice.isEmpty() ? lesson : lesson + QLatin1Char('\n') + notice;
     const QString patient = m_patient.notice();
     return notice.isEmpty() || patient.isEmpty() ? notice + patient
                                                  : notice + QLatin1Char('\n') + patient;
@@ -396,9 +399,20 @@ void TraineeWindow::withdrawOffers()
     m_actions->toggleViewAction()->setVisible(false);
 }
 
+void TraineeWindow::refreshLesson()
+{
+    m_partsPanel->setEnabled(!m_lesson.isFollowing());
+    m_section->setEnabled(!m_lesson.isFollowing());
+    const bool isOwnView =
+        m_stationScene.output() == ViewOutput::Screen && !m_stationScene.isViewFollowed();
+    for (QAction* preset : m_presets)
+        preset->setEnabled(isOwnView);
+}
+
 void TraineeWindow::refreshNotice()
 {
     withdrawOffers();
+    refreshLesson();
     const ViewOutput output = m_stationScene.output();
     const QString notice = this->notice();
     const bool twice = output == ViewOutput::SideBySide;

@@ -6,6 +6,8 @@
 #include "models/station/chin_probe_model.h"
 #include "models/station/tool_status.h"
 #include "models/tracker/pose_recording.h"
+#include "ui/lesson/lesson_follower.h"
+#include "ui/scene/part_chooser.h"
 #include "ui/scene/station_scene.h"
 
 #include <QDockWidget>
@@ -98,6 +100,8 @@ private:
     void refreshNotice();
     /// Once the host removed this program, takes away what would have no effect.
     void withdrawOffers();
+    /// While an instructor shows something, takes away what would not be seen.
+    void refreshLesson();
     void placeNotice(std::size_t place, const QString& notice, const QRect& within);
 
     const SessionNode& m_node;
@@ -116,6 +120,8 @@ private:
     ChinProbeModel m_chinProbe;
     Standing m_standing;
     StationScene m_stationScene;
+    LessonFollower m_lesson;
+    PartChooser m_chooser;
     QMenu m_menu;
     std::vector<QAction*> m_presets; ///< of the screen's camera, and through the eyes of others
 };

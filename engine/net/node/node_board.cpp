@@ -87,7 +87,8 @@ std::map<ParticipantId, double> NodeBoard::actionFrequencies(SessionTime now) co
     analysis.add(part(&View::actions)->analysis());
     const auto snapshot = state();
     const auto owned = std::ranges::count_if(snapshot->objects(), [](const auto& entry) {
-        return entry.second.owner != kNobody; // the others are in their places
+        const SharedObject& object = entry.second;
+        return object.owner != kNobody && !isOfLesson(object.kind); // others are in their places
     });
     const auto shared = std::max<std::size_t>(1, std::size_t(owned));
     std::map<ParticipantId, double> frequencies;

@@ -101,14 +101,16 @@ void getField(ByteReader& in, std::string& text)
 template <OfFields Whole> void putField(ByteWriter& out, const Whole& whole);
 template <OfFields Whole> void getField(ByteReader& in, Whole& whole);
 
-template <class Part> void putField(ByteWriter& out, const std::array<Part, 2>& pair)
+template <class Part, std::size_t count>
+void putField(ByteWriter& out, const std::array<Part, count>& parts)
 {
-    for (const Part& part : pair)
+    for (const Part& part : parts)
         putField(out, part);
 }
-template <class Part> void getField(ByteReader& in, std::array<Part, 2>& pair)
+template <class Part, std::size_t count>
+void getField(ByteReader& in, std::array<Part, count>& parts)
 {
-    for (Part& part : pair)
+    for (Part& part : parts)
         getField(in, part);
 }
 
@@ -125,6 +127,21 @@ void getField(ByteReader& in, LungConditions& conditions)
     in.require(count <= kMostConditions, "number of conditions");
     for (std::size_t i = 0; in.ok() && i < count; ++i)
         getField(in, conditions.emplace_back());
+}
+
+void putField(ByteWriter& out, const LessonLooks& looks)
+{
+    CARINA_EXPECTS(looks.size() <= kMostLessonLooks);
+    out.number(static_cast<std::uint8_t>(looks.size()));
+    for (const LessonLook& look : looks)
+        putField(out, look);
+}
+void getField(ByteReader& in, LessonLooks& looks)
+{
+    const auto count = in.number<std::uint8_t>();
+    in.require(count <= kMostLessonLooks, "number of looks");
+    for (std::size_t i = 0; in.ok() && i < count; ++i)
+        getField(in, looks.emplace_back());
 }
 
 template <OfFields Whole> void putField(ByteWriter& out, const Whole& whole)

@@ -107,6 +107,20 @@ template <>
 inline constexpr std::tuple kFields<fact::PlaceChosen>{&fact::PlaceChosen::participant,
                                                        &fact::PlaceChosen::turn};
 
+template <>
+inline constexpr std::tuple kFields<fact::LessonShown>{&fact::LessonShown::to,
+                                                       &fact::LessonShown::lesson};
+template <>
+inline constexpr std::tuple kFields<Lesson>{&Lesson::section, &Lesson::showsView, &Lesson::looks};
+template <>
+inline constexpr std::tuple kFields<LessonSection>{&LessonSection::isCut, &LessonSection::cut,
+                                                   &LessonSection::normal_A,
+                                                   &LessonSection::distance};
+template <>
+inline constexpr std::tuple kFields<LessonLook>{
+    &LessonLook::first,         &LessonLook::last,    &LessonLook::style,
+    &LessonLook::isHighlighted, &LessonLook::isNamed, &LessonLook::isPlain};
+
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>
 inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};
@@ -190,7 +204,9 @@ template <> inline constexpr StrategyKind kLastEnumerator<StrategyKind> = Strate
 template <>
 inline constexpr RegistrationState kLastEnumerator<RegistrationState> = RegistrationState::Missing;
 template <> inline constexpr StaleReason kLastEnumerator<StaleReason> = StaleReason::Drift;
-template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Laryngoscope;
+template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Pointer;
+template <> inline constexpr LessonCut kLastEnumerator<LessonCut> = LessonCut::AllButAirway;
+template <> inline constexpr LessonStyle kLastEnumerator<LessonStyle> = LessonStyle::Hidden;
 template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
 template <>
 inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;

@@ -2,6 +2,7 @@
 
 #include "engine/session/facts/number_check.h"
 #include "engine/session/facts/utf8.h"
+#include "engine/session/lesson_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
 #include "engine/sync/strategies/probe_trigger.h"
 
@@ -127,6 +128,8 @@ struct BodyCheck {
     {
         return checkNumber("turn", inDegrees(f.turn), -180.0, 180.0, " deg");
     }
+    Result<void> operator()(const fact::LessonShown& f) const { return checkLesson(f.lesson); }
+    Result<void> operator()(const fact::LessonEnded&) const { return {}; }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
 #include "engine/session/facts/conduct_facts.h"
+#include "engine/session/facts/lesson_facts.h"
 #include "engine/session/facts/people_facts.h"
 #include "engine/session/facts/registration_facts.h"
 #include "engine/session/respiration/respiration_facts.h"
@@ -28,6 +29,8 @@ enum class ObjectKind : std::uint8_t {
     OrganGroup, ///< a group of the patient's organs, whose name is groupName(): lifted out of it
     SpareTube,  ///< a second tube beside the patient: taken out
     Laryngoscope,
+    View,    ///< the camera of an instructor who shows a lesson: x right, y up, looking along -z
+    Pointer, ///< what that instructor points with: the tip at the origin, pointing along -z
 };
 
 /// The kinds of facts: what may be decided or happen in a session. Station, author and effect time
@@ -153,7 +156,8 @@ using FactBody = std::variant<
     fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
     fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
     fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken,
-    fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed>;
+    fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown,
+    fact::LessonEnded>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)
@@ -195,6 +199,12 @@ using FactBody = std::variant<
 [[nodiscard]] constexpr bool isActedOn(ObjectKind kind)
 {
     return kind == ObjectKind::Patient || isLiftable(kind);
+}
+
+/// Whether objects of this kind belong to a lesson: only instructors have them.
+[[nodiscard]] constexpr bool isOfLesson(ObjectKind kind)
+{
+    return kind == ObjectKind::View || kind == ObjectKind::Pointer;
 }
 
 /// Whether objects of this kind are tools or parts of a person, which go where the person goes; the

@@ -92,6 +92,13 @@ void TestSessionPermissions::permitsByRole_data()
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
     row("stops the breathing", "yynnnn", [](auto) { return fact::BreathingStopped{}; });
     row("squeezes a bag", "yynnnn", [](auto) { return fact::BagSqueezed{}; });
+    row("shows something", "yynnnn", [](auto) { return fact::LessonShown{}; });
+    row("shares a view to show", "yynnnn", [](auto id) {
+        return fact::ObjectShared{{}, id, ObjectKind::View, "view"};
+    });
+    row("shares a pointer", "yynnnn", [](auto id) {
+        return fact::ObjectShared{{}, id, ObjectKind::Pointer, "pointer"};
+    });
     row("places the tube", "yynnnn", [](auto) { return fact::TubePlaced{}; });
     row("sees the manikin breathe", "yyynnn", [](auto) { return fact::ManikinBreathed{kNow}; });
     row("states how its registration stands", "yyynnn",
@@ -220,6 +227,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("hand over", fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1}, "fine");
     row("ask", fact::ObjectWanted{kSampleTube}, "fine");
     row("state a registration", fact::RegistrationStated{}, "fine");
+    row("show something", fact::LessonShown{}, "fine");
     row("station's name", fact::StationRenamed{"S"}, "session ended");
     row("closing", fact::StationClosed{}, "session ended");
     row("move", fact::ParticipantMoved{kSampleTrainee}, "session ended");
@@ -379,6 +387,8 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "station unknown");
     row("work", fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee}, "fine", "out of range");
     row("place", fact::PlaceChosen{kSampleTrainee, degrees(90.0)}, "fine", "station unknown");
+    row("lesson", fact::LessonShown{}, "fine", "station unknown");
+    row("end of a lesson", fact::LessonEnded{}, "out of range", "station unknown");
     row("rate", fact::BreathingRateSet{perMinute(20.0)}, "fine", "station unknown");
     row("tidal volume", fact::TidalVolumeSet{millilitres(300.0)}, "fine", "station unknown");
     row("fraction", fact::InspiratoryFractionSet{0.4}, "fine", "station unknown");

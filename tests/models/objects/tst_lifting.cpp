@@ -32,6 +32,10 @@ private Q_SLOTS:
     void undoesOneStepAfterTheOther();
     void undoesWhatItPutBackOnceItIsLiftedAgain();
     void forgetsItsStepsWhenAnotherHadIt();
+    void theHistoryTakesBackStepsOfAllObjects();
+    void theHistoryLiftsOutAgainWhatWasPutBack();
+    void theHistoryForgetsWhatAnotherHad();
+    void theHistoryForgetsWhatIsOfAnotherStation();
     void aTraineePutsBackWhatIsTheirs();
     void anInstructorPutsBackEverythingAndThePatient();
     void takesNothingOverThatAnotherTookMeanwhile();
@@ -311,6 +315,74 @@ void TestLifting::forgetsItsStepsWhenAnotherHadIt()
     seat.pass(kLungs, kTom);
     QCoreApplication::sendPostedEvents();
     QVERIFY(seat.object.isOwn() && !seat.model.canUndo());
+}
+
+void TestLifting::theHistoryTakesBackStepsOfAllObjects()
+{
+    Seat seat{kIna};
+    ChangeHistory history;
+    seat.model.setHistory(history);
+    seat.lift(kLungs);
+    seat.move();
+    seat.lift(kAirway);
+    seat.move();
+    seat.object.choose(kLungs);
+    seat.move();
+    QCOMPARE(history.texts(), (QStringList{QStringLiteral("Lungs: moved along x"),
+                                           QStringLiteral("Airway: moved along x"),
+                                           QStringLiteral("Lungs: moved along x")}));
+    history.undo();
+    QVERIFY(seat.isAt(kLungs, 0.1) && seat.isAt(kAirway, 0.1));
+    history.undo(); // not the one that is chosen
+    QVERIFY(seat.isAt(kLungs, 0.1) && seat.isAt(kAirway, 0.0));
+    history.undo();
+    QVERIFY(seat.isAt(kLungs, 0.0));
+    QVERIFY(history.isEmpty());
+}
+
+void TestLifting::theHistoryLiftsOutAgainWhatWasPutBack()
+{
+    Seat seat{kIna};
+    ChangeHistory history;
+    seat.model.setHistory(history);
+    seat.lift(kLungs);
+    seat.move();
+    seat.model.putBack();
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(seat.ownerOf(kLungs) == kNobody);
+    QCOMPARE(history.texts().front(), QStringLiteral("Lungs → put back"));
+    history.undo();
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(seat.ownerOf(kLungs) == kIna);
+    QVERIFY(seat.isAt(kLungs, 0.1));
+    history.undo();
+    QVERIFY(seat.isAt(kLungs, 0.0));
+}
+
+void TestLifting::theHistoryForgetsWhatAnotherHad()
+{
+    Seat seat{kIna};
+    ChangeHistory history;
+    seat.model.setHistory(history);
+    seat.lift(kAirway);
+    seat.move();
+    seat.lift(kLungs);
+    seat.move();
+    seat.pass(kLungs, kTom);
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("Airway: moved along x")});
+}
+
+void TestLifting::theHistoryForgetsWhatIsOfAnotherStation()
+{
+    Seat seat{kIna};
+    ChangeHistory history;
+    seat.model.setHistory(history);
+    seat.node.addStation("Room 5");
+    seat.lift(kLungs);
+    seat.move();
+    seat.object.setStation(StationId{1});
+    QVERIFY(history.isEmpty());
 }
 
 void TestLifting::aTraineePutsBackWhatIsTheirs()

@@ -78,6 +78,8 @@ private Q_SLOTS:
     void saysThatThereIsNoTracker_data();
     void saysThatThereIsNoTracker();
     void saysThatTheSessionHasEnded();
+    void showsWhatAnInstructorShowsToThisParticipant();
+    void looksFromWhereTheInstructorDoes();
 };
 
 void TestStationView::asksEverythingForTheTimeOfLight()
@@ -115,6 +117,46 @@ void TestStationView::breathesAtTheTimeOfLight()
         return view.at(kNow + milliseconds{ms}, 0).pose.lungs[0].diaphragm;
     };
     QVERIFY(std::abs(diaphragm(1040) - diaphragm(1000)) > 1e-3);
+}
+
+void TestStationView::showsWhatAnInstructorShowsToThisParticipant()
+{
+    const LungPair pair = lungs();
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    const StationView view{node, FakeSessionNode::kStation, pair};
+    QVERIFY(!view.at(kNow, 0).lesson);
+    const auto show = [&](ParticipantId to) {
+        node.decide(fact::LessonShown{to, {{}, true, {}}}, FakeSessionNode::kInstructor);
+    };
+    show(FakeSessionNode::kObserver);
+    QVERIFY(!view.at(kNow, 0).lesson);
+    show(kNobody);
+    QVERIFY(view.at(kNow, 0).lesson && view.at(kNow, 0).lesson->lesson.showsView);
+    node.decide(fact::LessonEnded{});
+    QVERIFY(!view.at(kNow, 0).lesson);
+}
+
+/// The view is nothing that is drawn, and the pointer is seen by whom something is shown to.
+void TestStationView::looksFromWhereTheInstructorDoes()
+{
+    const LungPair pair = lungs();
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    const ParticipantId ina = FakeSessionNode::kInstructor;
+    node.decide(fact::ObjectShared{{}, ina, ObjectKind::View, "View"});
+    node.decide(fact::ObjectShared{{}, ina, ObjectKind::Pointer, "Pointer"});
+    const RigidTransform X_AD = RigidTransform::translation({0.0, -2.0, 0.0});
+    node.sees(ObjectId{2}, X_AD, kNow);
+    node.sees(ObjectId{3}, X_AD, kNow);
+    const StationView view{node, FakeSessionNode::kStation, pair};
+    QVERIFY(view.at(kNow, 0).people.empty());
+    QVERIFY(!view.at(kNow, 0).lessonView);
+    node.decide(fact::LessonShown{kNobody, {{}, true, {}}}, ina);
+    const StationMoment moment = view.at(kNow, 0);
+    QVERIFY(moment.lessonView
+            && (moment.lessonView->X_FO.translation() - X_AD.translation()).norm() < 1e-4);
+    QCOMPARE(moment.people.size(), std::size_t{1});
+    QCOMPARE(moment.people.front().kind, ObjectKind::Pointer);
+    QVERIFY(!view.at(kNow + std::chrono::seconds{2}, 0).lessonView); // nothing is heard of it
 }
 
 void TestStationView::exaggeratesOnlyWhereAsked()

@@ -12,13 +12,6 @@ namespace carina
 namespace
 {
 
-bool isSame(const std::optional<Section>& a, const std::optional<Section>& b)
-{
-    if (!a || !b)
-        return a.has_value() == b.has_value();
-    return a->normal_A == b->normal_A && a->distance == b->distance && a->cut == b->cut;
-}
-
 bool isSame(const CameraPose& a, const CameraPose& b)
 {
     return a.p_A_eye == b.p_A_eye && a.p_A_target == b.p_A_target && a.up_A == b.up_A;
@@ -56,7 +49,7 @@ void PartLabels::setParts(std::span<const ScenePart> parts, const PartLooks& loo
 
 bool PartLabels::isStale(const SceneSight& sight) const
 {
-    return !m_sight || m_age >= kFramesAPlace || !isSame(m_sight->section, sight.section)
+    return !m_sight || m_age >= kFramesAPlace || m_sight->section != sight.section
            || !isSame(m_sight->pose, sight.pose) || !isSame(m_sight->frustum, sight.frustum);
 }
 

@@ -72,6 +72,10 @@ struct SceneFrame {
     /// list, as while a headset is lost, draws the background only; std::nullopt uses the view's
     /// own camera.
     std::optional<std::vector<EyePicture>> eyes;
+
+    /// X_AD of an eye (+x right, +y up, looking along -z) in whose place the view's own camera is
+    /// drawn. That stays where it is meanwhile, and nobody moves it.
+    std::optional<RigidTransform> viewpoint{};
 };
 
 /// The place of a body in a frame, or of its parts that are lifted out with a group, while they

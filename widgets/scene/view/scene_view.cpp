@@ -88,6 +88,8 @@ void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed
     m_window->camera().setAspect(m_window->widthOverHeight());
     m_detail = DetailChoice{{}, kDrawingBudget};
     m_eyes.clear();
+    m_instead.reset();
+    applySection();
     setLooks({});
 }
 
@@ -108,20 +110,38 @@ void SceneView::setFigures(std::span<const SceneFigure> figures)
 
 void SceneView::setLooks(const PartLooks& looks)
 {
-    m_looks = looks;
-    const std::vector<ScenePart> shown = withLooks(m_parts, looks);
-    m_renderer->setParts(shown);
-    m_labels.setParts(shown, looks);
-    m_detail.setParts(shown);
+    m_own.looks = looks;
+    if (!m_instead)
+        applyLooks();
+}
+
+void SceneView::applyLooks()
+{
+    m_shown = withLooks(m_parts, inForce().looks);
+    m_renderer->setParts(m_shown);
+    m_labels.setParts(m_shown, inForce().looks);
+    m_detail.setParts(m_shown);
+}
+
+void SceneView::drawInstead(const std::optional<SceneSettings>& settings)
+{
+    const SceneSettings before = inForce();
+    m_instead = settings;
+    if (inForce().looks != before.looks)
+        applyLooks();
+    if (inForce().section != before.section)
+        applySection();
 }
 
 const OrbitCamera& SceneView::camera() const { return m_window->camera(); }
 
 void SceneView::setSection(const std::optional<Section>& section)
 {
-    m_section = section;
-    m_renderer->setSection(section);
+    m_own.section = section;
+    applySection();
 }
+
+void SceneView::applySection() { m_renderer->setSection(inForce().section); }
 
 void SceneView::setErrorMap(const std::optional<ErrorMap>& map) { m_renderer->setErrorMap(map); }
 
@@ -152,7 +172,8 @@ std::vector<SceneCamera> SceneView::camerasOf(const SceneFrame& frame) const
 {
     const OrbitCamera& camera = m_window->camera();
     if (!frame.eyes)
-        return {{camera.pose(), camera.frustum(), m_window->pixels()}};
+        return {{frame.viewpoint ? camera.poseOf(*frame.viewpoint) : camera.pose(),
+                 camera.frustum(), m_window->pixels()}};
     std::vector<SceneCamera> cameras;
     for (const EyePicture& eye : *frame.eyes) {
         const PixelRect area =
@@ -165,11 +186,27 @@ std::vector<SceneCamera> SceneView::camerasOf(const SceneFrame& frame) const
 
 void SceneView::sendRay(const QPointF& position)
 {
-    const double height = std::max(1, m_window->height());
-    const OrbitCamera& camera = m_window->camera();
-    Q_EMIT clicked(camera.pose().p_A_eye,
-                   camera.directionThrough((position.x() - 0.5 * m_window->width()) / height,
-                                           0.5 - position.y() / height));
+    if (const auto ray = rayAt(position))
+        Q_EMIT clicked(ray->p_A_eye, ray->dir_A);
+}
+
+/// Through the picture of the eye that has this pixel of the widget.
+std::optional<SightRay> SceneView::rayAt(const QPointF& position) const
+{
+    for (const EyeSight& eye : sightsOf(camerasOf(m_frame))) {
+        const QRectF area{eye.picture};
+        if (area.contains(position))
+            return rayThrough({(position.x() - area.x()) / area.width(),
+                               (position.y() - area.y()) / area.height()},
+                              eye.sight);
+    }
+    return std::nullopt;
+}
+
+std::optional<SightRay> SceneView::rayUnderMouse() const
+{
+    const auto& place = m_window->mousePlace();
+    return place ? rayAt(*place) : std::nullopt;
 }
 
 /// By where the eyes were in the latest frame: the frame source is asked for the frame only once
@@ -198,7 +235,7 @@ std::vector<EyeSight> SceneView::sightsOf(const std::vector<SceneCamera>& camera
     for (const SceneCamera& camera : cameras) {
         const QRectF pixels(camera.pixels.x, camera.pixels.y, camera.pixels.width,
                             camera.pixels.height);
-        sights.push_back({{camera.pose, camera.frustum, m_section},
+        sights.push_back({{camera.pose, camera.frustum, inForce().section},
                           QRectF{pixels.topLeft() / ratio, pixels.size() / ratio}.toAlignedRect()});
     }
     return sights;
@@ -239,6 +276,10 @@ void SceneView::drawExposed(LocalTime asked)
     m_renderer->draw();
     drawn.swapped = monotonicNow();
     placeLabels(drawn.frame, cameras);
+    m_frame = drawn.frame;
+    if (!cameras.empty())
+        m_sight = {cameras.front().pose, cameras.front().frustum, inForce().section};
+    m_window->holdCamera(m_frame.viewpoint.has_value());
     m_times.add(drawn.asked, drawn.swapped);
     m_timeOfLight.frameTook(drawn.swapped - drawn.asked);
     m_detail.frameTook(drawn.swapped - drawn.asked);

@@ -12,6 +12,7 @@
 #include "widgets/scene/surfaces/scene_part.h"
 #include "widgets/scene/view/frame_statistics.h"
 #include "widgets/scene/view/orbit_camera.h"
+#include "widgets/scene/view/parts_on_ray.h"
 #include "widgets/scene/view/scene_frame.h"
 
 #include <QImage>
@@ -31,6 +32,14 @@ namespace carina
 struct SceneCamera;
 class SceneRenderer;
 class SceneWindow;
+
+/// What a view draws of its parts, and how.
+struct SceneSettings {
+    std::optional<Section> section{};
+    PartLooks looks{};
+
+    friend bool operator==(const SceneSettings&, const SceneSettings&) = default;
+};
 
 /// A 3-D view of a patient and tools, redrawn about 60 times a second while it is visible.
 ///
@@ -61,9 +70,15 @@ public:
     void setFigures(std::span<const SceneFigure> figures);
     /// Sets how parts are drawn differently from their material group. The camera does not move.
     void setLooks(const PartLooks& looks);
-    [[nodiscard]] const PartLooks& looks() const { return m_looks; }
+    [[nodiscard]] const PartLooks& looks() const { return m_own.looks; }
     /// Sets the section plane; std::nullopt removes it.
     void setSection(const std::optional<Section>& section);
+    /// The view's own settings.
+    [[nodiscard]] const SceneSettings& settings() const { return m_own; }
+    /// Draws these settings in place of the view's own from now on, which stay as they are and may
+    /// be changed meanwhile; std::nullopt: its own again. New parts end it.
+    void drawInstead(const std::optional<SceneSettings>& settings);
+    [[nodiscard]] const std::optional<SceneSettings>& drawnInstead() const { return m_instead; }
     /// Draws the error map of a registration in place of the parts' colours; std::nullopt ends
     /// this.
     void setErrorMap(const std::optional<ErrorMap>& map);
@@ -87,6 +102,13 @@ public:
     void setLie(Lie lie);
     /// The view's own camera, used for frames without a list of eyes.
     [[nodiscard]] const OrbitCamera& camera() const;
+    /// The parts as they are drawn, without hidden ones.
+    [[nodiscard]] const std::vector<ScenePart>& shownParts() const { return m_shown; }
+    /// The latest frame, and how the view's own camera or what was drawn in its place saw it.
+    [[nodiscard]] const SceneFrame& frame() const { return m_frame; }
+    [[nodiscard]] const SceneSight& sight() const { return m_sight; }
+    /// The ray under the mouse; std::nullopt while it is not over the picture.
+    [[nodiscard]] std::optional<SightRay> rayUnderMouse() const;
     /// Labels the right and left of a patient at the edges, except in a headset: of the body with
     /// this name, or of a patient that is fixed in A.
     void nameSides(std::string body = {}) { m_sides.emplace(*this, std::move(body)); }
@@ -112,8 +134,8 @@ public:
     [[nodiscard]] std::map<std::uint16_t, std::size_t> visiblePixels();
 
 Q_SIGNALS:
-    /// A point in the picture was clicked: the ray through it from the eye of the view's own
-    /// camera, in A, with a unit direction.
+    /// A point in the picture was clicked: the ray through it from the eye that sees it there, in
+    /// A, with a unit direction.
     void clicked(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
 
 private:
@@ -121,6 +143,10 @@ private:
     void drawExposed(LocalTime asked);
     void placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras);
     void sendRay(const QPointF& position);
+    [[nodiscard]] std::optional<SightRay> rayAt(const QPointF& position) const;
+    [[nodiscard]] const SceneSettings& inForce() const { return m_instead ? *m_instead : m_own; }
+    void applyLooks();
+    void applySection();
     void chooseDetail();
     [[nodiscard]] std::vector<SceneCamera> camerasOf(const SceneFrame& frame) const;
     [[nodiscard]] std::vector<EyeSight> sightsOf(const std::vector<SceneCamera>& cameras) const;
@@ -129,8 +155,11 @@ private:
     std::unique_ptr<SceneRenderer> m_renderer;
     std::vector<ScenePart> m_parts;
     std::vector<ScenePart> m_figureParts;
-    PartLooks m_looks;
-    std::optional<Section> m_section;
+    std::vector<ScenePart> m_shown; ///< m_parts with the looks that are drawn
+    SceneSettings m_own;
+    std::optional<SceneSettings> m_instead;
+    SceneFrame m_frame; ///< the latest
+    SceneSight m_sight; ///< likewise
     PartLabels m_labels;
     FigureNames m_figureNames;
     std::optional<SideLabels> m_sides;

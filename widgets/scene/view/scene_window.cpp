@@ -53,6 +53,13 @@ void SceneWindow::resizeEvent(QResizeEvent* event)
     m_camera.setAspect(widthOverHeight());
 }
 
+bool SceneWindow::event(QEvent* event)
+{
+    if (event->type() == QEvent::Leave)
+        m_mousePlace.reset();
+    return QWindow::event(event);
+}
+
 void SceneWindow::mousePressEvent(QMouseEvent* event)
 {
     requestActivate();
@@ -68,12 +75,15 @@ void SceneWindow::mouseReleaseEvent(QMouseEvent* event)
 
 void SceneWindow::mouseMoveEvent(QMouseEvent* event)
 {
+    m_mousePlace = event->position();
     if (event->buttons() == Qt::NoButton)
         return;
     const int farthest = QGuiApplication::styleHints()->startDragDistance();
     m_dragged = m_dragged || (event->position() - m_pressed).manhattanLength() >= farthest;
     const QPointF moved = (event->position() - m_lastDrag) / std::max(1, height());
     m_lastDrag = event->position();
+    if (m_held)
+        return;
     const bool moves = event->modifiers().testFlag(Qt::ShiftModifier)
                        || !event->buttons().testFlag(Qt::LeftButton);
     if (moves)
@@ -82,11 +92,16 @@ void SceneWindow::mouseMoveEvent(QMouseEvent* event)
         m_camera.orbit(moved.x(), moved.y());
 }
 
-void SceneWindow::mouseDoubleClickEvent(QMouseEvent*) { m_camera.showFrom(m_preset); }
+void SceneWindow::mouseDoubleClickEvent(QMouseEvent*)
+{
+    if (!m_held)
+        m_camera.showFrom(m_preset);
+}
 
 void SceneWindow::wheelEvent(QWheelEvent* event)
 {
-    m_camera.zoom(std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch));
+    if (!m_held)
+        m_camera.zoom(std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch));
 }
 
 void SceneWindow::keyPressEvent(QKeyEvent* event)
@@ -95,7 +110,7 @@ void SceneWindow::keyPressEvent(QKeyEvent* event)
         Q_EMIT tabbed(event->key() == Qt::Key_Tab);
         return;
     }
-    event->setAccepted(turnOrMove(*event));
+    event->setAccepted(!m_held && turnOrMove(*event));
 }
 
 bool SceneWindow::turnOrMove(const QKeyEvent& event)

@@ -6,6 +6,8 @@
 #include <QPointF>
 #include <QWindow>
 
+#include <optional>
+
 namespace carina
 {
 
@@ -24,6 +26,11 @@ public:
     /// Looks from a preset, to which Home returns.
     void showFrom(ViewPreset preset);
 
+    /// Mouse and keys do not move the camera while it is held.
+    void holdCamera(bool held) { m_held = held; }
+    /// Where the mouse is over the window, in its pixels.
+    [[nodiscard]] const std::optional<QPointF>& mousePlace() const { return m_mousePlace; }
+
     [[nodiscard]] double widthOverHeight() const;
     /// The whole window, in device pixels.
     [[nodiscard]] PixelRect pixels() const;
@@ -35,6 +42,7 @@ Q_SIGNALS:
     void clicked(const QPointF& position);
 
 protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -51,6 +59,8 @@ private:
     QPointF m_pressed;
     QPointF m_lastDrag;
     bool m_dragged = false; ///< since the button was pressed
+    bool m_held = false;
+    std::optional<QPointF> m_mousePlace;
 };
 
 } // namespace carina

@@ -92,6 +92,20 @@ std::vector<Golden> goldenFacts()
         {"work that nobody did", fact::WorkTaken{ParticipantId{2}, kNobody}, "1f 0200 ffff"},
         {"place chosen", fact::PlaceChosen{ParticipantId{0x0102}, radians(0.25)},
          "20 0201 000000000000d03f"},
+        {"lesson shown",
+         fact::LessonShown{ParticipantId{0x0102},
+                           {{true, LessonCut::AllButAirway, {0.0, -1.0, 0.5}, 0.25},
+                            true,
+                            {{0x0102, 0x0304, LessonStyle::Hidden, false, true, true}}}},
+         "23 0201 01 01 0000000000000000 000000000000f0bf 000000000000e03f 000000000000d03f 01"
+         "01 0201 0403 03 00 01 01"},
+        {"nothing but the usual shown to everybody", fact::LessonShown{},
+         "23 ffff 00 00 0000000000000000 000000000000f03f 0000000000000000 0000000000000000 00"
+         "00"},
+        {"lesson ended", fact::LessonEnded{}, "24"},
+        {"pointer shared",
+         fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Pointer, ""},
+         "06 0100 0200 0a 00"},
         {"hand shared", fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Hand, ""},
          "06 0100 0200 05 00"},
         {"group of organs shared",
@@ -145,21 +159,28 @@ void TestFactCodec::refusesBadBytes_data()
 {
     QTest::addColumn<QByteArray>("hex");
     QTest::addColumn<QString>("detail");
-    const auto row = [](const char* name, const char* hex, const char* detail) {
-        QTest::newRow(name) << QByteArray{hex}.replace(' ', "") << QString::fromUtf8(detail);
+    const auto row = [](const char* name, QByteArray hex, const char* detail) {
+        QTest::newRow(name) << hex.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 35", "23", "kind of fact 35");
+    row("kind 37", "25", "kind of fact 37");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
-    row("object kind 9", "06 0100 0100 09 00", "fact of kind 6: enumerator");
+    row("object kind 11", "06 0100 0100 0b 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");
     row("infinite rate", "08 000000000000f07f", "fact of kind 8: finite number");
     row("negative infinite volume", "09 000000000000f0ff", "fact of kind 9: finite number");
     row("fraction not a number", "0a 000000000000f87f", "fact of kind 10: finite number");
+    const QByteArray cuts{"0000000000000000 000000000000f03f 0000000000000000 0000000000000000"};
+    row("cut of 2", "23 ffff 01 02 " + cuts + " 00 00", "fact of kind 35: enumerator");
+    row("style 4", "23 ffff 00 00 " + cuts + " 00 01 0100 0100 04 00 00 00",
+        "fact of kind 35: enumerator");
+    const QByteArray look{"0100 0100 00 00 00 00"};
+    row("121 looks", "23 ffff 00 00 " + cuts + " 00 79" + look.repeated(121),
+        "fact of kind 35: number of looks");
     row("standing 6", "1b 06 00 0000000000000000", "fact of kind 27: enumerator");
     row("stale by 11", "1b 04 0b 0000000000000000", "fact of kind 27: enumerator");
     row("text cut within a character", "03 01c3", "fact of kind 3: UTF-8");

@@ -41,6 +41,8 @@ private Q_SLOTS:
     void asksForTheLevelThatItDraws();
     void drawsTwoViewsAtOnce();
     void replacesItsParts();
+    void drawsOtherSettingsAndItsOwnAgain();
+    void looksFromAnotherPlaceAndFromItsOwnAgain();
     void comesAndGoesTwentyTimes();
 };
 
@@ -216,6 +218,48 @@ void TestSceneView::drawsTwoViewsAtOnce()
     QVERIFY(draws(*second, 5));
     QVERIFY(redCentre(first->picture())->x() < 0.4);
     QVERIFY(redCentre(second->picture())->x() > 0.6);
+}
+
+void TestSceneView::drawsOtherSettingsAndItsOwnAgain()
+{
+    const auto view = shownView({spherePart(1, MaterialGroup::Bone, {-0.1, 0.0, 0.0}, 0.05),
+                                 spherePart(2, MaterialGroup::Bone, {0.1, 0.0, 0.0}, 0.05)},
+                                [](int, LocalTime) { return frontFrame(); });
+    view->setLooks({{1, {.style = PartStyle::Hidden}}});
+    view->setSection(Section{Vec3::UnitX(), 0.0});
+    QVERIFY(draws(*view, 3));
+    const SceneSettings own = view->settings();
+    QCOMPARE(view->visiblePixels(), (std::map<std::uint16_t, std::size_t>{{1, 0}, {2, 0}}));
+    view->drawInstead(SceneSettings{.section = {}, .looks = {{2, {.highlighted = true}}}});
+    QVERIFY(draws(*view, 3));
+    QVERIFY(view->visiblePixels()[1] > 0 && view->visiblePixels()[2] > 0);
+    QVERIFY(view->settings() == own);
+    view->setLooks({}); // what is changed meanwhile is seen afterwards
+    view->drawInstead(std::nullopt);
+    QVERIFY(draws(*view, 3));
+    QVERIFY(view->visiblePixels()[1] > 0);
+    QCOMPARE(view->visiblePixels()[2], std::size_t{0}); // cut away
+}
+
+void TestSceneView::looksFromAnotherPlaceAndFromItsOwnAgain()
+{
+    std::optional<RigidTransform> viewpoint;
+    const auto view = shownView({spherePart(1, MaterialGroup::Bone, {0.1, 0.0, 0.0}, 0.05)},
+                                [&viewpoint](int, LocalTime) {
+                                    SceneFrame frame;
+                                    frame.viewpoint = viewpoint;
+                                    return frame;
+                                });
+    view->showFrom(ViewPreset::Left);
+    QVERIFY(draws(*view, 3));
+    const Vec3 own = view->sight().pose.p_A_eye;
+    viewpoint = frontEye(0.4).X_AD;
+    QVERIFY(draws(*view, 3));
+    QVERIFY((view->sight().pose.p_A_eye - Vec3(0.4, -kDistance, 0.0)).norm() < 1e-9);
+    QTest::keyClick(view->windowHandle(), Qt::Key_Left); // nobody moves it meanwhile
+    viewpoint.reset();
+    QVERIFY(draws(*view, 3));
+    QCOMPARE(view->sight().pose.p_A_eye, own);
 }
 
 void TestSceneView::replacesItsParts()

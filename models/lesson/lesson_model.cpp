@@ -1,0 +1,234 @@
+#include "models/lesson/lesson_model.h"
+
+#include "models/lesson/lesson_words.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+/// What is proposed and not decided yet would be proposed twice.
+bool isUnderWay(const SessionNode& node)
+{
+    return std::ranges::any_of(node.pending(), [](const FactBody& body) {
+        return std::holds_alternative<fact::LessonShown>(body)
+               || std::holds_alternative<fact::LessonEnded>(body);
+    });
+}
+
+bool canBeShown(const Participant& who, StationId station)
+{
+    return who.present && who.station == station && who.role != Role::Instructor;
+}
+
+} // namespace
+
+LessonModel::LessonModel(SessionModel& session, StationId station, QObject* parent)
+    : QObject{parent}, m_session{session}, m_station{station}
+{
+    connect(&m_session, &SessionModel::changed, this, &LessonModel::changed);
+}
+
+void LessonModel::setStation(StationId station)
+{
+    if (station == m_station)
+        return;
+    if (isOn())
+        apply({false, m_target, m_showsView});
+    m_station = station;
+    m_target = kNobody;
+    if (m_history)
+        m_history->forget(*this);
+    Q_EMIT changed();
+}
+
+std::vector<LessonModel::Target> LessonModel::targets() const
+{
+    std::vector<Target> all{{kNobody, tr("Everybody here")}};
+    const auto state = m_session.node().state();
+    for (const auto& [id, who] : state->participants())
+        if (canBeShown(who, m_station))
+            all.push_back({id, QString::fromStdString(who.name)});
+    return all;
+}
+
+ParticipantId LessonModel::target() const
+{
+    const auto state = m_session.node().state();
+    if (const ShownLesson* lesson = shown(*state))
+        return lesson->to;
+    const auto who = state->participants().find(m_target);
+    return who != state->participants().end() && canBeShown(who->second, m_station) ? m_target
+                                                                                    : kNobody;
+}
+
+const ShownLesson* LessonModel::shown(const SessionState& state) const
+{
+    const auto station = state.stations().find(m_station);
+    const bool isOwn = station != state.stations().end() && station->second.lesson
+                       && station->second.lesson->by == m_session.node().self();
+    return isOwn ? &*station->second.lesson : nullptr;
+}
+
+bool LessonModel::isOn() const { return shown(*m_session.node().state()) != nullptr; }
+
+bool LessonModel::canSwitch() const
+{
+    const auto state = m_session.node().state();
+    return state->isOpen(m_station) && state->stationOf(m_session.node().self()) != kNoStation;
+}
+
+LessonModel::Setting LessonModel::setting() const { return {isOn(), target(), m_showsView}; }
+
+void LessonModel::setOn(bool on)
+{
+    Setting wanted = setting();
+    wanted.on = on;
+    change(wanted);
+}
+
+void LessonModel::setTarget(ParticipantId target)
+{
+    Setting wanted = setting();
+    wanted.to = target;
+    change(wanted);
+}
+
+void LessonModel::setShowsView(bool shows)
+{
+    Setting wanted = setting();
+    wanted.showsView = shows;
+    change(wanted);
+}
+
+/// What nobody sees, because nothing is shown before or after, is nothing to be undone.
+void LessonModel::change(const Setting& wanted)
+{
+    const Setting before = setting();
+    if (m_history && (before.on || wanted.on))
+        m_history->add(*this, changeText(wanted), [this, before] { apply(before); });
+    apply(wanted);
+}
+
+void LessonModel::apply(const Setting& wanted)
+{
+    m_target = wanted.to;
+    m_showsView = wanted.showsView;
+    pause();
+    if (wanted.on) {
+        shareOnce();
+        come();
+        show();
+    } else {
+        m_view->set(std::nullopt);
+        m_pointer->set(std::nullopt);
+        if (isOn())
+            m_session.node().propose(m_station, fact::LessonEnded{});
+    }
+    Q_EMIT changed();
+}
+
+/// What this person shows, they show where they are: so do their view and pointer go.
+void LessonModel::come()
+{
+    SessionNode& node = m_session.node();
+    if (ownStation(node) != m_station)
+        node.propose(m_station, fact::ParticipantMoved{node.self()});
+}
+
+void LessonModel::show()
+{
+    SessionNode& node = m_session.node();
+    const auto state = node.state();
+    Lesson lesson = m_picture;
+    lesson.showsView = m_showsView;
+    const ShownLesson* now = shown(*state);
+    if (!now || now->to != m_target || now->lesson != lesson)
+        node.propose(m_station, fact::LessonShown{m_target, std::move(lesson)});
+}
+
+void LessonModel::shareOnce()
+{
+    if (std::exchange(m_isShared, true))
+        return;
+    m_session.node().publish(ObjectKind::View, "View", [pose = m_view] { return pose->newest(); });
+    m_session.node().publish(ObjectKind::Pointer, "Pointer",
+                             [pose = m_pointer] { return pose->newest(); });
+}
+
+void LessonModel::follow(const Lesson& picture)
+{
+    m_picture = picture;
+    const auto now = m_session.node().now();
+    if (!now || *now < m_nextPicture || !isOn() || isUnderWay(m_session.node()))
+        return;
+    m_target = target();
+    pause();
+    show();
+}
+
+/// Also after the end, so that no picture follows it that was on its way.
+void LessonModel::pause()
+{
+    if (const auto now = m_session.node().now())
+        m_nextPicture = *now + kShortestPause;
+}
+
+std::optional<PoseSample> LessonModel::poseNow(const RigidTransform& X_AO) const
+{
+    const auto now = m_session.node().now();
+    return now && isOn() ? std::optional{PoseSample{.time = *now, .X_FO = X_AO}} : std::nullopt;
+}
+
+void LessonModel::lookFrom(const RigidTransform& X_AD)
+{
+    m_view->set(m_showsView ? poseNow(X_AD) : std::nullopt);
+}
+
+void LessonModel::pointWith(const std::optional<RigidTransform>& X_AP)
+{
+    m_pointer->set(X_AP ? poseNow(*X_AP) : std::nullopt);
+}
+
+ObjectPoses LessonModel::poses() const
+{
+    ObjectPoses own;
+    own.at = [pose = m_pointer](ObjectKind kind, SessionTime) {
+        return kind == ObjectKind::Pointer ? pose->newest() : std::nullopt;
+    };
+    return own;
+}
+
+QString LessonModel::nameOf(ParticipantId target) const
+{
+    const auto state = m_session.node().state();
+    const auto who = state->participants().find(target);
+    return who == state->participants().end() ? tr("everybody")
+                                              : QString::fromStdString(who->second.name);
+}
+
+QString LessonModel::changeText(const Setting& wanted) const
+{
+    if (!wanted.on)
+        return tr("Showing → off");
+    return wanted.showsView ? tr("Showing, with the view → %1").arg(nameOf(wanted.to))
+                            : tr("Showing → %1").arg(nameOf(wanted.to));
+}
+
+QString LessonModel::text() const
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(m_station);
+    if (station == state->stations().end() || !station->second.lesson)
+        return {};
+    const ShownLesson& lesson = *station->second.lesson;
+    const QString what = lessonText(lesson.lesson, m_pointer->newest().has_value());
+    return lesson.by == m_session.node().self()
+               ? tr("● Shown to %1: %2").arg(nameOf(lesson.to), what)
+               : tr("◆ %1 shows to %2: %3").arg(nameOf(lesson.by), nameOf(lesson.to), what);
+}
+
+} // namespace carina

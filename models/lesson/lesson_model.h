@@ -1,0 +1,105 @@
+#pragma once
+
+#include "models/lesson/shared_pose.h"
+#include "models/session/change_history.h"
+#include "models/session/session_model.h"
+#include "models/station/people_poses.h"
+
+#include <QPointer>
+
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// What an instructor shows to others at a station: their own picture of the patient, from where
+/// they look if they want that, and what they point at; to everybody there or to one of them. One
+/// switch, which everything follows while it is on. Lives on the GUI thread.
+class LessonModel : public QObject
+{
+    Q_OBJECT
+
+public:
+    struct Target {
+        ParticipantId id; ///< kNobody: everybody
+        QString name;
+
+        friend bool operator==(const Target&, const Target&) = default;
+    };
+
+    /// Shortest time between two pictures that are shown: each is a fact and stays in the log.
+    static constexpr Duration kShortestPause = std::chrono::milliseconds{250};
+
+    /// @pre session outlives this.
+    LessonModel(SessionModel& session, StationId station, QObject* parent = nullptr);
+
+    /// Speaks of another station from now on; what is shown at the former one ends.
+    void setStation(StationId station);
+    /// Adds its changes to a history from now on, by which they are undone.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+
+    /// To whom something can be shown, everybody first.
+    [[nodiscard]] std::vector<Target> targets() const;
+    /// Everybody where whom it was to be is not there any more.
+    [[nodiscard]] ParticipantId target() const;
+    void setTarget(ParticipantId target);
+    /// Whether others look from where this person does.
+    [[nodiscard]] bool showsView() const { return m_showsView; }
+    void setShowsView(bool shows);
+
+    /// Whether this person shows something now.
+    [[nodiscard]] bool isOn() const;
+    [[nodiscard]] bool canSwitch() const;
+    void setOn(bool on);
+    /// What is shown to whom, after its mark: "● Shown to everybody: section, names". Empty while
+    /// nothing is.
+    [[nodiscard]] QString text() const;
+
+    /// The picture as this person has it now, which is shown while this is on, at most every
+    /// kShortestPause; to be called again and again. Its showsView has no effect.
+    void follow(const Lesson& picture);
+    /// Where this person looks from now: X_AD. To be called again and again.
+    void lookFrom(const RigidTransform& X_AD);
+    /// What they point with: the tip at the origin, pointing along -z; nothing: they do not.
+    void pointWith(const std::optional<RigidTransform>& X_AP);
+    /// The pointer while this is on, for this program's own picture.
+    [[nodiscard]] ObjectPoses poses() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    /// What the switch and its choices are.
+    struct Setting {
+        bool on = false;
+        ParticipantId to = kNobody;
+        bool showsView = true;
+    };
+
+    [[nodiscard]] const ShownLesson* shown(const SessionState& state) const;
+    [[nodiscard]] Setting setting() const;
+    void change(const Setting& wanted);
+    void apply(const Setting& wanted);
+    void show();
+    void pause();
+    void shareOnce();
+    void come();
+    [[nodiscard]] QString nameOf(ParticipantId target) const;
+    [[nodiscard]] QString changeText(const Setting& wanted) const;
+    [[nodiscard]] std::optional<PoseSample> poseNow(const RigidTransform& X_AO) const;
+
+    SessionModel& m_session;
+    QPointer<ChangeHistory> m_history;
+    StationId m_station;
+    ParticipantId m_target = kNobody;
+    bool m_showsView = true;
+    bool m_isShared = false;
+    Lesson m_picture;
+    SessionTime m_nextPicture = SessionTime::min();
+    // Shared with the node's thread, which reads them.
+    std::shared_ptr<SharedPose> m_view = std::make_shared<SharedPose>();
+    std::shared_ptr<SharedPose> m_pointer = std::make_shared<SharedPose>();
+};
+
+} // namespace carina

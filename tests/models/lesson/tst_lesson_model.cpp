@@ -1,0 +1,174 @@
+#include "models/lesson/lesson_model.h"
+#include "models/lesson/lesson_words.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+namespace carina::lesson_model_test
+{
+namespace
+{
+
+using test::FakeSessionNode;
+
+constexpr StationId kStation = FakeSessionNode::kStation;
+constexpr ParticipantId kIna = FakeSessionNode::kInstructor;
+constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+const RigidTransform kSomewhere = RigidTransform::translation({0.1, -2.0, 0.3});
+
+Lesson cut(double distance)
+{
+    return {{true, LessonCut::All, {0.0, -1.0, 0.0}, distance}, false, {}};
+}
+
+Lesson named()
+{
+    return {{}, false, {{3, 5, LessonStyle::AsUsual, true, true}, {7, 7, LessonStyle::Hidden}}};
+}
+
+struct Desk {
+    FakeSessionNode node;
+    SessionModel session{node};
+    LessonModel model{session, kStation};
+    ChangeHistory history;
+
+    Desk() { model.setHistory(history); }
+    [[nodiscard]] std::optional<ShownLesson> shown(StationId station = kStation) const
+    {
+        return node.state()->stations().at(station).lesson;
+    }
+    void wait() { node.advance(LessonModel::kShortestPause); }
+};
+
+} // namespace
+
+class TestLessonModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void showsNothingUntilItIsSwitchedOn()
+    {
+        Desk desk;
+        desk.model.follow(cut(0.01));
+        QVERIFY(!desk.shown() && !desk.model.isOn());
+        QVERIFY(desk.model.text().isEmpty());
+        desk.model.setOn(true);
+        QVERIFY(desk.model.isOn());
+        QVERIFY(desk.shown()->by == kIna && desk.shown()->to == kNobody);
+        QVERIFY(desk.shown()->lesson.section == cut(0.01).section);
+        QVERIFY(desk.shown()->lesson.showsView);
+        QCOMPARE(desk.model.text(), QStringLiteral("● Shown to everybody: section, view"));
+        desk.model.setOn(false);
+        QVERIFY(!desk.shown() && !desk.model.isOn());
+    }
+
+    /// Each picture is a fact: a slider that is dragged is no flood of them.
+    void followsItsPictureAtABoundedRate()
+    {
+        Desk desk;
+        desk.model.setOn(true);
+        const int before = desk.node.proposed;
+        for (int step = 1; step <= 20; ++step)
+            desk.model.follow(cut(0.001 * step));
+        QCOMPARE(desk.node.proposed, before);
+        desk.wait();
+        desk.model.follow(cut(0.02));
+        QVERIFY(desk.shown()->lesson.section == cut(0.02).section);
+        desk.wait();
+        desk.model.follow(cut(0.02));
+        QCOMPARE(desk.node.proposed, before + 1); // it is shown already
+    }
+
+    void isShownToWhomIsChosen()
+    {
+        Desk desk;
+        QCOMPARE(desk.model.targets().size(), std::size_t{3}); // everybody, trainee and observer
+        desk.model.setTarget(kTom);
+        QVERIFY(desk.history.isEmpty()); // nobody has seen anything
+        desk.model.setOn(true);
+        QVERIFY(desk.shown()->to == kTom);
+        desk.model.setTarget(kNobody);
+        QVERIFY(desk.shown()->to == kNobody);
+        desk.model.setOn(false);
+        desk.model.setTarget(kTom);
+        desk.node.decide(fact::ParticipantLeft{kTom});
+        QVERIFY(desk.model.target() == kNobody);
+    }
+
+    void undoTakesBackWhatIsShownAndToWhom()
+    {
+        Desk desk;
+        desk.model.setOn(true);
+        desk.model.setTarget(kTom);
+        desk.model.setShowsView(false);
+        desk.model.setOn(false);
+        QCOMPARE(desk.history.texts(),
+                 (QStringList{QStringLiteral("Showing → off"), QStringLiteral("Showing → Tom"),
+                              QStringLiteral("Showing, with the view → Tom"),
+                              QStringLiteral("Showing, with the view → everybody")}));
+        desk.history.undo();
+        QVERIFY(desk.shown()->to == kTom && !desk.shown()->lesson.showsView);
+        desk.history.undo();
+        QVERIFY(desk.shown()->to == kTom && desk.shown()->lesson.showsView);
+        desk.history.undo();
+        QVERIFY(desk.shown()->to == kNobody);
+        desk.history.undo();
+        QVERIFY(!desk.shown());
+        QVERIFY(desk.history.isEmpty());
+    }
+
+    /// The stations of a session have their own patients.
+    void endsWhereAnotherStationIsShown()
+    {
+        Desk desk;
+        desk.node.addStation("Room 5");
+        const StationId other{1};
+        desk.model.setOn(true);
+        desk.model.setStation(other);
+        QVERIFY(!desk.shown());
+        QVERIFY(desk.history.isEmpty());
+        desk.model.setOn(true);
+        QVERIFY(desk.shown(other));
+        QVERIFY(ownStation(desk.node) == other); // with their view and pointer
+    }
+
+    void pointsOnlyWhileItIsOn()
+    {
+        Desk desk;
+        const auto pointer = [&] {
+            return desk.model.poses().at(ObjectKind::Pointer, *desk.node.now());
+        };
+        desk.model.pointWith(kSomewhere);
+        QVERIFY(!pointer());
+        desk.model.setOn(true);
+        desk.model.pointWith(kSomewhere);
+        QVERIFY(pointer() && pointer()->X_FO.translation() == kSomewhere.translation());
+        QVERIFY(desk.model.text().endsWith(QStringLiteral("pointer")));
+        desk.model.setOn(false);
+        QVERIFY(!pointer());
+    }
+
+    void saysWhatIsShown()
+    {
+        QCOMPARE(lessonText({}, false), QStringLiteral("the patient as usual"));
+        QCOMPARE(lessonText(cut(0.0), true), QStringLiteral("section, pointer"));
+        QCOMPARE(lessonText(named(), false), QStringLiteral("highlights, names, parts hidden"));
+    }
+
+    void tellsAboutTheViewWhereItIsFollowed()
+    {
+        StationMoment moment;
+        QVERIFY(lessonNotice(moment, false).isEmpty());
+        moment.lesson = ShownLesson{kIna, kNobody, cut(0.0)};
+        moment.lesson->lesson.showsView = true;
+        QCOMPARE(lessonNotice(moment, false), QStringLiteral("● The instructor shows: section"));
+        QCOMPARE(lessonNotice(moment, true),
+                 QStringLiteral("● The instructor shows: section, view"));
+    }
+};
+
+CARINA_TEST(TestLessonModel)
+
+} // namespace carina::lesson_model_test
+
+#include "tst_lesson_model.moc"

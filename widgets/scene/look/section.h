@@ -19,6 +19,8 @@ struct Section {
     Vec3 normal_A = Vec3::UnitY(); ///< of length 1, away from the part that stays
     double distance = 0.0;         ///< of the plane from the origin of A along it, metres
     Cut cut = Cut::All;
+
+    friend bool operator==(const Section&, const Section&) = default;
 };
 
 } // namespace carina

@@ -42,22 +42,12 @@
     </message>
 </context>
 <context>
-    <name>carina::ParticipantsPanel</name>
+    <name>carina::AttentionBar</name>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>carina::InstructorWindow</name>
-    <message numerus="yes">
-        <source>▲ %n registration(s) not to be relied on</source>
-        <translation>
-            <numerusform>▲ %n registration not to be relied on</numerusform>
-            <numerusform>▲ %n registrations not to be relied on</numerusform>
         </translation>
     </message>
 </context>

@@ -179,9 +179,6 @@ void Console::showEnd()
     m_end->resize(m_session->window().size());
     m_end->move(m_session->window().pos());
     m_end->show();
-    for (QDockWidget* dock : m_session->window().findChildren<QDockWidget*>())
-        if (dock->isFloating())
-            dock->hide();
     m_session->window().hide();
 }
 

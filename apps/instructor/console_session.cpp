@@ -17,7 +17,8 @@ constexpr int kEndInterval_ms = 100;
 
 } // namespace
 
-ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient)
+ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
+                               const QString& folder)
     : m_hosted{std::move(hosted)},
       m_session{*m_hosted.node},
       m_stations{m_session},
@@ -31,12 +32,16 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_actions{m_object},
       m_respiration{m_session, m_stations.shown()},
       m_trace{m_session, m_stations.shown()},
+      m_attention{m_session},
       m_checkpoints{*m_hosted.node},
       m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses()},
-      m_window{m_session, m_breathing,       m_respiration, m_trace,   m_participants,
-               m_conduct, m_people,          m_network,     m_actions, m_stations,
-               m_lesson,  m_shown.patient(), m_shown.view()}
+      m_kept{folder},
+      m_window{{m_session, m_breathing, m_respiration, m_trace, m_participants, m_conduct, m_people,
+                m_network, m_actions, m_stations, m_lesson, m_shown.patient(), m_attention},
+               m_kept,
+               m_shown.view()}
 {
+    m_attention.setPatient(m_shown.patient());
     m_shown.onShown(
         [this](const PatientModel& another, StationView& view) { m_window.show(another, view); });
     m_window.onClose([this] { return mayClose(); });
@@ -57,7 +62,8 @@ ConsoleSession::open(HostedSession hosted, const program::ChosenPatient& patient
         if (const auto written = program::writeCodes(options.codes, hosted.node->joinCodes());
             !written)
             return tl::unexpected(written.error());
-    std::unique_ptr<ConsoleSession> session{new ConsoleSession{std::move(hosted), patient}};
+    std::unique_ptr<ConsoleSession> session{
+        new ConsoleSession{std::move(hosted), patient, options.folder}};
     session->show(options.measure.size);
     if (const auto followed = session->follow(parser); !followed)
         return tl::unexpected(followed.error());

@@ -34,7 +34,8 @@ public:
     void onEnded(std::function<void()> callback);
 
 private:
-    ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient);
+    ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
+                   const QString& folder);
     void show(const QSize& size);
     [[nodiscard]] Result<void> follow(const QCommandLineParser& parser);
     void setStation(StationId station);
@@ -56,8 +57,10 @@ private:
     ObjectActionModel m_actions;
     RespirationModel m_respiration;
     BreathTrace m_trace;
+    AttentionModel m_attention;
     CheckpointKeeper m_checkpoints;
     ShownStation m_shown;
+    KeptConsole m_kept;
     InstructorWindow m_window;
     std::unique_ptr<program::Journal> m_journal;
     std::unique_ptr<OfferGiver> m_giver;

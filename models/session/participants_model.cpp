@@ -16,6 +16,9 @@ namespace
 
 constexpr int kRefreshInterval_ms = 500;
 constexpr Duration kReplacementTold = std::chrono::minutes{1};
+/// Less than this nobody sees, whatever the delay allows.
+constexpr double kUnseen_deg = 0.1;
+constexpr double kUnseen_mm = 1.0;
 const QString kNothing = QStringLiteral("–");
 
 QString roleText(Role role)
@@ -67,28 +70,6 @@ std::optional<double> ParticipantsModel::oldestSample_ms() const
         if (row.age_ms)
             keepLargest(oldest, *row.age_ms);
     return oldest;
-}
-
-QStringList ParticipantsModel::replacedTokens(SessionTime now) const
-{
-    const auto state = m_session.node().state();
-    QStringList sentences;
-    for (const auto& [id, participant] : state->participants())
-        if (participant.tokenReplaced && now < *participant.tokenReplaced + kReplacementTold)
-            sentences += tr("▲ two programs had the token of %1: ask them, and remove the one that "
-                            "is not theirs")
-                             .arg(QString::fromStdString(participant.name));
-    return sentences;
-}
-
-QStringList ParticipantsModel::doubtfulRegistrations() const
-{
-    QStringList sentences;
-    for (const Row& row : m_rows)
-        if (const QString doubt = row.registration ? standingNotice(*row.registration) : QString{};
-            !doubt.isEmpty())
-            sentences += tr("▲ %1: %2", "a participant; what is wrong").arg(row.name, doubt);
-    return sentences;
 }
 
 int ParticipantsModel::rowCount(const QModelIndex& parent) const

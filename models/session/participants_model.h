@@ -3,7 +3,6 @@
 #include "models/session/session_model.h"
 
 #include <QAbstractTableModel>
-#include <QStringList>
 
 #include <span>
 #include <vector>
@@ -44,11 +43,6 @@ public:
     /// The age of the oldest of all participants' newest samples, in milliseconds; std::nullopt
     /// while nobody sends poses.
     [[nodiscard]] std::optional<double> oldestSample_ms() const;
-
-    /// A sentence for each participant whose token was replaced in the last minute.
-    [[nodiscard]] QStringList replacedTokens(SessionTime now) const;
-    /// A sentence for each participant who is present and whose registration cannot be relied on.
-    [[nodiscard]] QStringList doubtfulRegistrations() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

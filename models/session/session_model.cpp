@@ -55,9 +55,9 @@ SessionPhase SessionModel::phase() const
     return now ? m_node.state()->phaseAt(*now) : SessionPhase::Prepared;
 }
 
-QString SessionModel::phaseText() const
+QString SessionModel::textOf(SessionPhase phase)
 {
-    switch (phase()) {
+    switch (phase) {
     case SessionPhase::Prepared:
         return tr("Ready to start");
     case SessionPhase::Running:

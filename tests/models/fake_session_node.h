@@ -71,10 +71,15 @@ public:
         cpo.time = t;
         cpo.X_AO = X_AO;
         cpo.motion = StreamMotion{};
-        auto& poses = m_poses[object];
+        takes(cpo);
+    }
+    /// A sample of an object of another arrives when it was measured.
+    void takes(const StreamCpo& cpo)
+    {
+        auto& poses = m_poses[cpo.object];
         if (!poses)
             poses = std::make_shared<RemoteObject>();
-        poses->take(cpo, t);
+        poses->take(cpo, cpo.time);
     }
     /// Nothing is heard of anybody's objects for so long.
     void silence(Duration time) { m_silence += time; }

@@ -1,18 +1,22 @@
 #include "ui/instructor/instructor_window.h"
 
-#include "models/errors/error_text.h"
 #include "models/objects/object_words.h"
+#include "models/station/people_words.h"
+#include "ui/instructor/panel_docks.h"
+#include "ui/instructor/projector_window.h"
+#include "ui/instructor/session_control.h"
+#include "ui/instructor/status_line.h"
+#include "ui/instructor/view_controls.h"
+#include "ui/lesson/lesson_bar.h"
 #include "ui/panels/undo_button.h"
 #include "ui_instructor_window.h"
-#include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QScrollArea>
 #include <QShowEvent>
-#include <QStyle>
 #include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <utility>
@@ -23,121 +27,74 @@ namespace
 {
 
 constexpr int kRefreshInterval_ms = 250;
-constexpr int kEndAsked_ms = 4000;
-constexpr int kLargeWindow = 1000; ///< pixels high; there is room for waveforms and invitation
-constexpr int kLargeWaveforms = 480;
-constexpr int kLowParticipants = 200; ///< pixels; of the rest, the picture has most
-
-/// Told by shape besides the word.
-QString phaseShape(SessionPhase phase)
-{
-    switch (phase) {
-    case SessionPhase::Prepared:
-        return QStringLiteral("○");
-    case SessionPhase::Running:
-        return QStringLiteral("●");
-    case SessionPhase::Paused:
-        return QStringLiteral("❙❙");
-    case SessionPhase::Ended:
-        return QStringLiteral("■");
-    }
-    return {};
-}
-
-/// Makes an action's button as wide as it ever gets, so that nothing beside it moves under the
-/// pointer when its words change.
-void reserve(const QToolBar& bar, QAction& action, const QString& longest)
-{
-    const QString now = action.text();
-    action.setText(longest);
-    QWidget* button = bar.widgetForAction(&action);
-    button->ensurePolished();
-    button->setMinimumWidth(button->sizeHint().width());
-    action.setText(now);
-}
-
-/// Lets a panel scroll where the window is too low for all of it.
-void makeScrollable(QDockWidget& dock)
-{
-    QWidget* panel = dock.widget();
-    auto* area = new QScrollArea{&dock};
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setMinimumWidth(panel->minimumSizeHint().width()
-                          + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-    area->setWidgetResizable(true);
-    area->setWidget(panel);
-    dock.setWidget(area);
-}
 
 } // namespace
 
-InstructorWindow::InstructorWindow(SessionModel& session, BreathingModel& breathing,
-                                   RespirationModel& respiration, BreathTrace& trace,
-                                   ParticipantsModel& participants, ConductModel& conduct,
-                                   PeopleModel& people, NetworkModel& network,
-                                   ObjectActionModel& actions, StationsModel& stations,
-                                   LessonModel& lesson, SessionPatient& patient, StationView& view)
+InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kept,
+                                   StationView& view)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
-      m_session{session},
-      m_participants{participants},
-      m_patient{patient},
-      m_objects{actions.object()},
-      m_phase{new PlainLabel{this}},
-      m_status{new PlainLabel{this}}
+      m_models{models},
+      m_kept{kept},
+      m_savedViews{kept},
+      m_status{new StatusLine{this}}
 {
     m_ui->setupUi(this);
-    breathing.setHistory(m_history);
-    respiration.setHistory(m_history);
-    actions.setHistory(m_history);
-    lesson.setHistory(m_history);
-    m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
-    m_ui->breathing->setModel(breathing);
-    m_ui->condition->setModel(respiration);
-    m_ui->waveforms->setTrace(trace);
-    m_ui->participants->setModel(participants, conduct, stations, people);
-    m_ui->pane->setModels(session, respiration, stations, people, lesson);
-    m_ui->pane->show(*patient.patient(), view);
-    m_ui->network->setModel(network);
-    refreshInvitation();
-    connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &conduct, &ConductModel::changeCode);
-    connect(m_ui->participants, &ParticipantsPanel::banned, m_ui->invitation, [this](Role role) {
-        m_ui->invitation->askForNewCode(
-            role, tr("Who was removed knows the code, and can join by it under another name."));
-    });
-    m_ui->actions->setModel(actions);
-    m_objects.setGroups(patient.patient()->groups());
-    layDocks();
-    m_ui->parts->setScene(m_ui->pane->scene());
-    m_ui->section->setScene(m_ui->pane->scene());
-    m_ui->partsPage->setFocusProxy(m_ui->parts);
-    m_teacher = std::make_unique<SceneTeacher>(lesson, m_ui->pane->scene());
+    m_models.breathing.setHistory(m_history);
+    m_models.respiration.setHistory(m_history);
+    m_models.actions.setHistory(m_history);
+    m_models.lesson.setHistory(m_history);
+    m_ui->pane->setModels(m_models.stations, m_models.attention);
+    m_ui->pane->show(*m_models.patient.patient(), view);
+    fillPanels();
+    layPanels();
+    m_teacher = std::make_unique<SceneTeacher>(m_models.lesson, m_ui->pane->scene());
     connectParts();
-    // What it says never widens the window: what matters stands in front.
-    m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
     m_ui->statusBar->addWidget(m_status, 1);
-    m_status->setToolTip(
-        tr("Oldest sample: time since the oldest pose now drawn was measured (latency)"));
     fillSessionBar();
-
-    connect(&m_session, &SessionModel::changed, this, &InstructorWindow::refresh);
+    connect(&m_models.attention, &AttentionModel::showWanted, this, &InstructorWindow::showPlaceOf);
+    connect(&m_models.session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &InstructorWindow::refresh);
     timer->start(kRefreshInterval_ms);
-    connect(&participants, &QAbstractItemModel::dataChanged, this,
+    connect(&m_models.participants, &QAbstractItemModel::dataChanged, this,
             &InstructorWindow::refreshStatus); // one number in both places
     refresh();
 }
 
-InstructorWindow::~InstructorWindow() = default;
+InstructorWindow::~InstructorWindow() { keepPanels(); }
 
 StationScene& InstructorWindow::stationScene() { return m_ui->pane->stationScene(); }
+
+void InstructorWindow::fillPanels()
+{
+    m_ui->breathing->setModel(m_models.breathing);
+    m_ui->condition->setModel(m_models.respiration);
+    m_ui->waveforms->setTrace(m_models.trace);
+    m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
+                                 m_models.people);
+    m_ui->network->setModel(m_models.network);
+    m_ui->actions->setModel(m_models.actions);
+    m_models.actions.object().setGroups(m_models.patient.patient()->groups());
+    m_ui->parts->setScene(m_ui->pane->scene());
+    m_ui->section->setScene(m_ui->pane->scene());
+    m_ui->partsPage->setFocusProxy(m_ui->parts);
+    refreshInvitation();
+    connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &m_models.conduct,
+            &ConductModel::changeCode);
+    connect(m_ui->participants, &ParticipantsPanel::banned, m_ui->invitation, [this](Role role) {
+        m_ui->invitation->askForNewCode(
+            role, tr("Who was removed knows the code, and can join by it under another name."));
+    });
+}
 
 void InstructorWindow::show(const PatientModel& patient, StationView& view)
 {
     m_ui->pane->show(patient, view);
-    m_objects.setGroups(patient.groups());
+    m_part.clear();
+    if (m_projector)
+        m_projector->show(patient, view);
+    m_models.actions.object().setGroups(patient.groups());
     m_ui->parts->setScene(m_ui->pane->scene());
     m_ui->section->setScene(m_ui->pane->scene());
 }
@@ -146,52 +103,123 @@ void InstructorWindow::show(const PatientModel& patient, StationView& view)
 void InstructorWindow::connectParts()
 {
     m_chooser = std::make_unique<PartChooser>(m_ui->pane->scene(), *m_ui->parts);
-    connect(m_chooser.get(), &PartChooser::chosen, m_ui->pane, &PatientPane::tellPart);
+    connect(m_chooser.get(), &PartChooser::chosen, this, [this](const QString& name) {
+        m_part = name;
+        refreshStatus();
+    });
     connect(m_ui->parts, &PartsPanel::chosenInList, this,
             [this](const std::vector<std::uint16_t>& parts) {
                 m_teacher->pointAt(parts.size() == 1 ? std::optional{parts.front()} : std::nullopt);
             });
+    connect(&m_models.lesson, &LessonModel::changed, this, &InstructorWindow::refreshStatus);
 }
 
-void InstructorWindow::layDocks()
+void InstructorWindow::layPanels()
 {
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea); // the table needs all the width
-    makeScrollable(*m_ui->breathingDock);
-    makeScrollable(*m_ui->conditionDock);
-    tabifyDockWidget(m_ui->breathingDock, m_ui->conditionDock);
-    tabifyDockWidget(m_ui->conditionDock, m_ui->actionsDock);
-    tabifyDockWidget(m_ui->actionsDock, m_ui->partsDock);
-    m_ui->breathingDock->raise();
-    tabifyDockWidget(m_ui->waveformDock, m_ui->invitationDock);
-    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
-    m_ui->invitationDock->raise(); // nobody else is here yet
-    // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into it.
-    for (QDockWidget* dock : findChildren<QDockWidget*>())
-        connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
-    resizeDocks({m_ui->participantsDock}, {kLowParticipants}, Qt::Vertical);
+    using Group = PanelDocks::Group;
+    m_docks = std::make_unique<PanelDocks>(
+        *this,
+        QList<Group>{
+            Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->actionsDock, m_ui->partsDock},
+            Group{m_ui->waveformDock},
+            Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
+    offerPanels();
+    m_docks->offerAll();
+    offerWindows();
+}
+
+void InstructorWindow::offerPanels()
+{
+    const auto offer = [this](QDockWidget* dock, const char* name, const QString& text,
+                              const QString& key, const QString& toolTip) {
+        m_docks->offer(*dock, text, QKeySequence{key}, toolTip)->setObjectName(QLatin1String{name});
+    };
+    offer(m_ui->breathingDock, "showBreathing", tr("&Breathing"), QStringLiteral("Ctrl+B"),
+          tr("Rate, volume and stop of the patient's own breathing, and a bag by hand"));
+    offer(m_ui->conditionDock, "showCondition", tr("Conditio&n"), QStringLiteral("Ctrl+D"),
+          tr("Conditions of the lungs, position and ventilator"));
+    offer(m_ui->actionsDock, "showActions", tr("&Move"), QStringLiteral("Ctrl+M"),
+          tr("Turn, move or scale the patient, or organs lifted out of it, and see who has them"));
+    offer(m_ui->partsDock, "showParts", tr("Par&ts"), QStringLiteral("Ctrl+T"),
+          tr("Show, hide, highlight or name parts of the patient, and cut it open"));
+    offer(m_ui->waveformDock, "showWaveforms", tr("Wa&veforms"), QStringLiteral("Ctrl+W"),
+          tr("Flow, airway pressure and volume"));
+    offer(m_ui->participantsDock, "showParticipants", tr("&Participants"), QStringLiteral("Ctrl+U"),
+          tr("Who takes part, and what is decided about them"));
+    offer(m_ui->invitationDock, "showInvitation", tr("&Invite"), QStringLiteral("Ctrl+I"),
+          tr("Codes for joining, and their links as a QR code"));
+    offer(m_ui->networkDock, "showNetwork", tr("Net&work"), QStringLiteral("Ctrl+N"),
+          tr("Latency, jitter, loss and drift for each participant"));
+}
+
+/// What concerns windows.
+void InstructorWindow::offerWindows()
+{
+    QMenu& menu = m_docks->menu();
+    menu.addSeparator();
+    QAction* full = menu.addAction(tr("&Full screen"), this, &InstructorWindow::toggleFullScreen);
+    full->setObjectName(QStringLiteral("fullScreen"));
+    full->setShortcut(QKeySequence{Qt::Key_F11});
+    full->setCheckable(true);
+    connect(&menu, &QMenu::aboutToShow, full, [this, full] { full->setChecked(isFullScreen()); });
+    m_projectorShown = menu.addAction(tr("Second window for a p&rojector"));
+    m_projectorShown->setObjectName(QStringLiteral("projectorShown"));
+    m_projectorShown->setToolTip(
+        tr("The same picture without panels, on another screen where there is one"));
+    m_projectorShown->setShortcut(QKeySequence{QStringLiteral("Ctrl+F11")});
+    m_projectorShown->setCheckable(true);
+    connect(m_projectorShown, &QAction::toggled, this, &InstructorWindow::showProjector);
+    addActions({full, m_projectorShown});
+}
+
+void InstructorWindow::toggleFullScreen() { setWindowState(windowState() ^ Qt::WindowFullScreen); }
+
+void InstructorWindow::showProjector(bool shown)
+{
+    if (!shown)
+        return m_projector.reset();
+    m_projector = std::make_unique<ProjectorWindow>(stationScene(), *m_models.patient.patient(),
+                                                    m_ui->pane->view(), *this);
+    connect(
+        m_projector.get(), &ProjectorWindow::closed, m_projectorShown,
+        [this] { m_projectorShown->setChecked(false); }, Qt::QueuedConnection);
+    m_projector->show();
 }
 
 void InstructorWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
     if (!event->spontaneous() && !std::exchange(m_isLaidOut, true))
-        QTimer::singleShot(0, this, &InstructorWindow::useHeight); // which it has only then
+        QTimer::singleShot(0, this, &InstructorWindow::layFirst); // it has its height only then
 }
 
-void InstructorWindow::useHeight()
+void InstructorWindow::layFirst()
 {
-    if (height() < kLargeWindow)
+    if (m_docks->restore(m_kept.panels()))
         return;
-    // Beneath the waveforms, not behind them: one that is in front of another cannot be split off.
-    for (QDockWidget* dock : {m_ui->invitationDock, m_ui->networkDock}) {
-        removeDockWidget(dock);
-        addDockWidget(Qt::RightDockWidgetArea, dock, Qt::Vertical);
-        dock->show();
-    }
-    tabifyDockWidget(m_ui->invitationDock, m_ui->networkDock);
-    m_ui->invitationDock->raise();
-    resizeDocks({m_ui->waveformDock}, {kLargeWaveforms}, Qt::Horizontal);
+    m_docks->layStandard();
+    m_ui->invitationDock->raise(); // nobody else is here yet
+}
+
+/// What stands in windows of its own goes with the console.
+void InstructorWindow::hideEvent(QHideEvent* event)
+{
+    QMainWindow::hideEvent(event);
+    if (event->spontaneous())
+        return;
+    keepPanels();
+    m_isLaidOut = false;
+    m_projectorShown->setChecked(false);
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isFloating())
+            dock->hide();
+}
+
+/// Once they were laid, and while those are shown that float.
+void InstructorWindow::keepPanels()
+{
+    if (m_isLaidOut)
+        m_kept.keepPanels(m_docks->state());
 }
 
 void InstructorWindow::closeEvent(QCloseEvent* event)
@@ -203,96 +231,79 @@ void InstructorWindow::closeEvent(QCloseEvent* event)
 
 void InstructorWindow::fillSessionBar()
 {
-    m_phase->setMargin(8);
-    m_ui->sessionBar->addWidget(m_phase);
-    QFont bold = m_phase->font(); // that of the bar
-    bold.setBold(true);
-    m_phase->setFont(bold);
-    const QList<QAction*> actions{m_ui->start,          m_ui->pause,       m_ui->end,
-                                  m_ui->showCondition,  m_ui->showActions, m_ui->showParts,
-                                  m_ui->showInvitation, m_ui->showNetwork};
-    m_ui->sessionBar->addActions(actions);
-    for (QAction* action : actions)
-        m_ui->sessionBar->widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
-    reserve(*m_ui->sessionBar, *m_ui->start, tr("&Go on"));
-    reserve(*m_ui->sessionBar, *m_ui->end, tr("Really &end?"));
-    connect(m_ui->start, &QAction::triggered, &m_session, &SessionModel::start);
-    connect(m_ui->pause, &QAction::triggered, &m_session, &SessionModel::pause);
-    connect(m_ui->end, &QAction::triggered, this, &InstructorWindow::endOnSecondPress);
-    const auto raises = [this](QAction* action, QDockWidget* dock) {
-        connect(action, &QAction::triggered, this, [dock] {
-            dock->raise();
-            dock->widget()->setFocus();
-        });
-    };
-    raises(m_ui->showCondition, m_ui->conditionDock);
-    raises(m_ui->showActions, m_ui->actionsDock);
-    raises(m_ui->showParts, m_ui->partsDock);
-    raises(m_ui->showInvitation, m_ui->invitationDock);
-    raises(m_ui->showNetwork, m_ui->networkDock);
-    addAction(m_ui->showWaveforms); // by its key, as the bar is full
-    raises(m_ui->showWaveforms, m_ui->waveformDock);
+    m_control = std::make_unique<SessionControl>(
+        *m_ui->sessionBar, m_models.session,
+        SessionControl::Actions{*m_ui->start, *m_ui->pause, *m_ui->end});
+    m_ui->sessionBar->addSeparator();
+    auto* views = new ViewControls{stationScene(), m_savedViews, m_models.people};
+    connect(views, &ViewControls::changed, this, &InstructorWindow::refreshStatus);
+    m_ui->sessionBar->addWidget(views);
+    auto* lesson = new LessonBar;
+    lesson->setModel(m_models.lesson);
+    m_ui->sessionBar->addWidget(lesson);
+    addMenuButton();
 }
 
-void InstructorWindow::endOnSecondPress()
+void InstructorWindow::addMenuButton()
 {
-    if (std::exchange(m_endAsked, false)) {
-        m_session.end();
-        return refresh();
+    auto* space = new QWidget;
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_ui->sessionBar->addWidget(space);
+    auto* panels = new QToolButton;
+    panels->setObjectName(QStringLiteral("panels"));
+    panels->setText(tr("Pane&ls"));
+    panels->setToolTip(tr("Bring a panel, lay all as at first, full screen, second window"));
+    panels->setFocusPolicy(Qt::TabFocus);
+    panels->setPopupMode(QToolButton::InstantPopup);
+    panels->setMenu(&m_docks->menu());
+    m_ui->sessionBar->addWidget(panels);
+}
+
+void InstructorWindow::showPlaceOf(const Attention& attention)
+{
+    if (attention.station != kNoStation
+        && (attention.concern == Concern::Developing
+            || attention.concern == Concern::BreathingStops)) {
+        m_models.stations.show(attention.station);
+        PanelDocks::bring(attention.concern == Concern::Developing ? *m_ui->conditionDock
+                                                                   : *m_ui->breathingDock);
+        return;
     }
-    m_endAsked = true;
-    refresh();
-    QTimer::singleShot(kEndAsked_ms, this, [this] {
-        m_endAsked = false;
-        refresh();
-    });
+    PanelDocks::bring(*m_ui->participantsDock);
+    m_ui->participants->choose(attention.participant);
 }
 
 void InstructorWindow::refresh()
 {
-    const SessionPhase phase = m_session.phase();
-    if (std::exchange(m_shownPhase, phase) != phase && phase == SessionPhase::Running)
+    const SessionPhase phase = m_models.session.phase();
+    if (std::exchange(m_shownPhase, phase) != phase && phase == SessionPhase::Running
+        && !m_ui->waveformDock->isHidden())
         m_ui->waveformDock->raise(); // the patient begins to breathe
-    m_phase->setText(tr("%1   %2 %3 %4")
-                         .arg(m_session.name(), phaseShape(phase), m_session.phaseText(),
-                              m_session.runningTimeText()));
-    m_phase->setMinimumWidth(std::max(m_phase->minimumWidth(), m_phase->sizeHint().width()));
-    m_ui->start->setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
     m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
-    m_ui->start->setEnabled(m_session.canStart());
-    m_ui->pause->setEnabled(m_session.canPause());
-    m_ui->end->setEnabled(m_session.canEnd());
-    m_ui->end->setText(m_endAsked ? tr("Really &end?") : tr("&End"));
+    m_control->refresh();
     refreshInvitation();
-    m_ui->pane->refresh();
     refreshStatus();
 }
 
 void InstructorWindow::refreshInvitation()
 {
-    const JoinCodes codes = m_session.node().joinCodes();
-    const bool isLocked = m_session.node().state()->isLocked();
+    const SessionNode& node = m_models.session.node();
+    const JoinCodes codes = node.joinCodes();
+    const bool isLocked = node.state()->isLocked();
     if (codes == m_shownCodes && isLocked == m_shownLocked)
         return;
     m_shownCodes = codes;
     m_shownLocked = isLocked;
-    m_ui->invitation->show(m_session.node());
+    m_ui->invitation->show(node);
 }
 
-void InstructorWindow::refreshStatus()
+/// What the picture shows that is not the patient as usual.
+QStringList InstructorWindow::unusual(const StationMoment& moment) const
 {
-    if (const auto refusal = m_session.node().refusal()) {
-        m_status->setText(errorText(*refusal));
-        return;
-    }
-    // What is out of the ordinary stands in front.
-    StationScene& scene = stationScene();
-    const StationMoment& moment = scene.moment();
-    QStringList told = m_participants.replacedTokens(moment.time);
-    if (const auto doubtful = m_participants.doubtfulRegistrations(); !doubtful.isEmpty())
-        told += tr("▲ %n registration(s) not to be relied on", nullptr, int(doubtful.size()));
-    if (const QString patient = m_patient.notice(); !patient.isEmpty())
-        told += patient;
+    QStringList told;
+    if (m_models.stations.isForAll())
+        told += tr("▲ Changes of breathing and condition are for all %1 stations")
+                    .arg(m_models.stations.open().size());
     if (isAway(moment))
         told += tr("▲ patient not in its original place");
     if (const QString lifted = liftedText(moment.lifted); !lifted.isEmpty())
@@ -302,14 +313,33 @@ void InstructorWindow::refreshStatus()
     if (inMillilitres(moment.notDrawn) >= 1.0)
         told +=
             tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));
+    if (const QString patient = m_models.patient.notice();
+        !patient.isEmpty() && !m_models.patient.canFetchAgain())
+        told += patient.simplified();
+    return told;
+}
+
+void InstructorWindow::refreshStatus()
+{
+    const SessionNode& node = m_models.session.node();
+    StationScene& scene = stationScene();
+    const StationMoment& moment = scene.moment();
+    QStringList told = unusual(moment);
+    if (const QString shown = m_models.lesson.text(); !shown.isEmpty())
+        told.prepend(shown);
+    if (!m_part.isEmpty())
+        told += tr("Part: %1").arg(m_part);
+    if (const auto& eyes = scene.throughEyesOf())
+        told += throughEyesText(*node.state(), moment, *eyes);
+    told += tr("● Condition: %1").arg(m_models.respiration.inForceText());
+    told += m_models.people.workText();
     told += tr("Patient: %1").arg(QString::fromStdString(scene.patient().name()));
-    const auto oldest = m_participants.oldestSample_ms();
+    const auto oldest = m_models.participants.oldestSample_ms();
     told += oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked");
-    told +=
-        tr("%1 frames per second").arg(qRound(m_ui->pane->scene().statistics().framesPerSecond));
     told += m_shownLocked ? tr("Locked: nobody new comes in")
-                          : tr("Trainees join at port %1").arg(m_session.node().port());
-    m_status->setText(told.join(QStringLiteral("      ")));
+                          : tr("Trainees join at port %1").arg(node.port());
+    told += tr("%1 frames per second").arg(qRound(scene.scene().statistics().framesPerSecond));
+    m_status->say(told);
 }
 
 } // namespace carina

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "models/attention/attention_model.h"
+#include "models/console/kept_console.h"
 #include "models/lesson/lesson_model.h"
 #include "models/network/network_model.h"
 #include "models/objects/object_action_model.h"
@@ -17,7 +19,6 @@
 #include "ui/scene/part_chooser.h"
 #include "ui/scene/station_scene.h"
 
-#include <QLabel>
 #include <QMainWindow>
 
 #include <functional>
@@ -31,20 +32,38 @@ class InstructorWindow;
 namespace carina
 {
 
-/// The instructor's console: session control, and for the station that is shown breathing and
-/// disease of the patient, respiratory waveforms, actions on shared objects, and a 3-D view of the
-/// patient; besides, stations, participants and network.
+class PanelDocks;
+class ProjectorWindow;
+class SessionControl;
+class StatusLine;
+
+/// What a console shows and works on.
+struct ConsoleModels {
+    SessionModel& session;
+    BreathingModel& breathing;
+    RespirationModel& respiration;
+    BreathTrace& trace;
+    ParticipantsModel& participants;
+    ConductModel& conduct;
+    PeopleModel& people;
+    NetworkModel& network;
+    ObjectActionModel& actions;
+    StationsModel& stations;
+    LessonModel& lesson;
+    SessionPatient& patient;
+    AttentionModel& attention;
+};
+
+/// The instructor's console: session control, what needs attention, and a 3-D view of the patient
+/// of the station that is shown, which has most of the window; beside it panels with the patient's
+/// breathing and disease, waveforms, shared objects, participants and network.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT
 
 public:
     /// @pre all outlive the window.
-    InstructorWindow(SessionModel& session, BreathingModel& breathing,
-                     RespirationModel& respiration, BreathTrace& trace,
-                     ParticipantsModel& participants, ConductModel& conduct, PeopleModel& people,
-                     NetworkModel& network, ObjectActionModel& actions, StationsModel& stations,
-                     LessonModel& lesson, SessionPatient& patient, StationView& view);
+    InstructorWindow(const ConsoleModels& models, KeptConsole& kept, StationView& view);
     ~InstructorWindow() override;
 
     /// Draws another patient from now on. @pre both outlive the window, or live until the next
@@ -60,32 +79,42 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
+    void fillPanels();
+    void layPanels();
+    void offerPanels();
+    void offerWindows();
+    void layFirst();
+    void keepPanels();
     void fillSessionBar();
-    void layDocks();
     void connectParts();
-    /// Shows the invitation beneath the waveforms where there is room.
-    void useHeight();
+    void addMenuButton();
+    void toggleFullScreen();
+    void showProjector(bool shown);
+    void showPlaceOf(const Attention& attention);
     void refreshInvitation();
-    void endOnSecondPress();
     void refresh();
     void refreshStatus();
+    [[nodiscard]] QStringList unusual(const StationMoment& moment) const;
 
     ChangeHistory m_history;
     std::unique_ptr<Ui::InstructorWindow> m_ui;
-    SessionModel& m_session;
-    ParticipantsModel& m_participants;
-    const SessionPatient& m_patient;
-    SharedObjectModel& m_objects;
-    QLabel* m_phase;
-    QLabel* m_status;
+    ConsoleModels m_models;
+    KeptConsole& m_kept;
+    SavedViews m_savedViews;
+    std::unique_ptr<PanelDocks> m_docks;
+    std::unique_ptr<SessionControl> m_control;
+    StatusLine* m_status;
+    QAction* m_projectorShown = nullptr;
+    std::unique_ptr<ProjectorWindow> m_projector;
     SessionPhase m_shownPhase = SessionPhase::Prepared;
     bool m_isLaidOut = false;
-    bool m_endAsked = false;
     std::function<bool()> m_mayClose;
     std::unique_ptr<SceneTeacher> m_teacher;
     std::unique_ptr<PartChooser> m_chooser;
+    QString m_part; ///< that was chosen in the picture
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;
 };

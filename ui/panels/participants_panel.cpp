@@ -18,7 +18,6 @@ namespace
 constexpr std::array kFirst{ParticipantsModel::Name, ParticipantsModel::State,
                             ParticipantsModel::Delay, ParticipantsModel::Same,
                             ParticipantsModel::RoleColumn};
-constexpr qsizetype kMostDoubts = 1; ///< in whole sentences; the table has all
 
 } // namespace
 
@@ -53,12 +52,6 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
     connect(&participants, &QAbstractItemModel::modelReset, this, &ParticipantsPanel::refresh);
     connect(m_ui->table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &ParticipantsPanel::refresh);
-    connect(&participants, &QAbstractItemModel::dataChanged, this,
-            &ParticipantsPanel::refreshDoubts);
-    connect(&participants, &QAbstractItemModel::rowsInserted, this,
-            &ParticipantsPanel::refreshDoubts);
-    connect(&participants, &QAbstractItemModel::modelReset, this,
-            &ParticipantsPanel::refreshDoubts);
     connect(m_ui->mute, &QPushButton::clicked, this, &ParticipantsPanel::muteOrNot);
     connect(m_ui->remove, &QPushButton::clicked, this, &ParticipantsPanel::removeOrLetBack);
     connect(m_ui->lock, &QCheckBox::clicked, &conduct, &ConductModel::setLocked);
@@ -70,17 +63,15 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
         new PlaceMenu{people, [this] { return chosen(); }, [] { return std::nullopt; }, {}, this});
     connect(&people, &PeopleModel::changed, this, &ParticipantsPanel::refreshPerson);
     refresh();
-    refreshDoubts();
 }
 
-void ParticipantsPanel::refreshDoubts()
+void ParticipantsPanel::choose(ParticipantId participant)
 {
-    const QStringList all = m_participants->doubtfulRegistrations();
-    QStringList told = all.first(std::min(kMostDoubts, all.size()));
-    if (all.size() > told.size())
-        told += tr("and %n more", nullptr, int(all.size() - told.size()));
-    m_ui->doubts->setText(told.join(QLatin1Char{'\n'}));
-    m_ui->doubts->setVisible(!told.isEmpty());
+    const QModelIndexList rows =
+        m_participants->match(m_participants->index(0, 0), ParticipantsModel::kIdRole,
+                              uint{participant.value}, 1, Qt::MatchExactly);
+    if (!rows.isEmpty())
+        m_ui->table->setCurrentIndex(rows.first());
 }
 
 std::optional<ParticipantId> ParticipantsPanel::chosen() const

@@ -33,14 +33,15 @@ public:
     void setModel(ParticipantsModel& participants, ConductModel& conduct, StationsModel& stations,
                   PeopleModel& people);
 
+    /// Chooses a participant in the table; nothing where there is no such one.
+    void choose(ParticipantId participant);
+
 Q_SIGNALS:
     /// Somebody was removed for good, who still knows the code of the role.
     void banned(carina::Role role);
 
 private:
     void refresh();
-    /// Says of whom the registration cannot be relied on, and why.
-    void refreshDoubts();
     void offerStations();
     void muteOrNot();
     /// Asks why, and removes; lets a banned participant back in at once.

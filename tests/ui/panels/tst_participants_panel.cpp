@@ -31,7 +31,6 @@ private Q_SLOTS:
     void givesTheWorkByKeyboard();
     void choosesAPlaceForSomebodyWhoseHeadIsShared();
     void locksTheSession();
-    void saysWhoseRegistrationCannotBeReliedOn();
     void keepsWhoWasChosenWhenSomebodyComesIn();
     void movesToAnotherStationWhereThereIsOne();
 };
@@ -218,29 +217,6 @@ void TestParticipantsPanel::locksTheSession()
     panel.node.decide(fact::SessionLocked{false}); // by another instructor
     QCoreApplication::sendPostedEvents();
     QVERIFY(!panel.lock.isChecked());
-}
-
-void TestParticipantsPanel::saysWhoseRegistrationCannotBeReliedOn()
-{
-    Panel panel;
-    const auto& doubts = *panel.panel.findChild<QLabel*>(QStringLiteral("doubts"));
-    const auto states = [&](ParticipantId who, RegistrationState state) {
-        panel.node.decide(fact::RegistrationStated{{state, StaleReason::None, {}}}, who);
-        QCoreApplication::sendPostedEvents();
-    };
-    QVERIFY(doubts.isHidden());
-    states(FakeSessionNode::kTrainee, RegistrationState::Good);
-    QVERIFY(doubts.isHidden());
-    states(FakeSessionNode::kTrainee, RegistrationState::NotGood);
-    QVERIFY(!doubts.isHidden());
-    QCOMPARE(doubts.text(), panel.participants.doubtfulRegistrations().join(QLatin1Char{'\n'}));
-    QVERIFY(doubts.text().contains(QStringLiteral("Tom")));
-    panel.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tina"});
-    states(panel.node.state()->participants().rbegin()->first, RegistrationState::Missing);
-    QCOMPARE(doubts.text().count(QLatin1Char{'\n'}), 1); // the second is counted
-    QVERIFY(!doubts.text().contains(QStringLiteral("Tina")));
-    states(FakeSessionNode::kTrainee, RegistrationState::Good);
-    QVERIFY(doubts.text().contains(QStringLiteral("Tina")));
 }
 
 void TestParticipantsPanel::keepsWhoWasChosenWhenSomebodyComesIn()

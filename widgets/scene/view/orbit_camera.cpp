@@ -18,6 +18,8 @@ constexpr double kSteepest = 1.55;     ///< radians; short of the pole, where ya
 constexpr double kTraineePitch = 0.9;  ///< radians, from above the head towards the chest
 constexpr double kNearest = 0.02;      ///< metres from the target
 constexpr double kFarthest = 20.0;     ///< metres
+constexpr double kVerticalSine =
+    1e-6; ///< of the angle to the vertical, below which yaw shows in up
 
 double yawOf(ViewPreset preset)
 {
@@ -122,6 +124,29 @@ void OrbitCamera::lookFrom(ViewPreset preset)
         m_yaw = eye.z() > 0.0 ? 0.0 : std::numbers::pi;
     else
         m_yaw = std::atan2(eye.x(), -eye.y());
+}
+
+void OrbitCamera::look(const CameraPose& pose)
+{
+    const Vec3 back_A = pose.p_A_eye - pose.p_A_target;
+    CARINA_EXPECTS(back_A.norm() > 0.0);
+    const Vec3 back = m_R_AW.transpose() * back_A.normalized();
+    const Vec3 up = m_R_AW.transpose() * pose.up_A;
+    const bool isVertical = std::hypot(back.x(), back.y()) < kVerticalSine;
+    const bool isUpsideDown = !isVertical && up.z() < 0.0;
+    m_pitch = std::asin(std::clamp(back.z(), -1.0, 1.0));
+    m_yaw = std::atan2(back.x(), -back.y());
+    if (isVertical)
+        m_yaw = back.z() > 0.0 ? std::atan2(-up.x(), up.y()) : std::atan2(up.x(), -up.y());
+    m_level = 0.0;
+    if (isUpsideDown) {
+        m_yaw += std::numbers::pi;
+        m_pitch = std::numbers::pi - m_pitch;
+        m_level = std::numbers::pi;
+    }
+    m_target_A = pose.p_A_target;
+    m_distance = std::clamp(back_A.norm(), kNearest, kFarthest);
+    m_fitted = false;
 }
 
 void OrbitCamera::orbit(double right, double down)

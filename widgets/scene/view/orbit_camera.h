@@ -55,6 +55,9 @@ public:
     /// Looks from a preset, at the distance where the bounds fit into the picture with a small
     /// margin.
     void showFrom(ViewPreset preset);
+    /// Looks as a pose does, with the room's vertical up or down in the picture.
+    /// @pre the eye is not in the target, and up not along the line to it
+    void look(const CameraPose& pose);
 
     /// Rotates by a mouse drag, in fractions of the picture's height: right and down positive.
     void orbit(double right, double down);

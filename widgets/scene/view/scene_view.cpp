@@ -149,6 +149,25 @@ void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
 
 void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
 
+void SceneView::showFrom(const CameraPose& pose) { m_window->camera().look(pose); }
+
+void SceneView::follow(const SceneView& other)
+{
+    m_followed = &other;
+    m_window->setFlag(Qt::WindowTransparentForInput);
+    focusProxy()->setFocusPolicy(Qt::NoFocus);
+}
+
+void SceneView::takeFrom(const SceneView& other)
+{
+    m_window->camera() = other.camera();
+    m_window->camera().setAspect(m_window->widthOverHeight());
+    if (m_looks != other.m_looks)
+        setLooks(other.m_looks);
+    if (m_section != other.m_section)
+        setSection(other.m_section);
+}
+
 void SceneView::setLie(Lie lie) { m_window->camera().setLie(lie); }
 
 void SceneView::setBackground(const QColor& color) { m_renderer->setBackground(color); }
@@ -261,6 +280,8 @@ void SceneView::placeLabels(const SceneFrame& frame, const std::vector<SceneCame
 
 void SceneView::drawExposed(LocalTime asked)
 {
+    if (m_followed)
+        takeFrom(*m_followed);
     chooseDetail();
     DrawnFrame drawn;
     drawn.level = level();

@@ -98,6 +98,11 @@ public:
     }
 
     void showFrom(ViewPreset preset);
+    /// Shows what a camera in this pose sees. @pre that of OrbitCamera::look
+    void showFrom(const CameraPose& pose);
+    /// Draws from now on from the camera of another view, with its looks and its section, and takes
+    /// no input. @pre both have the same parts whenever this draws; the other one outlives this
+    void follow(const SceneView& other);
     /// How the patient lies, for the view's own camera.
     void setLie(Lie lie);
     /// The view's own camera, used for frames without a list of eyes.
@@ -141,6 +146,7 @@ Q_SIGNALS:
 private:
     void drawFrame();
     void drawExposed(LocalTime asked);
+    void takeFrom(const SceneView& other);
     void placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras);
     void sendRay(const QPointF& position);
     [[nodiscard]] std::optional<SightRay> rayAt(const QPointF& position) const;
@@ -163,6 +169,7 @@ private:
     PartLabels m_labels;
     FigureNames m_figureNames;
     std::optional<SideLabels> m_sides;
+    const SceneView* m_followed = nullptr;
     FrameSource m_source;
     FrameListener m_listener;
     DetailChoice m_detail;

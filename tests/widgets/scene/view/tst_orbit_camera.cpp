@@ -66,6 +66,8 @@ private Q_SLOTS:
     void keepsTheBoundsBetweenItsPlanes();
     void looksAtTheOriginWhereThereIsNothing();
     void looksOutOfAnEyeAlongItsMinusZ();
+    void looksAgainAsAPoseSays_data() { showsThePatientAsHeLies_data(); }
+    void looksAgainAsAPoseSays();
 };
 
 void TestOrbitCamera::looksFromWhereThePresetSays_data()
@@ -139,6 +141,33 @@ void TestOrbitCamera::showsThePatientAsHeLies()
     const CameraPose pose = camera.pose();
     QVERIFY(((pose.p_A_target - pose.p_A_eye).normalized() - forward_A).norm() < kTolerance);
     QVERIFY((pose.up_A - up_A).norm() < kTolerance);
+}
+
+/// As before, and turns from there as it did.
+void TestOrbitCamera::looksAgainAsAPoseSays()
+{
+    QFETCH(Lie, lie);
+    QFETCH(ViewPreset, preset);
+    constexpr double kSame_m = 1e-9;
+    for (const double turned : {0.0, 0.2}) {
+        OrbitCamera camera = chestCamera(preset);
+        camera.setLie(lie);
+        camera.showFrom(preset);
+        if (turned != 0.0)
+            camera.orbit(turned, -turned);
+        CameraPose pose = camera.pose();
+        OrbitCamera again = chestCamera(ViewPreset::Left);
+        again.setLie(lie);
+        again.look(pose);
+        for (int step = 0; step < 2; ++step) {
+            QVERIFY((again.pose().p_A_eye - pose.p_A_eye).norm() < kSame_m);
+            QVERIFY((again.pose().p_A_target - pose.p_A_target).norm() < kSame_m);
+            QVERIFY((again.pose().up_A - pose.up_A).norm() < kSame_m);
+            camera.orbit(0.05, 0.02);
+            again.orbit(0.05, 0.02);
+            pose = camera.pose();
+        }
+    }
 }
 
 void TestOrbitCamera::framesTheBoundsFromEachPreset()

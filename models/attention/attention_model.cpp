@@ -1,0 +1,301 @@
+#include "models/attention/attention_model.h"
+
+#include "models/errors/error_text.h"
+#include "models/objects/object_words.h"
+#include "models/patient/session_patient.h"
+#include "models/respiration/respiration_words.h"
+#include "models/site/standing_words.h"
+#include "models/station/tool_status.h"
+
+#include <QStringList>
+#include <QTimer>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr Duration kDevelopmentsEvery = std::chrono::seconds{1};
+
+QString nameIn(const SessionState& state, ParticipantId id)
+{
+    const auto found = state.participants().find(id);
+    return found == state.participants().end() ? QString{}
+                                               : QString::fromStdString(found->second.name);
+}
+
+/// The text after its station's name, where there are several.
+QString atStation(const SessionState& state, StationId id, const QString& text)
+{
+    const auto open = std::ranges::count_if(state.stations(),
+                                            [](const auto& entry) { return !entry.second.closed; });
+    const auto found = state.stations().find(id);
+    if (open < 2 || found == state.stations().end())
+        return text;
+    return AttentionModel::tr("%1: %2", "a station; what is the matter there")
+        .arg(QString::fromStdString(found->second.name), text);
+}
+
+QString toolWord(ObjectKind kind)
+{
+    switch (kind) {
+    case ObjectKind::Head:
+        return toolRoleName(ToolRole::Head);
+    case ObjectKind::Jaw:
+        return toolRoleName(ToolRole::Jaw);
+    case ObjectKind::Tube:
+        return toolRoleName(ToolRole::Tube);
+    case ObjectKind::Hand:
+        return toolRoleName(ToolRole::Hand);
+    case ObjectKind::Laryngoscope:
+        return toolRoleName(ToolRole::Laryngoscope);
+    case ObjectKind::Stylus:
+    case ObjectKind::Patient:
+    case ObjectKind::OrganGroup:
+    case ObjectKind::SpareTube:
+        break;
+    }
+    return {};
+}
+
+auto urgency(const Attention& each)
+{
+    return std::tuple{each.concern, each.station, each.participant};
+}
+
+QString percent(double share) { return QString::number(qRound(100.0 * share)); }
+
+} // namespace
+
+bool isSameMatter(const Attention& a, const Attention& b)
+{
+    return a.object == b.object && urgency(a) == urgency(b);
+}
+
+AttentionModel::AttentionModel(SessionModel& session, QObject* parent)
+    : QObject{parent}, m_session{session}
+{
+    connect(&m_session, &SessionModel::changed, this, &AttentionModel::look);
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &AttentionModel::look);
+    timer->start(kAttentionLook_ms);
+    look();
+}
+
+void AttentionModel::setPatient(SessionPatient& patient)
+{
+    m_patient = &patient;
+    look();
+}
+
+void AttentionModel::look()
+{
+    Reports all = current();
+    if (std::exchange(m_all, std::move(all)) != m_all)
+        Q_EMIT changed();
+}
+
+AttentionModel::Reports AttentionModel::current()
+{
+    Reports all;
+    const auto state = m_session.node().state();
+    const auto now = m_session.node().now();
+    if (m_session.phase() == SessionPhase::Ended)
+        return all;
+    addRefusal(all);
+    addRequests(*state, all);
+    addPatient(all);
+    if (now) {
+        addPeople(*state, *now, all);
+        addBreathing(*state, *now, all);
+    }
+    std::ranges::stable_sort(all, {}, urgency);
+    return all;
+}
+
+void AttentionModel::addRefusal(Reports& all)
+{
+    const auto refusal = m_session.node().refusal();
+    if (!refusal)
+        m_dismissed.reset(); // the same again is news
+    else if (m_dismissed != refusal)
+        all.push_back(
+            {.concern = Concern::Refused, .text = errorText(*refusal), .action = tr("Dismiss")});
+}
+
+bool AttentionModel::isBeingGiven(ObjectId object) const
+{
+    const auto pending = m_session.node().pending();
+    return std::ranges::any_of(pending, [object](const FactBody& body) {
+        const auto* given = std::get_if<fact::ObjectHandedOver>(&body);
+        return given && given->object == object;
+    });
+}
+
+void AttentionModel::addRequests(const SessionState& state, Reports& all) const
+{
+    for (const auto& [id, object] : state.objects()) {
+        if (!state.isOpen(object.station) || isBeingGiven(id))
+            continue;
+        for (const ParticipantId who : object.wantedBy)
+            if (who != m_session.node().self() && who != object.owner)
+                all.push_back(
+                    {.concern = Concern::Asked,
+                     .text = atStation(state, object.station,
+                                       tr("%1 asks for %2", "a person; what is to be moved")
+                                           .arg(nameIn(state, who), objectWord(object))),
+                     .action = tr("Give"),
+                     .station = object.station,
+                     .participant = who,
+                     .object = id});
+    }
+}
+
+bool AttentionModel::isAway(ParticipantId participant) const
+{
+    const auto links = m_session.node().links();
+    const auto link = std::ranges::find(links, participant, &LinkReport::peer);
+    return link == links.end() || link->state == LinkState::Away || link->state == LinkState::Ended;
+}
+
+void AttentionModel::addPeople(const SessionState& state, SessionTime now, Reports& all)
+{
+    const auto add = [&](const Participant& who, Concern concern, const QString& text) {
+        all.push_back({.concern = concern,
+                       .text = atStation(state, who.station, text),
+                       .action = tr("Show"),
+                       .station = who.station,
+                       .participant = who.id});
+    };
+    for (const auto& [id, who] : state.participants()) {
+        const QString name = QString::fromStdString(who.name);
+        if (who.tokenReplaced && now < *who.tokenReplaced + kReplacedTold)
+            add(who, Concern::TwoPrograms,
+                tr("Two programs had the token of %1: ask them, and remove the one that is not "
+                   "theirs")
+                    .arg(name));
+        if (!who.present || id == m_session.node().self())
+            continue;
+        if (isAway(id)) {
+            add(who, Concern::Away, tr("%1 is away: their program is not heard of").arg(name));
+            continue;
+        }
+        if (!who.muted) // of who is, nothing is taken
+            addUnseen(state, who, now, all);
+        if (who.registration)
+            if (const QString doubt = standingNotice(*who.registration); !doubt.isEmpty())
+                add(who, Concern::Registration,
+                    tr("%1: %2", "a participant; what is wrong").arg(name, doubt));
+    }
+}
+
+/// Whether an object that was sent once is not seen now, for long enough to be told.
+bool AttentionModel::isUnseen(ObjectId object, SessionTime now)
+{
+    const auto poses = m_session.node().object(object);
+    const auto pose = poses ? poses->at(now) : std::nullopt;
+    if (!pose || pose->validity != Validity::Lost) {
+        m_unseenSince.erase(object);
+        return false;
+    }
+    return now - m_unseenSince.try_emplace(object, now).first->second >= kUnseenTold;
+}
+
+void AttentionModel::addUnseen(const SessionState& state, const Participant& who, SessionTime now,
+                               Reports& all)
+{
+    QStringList tools;
+    for (const auto& [id, object] : state.objects())
+        if (const QString word = toolWord(object.kind);
+            object.owner == who.id && !word.isEmpty() && isUnseen(id, now))
+            tools += word.toLower();
+    if (tools.isEmpty())
+        return;
+    all.push_back({.concern = Concern::Unseen,
+                   .text = atStation(state, who.station,
+                                     tr("Out of the view of %1's tracker: %2", "person; tools")
+                                         .arg(QString::fromStdString(who.name),
+                                              tools.join(QStringLiteral(", ")))),
+                   .action = tr("Show"),
+                   .station = who.station,
+                   .participant = who.id});
+}
+
+void AttentionModel::addPatient(Reports& all) const
+{
+    if (m_patient && m_patient->canFetchAgain())
+        all.push_back({.concern = Concern::NoPatient,
+                       .text = m_patient->notice().simplified(),
+                       .action = tr("Try again")});
+}
+
+void AttentionModel::addBreathing(const SessionState& state, SessionTime now, Reports& all)
+{
+    if (!m_developmentsAt || now < *m_developmentsAt
+        || now >= *m_developmentsAt + kDevelopmentsEvery) {
+        m_developing = m_developments.at(state, now);
+        m_developmentsAt = now;
+    }
+    const auto add = [&](StationId station, Concern concern, const QString& text) {
+        all.push_back({.concern = concern,
+                       .text = atStation(state, station, text),
+                       .action = tr("Show"),
+                       .station = station});
+    };
+    for (const auto& [station, condition, share] : m_developing)
+        add(station, Concern::Developing,
+            tr("%1, %2: developing, %3\u00a0%", "disease; which lung; how far")
+                .arg(conditionText(condition.kind), sideText(condition.side).toLower(),
+                     percent(share)));
+    for (const auto& [id, station] : state.stations()) {
+        const double left = station.respiration.settingsAt(now).ownBreathing;
+        if (!station.closed && station.respiration.ownBreathingAt(now).stopped && left > 0.0
+            && left < 1.0)
+            add(id, Concern::BreathingStops,
+                tr("Breathing is stopping: %1\u00a0% left").arg(percent(left)));
+    }
+}
+
+void AttentionModel::act(const Attention& attention)
+{
+    switch (attention.concern) {
+    case Concern::Refused:
+        m_dismissed = m_session.node().refusal();
+        break;
+    case Concern::Asked:
+        give(attention);
+        break;
+    case Concern::NoPatient:
+        if (m_patient && m_patient->canFetchAgain())
+            m_patient->fetchAgain();
+        break;
+    case Concern::TwoPrograms:
+    case Concern::Away:
+    case Concern::Unseen:
+    case Concern::Registration:
+    case Concern::BreathingStops:
+    case Concern::Developing:
+        Q_EMIT showWanted(attention);
+        return;
+    }
+    look();
+}
+
+void AttentionModel::give(const Attention& asked)
+{
+    const auto state = m_session.node().state();
+    const auto object = state->objects().find(asked.object);
+    if (object == state->objects().end()
+        || std::ranges::find(object->second.wantedBy, asked.participant)
+               == object->second.wantedBy.end())
+        return;
+    m_session.node().propose(
+        object->second.station,
+        fact::ObjectHandedOver{asked.object, asked.participant, object->second.epoch});
+}
+
+} // namespace carina

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "models/attention/developments.h"
+#include "models/session/session_model.h"
+
+#include <QString>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+class SessionPatient;
+
+/// What may need an instructor's attention, the most urgent first.
+enum class Concern : std::uint8_t {
+    Refused,        ///< the host refused what was done here
+    TwoPrograms,    ///< two programs had one participant's token
+    Asked,          ///< somebody asks for an object
+    Away,           ///< a participant's program is not heard of
+    Unseen,         ///< a tool of a participant is not seen by their tracker
+    NoPatient,      ///< the session's patient is not on this computer
+    Registration,   ///< cannot be relied on
+    BreathingStops, ///< over a time
+    Developing,     ///< a disease
+};
+
+struct Attention {
+    Concern concern = Concern::Refused;
+    QString text;   ///< a line: what is the matter
+    QString action; ///< the word on its button
+    StationId station = kNoStation;
+    ParticipantId participant = kNobody;
+    ObjectId object{};
+
+    friend bool operator==(const Attention&, const Attention&) = default;
+};
+
+/// Whether both are about the same matter, whatever has become of it.
+[[nodiscard]] bool isSameMatter(const Attention& a, const Attention& b);
+
+/// Everything in a session that needs an instructor's attention, at all stations, with what can be
+/// done about it. Lives on the GUI thread.
+class AttentionModel : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// A tool that is hidden for less, as by a hand, is not told.
+    static constexpr Duration kUnseenTold = std::chrono::seconds{2};
+    /// So long a replaced token is told.
+    static constexpr Duration kReplacedTold = std::chrono::minutes{1};
+    static constexpr int kAttentionLook_ms = 500;
+
+    /// @pre session outlives this.
+    explicit AttentionModel(SessionModel& session, QObject* parent = nullptr);
+
+    /// Tells from now on also what keeps this patient away. @pre it outlives this.
+    void setPatient(SessionPatient& patient);
+
+    /// The most urgent first; of one concern, by station and participant.
+    [[nodiscard]] const std::vector<Attention>& all() const { return m_all; }
+    /// Does what the action says, or asks by showWanted for the place where it can be done. Nothing
+    /// where the matter is settled already.
+    void act(const Attention& attention);
+
+    /// Looks again; a timer calls it.
+    void look();
+
+Q_SIGNALS:
+    void changed();
+    /// The place where this matter is seen and settled is to be shown.
+    void showWanted(const carina::Attention& attention);
+
+private:
+    using Reports = std::vector<Attention>;
+
+    [[nodiscard]] Reports current();
+    void addRefusal(Reports& all);
+    [[nodiscard]] bool isBeingGiven(ObjectId object) const;
+    void addRequests(const SessionState& state, Reports& all) const;
+    void addPeople(const SessionState& state, SessionTime now, Reports& all);
+    void addUnseen(const SessionState& state, const Participant& who, SessionTime now,
+                   Reports& all);
+    void addPatient(Reports& all) const;
+    void addBreathing(const SessionState& state, SessionTime now, Reports& all);
+    [[nodiscard]] bool isAway(ParticipantId participant) const;
+    [[nodiscard]] bool isUnseen(ObjectId object, SessionTime now);
+    void give(const Attention& asked);
+
+    SessionModel& m_session;
+    SessionPatient* m_patient = nullptr;
+    DevelopmentWatch m_developments;
+    std::vector<Development> m_developing;
+    std::optional<SessionTime> m_developmentsAt;
+    std::map<ObjectId, SessionTime> m_unseenSince;
+    std::optional<Error> m_dismissed; ///< the refusal that was read
+    Reports m_all;
+};
+
+} // namespace carina

@@ -1,0 +1,127 @@
+#include "models/attention/developments.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+/// Before a disease was watched for so long, it is taken to develop.
+constexpr double kFirstLook_s = 4.0;
+
+bool takesMinutes(ConditionKind kind)
+{
+    return kind == ConditionKind::TensionPneumothorax || kind == ConditionKind::MainstemIntubation;
+}
+
+bool affects(const LungCondition& condition, Side side)
+{
+    return condition.side == ConditionSide::Both
+           || condition.side == (side == Side::Right ? ConditionSide::Right : ConditionSide::Left);
+}
+
+/// How much of the lung the gas that came through the tear has closed, of what it can close.
+double closedShare(const RespiratoryFold& fold, std::size_t lung)
+{
+    const double most = (1.0 - kLeastOpenShare) * fold.system().lungs[lung].wallVolume.si;
+    return fold.content()[lung].trapped.si / most;
+}
+
+/// How much the blood has taken of what it takes, at the end of expiration.
+double emptiedShare(const RespiratoryFold& fold, std::size_t lung)
+{
+    const LungMechanics& mechanics = fold.system().lungs[lung];
+    const double most = (mechanics.wallVolume - mechanics.uptakeEnd).si;
+    if (mechanics.uptake.si == 0.0 || most <= 0.0)
+        return 0.0;
+    return (mechanics.wallVolume - fold.breath().least[lung]).si / most;
+}
+
+double shareOf(const LungCondition& condition, const RespiratoryFold& fold)
+{
+    const bool isTear = condition.kind == ConditionKind::TensionPneumothorax;
+    double share = 0.0;
+    for (const Side side : {Side::Right, Side::Left})
+        if (affects(condition, side) == isTear) // a tube empties the lung that it is not in
+            share = std::max(share, isTear ? closedShare(fold, lungIndex(side))
+                                           : emptiedShare(fold, lungIndex(side)));
+    return std::clamp(share, 0.0, 1.0);
+}
+
+LungConditions slowOnes(const Station& station, SessionTime t)
+{
+    LungConditions slow;
+    if (!station.closed)
+        for (const LungCondition& condition : station.respiration.settingsAt(t).conditions)
+            if (takesMinutes(condition.kind))
+                slow.push_back(condition);
+    return slow;
+}
+
+/// Whether it is the same disease, which may have become worse.
+bool isSame(const LungCondition& a, const LungCondition& b)
+{
+    return a.kind == b.kind && a.side == b.side;
+}
+
+} // namespace
+
+std::vector<Development> DevelopmentWatch::at(const SessionState& state, SessionTime t)
+{
+    std::vector<Development> all;
+    for (const auto& [id, station] : state.stations()) {
+        const LungConditions slow = slowOnes(station, t);
+        if (slow.empty()) {
+            m_patients.erase(id);
+            continue;
+        }
+        Patient& patient = m_patients[id];
+        std::vector<Course> courses;
+        for (const LungCondition& condition : slow) {
+            const auto known = std::ranges::find_if(patient.courses, [&](const Course& course) {
+                return isSame(course.condition, condition);
+            });
+            courses.push_back(
+                {condition, known == patient.courses.end() ? std::vector<Point>{} : known->points});
+        }
+        patient.courses = std::move(courses);
+        follow(patient, station, t);
+        for (const Course& course : patient.courses)
+            if (develops(course))
+                all.push_back({id, course.condition, course.points.back().share});
+    }
+    return all;
+}
+
+void DevelopmentWatch::follow(Patient& patient, const Station& station, SessionTime t)
+{
+    if (!station.respiration.runsAt(t))
+        return;
+    const RespiratoryFold& fold = patient.breathing.at(station.respiration, t).fold();
+    const double breathed = double(fold.state().steps) * kRespiratoryStep;
+    for (Course& course : patient.courses)
+        add(course, {breathed, shareOf(course.condition, fold)});
+}
+
+void DevelopmentWatch::add(Course& course, const Point& point)
+{
+    std::erase_if(course.points, [&](const Point& old) {
+        return old.breathed < point.breathed - kGrowthTime || old.breathed >= point.breathed;
+    });
+    course.points.push_back(point);
+}
+
+bool DevelopmentWatch::develops(const Course& course)
+{
+    if (course.points.empty() || course.points.back().share >= 1.0)
+        return false;
+    const Point& first = course.points.front();
+    const Point& last = course.points.back();
+    const double breathed = last.breathed - first.breathed;
+    return breathed < kFirstLook_s
+           || last.share - first.share >= kLeastGrowth * breathed / kGrowthTime;
+}
+
+} // namespace carina

@@ -1,0 +1,68 @@
+#include "models/console/saved_views.h"
+
+#include "models/console/kept_console.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kNearestEye = 1e-3; ///< metres from the target
+constexpr double kLeastSine = 1e-3;  ///< between up and the line to the target
+
+} // namespace
+
+bool isPossible(const SavedView& view)
+{
+    const Vec3 back = view.p_A_eye - view.p_A_target;
+    if (!view.p_A_eye.allFinite() || !view.p_A_target.allFinite() || !view.up_A.allFinite())
+        return false;
+    return back.norm() > kNearestEye
+           && back.cross(view.up_A).norm() > kLeastSine * back.norm() * view.up_A.norm();
+}
+
+SavedViews::SavedViews(KeptConsole& kept, QObject* parent)
+    : QObject{parent}, m_kept{kept}, m_views{kept.views()}
+{
+}
+
+QString SavedViews::faultOf(const QString& name) const
+{
+    const QString given = name.trimmed();
+    if (given.isEmpty())
+        return tr("Give the view a name.");
+    if (given.size() > kLongestName)
+        return tr("A name has %1 letters at most.").arg(kLongestName);
+    const bool isThere = std::ranges::find(m_views, given, &SavedView::name) != m_views.end();
+    if (!isThere && m_views.size() >= kMost)
+        return tr("There are %1 views, as many as there can be: delete one first.").arg(kMost);
+    return {};
+}
+
+void SavedViews::save(SavedView view)
+{
+    view.name = view.name.trimmed();
+    const auto same = std::ranges::find(m_views, view.name, &SavedView::name);
+    if (same != m_views.end())
+        *same = std::move(view);
+    else
+        m_views.push_back(std::move(view));
+    keep();
+}
+
+void SavedViews::remove(const QString& name)
+{
+    if (std::erase_if(m_views, [&](const SavedView& view) { return view.name == name; }) > 0)
+        keep();
+}
+
+void SavedViews::keep()
+{
+    m_kept.keepViews(m_views);
+    Q_EMIT changed();
+}
+
+} // namespace carina

@@ -1,0 +1,294 @@
+#include "models/attention/attention_model.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+
+namespace carina::attention_model_test
+{
+namespace
+{
+
+using std::chrono::seconds;
+using test::FakeSessionNode;
+
+constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+constexpr ParticipantId kOlga = FakeSessionNode::kObserver;
+constexpr ObjectId kPatient = FakeSessionNode::kPatient;
+
+struct Console {
+    FakeSessionNode node;
+    SessionModel session{node};
+    AttentionModel model{session};
+
+    /// Everybody is here, and the patient is this instructor's.
+    Console()
+    {
+        everybodyIsHere();
+        node.sharePatient(FakeSessionNode::kInstructor);
+        look();
+    }
+    void everybodyIsHere()
+    {
+        node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                            {kOlga, LinkState::Connected, {}, {}, {}}};
+    }
+    void look()
+    {
+        QCoreApplication::sendPostedEvents();
+        model.look();
+    }
+    void asks(ParticipantId who, bool wants = true)
+    {
+        node.decide(fact::ObjectWanted{kPatient, wants}, who);
+        look();
+    }
+    void sets(const LungConditions& conditions)
+    {
+        node.decide(fact::LungConditionsSet{conditions});
+        look();
+    }
+    void tubeIsSeen(bool seen)
+    {
+        StreamCpo cpo;
+        cpo.object = FakeSessionNode::kTube;
+        cpo.time = *node.now();
+        cpo.validity = seen ? StreamValidity::Tracked : StreamValidity::Lost;
+        node.takes(cpo);
+    }
+    [[nodiscard]] QStringList texts() const
+    {
+        QStringList all;
+        for (const Attention& each : model.all())
+            all += each.text;
+        return all;
+    }
+    [[nodiscard]] QStringList actions() const
+    {
+        QStringList all;
+        for (const Attention& each : model.all())
+            all += each.action;
+        return all;
+    }
+};
+
+} // namespace
+
+class TestAttentionModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void saysNothingWhereNothingNeedsIt()
+    {
+        Console console;
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void givesThePatientToWhoAsksForIt()
+    {
+        Console console;
+        console.asks(kTom);
+        QCOMPARE(console.texts(), QStringList{QStringLiteral("Tom asks for Adult")});
+        QCOMPARE(console.actions(), QStringList{QStringLiteral("Give")});
+        const Attention asked = console.model.all().front();
+        console.model.act(asked);
+        QVERIFY(console.node.state()->objects().at(kPatient).owner == kTom);
+        QCOMPARE(console.texts(), QStringList{});
+        const int before = console.node.proposed;
+        console.model.act(asked); // pressed twice
+        QCOMPARE(console.node.proposed, before);
+    }
+
+    void doesNotOfferWhatIsBeingGiven()
+    {
+        Console console;
+        console.asks(kTom);
+        console.node.hostGoesAway();
+        console.model.act(console.model.all().front());
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void forgetsARequestThatIsWithdrawn()
+    {
+        Console console;
+        console.asks(kTom);
+        console.asks(kTom, false);
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void saysWhoIsAwayAndWhereThatIsSeen()
+    {
+        Console console;
+        console.node.linkReports[0].state = LinkState::Away;
+        console.look();
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral("Tom is away: their program is not heard of")});
+        const QSignalSpy shown{&console.model, &AttentionModel::showWanted};
+        console.model.act(console.model.all().front());
+        QCOMPARE(shown.size(), 1);
+        QVERIFY(qvariant_cast<Attention>(shown[0][0]).participant == kTom);
+        console.node.decide(fact::ParticipantLeft{kTom});
+        console.look();
+        QCOMPARE(console.texts(), QStringList{}); // gone is not away
+    }
+
+    void saysWhichToolIsOutOfViewOnceItStaysSo()
+    {
+        Console console;
+        console.tubeIsSeen(true);
+        console.look();
+        console.tubeIsSeen(false);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{}); // a hand passes
+        console.node.advance(AttentionModel::kUnseenTold);
+        console.tubeIsSeen(false);
+        console.look();
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral("Out of the view of Tom's tracker: tube")});
+        console.tubeIsSeen(true);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void saysWhatDevelops()
+    {
+        Console console;
+        console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        console.sets({{ConditionKind::TensionPneumothorax, 0.9, ConditionSide::Right}});
+        console.node.advance(seconds{5});
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        const QString text = console.texts().front();
+        QVERIFY2(text.startsWith(QStringLiteral("Pneumothorax, tension, right lung: developing, ")),
+                 qPrintable(text));
+        QVERIFY2(text.endsWith(QStringLiteral("\u00a0%")), qPrintable(text));
+        console.sets({});
+        console.node.advance(seconds{2});
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void saysThatBreathingIsStopping()
+    {
+        Console console;
+        console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        console.node.decide(fact::BreathingStopped{true, seconds{10}});
+        console.node.advance(seconds{5});
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        QVERIFY(console.texts().front().startsWith(QStringLiteral("Breathing is stopping: ")));
+        console.node.advance(seconds{10});
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void saysWhoseRegistrationCannotBeReliedOn_data();
+    void saysWhoseRegistrationCannotBeReliedOn()
+    {
+        QFETCH(const RegistrationStanding, standing);
+        QFETCH(const QString, doubt);
+        Console console;
+        console.node.decide(fact::RegistrationStated{standing}, kTom);
+        console.look();
+        QCOMPARE(console.texts().size(), doubt.isEmpty() ? 0 : 1);
+        if (doubt.isEmpty())
+            return;
+        const QString text = console.texts().front();
+        QVERIFY2(text.startsWith(QStringLiteral("Tom: ")) && text.contains(doubt),
+                 qPrintable(text));
+    }
+
+    void tellsOfAReplacedTokenForAMinute()
+    {
+        Console console;
+        console.node.decide(fact::TokenReplaced{kTom});
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        QVERIFY(console.texts().front().contains(QStringLiteral("token of Tom")));
+        console.node.advance(AttentionModel::kReplacedTold);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void showsARefusalUntilItIsRead()
+    {
+        Console console;
+        console.node.isRefused({Errc::OutOfRange, "9999 ml"});
+        console.look();
+        QCOMPARE(console.actions(), QStringList{QStringLiteral("Dismiss")});
+        console.model.act(console.model.all().front());
+        QCOMPARE(console.texts(), QStringList{});
+        console.node.isRefused({Errc::OutOfRange, "8888 ml"}); // another one
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+    }
+
+    void putsTheMostUrgentFirst()
+    {
+        Console console;
+        console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        console.node.decide(fact::RegistrationStated{{RegistrationState::NotGood, {}, {}}}, kTom);
+        console.sets({{ConditionKind::TensionPneumothorax, 0.9, ConditionSide::Left}});
+        console.tubeIsSeen(false);
+        console.look();
+        console.node.advance(seconds{3});
+        console.tubeIsSeen(false);
+        console.node.linkReports[1].state = LinkState::Away;
+        console.asks(kTom);
+        std::vector<Concern> concerns;
+        for (const Attention& each : console.model.all())
+            concerns.push_back(each.concern);
+        QCOMPARE(concerns, (std::vector{Concern::Asked, Concern::Away, Concern::Unseen,
+                                        Concern::Registration, Concern::Developing}));
+    }
+
+    void namesTheStationWhereThereAreSeveral()
+    {
+        Console console;
+        console.node.addStation("Room 5");
+        console.asks(kTom);
+        QCOMPARE(console.texts(), QStringList{QStringLiteral("Station 1: Tom asks for Adult")});
+    }
+
+    void saysNothingOnceTheSessionHasEnded()
+    {
+        Console console;
+        console.asks(kTom);
+        console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        console.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+};
+
+void TestAttentionModel::saysWhoseRegistrationCannotBeReliedOn_data()
+{
+    QTest::addColumn<RegistrationStanding>("standing");
+    QTest::addColumn<QString>("doubt"); // empty: none
+    const auto row = [](const char* name, const RegistrationStanding& standing, const char* doubt) {
+        QTest::newRow(name) << standing << QString::fromUtf8(doubt);
+    };
+    using State = RegistrationState;
+    using Why = StaleReason;
+    row("good", {State::Good, Why::None, millimetres(1.4)}, "");
+    row("simulated", {State::Simulated, Why::None, {}}, "");
+    row("missing", {State::Missing, Why::None, {}}, "not registered");
+    row("unverified", {State::Unverified, Why::Fit, millimetres(2.0)}, "not verified");
+    row("not good", {State::NotGood, Why::None, millimetres(4.2)}, "judged not good, 4.2\u00a0mm");
+    row("stylus", {State::Stale, Why::Stylus, {}}, "stylus");
+    row("landmarks", {State::Stale, Why::Landmarks, {}}, "landmarks were changed");
+    row("touches", {State::Stale, Why::Touches, {}}, "touched again");
+    row("tracker", {State::Stale, Why::Tracker, {}}, "another tracker");
+    row("patient", {State::Stale, Why::Patient, {}}, "another patient");
+    row("manikin", {State::Stale, Why::Manikin, {}}, "was moved");
+    row("registering", {State::Stale, Why::Registering, {}}, "being registered");
+    row("age", {State::Stale, Why::Age, {}}, "30 days");
+    row("drift", {State::Stale, Why::Drift, millimetres(8.0)}, "moved by about 8\u00a0mm");
+}
+
+CARINA_TEST(TestAttentionModel)
+
+} // namespace carina::attention_model_test
+
+#include "tst_attention_model.moc"

@@ -1,0 +1,105 @@
+#include "models/attention/developments.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+namespace carina::developments_test
+{
+namespace
+{
+
+using std::chrono::seconds;
+using test::FakeSessionNode;
+
+struct Ward {
+    FakeSessionNode node;
+    DevelopmentWatch watch;
+
+    explicit Ward(const LungConditions& conditions)
+    {
+        VentilatorSettings ventilator;
+        ventilator.mode = VentilationMode::VolumeControl;
+        node.decide(fact::VentilatorSet{ventilator});
+        node.decide(fact::TubePlaced{millimetres(6.5)});
+        node.decide(fact::LungConditionsSet{conditions});
+        node.decide(fact::PhaseChanged{SessionPhase::Running});
+    }
+    /// What develops after so many seconds, looked at in each.
+    std::vector<Development> after(int lasting_s)
+    {
+        std::vector<Development> found;
+        for (int second = 0; second < lasting_s; ++second) {
+            node.advance(seconds{1});
+            found = watch.at(*node.state(), *node.now());
+        }
+        return found;
+    }
+};
+
+constexpr LungCondition kTension{ConditionKind::TensionPneumothorax, 0.9, ConditionSide::Right};
+
+} // namespace
+
+class TestDevelopments : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void followsATensionPneumothoraxToItsFullExtent()
+    {
+        Ward ward{{kTension}};
+        const auto early = ward.after(10);
+        QCOMPARE(early.size(), std::size_t{1});
+        QVERIFY(early[0].condition == kTension);
+        const auto later = ward.after(10);
+        QCOMPARE(later.size(), std::size_t{1});
+        QVERIFY(later[0].share > early[0].share);
+        QVERIFY(later[0].share < 1.0);
+        QVERIFY(ward.after(300).empty()); // it has come to rest
+    }
+
+    void followsTheLungThatATubeLeavesOut()
+    {
+        Ward ward{{{ConditionKind::MainstemIntubation, 1.0, ConditionSide::Right}}};
+        const auto early = ward.after(60);
+        QCOMPARE(early.size(), std::size_t{1});
+        const auto later = ward.after(60);
+        QCOMPARE(later.size(), std::size_t{1});
+        QVERIFY(later[0].share > early[0].share + 0.05);
+    }
+
+    void doesNotFollowWhatIsThereAtOnce()
+    {
+        Ward ward{{{ConditionKind::Ards, 0.6, ConditionSide::Both}}};
+        QVERIFY(ward.after(10).empty());
+    }
+
+    void waitsDuringAPause()
+    {
+        Ward ward{{kTension}};
+        const auto before = ward.after(12);
+        ward.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+        const auto during = ward.after(30);
+        QCOMPARE(during.size(), std::size_t{1});
+        QVERIFY(std::abs(during[0].share - before[0].share) < 0.05);
+        ward.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        QCOMPARE(ward.after(3).size(), std::size_t{1});
+    }
+
+    void beginsAnewWithAnotherLung()
+    {
+        Ward ward{{kTension}};
+        ward.node.decide(fact::LungConditionsSet{});
+        QVERIFY(ward.after(2).empty());
+        ward.node.decide(fact::LungConditionsSet{
+            {{ConditionKind::TensionPneumothorax, 0.5, ConditionSide::Left}}});
+        const auto found = ward.after(8);
+        QCOMPARE(found.size(), std::size_t{1});
+        QVERIFY(found[0].condition.side == ConditionSide::Left);
+    }
+};
+
+CARINA_TEST(TestDevelopments)
+
+} // namespace carina::developments_test
+
+#include "tst_developments.moc"

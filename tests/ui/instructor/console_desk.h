@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/io/anatomy_set/anatomy_cache.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/scratch_folder.h"
+#include "ui/instructor/instructor_window.h"
+
+namespace carina::test
+{
+
+/// A console over a session in virtual time, with the built-in child.
+struct ConsoleDesk {
+    static SharedPatientModel child()
+    {
+        static const SharedPatientModel made =
+            patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
+        return made;
+    }
+
+    explicit ConsoleDesk(const ScratchFolder& kept) : keeper{kept.path()} {}
+
+    SharedPatientModel drawn = child();
+    FakeSessionNode node;
+    SessionModel session{node};
+    StationsModel stations{session};
+    BreathingModel breathing{session, FakeSessionNode::kStation};
+    RespirationModel respiration{session, FakeSessionNode::kStation};
+    BreathTrace trace{session, FakeSessionNode::kStation};
+    ParticipantsModel participants{session};
+    ConductModel conduct{session};
+    PeopleModel people{session, FakeSessionNode::kStation};
+    NetworkModel network{session};
+    SharedObjectModel object{session, FakeSessionNode::kStation};
+    LessonModel lesson{session, FakeSessionNode::kStation};
+    ObjectActionModel actions{object};
+    SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
+    AttentionModel attention{session};
+    StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
+    KeptConsole keeper;
+    InstructorWindow window{{session, breathing, respiration, trace, participants, conduct, people,
+                             network, actions, stations, lesson, patient, attention},
+                            keeper,
+                            view};
+
+    template <class Thing> [[nodiscard]] Thing& find(const char* name)
+    {
+        return *window.findChild<Thing*>(QLatin1String{name});
+    }
+};
+
+} // namespace carina::test

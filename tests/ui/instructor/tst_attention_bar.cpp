@@ -1,0 +1,133 @@
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+#include "ui/instructor/attention_bar.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace carina::attention_bar_test
+{
+namespace
+{
+
+using test::FakeSessionNode;
+
+constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+
+struct Shown {
+    FakeSessionNode node;
+    SessionModel session{node};
+    AttentionModel model{session};
+    AttentionBar bar;
+    QPushButton& action = *bar.findChild<QPushButton*>(QStringLiteral("attend"));
+    QLabel& text = *bar.findChild<QLabel*>(QStringLiteral("attention"));
+    QToolButton& more = *bar.findChild<QToolButton*>(QStringLiteral("moreAttention"));
+
+    Shown()
+    {
+        node.sharePatient(FakeSessionNode::kInstructor);
+        node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                            {FakeSessionNode::kObserver, LinkState::Connected, {}, {}, {}}};
+        model.look();
+        bar.setModel(model);
+        bar.resize(900, bar.height());
+        bar.show();
+    }
+    void look()
+    {
+        QCoreApplication::sendPostedEvents();
+        model.look();
+        QCoreApplication::sendPostedEvents();
+    }
+    void tomAsks()
+    {
+        node.decide(fact::ObjectWanted{FakeSessionNode::kPatient, true}, kTom);
+        look();
+    }
+    void goesAway(std::size_t whom)
+    {
+        node.linkReports[whom].state = LinkState::Away;
+        look();
+    }
+};
+
+} // namespace
+
+class TestAttentionBar : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void isEmptyAndAsHighWhereNothingIsTheMatter()
+    {
+        Shown shown;
+        const int height = shown.bar.height();
+        QVERIFY(!shown.action.isVisible());
+        QVERIFY(!shown.text.isVisible());
+        QVERIFY(!shown.more.isVisible());
+        shown.tomAsks();
+        QVERIFY(shown.action.isVisible());
+        QCOMPARE(shown.bar.height(), height);
+        QVERIFY(shown.action.height() <= height);
+    }
+
+    void settlesAMatterByItsButton()
+    {
+        Shown shown;
+        shown.tomAsks();
+        QCOMPARE(shown.text.text(), QStringLiteral("▲ Tom asks for Adult"));
+        QCOMPARE(shown.action.text(), QStringLiteral("Give"));
+        QCOMPARE(shown.action.accessibleDescription(), QStringLiteral("Tom asks for Adult"));
+        QVERIFY(!shown.more.isVisible());
+        QTest::keyClick(&shown.action, Qt::Key_Space);
+        QVERIFY(shown.node.state()->objects().at(FakeSessionNode::kPatient).owner == kTom);
+        QVERIFY(!shown.text.isVisible());
+    }
+
+    void listsTheOthersInAMenu()
+    {
+        Shown shown;
+        shown.tomAsks();
+        shown.goesAway(1);
+        QVERIFY(shown.more.isVisible());
+        QCOMPARE(shown.more.menu()->actions().size(), 0); // filled as it opens
+        Q_EMIT shown.more.menu()->aboutToShow();
+        const auto others = shown.more.menu()->actions();
+        QCOMPARE(others.size(), 1);
+        QCOMPARE(others[0]->text(),
+                 QStringLiteral("Show: Olga is away: their program is not heard of"));
+    }
+
+    void keepsWhatSomebodyIsAboutToPress()
+    {
+        Shown shown;
+        shown.goesAway(0);
+        shown.action.setFocus();
+        QVERIFY(QTest::qWaitForWindowActive(&shown.bar));
+        QVERIFY(shown.action.hasFocus());
+        shown.tomAsks(); // more urgent
+        QVERIFY(shown.text.text().contains(QStringLiteral("away")));
+        QCOMPARE(shown.action.text(), QStringLiteral("Show"));
+        shown.node.linkReports[0].state = LinkState::Connected;
+        shown.look();
+        QVERIFY(shown.text.text().contains(QStringLiteral("asks")));
+    }
+
+    void hasTheWholeTextWhereItIsCut()
+    {
+        Shown shown;
+        shown.goesAway(0);
+        shown.bar.resize(220, shown.bar.height());
+        QVERIFY(shown.text.text().endsWith(QStringLiteral("…")));
+        QCOMPARE(shown.text.accessibleName(),
+                 QStringLiteral("Tom is away: their program is not heard of"));
+        QVERIFY(shown.text.toolTip().contains(QStringLiteral("not heard of")));
+    }
+};
+
+CARINA_SCREEN_TEST(TestAttentionBar)
+
+} // namespace carina::attention_bar_test
+
+#include "tst_attention_bar.moc"

@@ -1,0 +1,316 @@
+#include "tests/support/soon.h"
+#include "tests/support/test_class.h"
+#include "tests/ui/instructor/console_desk.h"
+#include "ui/instructor/projector_window.h"
+#include "widgets/scene/view/graphics.h"
+#include "widgets/scene/view/scene_view.h"
+#include "widgets/theme/dark_theme.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QTabBar>
+#include <QTableView>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <set>
+
+namespace carina::instructor_window_test
+{
+namespace
+{
+
+using test::ConsoleDesk;
+using test::FakeSessionNode;
+using test::soon;
+
+constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+constexpr std::size_t kPanels = 8;
+
+/// A console as it is once it was shown and laid out.
+struct Shown : ConsoleDesk {
+    explicit Shown(const test::ScratchFolder& kept, const QSize& size = {1280, 800})
+        : ConsoleDesk{kept}
+    {
+        window.resize(size);
+        window.show();
+        window.resize(size); // as the program does
+        settle();
+    }
+    static void settle()
+    {
+        bool isDue = false;
+        QTimer::singleShot(50, qApp, [&isDue] { isDue = true; });
+        QVERIFY(soon([&isDue] { return isDue; }));
+    }
+    /// The picture's share of the window.
+    [[nodiscard]] double share()
+    {
+        const QSize picture = find<SceneView>("scene").size();
+        return double(picture.width()) * picture.height()
+               / (double(window.width()) * window.height());
+    }
+    [[nodiscard]] QRect pictureAt()
+    {
+        const auto& scene = find<SceneView>("scene");
+        return {scene.mapTo(&window, QPoint{}), scene.size()};
+    }
+    [[nodiscard]] QAction& action(const char* name) { return find<QAction>(name); }
+    [[nodiscard]] QDockWidget& dock(const char* name) { return find<QDockWidget>(name); }
+    /// Where each button of the bar stands.
+    [[nodiscard]] QList<QRect> buttons()
+    {
+        QList<QRect> places;
+        for (const QToolButton* button : find<QToolBar>("sessionBar").findChildren<QToolButton*>())
+            if (button->isVisible())
+                places += QRect{button->mapTo(&window, QPoint{}), button->size()};
+        return places;
+    }
+    void decide(SessionPhase phase)
+    {
+        node.decide(fact::PhaseChanged{phase});
+        QCoreApplication::sendPostedEvents();
+    }
+};
+
+} // namespace
+
+class TestInstructorWindow : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { prepareGraphics(); }
+
+private Q_SLOTS:
+    void initTestCase() { applyDarkTheme(*qApp); }
+
+    void givesThePictureMostOfTheWindow_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<double>("least");
+        QTest::newRow("1280x800") << QSize{1280, 800} << 1.0 / 2.0;
+        QTest::newRow("1920x1080") << QSize{1920, 1080} << 2.0 / 3.0;
+    }
+    void givesThePictureMostOfTheWindow()
+    {
+        QFETCH(const QSize, size);
+        QFETCH(const double, least);
+        const test::ScratchFolder kept;
+        Shown shown{kept, size};
+        QCOMPARE(shown.window.size(), size);
+        qInfo("the picture has %.3f of the window", shown.share());
+        QVERIFY2(shown.share() >= least, qPrintable(QString::number(shown.share())));
+        shown.decide(SessionPhase::Running);
+        Shown::settle();
+        QVERIFY2(shown.share() >= least, qPrintable(QString::number(shown.share())));
+    }
+
+    void namesEachPanelWhole_data() { givesThePictureMostOfTheWindow_data(); }
+    void namesEachPanelWhole()
+    {
+        QFETCH(const QSize, size);
+        const test::ScratchFolder kept;
+        Shown shown{kept, size};
+        int tabs = 0;
+        for (const QTabBar* bar :
+             shown.window.findChildren<QTabBar*>(QString{}, Qt::FindDirectChildrenOnly)) {
+            for (int tab = 0; tab < bar->count(); ++tab)
+                QVERIFY2(bar->rect().contains(bar->tabRect(tab)), qPrintable(bar->tabText(tab)));
+            tabs += bar->isVisible() ? bar->count() : 0;
+        }
+        QVERIFY(tabs >= 7);
+        for (const QRect& button : shown.buttons())
+            QVERIFY(shown.window.rect().contains(button));
+        QCOMPARE(shown.buttons().size(), 9); // none is behind an arrow
+    }
+
+    void bringsAClosedPanelBackByItsKey()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QDockWidget& network = shown.dock("networkDock");
+        network.close();
+        QVERIFY(network.isHidden());
+        shown.action("showNetwork").trigger();
+        QVERIFY(!network.isHidden());
+        QVERIFY(network.isEnabled());
+    }
+
+    void laysAllPanelsAsAtFirst()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.dock("networkDock").close();
+        shown.dock("breathingDock").setFloating(true);
+        shown.window.addDockWidget(Qt::RightDockWidgetArea, &shown.dock("partsDock"));
+        shown.action("standardLayout").trigger();
+        Shown::settle();
+        for (const QDockWidget* dock : shown.window.findChildren<QDockWidget*>()) {
+            QVERIFY2(!dock->isHidden() && !dock->isFloating(), qPrintable(dock->objectName()));
+            QCOMPARE(shown.window.dockWidgetArea(const_cast<QDockWidget*>(dock)),
+                     Qt::LeftDockWidgetArea);
+        }
+        QVERIFY(shown.share() >= 0.5);
+    }
+
+    void canCloseMoveAndFloatEachPanel()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto docks = shown.window.findChildren<QDockWidget*>();
+        QCOMPARE(std::size_t(docks.size()), kPanels);
+        std::set<QString> keys;
+        for (QDockWidget* dock : docks)
+            QCOMPARE(dock->features(), QDockWidget::DockWidgetClosable
+                                           | QDockWidget::DockWidgetMovable
+                                           | QDockWidget::DockWidgetFloatable);
+        for (const QAction* action : shown.find<QToolButton>("panels").menu()->actions())
+            if (!action->shortcut().isEmpty())
+                QVERIFY(keys.insert(action->shortcut().toString()).second);
+        QVERIFY(keys.size() >= kPanels + 2);
+    }
+
+    void floatsAPanelWithAFrame()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QDockWidget& waveforms = shown.dock("waveformDock");
+        waveforms.setFloating(true);
+        QVERIFY(soon([&] { return !waveforms.windowFlags().testFlag(Qt::FramelessWindowHint); }));
+        QVERIFY(waveforms.windowFlags().testFlag(Qt::WindowTitleHint));
+        QVERIFY(waveforms.isVisible());
+        QVERIFY(waveforms.isFloating());
+    }
+
+    void remembersThePanels()
+    {
+        const test::ScratchFolder kept;
+        {
+            Shown shown{kept};
+            shown.dock("networkDock").close();
+            shown.dock("waveformDock").setFloating(true);
+            shown.window.addDockWidget(Qt::RightDockWidgetArea, &shown.dock("partsDock"));
+            shown.window.close();
+        }
+        Shown again{kept};
+        QVERIFY(again.dock("networkDock").isHidden());
+        QVERIFY(again.dock("waveformDock").isFloating());
+        QVERIFY(again.dock("waveformDock").isVisible());
+        QCOMPARE(again.window.dockWidgetArea(&again.dock("partsDock")), Qt::RightDockWidgetArea);
+    }
+
+    void keepsItsButtonsWhereTheyAre()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const QList<QRect> before = shown.buttons();
+        for (const SessionPhase phase : {SessionPhase::Running, SessionPhase::Paused}) {
+            shown.decide(phase);
+            shown.node.advance(std::chrono::minutes{101});
+            Shown::settle();
+            QCOMPARE(shown.buttons(), before);
+        }
+        shown.action("end").trigger(); // asks
+        Shown::settle();
+        QCOMPARE(shown.action("end").text(), QStringLiteral("Really &end?"));
+        QCOMPARE(shown.buttons(), before);
+    }
+
+    void saysWhatNeedsAttentionWithoutMovingThePicture()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                                  {FakeSessionNode::kObserver, LinkState::Connected, {}, {}, {}}};
+        shown.attention.look();
+        Shown::settle();
+        auto& text = shown.find<QLabel>("attention");
+        QVERIFY(!text.isVisible());
+        const QRect before = shown.pictureAt();
+        shown.node.linkReports[0].state = LinkState::Away;
+        shown.attention.look();
+        Shown::settle();
+        QVERIFY(text.isVisible());
+        QVERIFY(text.text().startsWith(QStringLiteral("▲ Tom is away")));
+        QCOMPARE(shown.pictureAt(), before);
+    }
+
+    void showsWhoIsMeant()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.dock("participantsDock").close();
+        Attention matter;
+        matter.concern = Concern::Away;
+        matter.participant = kTom;
+        Q_EMIT shown.attention.showWanted(matter);
+        QVERIFY(!shown.dock("participantsDock").isHidden());
+        const auto& table = shown.find<QTableView>("table");
+        QCOMPARE(table.currentIndex().data(ParticipantsModel::kIdRole).toUInt(), uint{kTom.value});
+        matter.concern = Concern::Developing;
+        matter.station = FakeSessionNode::kStation;
+        Q_EMIT shown.attention.showWanted(matter);
+        QVERIFY(shown.dock("conditionDock").isEnabled()); // in front
+    }
+
+    void hasASecondWindowWithTheSamePicture()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QAction& wanted = shown.action("projectorShown");
+        wanted.setChecked(true);
+        const auto projector = [] {
+            for (QWidget* window : QApplication::topLevelWidgets())
+                if (auto* found = qobject_cast<ProjectorWindow*>(window))
+                    return found;
+            return static_cast<ProjectorWindow*>(nullptr);
+        };
+        QVERIFY(projector());
+        auto& picture = *projector()->findChild<SceneView*>();
+        QVERIFY(soon([&] { return picture.statistics().frames > 2; }));
+        shown.find<QToolButton>("side").click();
+        const Vec3 eye = shown.find<SceneView>("scene").camera().pose().p_A_eye;
+        QVERIFY(soon([&] {
+            return picture.camera().pose().p_A_eye.normalized().dot(eye.normalized()) > 0.999;
+        }));
+        projector()->close();
+        QVERIFY(soon([&] { return !projector(); }));
+        QVERIFY(!wanted.isChecked());
+        wanted.setChecked(true);
+        shown.window.close();
+        QVERIFY(soon([&] { return !projector(); }));
+    }
+
+    void goesFullScreenAndBack()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QTest::keyClick(&shown.window, Qt::Key_F11);
+        QVERIFY(shown.window.isFullScreen());
+        QTest::keyClick(&shown.window, Qt::Key_F11);
+        QVERIFY(!shown.window.isFullScreen());
+    }
+
+    void comesBackToASavedView()
+    {
+        const test::ScratchFolder kept;
+        KeptConsole keeper{kept.path()};
+        keeper.keepViews(
+            {{QStringLiteral("From & above"), {0.0, -0.4, 1.9}, {0.0, 0.0, 1.3}, {0.0, 0.0, 1.0}}});
+        Shown shown{kept};
+        QMenu& menu = *shown.find<QToolButton>("savedViews").menu();
+        Q_EMIT menu.aboutToShow();
+        QCOMPARE(menu.actions().front()->text(), QStringLiteral("From && above"));
+        menu.actions().front()->trigger();
+        const CameraPose pose = shown.find<SceneView>("scene").camera().pose();
+        QVERIFY((pose.p_A_eye - Vec3{0.0, -0.4, 1.9}).norm() < 1e-9);
+    }
+};
+
+CARINA_SCREEN_TEST(TestInstructorWindow)
+
+} // namespace carina::instructor_window_test
+
+#include "tst_instructor_window.moc"

@@ -1,0 +1,139 @@
+#include "ui/instructor/attention_bar.h"
+
+#include "models/text/shown_as_is.h"
+#include "widgets/plain_label.h"
+
+#include <QAccessible>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kAttentionMargin = 8; ///< pixels, as beside the stations above
+
+/// The text with its mark, in which & is no mark of a key.
+QString entryOf(const Attention& attention)
+{
+    QString text = AttentionBar::tr("%1: %2", "what a choice does; what is the matter")
+                       .arg(attention.action, attention.text);
+    return text.replace(QLatin1Char{'&'}, QStringLiteral("&&"));
+}
+
+QStringList actionWords()
+{
+    return {AttentionModel::tr("Give"), AttentionModel::tr("Show"), AttentionModel::tr("Dismiss"),
+            AttentionModel::tr("Try again")};
+}
+
+} // namespace
+
+AttentionBar::AttentionBar(QWidget* parent)
+    : QWidget{parent}, m_action{new QPushButton}, m_text{new PlainLabel}, m_more{new QToolButton}
+{
+    setAccessibleName(tr("What needs attention"));
+    m_action->setObjectName(QStringLiteral("attend"));
+    m_action->setFocusPolicy(Qt::TabFocus); // who clicks it does not hold it
+    m_text->setObjectName(QStringLiteral("attention"));
+    m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_more->setObjectName(QStringLiteral("moreAttention"));
+    m_more->setPopupMode(QToolButton::InstantPopup);
+    m_more->setFocusPolicy(Qt::StrongFocus);
+    m_more->setMenu(&m_others);
+    auto* row = new QHBoxLayout{this};
+    row->setContentsMargins(kAttentionMargin, 1, kAttentionMargin, 1);
+    row->addWidget(m_action);
+    row->addWidget(m_text, 1);
+    row->addWidget(m_more);
+    connect(m_action, &QPushButton::clicked, this, [this] { m_model->act(Attention{m_shown}); });
+    connect(&m_others, &QMenu::aboutToShow, this, &AttentionBar::listOthers);
+}
+
+void AttentionBar::setModel(AttentionModel& model)
+{
+    m_model = &model;
+    m_action->ensurePolished();
+    int widest = 0;
+    for (const QString& word : actionWords()) {
+        m_action->setText(word);
+        widest = std::max(widest, m_action->sizeHint().width());
+    }
+    m_action->setFixedWidth(widest);
+    setFixedHeight(sizeHint().height()); // also while there is nothing to say
+    connect(&model, &AttentionModel::changed, this, &AttentionBar::refresh);
+    refresh();
+}
+
+/// What is shown already, where somebody is about to press its button and it is not settled.
+Attention AttentionBar::first() const
+{
+    const auto& all = m_model->all();
+    if (all.empty())
+        return {};
+    const auto same = std::ranges::find_if(
+        all, [this](const Attention& each) { return isSameMatter(each, m_shown); });
+    const bool isHeld = m_action->underMouse() || m_action->hasFocus();
+    return isHeld && same != all.end() ? *same : all.front();
+}
+
+void AttentionBar::refresh()
+{
+    const auto& all = m_model->all();
+    const Attention before = std::exchange(m_shown, first());
+    m_action->setVisible(!all.empty());
+    m_text->setVisible(!all.empty());
+    m_more->setVisible(all.size() > 1);
+    m_action->setText(m_shown.action);
+    m_action->setAccessibleDescription(m_shown.text);
+    m_more->setText(tr("and %n more", nullptr, int(all.size()) - 1));
+    showText();
+    if (!all.empty() && (before.text.isEmpty() || !isSameMatter(before, m_shown)))
+        announce(m_shown.text);
+}
+
+/// As much as there is room for; the tool tip and the accessible name have all of it.
+void AttentionBar::showText()
+{
+    const QString text = tr("▲ %1", "what needs attention").arg(m_shown.text);
+    m_text->setText(m_text->fontMetrics().elidedText(text, Qt::ElideRight, m_text->width()));
+    m_text->setToolTip(shownAsIs(m_shown.text));
+    m_text->setAccessibleName(m_shown.text);
+}
+
+void AttentionBar::announce(const QString& text)
+{
+    m_text->setAccessibleDescription(text);
+    QAccessibleEvent event{m_text, QAccessible::Alert};
+    QAccessible::updateAccessibility(&event);
+}
+
+void AttentionBar::listOthers()
+{
+    m_others.clear();
+    for (const Attention& each : m_model->all())
+        if (!isSameMatter(each, m_shown))
+            m_others.addAction(entryOf(each), this, [this, each] { m_model->act(each); });
+}
+
+void AttentionBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    showText();
+}
+
+/// The room for the text is known once the layout was made.
+bool AttentionBar::event(QEvent* event)
+{
+    const bool isDone = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        showText();
+    return isDone;
+}
+
+} // namespace carina

@@ -1,0 +1,170 @@
+#include "ui/instructor/panel_docks.h"
+
+#include <QApplication>
+#include <QScrollArea>
+#include <QStyle>
+#include <QTimer>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kStateVersion = 1;  ///< changes with the panels that there are
+constexpr int kDragLook_ms = 100; ///< how often the end of a drag is looked for
+
+} // namespace
+
+PanelDocks::PanelDocks(QMainWindow& window, QList<Group> groups)
+    : m_window{window}, m_groups{std::move(groups)}
+{
+    m_window.setDockNestingEnabled(true);
+    m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    for (const Group& group : m_groups)
+        for (QDockWidget* dock : group) {
+            dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable
+                              | QDockWidget::DockWidgetFloatable);
+            makeScrollable(*dock);
+            // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into
+            // it.
+            connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
+            connect(dock, &QDockWidget::topLevelChanged, dock, [dock](bool floats) {
+                if (floats)
+                    frame(*dock);
+            });
+        }
+}
+
+/// Lets a panel scroll where its place is too low for all of it.
+void PanelDocks::makeScrollable(QDockWidget& dock)
+{
+    QWidget* panel = dock.widget();
+    auto* area = new QScrollArea{&dock};
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setMinimumWidth(panel->minimumSizeHint().width()
+                          + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    area->setWidgetResizable(true);
+    area->setWidget(panel);
+    dock.setWidget(area);
+}
+
+/// Gives a floating panel the frame that other windows have, once it is not dragged any more: its
+/// window is made anew, which would end a drag.
+void PanelDocks::frame(QDockWidget& dock)
+{
+    if (!dock.isFloating() || !dock.windowFlags().testFlag(Qt::FramelessWindowHint))
+        return;
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) {
+        QTimer::singleShot(kDragLook_ms, &dock, [&dock] { frame(dock); });
+        return;
+    }
+    const bool isShown = !dock.isHidden();
+    dock.setWindowFlags(Qt::Window | Qt::CustomizeWindowHint | Qt::WindowTitleHint
+                        | Qt::WindowMaximizeButtonHint | Qt::WindowCloseButtonHint);
+    dock.setVisible(isShown);
+}
+
+QAction* PanelDocks::offer(QDockWidget& dock, const QString& text, const QKeySequence& key,
+                           const QString& toolTip)
+{
+    QAction* action = m_menu.addAction(text);
+    action->setShortcut(key);
+    action->setToolTip(toolTip);
+    connect(action, &QAction::triggered, &dock, [&dock] { bring(dock); });
+    m_window.addAction(action); // its key works while the menu is shut
+    return action;
+}
+
+void PanelDocks::offerAll()
+{
+    m_menu.setToolTipsVisible(true);
+    m_menu.addSeparator();
+    QAction* close = m_menu.addAction(tr("&Close the panel in use"), this, &PanelDocks::closeOne);
+    close->setShortcut(QKeySequence{QStringLiteral("Ctrl+F4")});
+    m_window.addAction(close);
+    connect(&m_menu, &QMenu::aboutToShow, close,
+            [this, close] { close->setEnabled(withFocus() != nullptr); });
+    connect(&m_menu, &QMenu::aboutToHide, close, [close] { close->setEnabled(true); });
+    QAction* standard = m_menu.addAction(tr("&Standard layout"), this, &PanelDocks::layStandard);
+    standard->setObjectName(QStringLiteral("standardLayout"));
+    standard->setToolTip(tr("All panels are back where they were at first"));
+}
+
+QList<PanelDocks::Group> PanelDocks::places() const
+{
+    if (m_window.height() >= kHighWindow)
+        return m_groups;
+    QList<Group> places{m_groups.first(), {}};
+    for (const Group& group : m_groups.mid(1))
+        places.last() += group;
+    return places;
+}
+
+void PanelDocks::layStandard()
+{
+    const QList<Group> all = places();
+    for (const Group& place : all)
+        for (QDockWidget* dock : place) {
+            dock->setFloating(false);
+            m_window.removeDockWidget(dock);
+        }
+    QList<QDockWidget*> heads;
+    for (const Group& place : all) {
+        heads += place.first();
+        m_window.addDockWidget(Qt::LeftDockWidgetArea, place.first(), Qt::Vertical);
+    }
+    for (const Group& place : all)
+        for (QDockWidget* dock : place) {
+            if (dock != place.first())
+                m_window.tabifyDockWidget(place.first(), dock);
+            dock->show();
+        }
+    for (QDockWidget* head : heads)
+        head->raise();
+    m_window.resizeDocks(heads, QList<int>(heads.size(), kColumnWidth), Qt::Horizontal);
+    m_window.resizeDocks(heads, QList<int>(heads.size(), m_window.height()), Qt::Vertical);
+}
+
+bool PanelDocks::restore(const QByteArray& state)
+{
+    if (state.isEmpty() || !m_window.restoreState(state, kStateVersion))
+        return false;
+    for (const Group& group : m_groups)
+        for (QDockWidget* dock : group)
+            frame(*dock);
+    return true;
+}
+
+QByteArray PanelDocks::state() const { return m_window.saveState(kStateVersion); }
+
+void PanelDocks::bring(QDockWidget& dock)
+{
+    dock.show();
+    dock.raise();
+    if (dock.isFloating())
+        dock.activateWindow();
+    auto* area = qobject_cast<QScrollArea*>(dock.widget());
+    (area ? area->widget() : dock.widget())->setFocus();
+}
+
+QDockWidget* PanelDocks::withFocus() const
+{
+    const QWidget* focused = QApplication::focusWidget();
+    for (const Group& group : m_groups)
+        for (QDockWidget* dock : group)
+            if (focused && dock->isAncestorOf(focused))
+                return dock;
+    return nullptr;
+}
+
+void PanelDocks::closeOne()
+{
+    if (QDockWidget* dock = withFocus())
+        dock->close();
+}
+
+} // namespace carina

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QByteArray>
+#include <QDockWidget>
+#include <QList>
+#include <QMainWindow>
+#include <QMenu>
+
+namespace carina
+{
+
+/// The panels of a window, as docks beside its picture: in front of each other by tabs, to be
+/// closed, moved, floated in a frame of their own, and brought back by a menu.
+class PanelDocks : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Panels that stand in one place, the first in front.
+    using Group = QList<QDockWidget*>;
+
+    /// Pixels: with it the picture has half of a window of 1280x800, and two thirds of 1920x1080.
+    static constexpr int kColumnWidth = 420;
+    /// From this height on, each group has a place of its own.
+    static constexpr int kHighWindow = 1000;
+
+    /// @param groups from above down; in a low window those behind the first share one place
+    /// @pre all outlive this.
+    PanelDocks(QMainWindow& window, QList<Group> groups);
+
+    /// Has a key to each panel, those to close one and to lay all as at first.
+    [[nodiscard]] QMenu& menu() { return m_menu; }
+    /// Adds the entry, and the key, of a panel. @param text with its mnemonic
+    QAction* offer(QDockWidget& dock, const QString& text, const QKeySequence& key,
+                   const QString& toolTip);
+    /// Adds what concerns all of them. To be called once, behind the panels.
+    void offerAll();
+
+    /// All panels in one column beside the picture.
+    void layStandard();
+    /// As state() had it. @returns whether it could be.
+    bool restore(const QByteArray& state);
+    [[nodiscard]] QByteArray state() const;
+
+    /// Shows a panel that was closed, or is behind others, and gives it the focus.
+    static void bring(QDockWidget& dock);
+
+private:
+    static void makeScrollable(QDockWidget& dock);
+    static void frame(QDockWidget& dock);
+    [[nodiscard]] QList<Group> places() const;
+    [[nodiscard]] QDockWidget* withFocus() const;
+    void closeOne();
+
+    QMainWindow& m_window;
+    QList<Group> m_groups;
+    QMenu m_menu;
+};
+
+} // namespace carina

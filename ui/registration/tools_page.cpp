@@ -2,6 +2,7 @@
 
 #include "models/station/tool_status.h"
 #include "ui/registration/local_time.h"
+#include "ui/tracker/tool_layout_dialog.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
@@ -38,7 +39,8 @@ ToolsPage::ToolsPage(RegistrationModel& registration)
       m_described{new PlainLabel{this}},
       m_places{new QListWidget{this}},
       m_check{new QPushButton{tr("Chec&k its tip"), this}},
-      m_stop{new QPushButton{tr("&Stop"), this}}
+      m_stop{new QPushButton{tr("&Stop"), this}},
+      m_layout{new QPushButton{tr("Ma&rkers of a tool (.rom)…"), this}}
 {
     m_tools->setObjectName(QStringLiteral("tool"));
     m_tools->setAccessibleName(tr("Tool to calibrate"));
@@ -61,6 +63,9 @@ ToolsPage::ToolsPage(RegistrationModel& registration)
     m_check->setObjectName(QStringLiteral("checkTool"));
     m_check->setToolTip(tr("Touch its tip once: tells whether it was bent, or its markers moved"));
     m_stop->setObjectName(QStringLiteral("stopTool"));
+    m_layout->setObjectName(QStringLiteral("toolLayout"));
+    m_layout->setToolTip(tr("Shows where the markers of a tool definition of NDI are, and moves "
+                            "them"));
     connectControls();
     layOut();
 }
@@ -75,6 +80,17 @@ void ToolsPage::connectControls()
             [this](double mm) { task().setOuterDiameter(millimetres(mm)); });
     connect(m_check, &QPushButton::clicked, this, [this] { task().beginCheck(); });
     connect(m_stop, &QPushButton::clicked, this, [this] { task().stop(); });
+    connect(m_layout, &QPushButton::clicked, this, &ToolsPage::showLayout);
+}
+
+/// What was moved there is kept while it is closed.
+void ToolsPage::showLayout()
+{
+    if (m_layoutDialog == nullptr)
+        m_layoutDialog = new ToolLayoutDialog{this};
+    m_layoutDialog->show();
+    m_layoutDialog->raise();
+    m_layoutDialog->activateWindow();
 }
 
 void ToolsPage::layOut()
@@ -101,6 +117,7 @@ void ToolsPage::layOut()
     column->addLayout(buttons);
     column->addWidget(m_places);
     column->addWidget(hint);
+    column->addWidget(m_layout);
     column->addStretch();
 }
 

@@ -11,6 +11,8 @@ class QPushButton;
 namespace carina
 {
 
+class ToolLayoutDialog;
+
 /// Calibrates tube and laryngoscope by touches with the stylus, and checks them by one.
 class ToolsPage : public RegistrationPage
 {
@@ -29,6 +31,7 @@ private:
     void layOut();
     void refreshTools();
     void refreshPlaces();
+    void showLayout();
     [[nodiscard]] ToolTask& task() const { return registration().toolTask(); }
 
     QComboBox* m_tools; ///< children of this
@@ -38,6 +41,8 @@ private:
     QListWidget* m_places;
     QPushButton* m_check;
     QPushButton* m_stop;
+    QPushButton* m_layout;
+    ToolLayoutDialog* m_layoutDialog = nullptr; ///< from when it is first shown
 };
 
 } // namespace carina

@@ -45,6 +45,12 @@ bool isNear(const Vec3& p_OQ)
     return p_OQ.allFinite() && p_OQ.cwiseAbs().maxCoeff() <= kFarthest;
 }
 
+/// Millimetres.
+Vec3 inFile(const Vec3& p_OQ)
+{
+    return p_OQ.unaryExpr([](double length) { return inMillimetres(metres(length)); });
+}
+
 /// Whether all are on one line.
 bool areCollinear(std::span<const ToolMarker> markers)
 {
@@ -110,11 +116,8 @@ Result<NdiToolDefinition> NdiToolDefinition::make(Kind kind, std::span<const Too
     tool.putReal(kSpreadAt, kSpread_mm);
     tool.putByte(kFacesAt, 9);
     for (std::size_t i = 0; i < markers.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::size_t at = i * kVectorBytes + std::size_t(axis) * sizeof(float);
-            tool.putReal(kMarkersAt + at, inMillimetres(metres(markers[i].p_OQ[axis])));
-            tool.putReal(kNormalsAt + at, markers[i].normal_O[axis]);
-        }
+        tool.putVector(kMarkersAt + i * kVectorBytes, inFile(markers[i].p_OQ));
+        tool.putVector(kNormalsAt + i * kVectorBytes, markers[i].normal_O);
         tool.putByte(kFiringAt + i, static_cast<std::uint8_t>(i));
         tool.putByte(kFacesAt + 1 + i, 1);
         tool.putByte(kFacesAt + 1 + kMostMarkers + i, 1);
@@ -126,10 +129,22 @@ Result<NdiToolDefinition> NdiToolDefinition::make(Kind kind, std::span<const Too
     tool.putText(kPartAt, kPartBytes, partNumber);
     tool.putByte(kTailAt, 0x80);
     tool.putByte(kTailAt + 2, 0x29);
-    const std::uint16_t checksum = tool.checksum();
-    tool.putByte(kChecksumAt, static_cast<std::uint8_t>(checksum & 0xFFU));
-    tool.putByte(kChecksumAt + 1, static_cast<std::uint8_t>(checksum >> 8U));
+    tool.putChecksum();
     return tool;
+}
+
+Result<NdiToolDefinition> NdiToolDefinition::withMarker(std::size_t marker, const Vec3& p_OQ) const
+{
+    std::vector<ToolMarker> all = markers();
+    if (!isNear(p_OQ))
+        return fail(Errc::OutOfRange, "a marker more than 2 m from the tool's origin");
+    all.at(marker).p_OQ = p_OQ;
+    if (all.size() >= kLeastForAPose && areCollinear(all))
+        return fail(Errc::DegenerateLandmarks, "the markers of a tool");
+    NdiToolDefinition moved = *this;
+    moved.putVector(kMarkersAt + marker * kVectorBytes, inFile(p_OQ));
+    moved.putChecksum();
+    return moved;
 }
 
 std::vector<ToolMarker> NdiToolDefinition::markers() const
@@ -218,6 +233,19 @@ void NdiToolDefinition::putWhole(std::size_t at, std::uint32_t value)
 void NdiToolDefinition::putReal(std::size_t at, double value)
 {
     putWhole(at, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+}
+
+void NdiToolDefinition::putVector(std::size_t at, const Vec3& vector)
+{
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        putReal(at + axis * sizeof(float), vector[Eigen::Index(axis)]);
+}
+
+void NdiToolDefinition::putChecksum()
+{
+    const std::uint16_t sum = checksum();
+    putByte(kChecksumAt, static_cast<std::uint8_t>(sum & 0xFFU));
+    putByte(kChecksumAt + 1, static_cast<std::uint8_t>(sum >> 8U));
 }
 
 void NdiToolDefinition::putText(std::size_t at, std::size_t most, const std::string& text)

@@ -49,6 +49,12 @@ public:
                                                         const std::string& maker,
                                                         const std::string& partNumber);
 
+    /// The same tool with one marker elsewhere; all that is said of the others stays as it was.
+    /// @pre there is such a marker.
+    /// @returns OutOfRange for a place that is not within 2 m; DegenerateLandmarks where three or
+    ///          more markers would be on one line.
+    [[nodiscard]] Result<NdiToolDefinition> withMarker(std::size_t marker, const Vec3& p_OQ) const;
+
     [[nodiscard]] std::uint8_t kind() const { return byteAt(15); }
     [[nodiscard]] std::vector<ToolMarker> markers() const;
     [[nodiscard]] std::uint32_t fewestMarkers() const; ///< that a pose needs
@@ -74,6 +80,8 @@ private:
     void putByte(std::size_t at, std::uint8_t value) { m_bytes[at] = std::byte{value}; }
     void putWhole(std::size_t at, std::uint32_t value);
     void putReal(std::size_t at, double value);
+    void putVector(std::size_t at, const Vec3& vector);
+    void putChecksum();
     void putText(std::size_t at, std::size_t most, const std::string& text);
 
     std::array<std::byte, kBytes> m_bytes{};

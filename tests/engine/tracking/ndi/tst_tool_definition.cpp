@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 
+#include <cmath>
+
 namespace carina::tool_definition_test
 {
 namespace
@@ -171,6 +173,34 @@ private Q_SLOTS:
         QCOMPARE(tool->markers().size(), due_mm.size());
         for (std::size_t i = 0; i < due_mm.size(); ++i)
             QVERIFY((1e3 * tool->markers()[i].p_OQ - due_mm[i]).norm() < 1e-3);
+    }
+
+    void movesOneMarkerAndKeepsTheRest()
+    {
+        const std::vector<ToolMarker> markers{{{0, 0, 0}}, {{0.05, 0, 0}}, {{0, 0.08, 0}}};
+        const auto tool =
+            NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markers, "Carina", "tube");
+        const auto moved = tool.value().withMarker(1, {0.06, -0.01, 0.002});
+        QVERIFY(moved);
+        QVERIFY((1e3 * moved->markers()[1].p_OQ - Vec3{60.0, -10.0, 2.0}).norm() < 1e-5);
+        // Twelve bytes of the place and two of the checksum, which is right.
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < NdiToolDefinition::kBytes; ++i)
+            changed += moved->bytes()[i] != tool->bytes()[i] ? 1 : 0;
+        QVERIFY(changed > 0 && changed <= 14);
+        QVERIFY(NdiToolDefinition::read(moved->bytes()));
+    }
+
+    void refusesAPlaceThatDeterminesNoPose()
+    {
+        const std::vector<ToolMarker> markers{{{0, 0, 0}}, {{0.05, 0, 0}}, {{0, 0.08, 0}}};
+        const auto tool =
+            NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markers, "Carina", "tube");
+        QCOMPARE(tool.value().withMarker(2, {0.1, 0.0, 0.0}).error().code,
+                 Errc::DegenerateLandmarks);
+        QCOMPARE(tool.value().withMarker(2, {0.0, 2.5, 0.0}).error().code, Errc::OutOfRange);
+        QCOMPARE(tool.value().withMarker(2, {0.0, std::nan(""), 0.0}).error().code,
+                 Errc::OutOfRange);
     }
 };
 

@@ -1,6 +1,7 @@
 #include "apps/trainee/trainee_station.h"
 
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "tests/engine/net/devices/igtl_offers.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
@@ -39,6 +40,32 @@ TraineeStation::Place placeOf(const PatientModel& of)
     return place;
 }
 
+/// A server that sends one tool, and how it stands to the first of several.
+struct Sender {
+    std::unique_ptr<IgtlServer> server = IgtlServer::listen({"127.0.0.1", 0}).value();
+    std::string name;
+    RigidTransform X_DO;
+    int given = 0;
+
+    /// Once more. It stamps 16 times a second.
+    void give()
+    {
+        auto offer = std::make_shared<IgtlOffer>();
+        offer->stamp = std::uint64_t(++given) << 28U;
+        offer->tools = {{name, X_DO, true}};
+        server->give(std::move(offer));
+    }
+
+    [[nodiscard]] PlacedDescription described(ToolRole role, const DevicePlace& place) const
+    {
+        TrackerDescription described;
+        described.kind = TrackerKind::OpenIgtLink;
+        described.address = "127.0.0.1:" + std::to_string(server->port());
+        described.tools.push_back({name, role, {}, name});
+        return {std::move(described), place};
+    }
+};
+
 class Station : public TraineeStation
 {
 public:
@@ -72,6 +99,33 @@ private Q_SLOTS:
         QCOMPARE(after->time, before->time);
         const Vec3 moved = after->X_FO.translation() - before->X_FO.translation();
         QVERIFY((moved - Vec3{0.0, -1.0, 0.0}).norm() < 1e-12);
+    }
+
+    /// The second stands two metres along z from the first, and half a turn about x from it.
+    void twoDevicesPlayTogether()
+    {
+        Sender chin{.name = "Chin", .X_DO = RigidTransform::translation({0.1, 0.2, 0.3})};
+        Sender head{.name = "Head", .X_DO = RigidTransform::translation({0.4, 0.5, 0.6})};
+        const DevicePlace place{{Quat{0.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 2.0}}, {}};
+        Station station{TrackerChoice{
+            DeviceSet{{chin.described(ToolRole::Jaw, {}), head.described(ToolRole::Head, place)}}}};
+        QVERIFY(station.lay(patient(BuiltinPatient::Adult)));
+        const auto haveCome = [&] {
+            chin.give();
+            head.give();
+            const auto tools = station.tracking()->tracker().tools();
+            return tools.size() == 2 && tools[0].history->newest() && tools[1].history->newest();
+        };
+        constexpr int kPatience_ms = 10'000;
+        QTRY_VERIFY_WITH_TIMEOUT(haveCome(), kPatience_ms);
+        constexpr double kFloat = 1e-6; // metres; of a message
+        const auto tools = station.tracking()->tracker().tools();
+        QVERIFY((tools[0].history->newest()->X_FO.translation() - Vec3{0.1, 0.2, 0.3}).norm()
+                < kFloat);
+        const auto seen = station.tracking()->newest(ToolRole::Head);
+        QVERIFY(seen.has_value());
+        // X_AT, and (x, -y, 2 - z).
+        QVERIFY((seen->X_FO.translation() - Vec3{0.4, 0.0, 1.4}).norm() < kFloat);
     }
 
     void anotherTrackerIsAnother()

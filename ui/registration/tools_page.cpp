@@ -40,7 +40,7 @@ ToolsPage::ToolsPage(RegistrationModel& registration)
       m_places{new QListWidget{this}},
       m_check{new QPushButton{tr("Chec&k its tip"), this}},
       m_stop{new QPushButton{tr("&Stop"), this}},
-      m_layout{new QPushButton{tr("&Markers of a tool (.rom)…"), this}}
+      m_layout{new QPushButton{tr("Ma&rkers of a tool (.rom)…"), this}}
 {
     m_tools->setObjectName(QStringLiteral("tool"));
     m_tools->setAccessibleName(tr("Tool to calibrate"));

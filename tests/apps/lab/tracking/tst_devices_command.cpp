@@ -114,7 +114,7 @@ private Q_SLOTS:
         const DevicePlace& place = site.devices[1].frame->place;
         constexpr double kWithin_ms = 1.0; // of timeShift
         QVERIFY(std::abs(1e3 * toSeconds(place.late - kLate)) < kWithin_ms);
-        constexpr double kWithin_deg = 0.05;
+        constexpr double kWithin_deg = 0.1;
         QVERIFY(inDegrees(angleBetween(place.X_FD.rotation(), kX_TD.rotation())) < kWithin_deg);
         const Vec3 p_D = kX_TD.inverse() * Vec3{0.0, 0.0, 1.5};
         constexpr double kWithin_mm = 0.5;

@@ -93,7 +93,7 @@ private Q_SLOTS:
         QTest::addColumn<std::string>("words");
         for (const char* words : {"", "rate", "rate=0", "rate=2000", "rate=fast", "hidden=other",
                                   "hidden=tubes", "dropouts=95", "speed=3", "rate=30,", "rate=nan"})
-            QTest::addRow("%s", words) << std::string{words};
+            QTest::addRow("\"%s\"", words) << std::string{words};
     }
 
     void refusesOthersAndSaysWhatThereIs()

@@ -224,6 +224,33 @@ private Q_SLOTS:
         }
     }
 
+    /// As read from the file by eye: recv 0101+07003+07110-00250+00572-021400+009890-158180+01106,
+    /// state 00000031, frame 000003AD. Places in hundredths of a millimetre, the quaternion and the
+    /// error in ten-thousandths, w first.
+    void tellsTheFirstPoseOfHandleOne()
+    {
+        const auto path = test::testData(folderOf("polaris_stream_07_13_2005.txt"));
+        if (!path)
+            QSKIP("no recordings of a Polaris");
+        const auto recording = readNdiRecordingFile(*path);
+        QVERIFY(recording);
+        const NdiConversation conversation = decode(*recording);
+        for (const RecordedNdiFrame& recorded : conversation.frames) {
+            for (const NdiTool& tool : recorded.frame.tools) {
+                if (tool.handle != 1 || !tool.X_TO)
+                    continue;
+                QCOMPARE(tool.frameNumber, 0x3ADU);
+                const Vec3 p_mm = 1e3 * tool.X_TO->translation();
+                QVERIFY((p_mm - Vec3{-214.00, 98.90, -1581.80}).norm() < 1e-6);
+                QVERIFY(std::abs(1e3 * tool.error - 0.1106) < 1e-6);
+                const Quat turn = Quat{0.7003, 0.7110, -0.0250, 0.0572}.normalized();
+                QVERIFY(std::abs(tool.X_TO->rotation().dot(turn)) > 1.0 - 1e-9);
+                return;
+            }
+        }
+        QFAIL("no pose of handle 1");
+    }
+
     void bothFormsOfOneConversationTellTheSame()
     {
         const auto text =

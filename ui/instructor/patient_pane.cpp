@@ -29,8 +29,7 @@ void PatientPane::setModels(SessionModel& session, const RespirationModel& respi
     auto* bar = new LessonBar;
     bar->setModel(lesson);
     m_ui->views->addWidget(bar);
-    setTabOrder(m_ui->exaggeration, bar);
-    setTabOrder(bar, m_ui->scene);
+    bar->putBetween(*m_ui->exaggeration, *m_ui->scene);
     connect(&lesson, &LessonModel::changed, this, [this] {
         if (m_stationScene)
             refreshPeople();

@@ -52,7 +52,6 @@ LessonBar::LessonBar(QWidget* parent)
     row->addWidget(m_switch);
     row->addWidget(m_to);
     reserve(*m_switch, tr("● Shown"));
-    setFocusProxy(m_switch);
     setEnabled(false); // until there is a model
 }
 
@@ -63,6 +62,13 @@ void LessonBar::setModel(LessonModel& model)
     connect(&m_menu, &QMenu::aboutToShow, this, &LessonBar::list);
     connect(&model, &LessonModel::changed, this, &LessonBar::refresh);
     refresh();
+}
+
+void LessonBar::putBetween(QWidget& before, QWidget& after)
+{
+    setTabOrder(&before, m_switch);
+    setTabOrder(m_switch, m_to);
+    setTabOrder(m_to, &after);
 }
 
 void LessonBar::refresh()

@@ -113,13 +113,12 @@ inline constexpr std::tuple kFields<fact::LessonShown>{&fact::LessonShown::to,
 template <>
 inline constexpr std::tuple kFields<Lesson>{&Lesson::section, &Lesson::showsView, &Lesson::looks};
 template <>
-inline constexpr std::tuple kFields<LessonSection>{&LessonSection::isCut, &LessonSection::cut,
-                                                   &LessonSection::normal_A,
-                                                   &LessonSection::distance};
+inline constexpr std::tuple kFields<LessonSection>{
+    &LessonSection::isCut, &LessonSection::cut, &LessonSection::normal_A, &LessonSection::distance};
 template <>
-inline constexpr std::tuple kFields<LessonLook>{
-    &LessonLook::first,         &LessonLook::last,    &LessonLook::style,
-    &LessonLook::isHighlighted, &LessonLook::isNamed, &LessonLook::isPlain};
+inline constexpr std::tuple kFields<LessonLook>{&LessonLook::first,   &LessonLook::last,
+                                                &LessonLook::style,   &LessonLook::isHighlighted,
+                                                &LessonLook::isNamed, &LessonLook::isPlain};
 
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>

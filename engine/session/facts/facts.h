@@ -147,17 +147,18 @@ struct ParticipantMoved {
 
 /// The index of an alternative defines the kind byte on the wire and on disk: add new ones at the
 /// end.
-using FactBody = std::variant<
-    fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
-    fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
-    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
-    fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
-    fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet,
-    fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
-    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
-    fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken,
-    fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown,
-    fact::LessonEnded>;
+using FactBody =
+    std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
+                 fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
+                 fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
+                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+                 fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet,
+                 fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint,
+                 fact::BodyPositionSet, fact::ParticipantMuted, fact::ParticipantRemoved,
+                 fact::BanLifted, fact::SessionLocked, fact::RoleCodeChanged, fact::TokenReplaced,
+                 fact::StrategyChosen, fact::RegistrationStated, fact::StationRenamed,
+                 fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken, fact::PlaceChosen,
+                 fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown, fact::LessonEnded>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

@@ -50,6 +50,7 @@ struct Console {
     }
     void tubeIsSeen(bool seen)
     {
+        node.advance(std::chrono::milliseconds{50});
         StreamCpo cpo;
         cpo.object = FakeSessionNode::kTube;
         cpo.time = *node.now();

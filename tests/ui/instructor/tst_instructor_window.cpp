@@ -271,10 +271,12 @@ private Q_SLOTS:
         auto& picture = *projector()->findChild<SceneView*>();
         QVERIFY(soon([&] { return picture.statistics().frames > 2; }));
         shown.find<QToolButton>("side").click();
-        const Vec3 eye = shown.find<SceneView>("scene").camera().pose().p_A_eye;
-        QVERIFY(soon([&] {
-            return picture.camera().pose().p_A_eye.normalized().dot(eye.normalized()) > 0.999;
-        }));
+        const auto seenFrom = [](const SceneView& scene) {
+            const CameraPose pose = scene.camera().pose();
+            return Vec3{(pose.p_A_eye - pose.p_A_target).normalized()};
+        };
+        const Vec3 side = seenFrom(shown.find<SceneView>("scene"));
+        QVERIFY(soon([&] { return seenFrom(picture).dot(side) > 0.999; }));
         projector()->close();
         QVERIFY(soon([&] { return !projector(); }));
         QVERIFY(!wanted.isChecked());
@@ -287,9 +289,11 @@ private Q_SLOTS:
     {
         const test::ScratchFolder kept;
         Shown shown{kept};
-        QTest::keyClick(&shown.window, Qt::Key_F11);
+        QAction& full = shown.action("fullScreen");
+        QCOMPARE(full.shortcut(), QKeySequence{Qt::Key_F11});
+        full.trigger();
         QVERIFY(shown.window.isFullScreen());
-        QTest::keyClick(&shown.window, Qt::Key_F11);
+        full.trigger();
         QVERIFY(!shown.window.isFullScreen());
     }
 

@@ -64,13 +64,6 @@ void LessonBar::setModel(LessonModel& model)
     refresh();
 }
 
-void LessonBar::putBetween(QWidget& before, QWidget& after)
-{
-    setTabOrder(&before, m_switch);
-    setTabOrder(m_switch, m_to);
-    setTabOrder(m_to, &after);
-}
-
 void LessonBar::refresh()
 {
     setEnabled(m_model->canSwitch());

@@ -20,8 +20,6 @@ public:
 
     /// @pre the model outlives the bar.
     void setModel(LessonModel& model);
-    /// Is reached by Tab between these two.
-    void putBetween(QWidget& before, QWidget& after);
 
 private:
     void refresh();

@@ -1,5 +1,7 @@
 #include "ui/instructor/panel_docks.h"
 
+#include "models/text/shown_as_is.h"
+
 #include <QApplication>
 #include <QScrollArea>
 #include <QStyle>
@@ -73,7 +75,7 @@ QAction* PanelDocks::offer(QDockWidget& dock, const QString& text, const QKeySeq
 {
     QAction* action = m_menu.addAction(text);
     action->setShortcut(key);
-    action->setToolTip(toolTip);
+    action->setToolTip(shownAsIs(toolTip));
     connect(action, &QAction::triggered, &dock, [&dock] { bring(dock); });
     m_window.addAction(action); // its key works while the menu is shut
     return action;

@@ -1,5 +1,6 @@
 #include "ui/instructor/view_controls.h"
 
+#include "models/text/shown_as_is.h"
 #include "ui/instructor/saved_views_menu.h"
 #include "ui/panels/people_menus.h"
 #include "widgets/scene/view/scene_view.h"
@@ -37,7 +38,7 @@ QToolButton* ViewControls::add(const char* name, const QString& text, const QStr
     auto* button = new QToolButton;
     button->setObjectName(QLatin1String{name});
     button->setText(text);
-    button->setToolTip(toolTip);
+    button->setToolTip(shownAsIs(toolTip));
     button->setFocusPolicy(Qt::TabFocus);
     layout()->addWidget(button);
     return button;

@@ -5,6 +5,7 @@
 
 #include <opencv2/aruco/charuco.hpp>
 
+#include <memory>
 #include <random>
 
 namespace carina::board_calibration_test
@@ -25,13 +26,13 @@ struct Taking {
     double reach = 0.75; ///< share of the picture's half that the board's middle goes to
 };
 
-BoardCalibration calibrated(const Taking& taking)
+std::unique_ptr<BoardCalibration> calibrated(const Taking& taking)
 {
     const CameraModel camera = vision_test::webcam();
     MarkerRenderer renderer{camera, kBoard.dictionary, {.samples = 2, .noise = 1.5}};
     std::mt19937 random{7};
     std::uniform_real_distribution<double> share{-1.0, 1.0};
-    BoardCalibration calibration{kBoard};
+    auto calibration = std::make_unique<BoardCalibration>(kBoard);
     for (int i = 0; i < taking.pictures; ++i) {
         const double across = taking.reach * share(random);
         const double down = taking.reach * share(random);
@@ -45,8 +46,8 @@ BoardCalibration calibrated(const Taking& taking)
                 : vision_test::facing(p_T, taking.tilt_deg * (i % 2 ? 1 : -1), direction_deg,
                                       turn_deg);
         static_cast<void>(
-            calibration.add(renderer.drawBoard({cellsOf(kBoard), kBoard.columns * kCellsOfSquare,
-                                                kBoard.square / kCellsOfSquare, X_TB})));
+            calibration->add(renderer.drawBoard({cellsOf(kBoard), kBoard.columns * kCellsOfSquare,
+                                                 kBoard.square / kCellsOfSquare, X_TB})));
     }
     return calibration;
 }
@@ -61,7 +62,7 @@ private Q_SLOTS:
     void findsTheCameraThatTookThePictures()
     {
         const CameraModel truth = vision_test::webcam();
-        const auto fitted = calibrated({}).fit();
+        const auto fitted = calibrated({})->fit();
         const auto* fit = std::get_if<BoardFit>(&fitted);
         QVERIFY(fit != nullptr);
         QVERIFY(fit->rms < 0.3);
@@ -94,7 +95,7 @@ private Q_SLOTS:
         QFETCH(const double, reach);
         QFETCH(const CalibrationFault, fault);
         const auto fitted =
-            calibrated({.pictures = pictures, .tilt_deg = tilt, .reach = reach}).fit();
+            calibrated({.pictures = pictures, .tilt_deg = tilt, .reach = reach})->fit();
         const auto* found = std::get_if<CalibrationFault>(&fitted);
         QVERIFY(found != nullptr);
         QCOMPARE(*found, fault);

@@ -162,10 +162,11 @@ void SceneView::takeFrom(const SceneView& other)
 {
     m_window->camera() = other.camera();
     m_window->camera().setAspect(m_window->widthOverHeight());
-    if (m_looks != other.m_looks)
-        setLooks(other.m_looks);
-    if (m_section != other.m_section)
-        setSection(other.m_section);
+    const SceneSettings& theirs = other.inForce();
+    if (m_own.looks != theirs.looks)
+        setLooks(theirs.looks);
+    if (m_own.section != theirs.section)
+        setSection(theirs.section);
 }
 
 void SceneView::setLie(Lie lie) { m_window->camera().setLie(lie); }

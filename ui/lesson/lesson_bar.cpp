@@ -12,7 +12,7 @@ namespace carina
 namespace
 {
 
-constexpr int kWidestName = 130; ///< pixels, of a name
+constexpr int kWidestTarget = 130; ///< pixels, of a name
 
 /// A text in which & is no mark of a key.
 QString withoutKey(QString text) { return text.replace(QLatin1Char{'&'}, QStringLiteral("&&")); }
@@ -74,7 +74,7 @@ void LessonBar::refresh()
     m_switch->setAccessibleName(tr("Show what you see to: %1").arg(to));
     m_switch->setAccessibleDescription(m_model->text());
     m_to->setAccessibleName(tr("To whom it is shown, now: %1").arg(to));
-    const QString fitting = m_to->fontMetrics().elidedText(to, Qt::ElideRight, kWidestName);
+    const QString fitting = m_to->fontMetrics().elidedText(to, Qt::ElideRight, kWidestTarget);
     m_to->setText(withoutKey(tr("To: %1").arg(fitting)));
     m_to->setToolTip(shownAsIs(tr("To whom it is shown: %1").arg(to)));
 }

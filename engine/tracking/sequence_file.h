@@ -39,8 +39,9 @@ struct TrackerSequence {
 /// @param name name of the input in errors
 /// @returns FileUnreadable; FileEmpty; FileMalformed where the header is truncated, the number of
 ///          frames differs from DimSize, there is no tool, or a frame is out of order, earlier than
-///          the one before, incomplete, of unknown status or has a tool twice; NotFinite, NotARotation or OutOfRange
-///          for a tracked pose or a time. The detail names input, frame and fault.
+///          the one before, incomplete, of unknown status or has a tool twice; NotFinite,
+///          NotARotation or OutOfRange for a tracked pose or a time. The detail names input, frame
+///          and fault.
 [[nodiscard]] Result<TrackerSequence> readSequence(std::istream& input, const std::string& name);
 
 /// The same from a file. @returns also FileNotFound.

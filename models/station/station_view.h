@@ -12,7 +12,8 @@
 namespace carina
 {
 
-/// The objects of the local tracker as they are to be drawn. @pre `tracking` outlives what is returned.
+/// The objects of the local tracker as they are to be drawn. @pre `tracking` outlives what is
+/// returned.
 [[nodiscard]] ObjectPoses posesOf(const StationTracking& tracking);
 
 /// The state of everything that moves at a station, at one session time.

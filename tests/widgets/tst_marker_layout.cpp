@@ -100,7 +100,7 @@ private Q_SLOTS:
     }
 };
 
-CARINA_TEST(MarkerLayoutTest)
+CARINA_SCREEN_TEST(MarkerLayoutTest)
 
 } // namespace carina::marker_layout_test
 

@@ -79,6 +79,10 @@ void InstructorWindow::fillPanels()
     m_ui->parts->setScene(m_ui->pane->scene());
     m_ui->section->setScene(m_ui->pane->scene());
     m_ui->partsPage->setFocusProxy(m_ui->parts);
+    auto* lesson = new LessonBar;
+    lesson->setModel(m_models.lesson);
+    m_ui->partsLayout->insertWidget(0, lesson);
+    lesson->putBefore(*m_ui->parts);
     refreshInvitation();
     connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &m_models.conduct,
             &ConductModel::changeCode);
@@ -126,6 +130,7 @@ void InstructorWindow::layPanels()
     offerPanels();
     m_docks->offerAll();
     offerWindows();
+    m_docks->layStandard(); // beneath each other they would need more height than there is
 }
 
 void InstructorWindow::offerPanels()
@@ -238,9 +243,6 @@ void InstructorWindow::fillSessionBar()
     auto* views = new ViewControls{stationScene(), m_savedViews, m_models.people};
     connect(views, &ViewControls::changed, this, &InstructorWindow::refreshStatus);
     m_ui->sessionBar->addWidget(views);
-    auto* lesson = new LessonBar;
-    lesson->setModel(m_models.lesson);
-    m_ui->sessionBar->addWidget(lesson);
     addMenuButton();
 }
 

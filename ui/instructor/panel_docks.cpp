@@ -18,7 +18,7 @@ constexpr int kDragLook_ms = 100; ///< how often the end of a drag is looked for
 } // namespace
 
 PanelDocks::PanelDocks(QMainWindow& window, QList<Group> groups)
-    : m_window{window}, m_groups{std::move(groups)}
+    : m_window{window}, m_groups{std::move(groups)}, m_menu{&window}
 {
     m_window.setDockNestingEnabled(true);
     m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);

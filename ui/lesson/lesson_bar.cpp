@@ -64,6 +64,12 @@ void LessonBar::setModel(LessonModel& model)
     refresh();
 }
 
+void LessonBar::putBefore(QWidget& after)
+{
+    setTabOrder(m_switch, m_to);
+    setTabOrder(m_to, &after);
+}
+
 void LessonBar::refresh()
 {
     setEnabled(m_model->canSwitch());

@@ -20,6 +20,8 @@ public:
 
     /// @pre the model outlives the bar.
     void setModel(LessonModel& model);
+    /// Is reached by Tab before this.
+    void putBefore(QWidget& after);
 
 private:
     void refresh();

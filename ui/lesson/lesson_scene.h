@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/session/facts/lesson_facts.h"
+#include "models/lesson/lesson_model.h"
 #include "widgets/scene/view/scene_view.h"
 
 namespace carina

@@ -58,7 +58,7 @@ InvitationPanel::InvitationPanel(QWidget* parent)
       m_picture{new QrCode},
       m_reach{new PlainLabel},
       m_certificate{new PlainLabel},
-      m_showPicture{new QPushButton{tr("Show &QR code")}},
+      m_showPicture{new QPushButton{tr("&QR code")}},
       m_copy{new QPushButton{tr("Copy &link")}},
       m_newCode{new QPushButton{tr("Ne&w code…")}}
 {

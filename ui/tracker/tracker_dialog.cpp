@@ -280,8 +280,9 @@ void TrackerDialog::accept()
         return;
     m_trial.end();
     m_server->endTrial();
+    m_asked = form();
     m_reading.start(
-        [this, chosen = form()](const Progress& goesOn) { m_read = choiceOf(chosen, goesOn); });
+        [this, chosen = m_asked](const Progress& goesOn) { m_read = choiceOf(chosen, goesOn); });
     refresh();
 }
 

@@ -53,6 +53,7 @@ struct Sender {
         auto offer = std::make_shared<IgtlOffer>();
         offer->stamp = std::uint64_t(++given) << 28U;
         offer->tools = {{name, X_DO, true}};
+        offer->landmarks = std::make_shared<const IgtlPoints>();
         server->give(std::move(offer));
     }
 

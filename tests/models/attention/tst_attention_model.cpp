@@ -258,6 +258,7 @@ private Q_SLOTS:
         console.asks(kTom);
         console.node.decide(fact::PhaseChanged{SessionPhase::Running});
         console.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+        console.node.advance(seconds{1});
         console.look();
         QCOMPARE(console.texts(), QStringList{});
     }

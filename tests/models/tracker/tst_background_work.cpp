@@ -19,8 +19,7 @@ private Q_SLOTS:
         const QSignalSpy progressed{&work, &BackgroundWork::progressed};
         const QSignalSpy finished{&work, &BackgroundWork::finished};
         work.start([](const Progress& goesOn) {
-            while (goesOn(0.4)) {
-            }
+            while (goesOn(0.4)) {}
         });
         QVERIFY(work.isUnderWay());
         QTRY_COMPARE(work.percent(), 40);
@@ -34,8 +33,7 @@ private Q_SLOTS:
     {
         BackgroundWork work;
         work.start([](const Progress& goesOn) {
-            while (goesOn(0.0)) {
-            }
+            while (goesOn(0.0)) {}
         });
         work.cancel();
         QTRY_VERIFY(!work.isUnderWay());
@@ -51,8 +49,7 @@ private Q_SLOTS:
         {
             BackgroundWork work;
             work.start([&hasEnded](const Progress& goesOn) {
-                while (goesOn(0.0)) {
-                }
+                while (goesOn(0.0)) {}
                 hasEnded = true;
             });
         }

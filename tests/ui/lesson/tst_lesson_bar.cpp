@@ -81,7 +81,7 @@ private Q_SLOTS:
     }
 };
 
-CARINA_TEST(TestLessonBar)
+CARINA_SCREEN_TEST(TestLessonBar)
 
 } // namespace carina::lesson_bar_test
 

@@ -60,6 +60,7 @@ private Q_SLOTS:
         };
         QTRY_VERIFY_WITH_TIMEOUT(isSeen(), kPatience_ms);
         find<QAbstractButton>(dialog, "use").click();
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
         const auto& described = std::get<TrackerDescription>(dialog.choice().device);
         QCOMPARE(described.kind, TrackerKind::OpenIgtLink);
         QCOMPARE(described.tools[0].device, std::string{"Tube"});

@@ -90,7 +90,7 @@ private Q_SLOTS:
     }
 };
 
-CARINA_TEST(ToolLayoutDialogTest)
+CARINA_SCREEN_TEST(ToolLayoutDialogTest)
 
 } // namespace carina::tool_layout_dialog_test
 

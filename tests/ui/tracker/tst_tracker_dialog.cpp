@@ -153,8 +153,9 @@ private Q_SLOTS:
                              {}};
         dialog.show();
         find<QAbstractButton>(dialog, "use").click();
+        QTRY_VERIFY(
+            find<QLabel>(dialog, "missing").text().contains(QStringLiteral("tracker.json")));
         QVERIFY(dialog.isVisible());
-        QVERIFY(find<QLabel>(dialog, "missing").text().contains(QStringLiteral("tracker.json")));
     }
 
     void tellsWhatAnswersBeforeItIsUsed()

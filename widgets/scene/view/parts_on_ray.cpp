@@ -24,8 +24,8 @@ std::optional<Hit> hitOf(const std::array<Vec3, 3>& corners, const SightRay& ray
     const Vec3 second = corners[2] - corners[0];
     const Vec3 across = ray.dir_A.cross(second);
     const double determinant = first.dot(across);
-    if (std::abs(determinant) < kParallel * first.norm() * second.norm())
-        return std::nullopt;
+    if (!(std::abs(determinant) > kParallel * first.norm() * second.norm()))
+        return std::nullopt; // nor a triangle without an area
     const Vec3 way = ray.p_A_eye - corners[0];
     const double u = way.dot(across) / determinant;
     const Vec3 around = way.cross(first);

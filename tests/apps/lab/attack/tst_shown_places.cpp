@@ -101,7 +101,7 @@ private Q_SLOTS:
 
     void quickHandIsNoJump()
     {
-        const Tube tube{.jump = SessionTime{2s}, .jump_m = 0.6 * ShownPlaces::kFastestHand * 0.016};
+        const Tube tube{.jump = SessionTime{2s}, .jump_m = 0.4 * ShownPlaces::kFastestHand * 0.016};
         const ShownPlaces places = seen(tube, 0ms);
         QCOMPARE(places.jumps(), 0);
     }

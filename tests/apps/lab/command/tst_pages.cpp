@@ -11,7 +11,7 @@ namespace carina::lab::pages_test
 namespace
 {
 
-constexpr qsizetype kScreenLines = 40;
+constexpr qsizetype kScreenLines = 44;
 constexpr qsizetype kScreenColumns = 100;
 
 /// Names of all keys in an object and in what it holds.

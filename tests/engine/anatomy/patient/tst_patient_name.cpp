@@ -109,12 +109,12 @@ void TestPatientName::refusesWhatSaysNoPatient_data()
     row("45 years, 182 cm", "the sex is missing");
     row("45 years, man", "the height is missing");
     row("182 cm, man", "the age is missing");
-    row("45, 182, man", "age, height and sex");
-    row("45 years, 45 years, 182 cm, man", "age, height and sex");
-    row("45 years, 182 cm, man, woman", "age, height and sex");
-    row("45 years, 182 cm, man, slim, obese", "age, height and sex");
-    row("45 years, 182 cm, man,", "age, height and sex");
-    row("45 years, 99999999999 cm, man", "age, height and sex");
+    row("45, 182, man", "age (6 to 90 years), height");
+    row("45 years, 45 years, 182 cm, man", "age (6 to 90 years), height");
+    row("45 years, 182 cm, man, woman", "age (6 to 90 years), height");
+    row("45 years, 182 cm, man, slim, obese", "age (6 to 90 years), height");
+    row("45 years, 182 cm, man,", "age (6 to 90 years), height");
+    row("45 years, 99999999999 cm, man", "age (6 to 90 years), height");
     row("5 years, 110 cm, boy", "6 to 90 years");
     row("91 years, 170 cm, woman", "6 to 90 years");
     row("7 years, 99 cm, boy", "100 to 210 cm");

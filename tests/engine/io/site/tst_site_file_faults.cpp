@@ -288,7 +288,7 @@ private Q_SLOTS:
 
     void refusesAnotherVersion()
     {
-        writeFile(path(), json("{'schema': 'carina.site/6', 'step': 'fit'}"));
+        writeFile(path(), json("{'schema': 'carina.site/7', 'step': 'fit'}"));
         const auto site = readSiteFile(path());
         QVERIFY(!site);
         QCOMPARE(site.error().code, Errc::UnknownFormat);

@@ -143,9 +143,8 @@ void ToolLayoutDialog::refresh()
     for (CheckedDoubleSpinBox* box : m_places)
         box->setEnabled(m_layout.isOpen());
     m_open->setEnabled(!m_layout.isChanged());
-    m_open->setToolTip({});
-    if (m_layout.isChanged())
-        m_open->setToolTip(tr("Save what was moved, or undo it, before"));
+    m_open->setToolTip(m_layout.isChanged() ? tr("Save what was moved, or undo it, before")
+                                            : tr("A tool definition of NDI (.rom)"));
     m_undo->setEnabled(m_layout.canUndo());
     m_redo->setEnabled(m_layout.canRedo());
     m_save->setEnabled(m_layout.isOpen());

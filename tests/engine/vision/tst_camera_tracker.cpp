@@ -201,11 +201,10 @@ private Q_SLOTS:
         auto tracker = CameraTracker::make(settings, clock.reader());
         QVERIFY((*tracker)->start());
         int writer = -1; // can be opened as soon as there is a reader
-        QTRY_VERIFY((writer = open(pipe.constData(), O_WRONLY | O_NONBLOCK)) >= 0);
+        QTRY_VERIFY(writer >= 0 || (writer = open(pipe.constData(), O_WRONLY | O_NONBLOCK)) >= 0);
         (*tracker)->stop();
         tracker->reset();
-        QCOMPARE(unlink(pipe.constData()), 0); // else OpenCV may open it again, by another reader
-        QCOMPARE(close(writer), 0);            // only now may it read the end
+        QCOMPARE(close(writer), 0); // only now may it read the end
     }
 
     void startsWithoutItsVideoAndSaysSo()

@@ -1,10 +1,17 @@
 #pragma once
 
+#include "tests/support/scratch_folder.h"
+
 #include <QCoreApplication>
 #include <QProcess>
 #include <QString>
+#include <QTest>
 
+#include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace carina::test
 {
@@ -39,6 +46,47 @@ inline std::optional<StruckChild> runStruck(const QString& entry, const QString&
         return std::nullopt;
     return StruckChild{child.readAllStandardOutput().split('\n'),
                        child.readAllStandardError().contains("fault: ")};
+}
+
+/// The kinds of faults, as rows of a test.
+inline void addFaultKinds()
+{
+    QTest::addColumn<QString>("kind");
+    for (const char* kind : {"once", "lasting", "short", "killed"})
+        QTest::newRow(kind) << QString::fromLatin1(kind);
+}
+
+/// Strikes each call of an entry in turn, over a new folder each time, until it makes no more.
+/// @param verify checks the folder and what the child told
+/// @returns how many calls were struck; nothing where a check failed, or they never end
+inline std::optional<int>
+strikeEach(const QString& entry, const QString& kind,
+           const std::function<void(const std::filesystem::path&, const StruckChild&)>& verify)
+{
+    constexpr int kMostCalls = 400;
+    for (int at = 1; at < kMostCalls; ++at) {
+        const QTemporaryDir folder{fastFolder()};
+        const auto child = runStruck(entry, folder.path(), kind, at);
+        if (child)
+            verify(folder.path().toStdString(), *child);
+        if (!child || QTest::currentTestFailed()) {
+            qWarning("call %d", at);
+            return std::nullopt;
+        }
+        if (!child->isStruck)
+            return at - 1;
+    }
+    return std::nullopt;
+}
+
+/// What a child told of something, in order.
+inline std::vector<std::string> allTold(const StruckChild& child, const QByteArray& what)
+{
+    std::vector<std::string> all;
+    for (const QByteArray& line : child.told)
+        if (line.startsWith(what + ' '))
+            all.push_back(line.mid(what.size() + 1).toStdString());
+    return all;
 }
 
 } // namespace carina::test

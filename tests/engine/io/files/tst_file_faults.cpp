@@ -4,8 +4,6 @@
 #include "tests/support/struck_child.h"
 #include "tests/support/test_class.h"
 
-#include <QCoreApplication>
-
 #include <iostream>
 
 namespace carina::test::file_faults_test
@@ -14,7 +12,6 @@ namespace
 {
 
 constexpr std::uint64_t kFacts = 4;
-constexpr int kMostCalls = 400;
 
 std::filesystem::path storeIn(const std::filesystem::path& folder)
 {
@@ -59,13 +56,10 @@ int storeUnderFaults(int& argc, char** argv)
 const TestEntry kChild{"store-under-faults", storeUnderFaults};
 
 /// The last number that a child told of something; 0 where it told none.
-int lastOf(const QByteArrayList& told, const QByteArray& what)
+int lastOf(const StruckChild& child, const QByteArray& what)
 {
-    int last = 0;
-    for (const QByteArray& line : told)
-        if (line.startsWith(what + ' '))
-            last = line.mid(what.size() + 1).toInt();
-    return last;
+    const auto all = allTold(child, what);
+    return all.empty() ? 0 : std::stoi(all.back());
 }
 
 } // namespace
@@ -76,42 +70,22 @@ class TestFileFaults : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void losesNothingItReported_data()
-    {
-        QTest::addColumn<QString>("kind");
-        for (const char* kind : {"once", "lasting", "short", "killed"})
-            QTest::newRow(kind) << QString::fromLatin1(kind);
-    }
-
+    void losesNothingItReported_data() { addFaultKinds(); }
     void losesNothingItReported()
     {
         QFETCH(const QString, kind);
-        int at = 1;
-        for (; at < kMostCalls; ++at) {
-            const QTemporaryDir folder{fastFolder()};
-            const auto child =
-                runStruck(QStringLiteral("store-under-faults"), folder.path(), kind, at);
-            QVERIFY2(child, qPrintable(QString::number(at)));
-            verifyFiles(folder.path().toStdString(), child->told, child->isStruck);
-            if (QTest::currentTestFailed()) {
-                qWarning("call %d", at);
-                return;
-            }
-            if (!child->isStruck)
-                break;
-        }
-        qInfo("%d calls struck", at - 1);
-        QVERIFY(at > 20 && at < kMostCalls);
+        const auto struck = strikeEach(QStringLiteral("store-under-faults"), kind, verifyFiles);
+        QVERIFY(struck && *struck >= 20);
+        qInfo("%d calls struck", *struck);
     }
 
 private:
     /// That the files have at least what was told, and nothing that nobody stored.
-    static void verifyFiles(const std::filesystem::path& folder, const QByteArrayList& told,
-                            bool isStruck)
+    static void verifyFiles(const std::filesystem::path& folder, const StruckChild& child)
     {
-        const int facts = lastOf(told, "fact");
-        const int site = lastOf(told, "site");
-        QVERIFY(isStruck || (facts == int(kFacts) && site == 2));
+        const int facts = lastOf(child, "fact");
+        const int site = lastOf(child, "site");
+        QVERIFY(child.isStruck || (facts == int(kFacts) && site == 2));
         if (facts > 0 || std::filesystem::exists(storeIn(folder))) {
             const auto store = opened(storeIn(folder));
             QVERIFY(store);

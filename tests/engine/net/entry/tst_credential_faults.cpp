@@ -1,6 +1,5 @@
 #include "engine/net/entry/session_secrets.h"
 #include "engine/net/entry/token_folder.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/struck_child.h"
 #include "tests/support/test_class.h"
 
@@ -15,7 +14,6 @@ namespace
 constexpr const char* kSession = "00112233445566778899aabbccddeeff";
 constexpr ParticipantId kFirst{1};
 constexpr ParticipantId kSecond{2};
-constexpr int kMostCalls = 100;
 
 std::filesystem::path secretsIn(const std::filesystem::path& folder)
 {
@@ -50,16 +48,6 @@ int keepUnderFaults(int& argc, char** argv)
 
 const test::TestEntry kChild{"keep-under-faults", keepUnderFaults};
 
-/// What a child told of something, in order.
-std::vector<std::string> allOf(const QByteArrayList& told, const QByteArray& what)
-{
-    std::vector<std::string> all;
-    for (const QByteArray& line : told)
-        if (line.startsWith(what + ' '))
-            all.push_back(line.mid(what.size() + 1).toStdString());
-    return all;
-}
-
 } // namespace
 
 /// Every write and sync of a session's secrets and of a participant's token struck, one after
@@ -69,40 +57,22 @@ class TestCredentialFaults : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void losesNothingItReported_data()
-    {
-        QTest::addColumn<QString>("kind");
-        for (const char* kind : {"once", "lasting", "short", "killed"})
-            QTest::newRow(kind) << QString::fromLatin1(kind);
-    }
-
+    void losesNothingItReported_data() { test::addFaultKinds(); }
     void losesNothingItReported()
     {
         QFETCH(const QString, kind);
-        int at = 1;
-        for (; at < kMostCalls; ++at) {
-            const QTemporaryDir folder{test::fastFolder()};
-            const auto child =
-                test::runStruck(QStringLiteral("keep-under-faults"), folder.path(), kind, at);
-            QVERIFY2(child, qPrintable(QString::number(at)));
-            verifyFiles(folder.path().toStdString(), *child);
-            if (QTest::currentTestFailed()) {
-                qWarning("call %d", at);
-                return;
-            }
-            if (!child->isStruck)
-                break;
-        }
-        qInfo("%d calls struck", at - 1);
-        QVERIFY(at > 5 && at < kMostCalls);
+        const auto struck =
+            test::strikeEach(QStringLiteral("keep-under-faults"), kind, verifyFiles);
+        QVERIFY(struck && *struck >= 5);
+        qInfo("%d calls struck", *struck);
     }
 
 private:
     /// That what was told is in the files, and that no file is damaged.
     static void verifyFiles(const std::filesystem::path& folder, const test::StruckChild& child)
     {
-        const auto issued = allOf(child.told, "issued");
-        const auto kept = allOf(child.told, "kept");
+        const auto issued = test::allTold(child, "issued");
+        const auto kept = test::allTold(child, "kept");
         QVERIFY(child.isStruck || (issued.size() == 2 && kept.size() == 2));
         if (!issued.empty() || std::filesystem::exists(secretsIn(folder))) {
             const auto secrets = SessionSecrets::open(secretsIn(folder), kSession);

@@ -51,6 +51,7 @@ LessonBar::LessonBar(QWidget* parent)
     row->setContentsMargins({});
     row->addWidget(m_switch);
     row->addWidget(m_to);
+    row->addStretch(1);
     reserve(*m_switch, tr("● Shown"));
     setEnabled(false); // until there is a model
 }

@@ -23,6 +23,7 @@ namespace
 constexpr int kName = 0;
 constexpr int kShown = 1;
 constexpr int kButtonsInARow = 3;
+constexpr int kLeastRows = 9; ///< of the list: the regions, and its header
 
 std::uint16_t idOf(const QTreeWidgetItem& item)
 {
@@ -172,6 +173,7 @@ PartsPanel::PartsPanel(QWidget* parent)
     m_parts->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
     m_parts->header()->setSectionResizeMode(kShown, QHeaderView::ResizeToContents);
     m_parts->setUniformRowHeights(true);
+    m_parts->setMinimumHeight(kLeastRows * m_parts->fontMetrics().lineSpacing());
     m_parts->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_showAll->setObjectName(QStringLiteral("showAll"));
     connect(m_words, &QLineEdit::textChanged, this, &PartsPanel::filter);

@@ -4,6 +4,7 @@
 
 #include <QActionGroup>
 #include <QHBoxLayout>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -48,7 +49,7 @@ LessonBar::LessonBar(QWidget* parent)
     m_to->setPopupMode(QToolButton::InstantPopup);
     m_to->setMenu(&m_menu);
     auto* row = new QHBoxLayout{this};
-    row->setContentsMargins({});
+    row->setContentsMargins(style()->pixelMetric(QStyle::PM_LayoutLeftMargin), 0, 0, 0);
     row->addWidget(m_switch);
     row->addWidget(m_to);
     row->addStretch(1);

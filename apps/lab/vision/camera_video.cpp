@@ -7,6 +7,7 @@
 #include "engine/io/site/devices/tracker_file.h"
 #include "engine/io/site/site_file.h"
 #include "engine/session/simulated_station.h"
+#include "engine/tracking/tool_role.h"
 #include "engine/vision/board_calibration.h"
 #include "engine/vision/printed_tools.h"
 #include "evaluation/vision/marker_renderer.h"
@@ -45,6 +46,7 @@ constexpr Key kPictures{"pictures", "of the video"};
 constexpr Key kBoard{"board_pictures", "in DIR/board, for carina-lab camera calibrate"};
 constexpr Key kTracker{"tracker", "the description of the tracker, for --tracker"};
 constexpr Key kSite{"site", "where the patient lies before the camera, for --site"};
+constexpr Key kTruth{"truth", "the poses rendered, in the anatomy frame"};
 constexpr Key kCompared{"compared",
                         "with --compare: an object for each tool and distance, to the nearest "
                         "100 mm:"};
@@ -175,6 +177,34 @@ Site siteOf(const VideoScene& scene)
     return site;
 }
 
+SessionTime timeOf(int picture, int rate)
+{
+    return SessionTime{fromSeconds(double(picture) / rate)};
+}
+
+/// Writes the poses in A of the tools in each picture, a line each.
+Result<void> writeTruth(const std::filesystem::path& file, const VideoScene& scene, int pictures,
+                        int rate)
+{
+    QString text = QStringLiteral("time_s,role,x_mm,y_mm,z_mm,q_x,q_y,q_z,q_w\n");
+    for (int i = 0; i < pictures; ++i)
+        for (const PrintedTool& tool : scene.tools) {
+            const auto X_TO = scene.truth(tool.role, timeOf(i, rate));
+            if (!X_TO)
+                continue;
+            const RigidTransform X_AO = scene.X_AC * scene.X_CT * *X_TO;
+            text += QStringLiteral("%1,%2")
+                        .arg(double(i) / rate)
+                        .arg(QLatin1StringView{toolRoleWord(tool.role)});
+            for (const double value : Vec3{1e3 * X_AO.translation()})
+                text += QStringLiteral(",%1").arg(value, 0, 'f', 4);
+            for (const double value : X_AO.rotation().coeffs())
+                text += QStringLiteral(",%1").arg(value, 0, 'f', 7);
+            text += QLatin1Char{'\n'};
+        }
+    return writeWholeFile(file, text.toStdString());
+}
+
 Result<int> writeVideo(const std::filesystem::path& file, const VideoScene& scene,
                        const CameraModel& camera, int seconds, int rate)
 {
@@ -184,8 +214,8 @@ Result<int> writeVideo(const std::filesystem::path& file, const VideoScene& scen
     MarkerRenderer renderer{camera, kPrintedDictionary, {.samples = 3}};
     const int pictures = seconds * rate;
     for (int i = 0; i < pictures; ++i) {
-        const SessionTime t{fromSeconds(double(i) / rate)};
-        if (const auto added = video->add(renderer.draw(placedAt(scene, t))); !added)
+        const auto added = video->add(renderer.draw(placedAt(scene, timeOf(i, rate))));
+        if (!added)
             return tl::unexpected(added.error());
     }
     return pictures;
@@ -270,6 +300,8 @@ Result<QJsonObject> renderVideo(const Words& words)
     const auto pictures = writeVideo(video, *scene, camera, int(*seconds), int(*rate));
     if (!pictures)
         return tl::unexpected(pictures.error());
+    if (const auto truth = writeTruth(folder / "truth.csv", *scene, *pictures, int(*rate)); !truth)
+        return tl::unexpected(truth.error());
     const auto wrote =
         writeTrackerFile(folder / "tracker.json", descriptionOf(*scene, video, camera, int(*rate)))
             .and_then([&] { return writeSiteFile(folder / "site.json", siteOf(*scene)); });
@@ -286,7 +318,8 @@ Result<QJsonObject> renderVideo(const Words& words)
                        {video_key::kPictures, *pictures},
                        {video_key::kBoard, qint64(*boards)},
                        {video_key::kTracker, text("tracker.json")},
-                       {video_key::kSite, text("site.json")}};
+                       {video_key::kSite, text("site.json")},
+                       {video_key::kTruth, text("truth.csv")}};
     if (!words.has(video_option::kCompare))
         return object;
     return comparedVideo(video, *scene, camera).map([&](const QJsonArray& compared) {
@@ -299,18 +332,20 @@ Use videoUse()
 {
     return {.lines = {"video DIR [--patient WHO] [--seconds N] [--rate HZ]",
                       "video DIR [--width PIXELS] [--distance-mm MM] [--board N] [--compare]"},
-            .text = "Renders scripted hands with the printed markers at the patient's "
-                    "manikin, as a camera sees them, into DIR/markers.avi. "
-                    "DIR/tracker.json describes it for --tracker, and DIR/site.json says "
-                    "where the patient lies: ./carina demo --tracker DIR/tracker.json "
-                    "--site DIR/site.json. With --compare it says how far the poses found in "
-                    "the video are from those rendered.",
+            .text =
+                "Renders scripted hands with the printed markers at the patient's "
+                "manikin, as a camera sees them, into DIR/markers.avi. "
+                "DIR/tracker.json describes it for --tracker, and DIR/site.json says "
+                "where the patient lies: ./carina demo --tracker DIR/tracker.json "
+                "--site DIR/site.json. DIR/truth.csv has the tools' poses in each picture, in the "
+                "anatomy frame. With --compare it says how far the poses found in the video "
+                "are from those rendered.",
             .options = {kPatient, video_option::kSeconds, video_option::kRate, video_option::kWidth,
                         video_option::kDistance, video_option::kBoard, video_option::kCompare},
             .schema = video_key::kSchema,
             .keys = withAccuracyKeys({video_key::kFolder, video_key::kPictures, video_key::kBoard,
-                                      video_key::kTracker, video_key::kSite, video_key::kCompared,
-                                      video_key::kTool})};
+                                      video_key::kTracker, video_key::kSite, video_key::kTruth,
+                                      video_key::kCompared, video_key::kTool})};
 }
 
 } // namespace carina::lab

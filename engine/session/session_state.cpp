@@ -314,6 +314,16 @@ struct SessionState::Applier {
     }
 };
 
+std::size_t SessionState::sharedObjects() const
+{
+    const auto isShared = [this](const auto& entry) {
+        const auto owner = m_participants.find(entry.second.owner);
+        return owner != m_participants.end() && owner->second.present
+               && !isOfLesson(entry.second.kind);
+    };
+    return std::size_t(std::ranges::count_if(m_objects, isShared));
+}
+
 bool SessionState::isOpen(StationId station) const
 {
     const auto found = m_stations.find(station);

@@ -102,6 +102,9 @@ public:
         return m_participants;
     }
     [[nodiscard]] const std::map<ObjectId, SharedObject>& objects() const { return m_objects; }
+    /// The number of objects that those present own, without those of lessons. What nobody owns is
+    /// in its place.
+    [[nodiscard]] std::size_t sharedObjects() const;
     /// Also those that are closed: their numbers are not used again.
     [[nodiscard]] const std::map<StationId, Station>& stations() const { return m_stations; }
     [[nodiscard]] bool isOpen(StationId station) const;

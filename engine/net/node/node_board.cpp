@@ -85,12 +85,7 @@ std::map<ParticipantId, double> NodeBoard::actionFrequencies(SessionTime now) co
 {
     ApplicationAnalysis analysis = objects.analysis();
     analysis.add(part(&View::actions)->analysis());
-    const auto snapshot = state();
-    const auto owned = std::ranges::count_if(snapshot->objects(), [](const auto& entry) {
-        const SharedObject& object = entry.second;
-        return object.owner != kNobody && !isOfLesson(object.kind); // others are in their places
-    });
-    const auto shared = std::max<std::size_t>(1, std::size_t(owned));
+    const std::size_t shared = std::max<std::size_t>(1, state()->sharedObjects());
     std::map<ParticipantId, double> frequencies;
     for (const ParticipantId k : analysis.participants())
         if (const auto frequency = analysis.actionFrequency(k, shared, now))

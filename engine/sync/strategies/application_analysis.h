@@ -26,16 +26,17 @@ enum class ApplicationCategory : std::uint8_t {
 ///     action frequency   v_k = (sum over j of b_jk) / (m dt)   (eq. 3)
 ///
 /// b_jk is the number of actions of participant k on object j in the time dt, for the objects j = 1
-/// to m. What the paper leaves open is our choice: m is the number of objects that the session
-/// shares, those on which k does not act included; dt is the kSeconds most recent whole seconds of
+/// to m. What the paper leaves open is our choice: m is the number of objects that those
+/// present own, also those on which k does not act; dt is the kSeconds most recent whole seconds of
 /// the session clock, so that all sites count alike, or fewer where fewer have passed since the
 /// participant's first action; so v_k of a participant who no longer acts falls to 0. An action is
 /// every change of an object's motion (start, replacement by another action, end), and each sample
 /// of a tracked object; its participant is the owner of the object then. v_k = v0 counts as above.
 /// (The paper prints 1/0.0001 for the v0 of 1 ms; it is 1000 per second.)
 ///
-/// Simultaneous actions each count. Late or reordered actions count in the second of their time, if
-/// that is within 2 kSeconds of the participant's newest. Each action must be reported once only.
+/// Simultaneous actions each count. Late actions count in the second of their time, if that is
+/// within 2 kSeconds of the participant's newest; an action that a later one has overtaken is not
+/// reported (SharedActions::take). Each action must be reported once only.
 class ApplicationAnalysis
 {
 public:

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void isEmptyBeforeTheFirstFact();
     void knowsWhoAndWhatIsThere();
     void remembersWhoLeftAndTakesThemBack();
+    void countsTheObjectsOfThosePresent();
     void givesAnObjectToItsNewOwner();
     void keepsEachParticipantsRegistrationForItsStay();
     void movesThroughThePhasesAtTheirTimes();
@@ -98,6 +99,21 @@ void TestSessionState::remembersWhoLeftAndTakesThemBack()
                            StationId{5}));
     QVERIFY(state.participants().at(kSampleTrainee).present);
     QVERIFY(state.participants().at(kSampleTrainee).station == StationId{5});
+}
+
+void TestSessionState::countsTheObjectsOfThosePresent()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0),
+               fact::ObjectShared{ObjectId{7}, kSampleInstructor, ObjectKind::Patient, "patient"});
+    SessionState state = stateOf(writer);
+    QCOMPARE(state.sharedObjects(), std::size_t{2});
+    state.apply(writer.add(atSeconds(2.0), fact::ParticipantLeft{kSampleTrainee}));
+    QCOMPARE(state.sharedObjects(), std::size_t{1});
+    state.apply(writer.add(atSeconds(3.0),
+                           fact::ParticipantJoined{kSampleTrainee, Role::Trainee, "Tom"},
+                           kSampleStation));
+    QCOMPARE(state.sharedObjects(), std::size_t{2});
 }
 
 void TestSessionState::givesAnObjectToItsNewOwner()

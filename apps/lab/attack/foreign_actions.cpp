@@ -81,7 +81,8 @@ private:
             event.start = m_actor.intruder().sessionNow();
             event.p_AO = kElsewhere;
             if (m_by == By::Messages) {
-                records.emplace_back(StrategyMessage{encodeRelayed({self(), kAllOthers, event})});
+                records.emplace_back(StrategyMessage{m_actor.intruder().state().strategy().kind,
+                                                     encodeRelayed({self(), kAllOthers, event})});
                 continue;
             }
             records.emplace_back(event);

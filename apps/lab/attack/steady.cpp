@@ -58,7 +58,8 @@ private:
         case 2:
             return ShownPose{kForeign, now, {}};
         case 3:
-            return StrategyMessage{encodeRelayed({me.participant, ParticipantId{0}, DelayProbe{}})};
+            return StrategyMessage{m_attendee.intruder().state().strategy().kind,
+                                   encodeRelayed({me.participant, ParticipantId{0}, DelayProbe{}})};
         case 4:
             return EventAck{kForeign, 1, 1};
         case 5: // decided already, but for the first

@@ -38,6 +38,23 @@ void ClientActions::startAfresh()
     m_acks.clear();
 }
 
+void ClientActions::connected(std::optional<SessionTime> session, LocalTime now)
+{
+    beginStrategy(now);
+    for (const EventCpo& event : m_actions.table().newest())
+        goOn(event, session, now);
+}
+
+/// Others may still show what the strategy brought of an own object before, for instance its last
+/// snapshot.
+void ClientActions::goOn(const EventCpo& event, std::optional<SessionTime> session, LocalTime now)
+{
+    if (!session || !m_actions.isOwners(m_actions.self(), event))
+        return;
+    m_strategy.begin(begunFrom(evaluate(event, *session), *session, event), now);
+    m_actions.show(m_strategy.view());
+}
+
 void ClientActions::disconnected(LocalTime now)
 {
     beginStrategy(now);
@@ -77,6 +94,8 @@ Result<void> ClientActions::act(ObjectId object, const ObjectAction& action, Ses
 
 void ClientActions::take(const StrategyMessage& message, LocalTime now)
 {
+    if (message.strategy != m_choice.kind)
+        return; // sent before its author knew that there is another
     const auto relayed = decodeRelayed(message.bytes);
     const auto* action = relayed ? std::get_if<EventCpo>(&relayed->content) : nullptr;
     if (relayed && (!action || m_actions.isOwners(relayed->from, *action)))
@@ -91,8 +110,10 @@ void ClientActions::take(const EventCpo& event, std::optional<SessionTime> sessi
     m_acks.emplace_back(EventAck{event.object, event.epoch, event.action});
     // An action of its own that it does not know, from before it was started, or from the last
     // owner: it is this node's to keep alive.
-    if (verdict == EventTable::Verdict::New && m_actions.isOwn(event.object))
+    if (verdict == EventTable::Verdict::New && m_actions.isOwn(event.object)) {
         m_repeater.begin(event, now);
+        goOn(event, session, now);
+    }
 }
 
 void ClientActions::take(const EventBeat& beat, std::optional<SessionTime> session, LocalTime now)
@@ -111,7 +132,7 @@ std::vector<WireRecord> ClientActions::takeDue(LocalTime now)
     for (const DueEvent& due : m_repeater.takeDue(now))
         records.push_back(due.record());
     for (std::vector<std::byte>& bytes : m_strategy.takeDue(now))
-        records.emplace_back(StrategyMessage{std::move(bytes)});
+        records.emplace_back(StrategyMessage{m_choice.kind, std::move(bytes)});
     m_actions.show(m_strategy.view());
     return records;
 }

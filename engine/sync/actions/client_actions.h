@@ -26,8 +26,9 @@ public:
     /// acknowledged. What the strategy's messages brought is forgotten, because later ones may be
     /// missed.
     void disconnected(LocalTime now);
-    /// There is a connection again. What the strategy had to send meanwhile is dropped.
-    void connected(LocalTime now) { beginStrategy(now); }
+    /// There is a connection again. What the strategy had to send meanwhile is dropped; it goes on
+    /// with own objects as they are at this session time, where that is known.
+    void connected(std::optional<SessionTime> session, LocalTime now);
 
     /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
@@ -52,6 +53,7 @@ public:
 
 private:
     void beginStrategy(LocalTime now);
+    void goOn(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
 
     SharedActions m_actions;
     StrategyChoice m_choice;

@@ -101,7 +101,7 @@ void HostActions::take(PeerAddress from, const RelayedMessage& relayed,
                        const StrategyMessage& message, bool mayAct, LocalTime now)
 {
     const auto peer = m_peers.find(from);
-    if (peer == m_peers.end())
+    if (peer == m_peers.end() || message.strategy != m_choice.kind)
         return;
     const auto isWithin = [&](std::map<ParticipantId, TokenBucket>& pairs) {
         return m_strategy.isPresent(relayed.to) && pairs[relayed.to].take(1.0, kFastestProbes, now);
@@ -195,7 +195,7 @@ std::vector<WireRecord> HostActions::takeDue(PeerAddress to, LocalTime now)
     for (const DueEvent& due : peer->second.events.takeDue(now))
         records.push_back(due.record());
     for (std::vector<std::byte>& bytes : m_strategy.takeDue(peer->second.participant))
-        records.emplace_back(StrategyMessage{std::move(bytes)});
+        records.emplace_back(StrategyMessage{m_choice.kind, std::move(bytes)});
     if (hasLag() && now >= peer->second.nextLag) {
         records.emplace_back(LagNeeded{lagOf(&peer->second)});
         peer->second.nextLag = now + kLagInterval;

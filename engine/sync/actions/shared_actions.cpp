@@ -23,16 +23,17 @@ Result<void> checkAction(const ObjectAction& action)
         return fail(Errc::NotFinite, "an action");
     if (std::abs(action.axis_A.norm() - 1.0) > SharedActions::kAxisTolerance)
         return fail(Errc::OutOfRange, "the axis of an action");
-    if (std::abs(action.rate) > SharedActions::kFastestAction)
+    if (std::abs(action.rate) > kFastestAction)
         return fail(Errc::OutOfRange, "the rate of an action");
     return {};
 }
 
-ActedPose withinSizes(ActedPose acted)
+/// With the size and the place that can be drawn and sent.
+ActedPose withinRange(const ActedPose& acted)
 {
-    acted.scale =
-        std::clamp(acted.scale, SharedActions::kSmallestScale, SharedActions::kLargestScale);
-    return acted;
+    const Vec3 p = acted.X_AO.translation().cwiseMax(-kFarthestAction).cwiseMin(kFarthestAction);
+    return {RigidTransform{acted.X_AO.rotation(), p},
+            std::clamp(acted.scale, SharedActions::kSmallestScale, SharedActions::kLargestScale)};
 }
 
 } // namespace
@@ -105,7 +106,7 @@ Result<EventCpo> SharedActions::begun(ObjectId object, const ObjectAction& actio
     event.kind = action.kind;
     event.axis_A = action.axis_A.cast<float>();
     event.rate = static_cast<float>(action.rate);
-    return begunFrom(withinSizes(from), start, event);
+    return begunFrom(withinRange(from), start, event);
 }
 
 std::optional<EventCpo> SharedActions::continued(EventCpo event) const
@@ -130,9 +131,11 @@ EventTable::Verdict SharedActions::take(const EventCpo& event, std::optional<Ses
     const bool isNew = verdict == EventTable::Verdict::New;
     const auto owner = m_owners.find(event.object);
     const bool isOfOwner = owner != m_owners.end() && owner->second.epoch == event.epoch;
-    if (isNew && isOfOwner && event.action != kContinued)
+    if (!isNew || event.action == kContinued)
+        return verdict;
+    if (isOfOwner)
         m_analysis.acted(owner->second.owner, event.object, event.start);
-    if (isNew && before && session)
+    if (before && session)
         m_meters[event.object].arrived(event, *before, *session);
     return verdict;
 }
@@ -154,7 +157,7 @@ std::optional<ShownObject> SharedActions::shown(ObjectId object, SessionTime t, 
     if (!event)
         return std::nullopt;
     const auto relayed = m_relayed ? m_relayed->at(object, drawn) : std::nullopt;
-    return ShownObject{withinSizes(relayed.value_or(evaluate(*event, t))),
+    return ShownObject{withinRange(relayed.value_or(evaluate(*event, t))),
                        !isOwn(object) && m_table.isStale(object, now), event->kind,
                        event->axis_A.cast<double>(), double{event->rate}};
 }

@@ -37,7 +37,6 @@ class SharedActions
 {
 public:
     static constexpr double kAxisTolerance = 1e-6;
-    static constexpr double kFastestAction = 100.0;
     /// Range of the scale at which objects are drawn and actions begin.
     static constexpr double kSmallestScale = 1e-3;
     static constexpr double kLargestScale = 1e3;

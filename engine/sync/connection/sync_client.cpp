@@ -190,7 +190,7 @@ void SyncClient::welcomed(const Welcome& welcome, LocalTime now)
     m_session = welcome.session;
     m_self = welcome.participant;
     m_actions.setSelf(m_self);
-    m_actions.connected(now);
+    m_actions.connected(sessionTime(now), now);
     m_epoch = welcome.epoch;
     m_logAtWelcome = welcome.lastFact;
     m_helloWait = kFirstHelloWait;

@@ -63,12 +63,10 @@ struct SyncHost::Visitor {
         if (!relayed)
             return;
         const bool isAnswer = std::holds_alternative<DelayAnswer>(relayed->content);
-        const bool isAction = std::holds_alternative<EventCpo>(relayed->content);
         const bool mayAct = host.m_rules.mayAct(peer.participant);
         if (isAnswer ? !peer.budget.takesProbeAnswer(now) : !peer.budget.takesMessage(now))
             return;
-        if (!isAction || (mayAct && peer.budget.takesEvent(now)))
-            host.m_actions.take(from, *relayed, message, mayAct, now);
+        host.m_actions.take(from, *relayed, message, mayAct, now);
     }
     void operator()(const ExternalTimeRecord& own) const
     {
@@ -145,9 +143,7 @@ void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTim
         return remove(from, now);
     Peer& peer = found->second;
     peer.heard(header, sessionTime(now), now);
-    // The lag with which actions begin is for those who act.
-    m_actions.measured(from,
-                       m_rules.mayAct(peer.participant) ? roundTripOf(peer.link) / 2 : Duration{});
+    m_actions.measured(from, roundTripOf(peer.link) / 2);
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
         std::visit(Visitor{*this, from, peer, now}, record);

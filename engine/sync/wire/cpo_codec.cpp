@@ -189,9 +189,9 @@ EventCpo readEventCpo(ByteReader& in)
     event.scale = in.realFloat();
     // Written so that a NaN fails too.
     in.require(std::abs(event.q_AO.norm() - 1.0) <= kUnitTolerance, "rotation");
-    in.require(event.p_AO.allFinite(), "position");
+    in.require((event.p_AO.array().abs() <= kFarthestAction).all(), "position");
     in.require(std::abs(event.axis_A.norm() - 1.0F) <= kAxisTolerance, "axis");
-    in.require(std::isfinite(event.rate), "rate");
+    in.require(std::abs(event.rate) <= kFastestAction, "rate");
     in.require(std::isfinite(event.scale) && event.scale > 0.0F, "scale");
     return event;
 }

@@ -3,6 +3,7 @@
 #include "engine/core/errc.h"
 #include "engine/core/external_time.h"
 #include "engine/sync/facts/fact_record.h"
+#include "engine/sync/strategies/strategy_choice.h"
 #include "engine/sync/wire/event_cpo.h"
 #include "engine/sync/wire/shown_pose.h"
 #include "engine/sync/wire/stream_cpo.h"
@@ -16,7 +17,7 @@ namespace carina
 {
 
 /// Version of this layout; a peer with another version is refused.
-inline constexpr std::uint8_t kProtocolVersion = 11;
+inline constexpr std::uint8_t kProtocolVersion = 12;
 /// Bytes. With DTLS (29 bytes) a UDP payload has at most 1200 bytes, which fits the MTU of any
 /// usual path without fragmentation.
 inline constexpr std::size_t kLargestDatagram = 1160;
@@ -69,7 +70,8 @@ struct EventBeat {
 /// A message of the session's strategy, between a participant and the host; its bytes are the
 /// strategy's own (engine/sync/strategies).
 struct StrategyMessage {
-    std::vector<std::byte> bytes; ///< 1 to kLargestStrategyMessage
+    StrategyKind strategy = StrategyKind::None; ///< a program that runs another drops it
+    std::vector<std::byte> bytes;               ///< 1 to kLargestStrategyMessage
 };
 inline constexpr std::size_t kLargestStrategyMessage = 128;
 /// The host tells a participant the local lag with which its actions begin everywhere at once,

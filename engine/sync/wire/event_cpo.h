@@ -10,6 +10,11 @@
 namespace carina
 {
 
+/// The largest rate of an action, in the unit of its kind.
+inline constexpr double kFastestAction = 100.0;
+/// How far from the origin of A an action may begin, metres: along one axis.
+inline constexpr double kFarthestAction = 1e6;
+
 enum class ActionKind : std::uint8_t { Rotation, Translation, Scaling };
 
 /// A control packet object (CPO) of an event: an action that moves a shared object O without
@@ -25,9 +30,9 @@ struct EventCpo {
     ActionKind kind = ActionKind::Rotation;
     SessionTime start{};
     Quat q_AO = Quat::Identity(); ///< at the start; of unit length to 1e-9
-    Vec3 p_AO = Vec3::Zero();     ///< at the start, metres
+    Vec3 p_AO = Vec3::Zero();     ///< at the start, metres; at most kFarthestAction
     Vec3f axis_A = Vec3f::UnitX();
-    float rate = 0.0F;  ///< rad/s, m/s or 1/s by kind
+    float rate = 0.0F;  ///< rad/s, m/s or 1/s by kind; at most kFastestAction
     float scale = 1.0F; ///< size of O relative to its model at the start, above 0
 };
 

@@ -179,10 +179,12 @@ ProposalRefused readProposalRefused(ByteReader& in)
 
 StrategyMessage readStrategyMessage(ByteReader& in)
 {
+    const auto strategy = in.number<std::uint8_t>();
+    in.require(strategy <= static_cast<std::uint8_t>(StrategyKind::None), "number of a strategy");
     const auto size = in.number<std::uint8_t>();
     in.require(size >= 1 && size <= kLargestStrategyMessage, "length of a strategy's message");
     const auto bytes = in.bytes(size);
-    return {{bytes.begin(), bytes.end()}};
+    return {StrategyKind{strategy}, {bytes.begin(), bytes.end()}};
 }
 
 ShownPose readShownPose(ByteReader& in)
@@ -301,6 +303,7 @@ public:
     {
         CARINA_EXPECTS(!message.bytes.empty() && message.bytes.size() <= kLargestStrategyMessage);
         kind(RecordKind::StrategyMessage);
+        m_out.number(static_cast<std::uint8_t>(message.strategy));
         m_out.number(static_cast<std::uint8_t>(message.bytes.size()));
         m_out.bytes(message.bytes);
     }

@@ -42,6 +42,21 @@ private Q_SLOTS:
         QVERIFY(!world.turn(0) && !world.turn(loser) && world.turn(winner));
     }
 
+    /// What is measured is of actions: an old one that goes on for a new owner is none.
+    void handOverIsNoAction()
+    {
+        ActedWorld world{10, 2, kCalm};
+        QVERIFY(world.turn(0));
+        world.run(100ms);
+        QVERIFY(world.turn(0, Vec3::UnitX()));
+        world.run(5s);
+        world.takeOver(1, 1);
+        world.run(300ms);
+        QCOMPARE(world.newest(1)->epoch, std::uint16_t{2});
+        for (const std::size_t i : {0U, 1U})
+            QVERIFY(world.site(i).client->actions().meters().at(kModel).figures().delay < 20ms);
+    }
+
     void handedOverObjectGoesOn()
     {
         ActedWorld world{10, 2, kCalm};

@@ -31,8 +31,11 @@ struct StrategyWorld : ActedWorld {
         static_cast<void>(act(0, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, {}}));
         run(3s);
     }
+    StrategyKind strategy = StrategyKind::SessionClock;
+
     void choose(const StrategyChoice& choice)
     {
+        strategy = choice.kind;
         host().setStrategy(choice, hostTime());
         for (std::size_t i = 0; i < 3; ++i)
             site(i).client->setStrategy(choice, local(i));
@@ -52,7 +55,7 @@ struct StrategyWorld : ActedWorld {
         header.connection = site(i).client->link().connection();
         header.sequence = 1U << 20;
         header.sender = self(i);
-        const WireRecord record{StrategyMessage{encodeRelayed(message)}};
+        const WireRecord record{StrategyMessage{strategy, encodeRelayed(message)}};
         for (const auto& bytes : packDatagrams(std::span{&record, 1}, [&] { return header; }))
             host().receive(site(i).address, bytes, hostTime());
     }
@@ -134,6 +137,95 @@ private Q_SLOTS:
         QVERIFY(std::abs(world.behind_deg(1)) < kTolerance_deg);
     }
 
+    /// The owner hears last that there is another, and sends by the old one until then.
+    void ownerWhoHearsLateHoldsNobodyUp_data()
+    {
+        QTest::addColumn<StrategyKind>("before");
+        QTest::addColumn<StrategyKind>("after");
+        QTest::newRow("snapshots behind") << StrategyKind::Interpolation << StrategyKind::Event;
+        QTest::newRow("and the ASA") << StrategyKind::Interpolation << StrategyKind::AsaFixed;
+        QTest::newRow("an action behind") << StrategyKind::Event << StrategyKind::Interpolation;
+    }
+    void ownerWhoHearsLateHoldsNobodyUp()
+    {
+        QFETCH(const StrategyKind, before);
+        QFETCH(const StrategyKind, after);
+        StrategyWorld world{before};
+        QVERIFY(world.turn(0));
+        world.run(300ms);
+        world.host().setStrategy({.kind = after}, world.hostTime());
+        for (const std::size_t viewer : {1U, 2U})
+            world.site(viewer).client->setStrategy({.kind = after}, world.local(viewer));
+        QVERIFY(world.turn(0)); // by the old one still
+        world.run(100ms);
+        world.site(0).client->setStrategy({.kind = after}, world.local(0));
+        world.run(2s);
+        for (const std::size_t viewer : {1U, 2U})
+            QVERIFY2(std::abs(world.behind_deg(viewer)) < kTolerance_deg,
+                     qPrintable(QString::number(world.behind_deg(viewer))));
+        QVERIFY(std::abs(turned_deg(world.shown(0)) - turned_deg(world.shownByHost()))
+                < kTolerance_deg);
+    }
+
+    /// Whoever shows the last snapshot of an owner that was away gets new ones when it is back.
+    void ownerWhoWasAwayGoesOn()
+    {
+        StrategyWorld world{StrategyKind::Interpolation};
+        QVERIFY(world.turn(0));
+        world.run(300ms);
+        world.cut(0, true);
+        world.run(4s);
+        QVERIFY(std::abs(world.behind_deg(1)) > 10.0);
+        world.cut(0, false);
+        world.run(3s);
+        for (const std::size_t viewer : {1U, 2U})
+            QVERIFY2(std::abs(world.behind_deg(viewer) - 100.0 * (kDelay_s + 1.0 / 60.0))
+                         < kTolerance_deg,
+                     qPrintable(QString::number(world.behind_deg(viewer))));
+    }
+
+    /// The ASA goes by the newest round trip that it measured, the session clock by no delay: a
+    /// path that has become longer since tells them apart.
+    void asaGoesByWhatItMeasured_data()
+    {
+        QTest::addColumn<StrategyKind>("kind");
+        QTest::addColumn<double>("lag_s");
+        QTest::newRow("session clock") << StrategyKind::SessionClock << 0.0;
+        QTest::newRow("ASA, adaptive") << StrategyKind::AsaAdaptive << 0.060;
+        QTest::newRow("ASA, fixed") << StrategyKind::AsaFixed << 0.060;
+    }
+    void asaGoesByWhatItMeasured()
+    {
+        QFETCH(const StrategyKind, kind);
+        QFETCH(const double, lag_s);
+        StrategyWorld world{kind};
+        // Probes go about each second, and come back before the path is longer.
+        const SimulatedLink::Path longer{70ms, 0ms, 0.0, 0.0};
+        world.site(0).toHost.setPath(longer);
+        QVERIFY(world.turn(0));
+        world.run(100ms);
+        const double behind = world.behind_deg(1);
+        QVERIFY2(std::abs(behind - 100.0 * lag_s) < kTolerance_deg,
+                 qPrintable(QString::number(behind)));
+    }
+
+    /// Who only watches sees the object, too: an action waits for the way to there.
+    void localLagWaitsForWatchers()
+    {
+        StrategyWorld world{StrategyKind::LocalLag};
+        const Duration far = 30ms;
+        world.addLateSite({far, 0ms, 0.0, 0.0});
+        world.run(2s);
+        world.session.observers.insert(world.self(3));
+        world.choose({.kind = StrategyKind::LocalLag, .longestLag = 100ms});
+        world.run(3s);
+        const SessionTime asked = world.trueSessionTime();
+        QVERIFY(world.turn(0));
+        const Duration lag = world.newest(0)->start - asked;
+        const Duration way = 10ms + far;
+        QVERIFY2(lag > way && lag < way + 5ms, qPrintable(QString::number(toSeconds(lag))));
+    }
+
     void whoComesLateSeesWhatIsThere()
     {
         StrategyWorld world{StrategyKind::Event};
@@ -178,7 +270,8 @@ private Q_SLOTS:
         QVERIFY(world.act(1, {ActionKind::Rotation, Vec3::UnitZ(), 0.0, {}}));
         world.run(300ms);
         const double before = turned_deg(world.shown(2));
-        const WireRecord record{StrategyMessage{encodeRelayed({world.self(0), kAllOthers, old})}};
+        const WireRecord record{
+            StrategyMessage{StrategyKind::Event, encodeRelayed({world.self(0), kAllOthers, old})}};
         BundleHeader header;
         header.fromHost = true;
         header.connection = world.site(2).client->link().connection();

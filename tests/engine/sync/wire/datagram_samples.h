@@ -26,11 +26,11 @@ inline BundleHeader goldenHeader()
 }
 
 inline constexpr const char* kGoldenHeaderHex =
-    "43 41 0b 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
+    "43 41 0c 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
     "fe ff ff ff ff ff ff ff  ff ff ff ff";
 
 inline constexpr const char* kPlainHeaderHex =
-    "43 41 0b 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
+    "43 41 0c 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
     "00 00 00 00 00 00 00 00  00 00 00 00";
 
 /// A quarter turn about z at (0.1, -0.2, 0.3) m, 2^32 + 5 us after the epoch.
@@ -138,7 +138,8 @@ inline std::vector<GoldenRecord> goldenRecords()
         {"event beat", EventBeat{ObjectId{0x0102}, 0x0304, 0x05060708},
          "0d  02 01  04 03  08 07 06 05"},
         {"message of the strategy",
-         StrategyMessage{{std::byte{0xaa}, std::byte{0xbb}, std::byte{0xcc}}}, "0e  03  aa bb cc"},
+         StrategyMessage{StrategyKind::Event, {std::byte{0xaa}, std::byte{0xbb}, std::byte{0xcc}}},
+         "0e  06  03  aa bb cc"},
         {"needed lag", LagNeeded{Duration{0x01020304}}, "0f  04 03 02 01"},
         {"shown pose",
          ShownPose{ObjectId{0x0102}, SessionTime{Duration{0x0304}},

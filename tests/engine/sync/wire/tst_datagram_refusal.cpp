@@ -36,7 +36,7 @@ bool isSound(const EventCpo& event)
 {
     const ActedPose later = evaluate(event, event.start + std::chrono::seconds{1});
     return std::abs(event.q_AO.norm() - 1.0) <= 1e-9
-           && std::abs(event.axis_A.norm() - 1.0F) <= 1e-5F && std::isfinite(event.rate)
+           && std::abs(event.axis_A.norm() - 1.0F) <= 1e-5F && std::abs(event.rate) <= 100.0F
            && event.scale > 0.0F && later.X_AO.matrix().allFinite();
 }
 
@@ -171,6 +171,9 @@ private Q_SLOTS:
         row("axis zero", 1, 78, "00 00 00 00", "axis");
         row("axis too long", 1, 78, "00 01 80 3f", "axis");
         row("axis not a number", 1, 74, "00 00 c0 7f", "axis");
+        row("position too far", 1, 50, "01 00 00 00 80 84 2e 41", "position");
+        row("rate above the fastest", 1, 86, "01 00 c8 42", "rate");
+        row("rate below the fastest backwards", 1, 86, "01 00 c8 c2", "rate");
         row("rate infinite", 1, 86, "00 00 80 ff", "rate");
         row("rate not a number", 1, 86, "00 00 c0 7f", "rate");
         row("scale zero", 1, 90, "00 00 00 00", "scale");
@@ -192,9 +195,10 @@ private Q_SLOTS:
         row("reason above all", 8, 1, "ff", "reason");
         row("too many words", 8, 2, "c9", "length of a detail");
         row("more words than bytes", 8, 2, "01", "length");
-        row("strategy without a message", 14, 1, "00", "length of a strategy's message");
-        row("strategy with too long a message", 14, 1, "81", "length of a strategy's message");
-        row("strategy with a message cut short", 14, 1, "04", "length");
+        row("strategy above the last", 14, 1, "08", "number of a strategy");
+        row("strategy without a message", 14, 2, "00", "length of a strategy's message");
+        row("strategy with too long a message", 14, 2, "81", "length of a strategy's message");
+        row("strategy with a message cut short", 14, 2, "04", "length");
         row("shown rotation too long", 16, 11, "00 00 80 00 00 00 f0 3f", "rotation");
         row("shown position infinite", 16, 43, "00 00 00 00 00 00 f0 7f", "position");
         row("clock without an error", 17, 9, "00 00 00 00 00 00 00 00", "error of a clock");
@@ -239,7 +243,10 @@ private Q_SLOTS:
         row("shortest quaternion", 1, 18, "00 00 80 ff ff ff ef 3f");
         row("first kind of action", 1, 9, "00");
         row("smallest scale", 1, 90, "01 00 00 00");
-        row("negative rate", 1, 86, "00 00 c0 bf");
+        row("farthest position", 1, 50, "00 00 00 00 80 84 2e 41");
+        row("fastest rate", 1, 86, "00 00 c8 42");
+        row("fastest rate backwards", 1, 86, "00 00 c8 c2");
+        row("last strategy", 14, 1, "07");
         row("first fact", 2, 1, "01 00 00 00 00 00 00 00");
         row("last reason", 5, 9, "08");
     }

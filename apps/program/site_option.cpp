@@ -46,9 +46,10 @@ void watchSite(const QString& file, QObject& context, const std::function<void()
     QFileInfo site{file};
     // The folder: a file that is written whole takes the place of the one before.
     auto* watcher = new QFileSystemWatcher{{site.absolutePath()}, &context};
+    // Of a file that is gone there is no time.
     auto look = [site, written, last = site.lastModified()]() mutable {
         site.refresh();
-        if (!site.exists() || site.lastModified() == last)
+        if (site.lastModified() == last)
             return;
         last = site.lastModified();
         written();

@@ -22,7 +22,7 @@ void addSiteOption(QCommandLineParser& parser);
 [[nodiscard]] Result<std::optional<SitePlace>>
 siteIn(const QString& file, const PatientModel& patient, const QString& tracker);
 
-/// Calls `written` whenever the file was rewritten, until `context` is destroyed.
+/// Calls `written` whenever the file was written or removed, until `context` is destroyed.
 /// @pre what the callback uses outlives `context`.
 void watchSite(const QString& file, QObject& context, const std::function<void()>& written);
 

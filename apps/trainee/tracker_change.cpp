@@ -74,25 +74,28 @@ void TrackerChange::ask(TraineeWindow& window, TraineeStation& station,
         if (m_site.isEmpty())
             return;
     }
-    give(window, station, *std::move(chosen), show);
-    if (m_site != siteBefore)
+    if (!give(window, station, *std::move(chosen), show))
+        m_site = siteBefore;
+    else if (m_site != siteBefore)
         watchNow(window);
 }
 
 void TrackerChange::take(TraineeWindow& window, TraineeStation& station,
                          const std::function<void()>& show)
 {
-    give(window, station, std::nullopt, show);
+    (void)give(window, station, std::nullopt, show);
 }
 
-void TrackerChange::give(TraineeWindow& window, TraineeStation& station,
+bool TrackerChange::give(TraineeWindow& window, TraineeStation& station,
                          std::optional<TrackerChoice> tracker, const std::function<void()>& show)
 {
     const QString before = std::exchange(m_identity, identityOf(tracker));
-    if (const auto given = station.setTracker(std::move(tracker), show); !given) {
+    const auto given = station.setTracker(std::move(tracker), show);
+    if (!given) {
         m_identity = before;
         showProblem(window, given.error());
     }
+    return given.has_value();
 }
 
 void TrackerChange::watch(TraineeWindow& window, TraineeStation& station,

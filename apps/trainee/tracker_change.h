@@ -32,7 +32,8 @@ public:
 
 private:
     void watchNow(TraineeWindow& window);
-    void give(TraineeWindow& window, TraineeStation& station, std::optional<TrackerChoice> tracker,
+    /// @returns whether it tracks with it now; else the window said why not.
+    bool give(TraineeWindow& window, TraineeStation& station, std::optional<TrackerChoice> tracker,
               const std::function<void()>& show);
 
     QString m_site;

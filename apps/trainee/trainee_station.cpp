@@ -240,6 +240,13 @@ void TraineeStation::takePlace(const std::function<void()>& show)
     if (!m_laid || !m_hardware.tracker)
         return;
     const auto read = m_placeOf(*m_laid->patient);
+    if (!m_laid->place) { // laid without a site
+        if (read && *read)
+            (void)lay(SharedPatientModel{m_laid->given}, show);
+        return;
+    }
+    if (!read) // what was registered is shown on, but no file says any more how good it is
+        m_laid->place->standing = {};
     if (!read || !*read)
         return;
     const SitePlace& place = **read;

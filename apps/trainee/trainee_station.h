@@ -51,7 +51,8 @@ public:
     /// @returns the error of its site or of the tracker; nothing is changed then.
     [[nodiscard]] Result<void> lay(const SharedPatientModel& patient,
                                    const std::function<void()>& show = {});
-    /// Applies the present site; of one that cannot be used only the standing.
+    /// Applies the present site; of one that cannot be used only the standing, and of a file that
+    /// cannot be read that there is none.
     /// @param show as in lay(): with its first registration the patient is laid anew
     void takePlace(const std::function<void()>& show);
     /// Works with another tracker from now on, or with none; the patient is laid anew.

@@ -162,6 +162,13 @@ bool AttentionModel::isAway(ParticipantId participant) const
     return link == links.end() || link->state == LinkState::Away || link->state == LinkState::Ended;
 }
 
+bool AttentionModel::hasWrongClock(ParticipantId participant) const
+{
+    const auto paths = m_session.node().paths();
+    const auto path = std::ranges::find(*paths, participant, &PathReport::peer);
+    return path != paths->end() && path->external && path->external->isRefused;
+}
+
 void AttentionModel::addPeople(const SessionState& state, SessionTime now, Reports& all)
 {
     const auto add = [&](const Participant& who, Concern concern, const QString& text) {
@@ -190,6 +197,11 @@ void AttentionModel::addPeople(const SessionState& state, SessionTime now, Repor
             if (const QString doubt = standingNotice(*who.registration); !doubt.isEmpty())
                 add(who, Concern::Registration,
                     tr("%1: %2", "a participant; what is wrong").arg(name, doubt));
+        if (hasWrongClock(id))
+            add(who, Concern::Clock,
+                tr("The system clock of %1's computer or of this one is wrong, and not used: look "
+                   "after NTP or PTP")
+                    .arg(name));
     }
 }
 
@@ -277,6 +289,7 @@ void AttentionModel::act(const Attention& attention)
     case Concern::Away:
     case Concern::Unseen:
     case Concern::Registration:
+    case Concern::Clock:
     case Concern::BreathingStops:
     case Concern::Developing:
         Q_EMIT showWanted(attention);

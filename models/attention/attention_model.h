@@ -23,6 +23,7 @@ enum class Concern : std::uint8_t {
     Unseen,         ///< a tool of a participant is not seen by their tracker
     NoPatient,      ///< the session's patient is not on this computer
     Registration,   ///< cannot be relied on
+    Clock,          ///< a clock that NTP or PTP disciplines contradicts the path
     BreathingStops, ///< over a time
     Developing,     ///< a disease
 };
@@ -87,6 +88,7 @@ private:
     void addPatient(Reports& all) const;
     void addBreathing(const SessionState& state, SessionTime now, Reports& all);
     [[nodiscard]] bool isAway(ParticipantId participant) const;
+    [[nodiscard]] bool hasWrongClock(ParticipantId participant) const;
     [[nodiscard]] bool isUnseen(ObjectId object, SessionTime now);
     void give(const Attention& asked);
 

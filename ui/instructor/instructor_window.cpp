@@ -271,6 +271,11 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
                                                                    : *m_ui->breathingDock);
         return;
     }
+    if (attention.concern == Concern::Clock) {
+        PanelDocks::bring(*m_ui->networkDock);
+        m_ui->network->choose(attention.participant);
+        return;
+    }
     PanelDocks::bring(*m_ui->participantsDock);
     m_ui->participants->choose(attention.participant);
 }

@@ -112,6 +112,13 @@ void NetworkPanel::findShown()
     m_shown = m_participant->currentData(NetworkModel::kIdRole);
 }
 
+void NetworkPanel::choose(ParticipantId participant)
+{
+    m_shown = uint{participant.value};
+    findShown();
+    refresh();
+}
+
 void NetworkPanel::refresh()
 {
     const auto figures = m_model->figures(m_participant->currentIndex());

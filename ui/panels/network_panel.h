@@ -25,6 +25,8 @@ public:
 
     /// @pre the model outlives the panel.
     void setModel(NetworkModel& model);
+    /// Shows the path to this participant, where there is one.
+    void choose(ParticipantId participant);
 
 private:
     void layOut();

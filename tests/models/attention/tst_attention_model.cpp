@@ -200,6 +200,21 @@ private Q_SLOTS:
                  qPrintable(text));
     }
 
+    void namesWhoseClockContradictsThePath()
+    {
+        Console console;
+        console.node.pathReports = {
+            {.peer = kTom, .external = ExternalVerdict{seconds{2}, std::chrono::milliseconds{1}}},
+            {.peer = kOlga}};
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+        console.node.pathReports[0].external->isRefused = true;
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        QVERIFY(console.texts().front().contains(QStringLiteral("clock of Tom's computer")));
+        QVERIFY(console.model.all().front().participant == kTom);
+    }
+
     void tellsOfAReplacedTokenForAMinute()
     {
         Console console;

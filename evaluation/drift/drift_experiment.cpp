@@ -61,7 +61,9 @@ public:
 private:
     static StrategyChoice choiceOf(const DriftSettings& settings)
     {
-        return {.kind = settings.strategy->kind, .longestLag = settings.longestLag};
+        return {.kind = settings.strategy->kind,
+                .asa = settings.asa,
+                .longestLag = settings.longestLag};
     }
 
     void act(int action, Duration t)

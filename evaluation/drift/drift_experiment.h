@@ -22,6 +22,7 @@ struct DriftSettings {
     /// Before the first action. Unless set long enough for a history of 100 delays at one a second.
     Duration warmUp = std::chrono::seconds{130};
     Duration longestLag = StrategyChoice{}.longestLag; ///< with local lag
+    AsaParameters asa{};                               ///< with the ASA
 };
 
 /// The drift just before the next action, mean over the viewers.

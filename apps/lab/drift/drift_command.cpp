@@ -22,12 +22,13 @@ Use driftInVirtualTime()
             .keys = {drift_key::kStrategy,    drift_key::kParticipants, drift_key::kTurningSpeed,
                      drift_key::kMovingSpeed, drift_key::kActions,      drift_key::kActionTime,
                      drift_key::kAxes,        drift_key::kScenario,     drift_key::kExternalClocks,
-                     drift_key::kLocalLag,    drift_key::kSeed,         drift_key::kSeeds,
-                     drift_key::kAtEvent,     drift_key::kRawAtLast,    drift_key::kRawGreatest,
-                     drift_key::kTimeAverage, drift_key::kPercentile,   drift_key::kLost,
-                     drift_key::kShown,       drift_key::kPosition,     drift_key::kLimit,
-                     drift_key::kRatio,       drift_key::kResponse,     drift_key::kClockError,
-                     drift_key::kBytes,       drift_key::kProbes,       drift_key::kAccessLink}};
+                     drift_key::kLocalLag,    drift_key::kAsaDelays,    drift_key::kSeed,
+                     drift_key::kSeeds,       drift_key::kAtEvent,      drift_key::kRawAtLast,
+                     drift_key::kRawGreatest, drift_key::kTimeAverage,  drift_key::kPercentile,
+                     drift_key::kLost,        drift_key::kShown,        drift_key::kPosition,
+                     drift_key::kLimit,       drift_key::kRatio,        drift_key::kResponse,
+                     drift_key::kClockError,  drift_key::kBytes,        drift_key::kProbes,
+                     drift_key::kAccessLink}};
 }
 
 Use driftInRealTime()
@@ -73,8 +74,8 @@ Use driftTables()
         .schema = drift_key::kTableSchema,
         .keys = {drift_key::kNetwork, drift_key::kTurningSpeed, drift_key::kMovingSpeed,
                  drift_key::kActions, drift_key::kWarmUpTime, drift_key::kExternalClocks,
-                 drift_key::kLocalLag, drift_key::kSeed, drift_key::kMet, drift_key::kMissed,
-                 drift_key::kRows}};
+                 drift_key::kLocalLag, drift_key::kAsaDelays, drift_key::kSeed, drift_key::kMet,
+                 drift_key::kMissed, drift_key::kRows}};
     for (Key key : keysOfRow()) {
         key.depth = 1;
         use.keys.push_back(key);

@@ -74,6 +74,7 @@ void describeRequest(const DriftRequest& request, QJsonObject& object)
     if (const auto error = settings.scenario.externalClocks)
         object[drift_key::kExternalClocks] = 1e3 * toSeconds(*error);
     object[drift_key::kLocalLag] = 1e3 * toSeconds(settings.longestLag);
+    object[drift_key::kAsaDelays] = int{settings.asa.delays};
     object[drift_key::kSeed] = qint64{settings.seed};
     object[drift_key::kSeeds] = request.seeds;
 }

@@ -38,6 +38,10 @@ inline constexpr Option kExternalClocks{
     "off by a constant of at most E, above 0, at most 1000; none unless given"};
 inline constexpr Option kLocalLag{"local-lag-ms", "L",
                                   "bound of the lag of local-lag, 0 to 100; 16 unless given"};
+inline constexpr Option kAsaDelays{
+    "asa-delays", "P",
+    "how many delays the history of the ASA holds, 2 to 1000; as published 100, unless given, and "
+    "10 in a table, where the ASA is to adapt before the first action"};
 inline constexpr Option kSeed{"seed", "K", "of the run, 0 to 4294967295; 1 unless given"};
 inline constexpr Option kSeeds{
     "seeds", "M", "how many runs, with the seeds K, K+1 and so on, 1 to 1000; 1 unless given"};
@@ -51,9 +55,9 @@ inline constexpr Option kLogs{"logs", "DIR",
                               "folder for the log of each program; it is created if missing"};
 inline constexpr Option kTable{"table", "", "measures one run after the other for a table of them"};
 
-inline constexpr std::array kOfAll{kScenario,    kStrategy, kParticipants, kTurningSpeed,
-                                   kMovingSpeed, kActions,  kAxes,         kExternalClocks,
-                                   kLocalLag,    kSeed,     kSeeds};
+inline constexpr std::array kOfAll{kScenario,    kStrategy,  kParticipants, kTurningSpeed,
+                                   kMovingSpeed, kActions,   kAxes,         kExternalClocks,
+                                   kLocalLag,    kAsaDelays, kSeed,         kSeeds};
 inline constexpr std::array kOfLive{kLive, kNetlab, kWarmUp, kLogs};
 inline constexpr std::array kOfTable{kTable};
 } // namespace drift_option
@@ -71,6 +75,7 @@ inline constexpr Key kAxes{"axes", "as given"};
 inline constexpr Key kScenario{"scenario", "its name"};
 inline constexpr Key kExternalClocks{"external_clocks_ms", "as given; null where there are none"};
 inline constexpr Key kLocalLag{"local_lag_ms", "as given: the bound, if it is local-lag"};
+inline constexpr Key kAsaDelays{"asa_delays", "as given: of the history, if it is the ASA"};
 inline constexpr Key kSeed{"seed", "as given"};
 inline constexpr Key kSeeds{"seeds", "as given"};
 inline constexpr Key kAtEvent{"at_event_mean_deg",

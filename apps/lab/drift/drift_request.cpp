@@ -20,6 +20,7 @@ constexpr double kUsualWarmUp_s = 20.0;
 /// In a table: its runs are to take some twenty minutes.
 constexpr int kUsualTableActions = 12;
 constexpr double kUsualTableWarmUp_s = 15.0;
+constexpr int kUsualTableDelays = 10; // of the ASA's history, which at one a second is then full
 /// What a table is of.
 constexpr std::array kTableScenarios{"lan", "metro", "wan", "paper"};
 constexpr std::array kTableStrategies{"event", "asa-fixed", "asa-adaptive", "session-clock",
@@ -115,7 +116,9 @@ Result<DriftRequest> requestWithoutScenario(const Words& words)
     const auto participants = words.whole(drift_option::kParticipants, 2, 64, 2);
     const auto seed = words.whole(drift_option::kSeed, 0, 4294967295, 1);
     const auto seeds = words.whole(drift_option::kSeeds, 1, 1000, 1);
-    for (const auto* number : {&participants, &seed, &seeds})
+    const auto delays = words.whole(drift_option::kAsaDelays, 2, 1000,
+                                    isTable(words) ? kUsualTableDelays : AsaParameters{}.delays);
+    for (const auto* number : {&participants, &seed, &seeds, &delays})
         if (!*number)
             return tl::unexpected(number->error());
     const auto warmUp_s = words.number(drift_option::kWarmUp, 0.0, 300.0,
@@ -131,6 +134,7 @@ Result<DriftRequest> requestWithoutScenario(const Words& words)
     request.isLive = words.has(drift_option::kLive);
     if (request.isLive)
         request.settings.warmUp = fromSeconds(*warmUp_s);
+    request.settings.asa.delays = static_cast<std::uint16_t>(*delays);
     request.settings.longestLag = fromSeconds(1e-3 * *lag_ms);
     request.logs = words.text(drift_option::kLogs);
     request.netlab = words.text(drift_option::kNetlab);

@@ -68,7 +68,8 @@ Result<QJsonObject> driftTable(const Words& words)
         {drift_key::kMet, met},
         {drift_key::kMissed, int(rows.size()) - met}};
     for (const Key& key : {drift_key::kTurningSpeed, drift_key::kMovingSpeed, drift_key::kActions,
-                           drift_key::kExternalClocks, drift_key::kLocalLag, drift_key::kSeed})
+                           drift_key::kExternalClocks, drift_key::kLocalLag, drift_key::kAsaDelays,
+                           drift_key::kSeed})
         object[key] = described[key];
     return object;
 }

@@ -99,6 +99,7 @@ private:
         orders.key = m_key;
         orders.strategy = m_settings.strategy;
         orders.longestLag = m_settings.longestLag;
+        orders.asaDelays = m_settings.asa.delays;
         if (who >= 2)
             orders.frames = m_displays[who - 2];
         orders.script = m_settings.script;
@@ -211,6 +212,7 @@ LiveSettings liveSettingsOf(const DriftSettings& settings, const QString& progra
             .participants = settings.participants,
             .strategy = settings.strategy->kind,
             .longestLag = settings.longestLag,
+            .asa = settings.asa,
             .script = settings.script,
             .seed = settings.seed,
             .warmUp = settings.warmUp,

@@ -14,6 +14,7 @@ struct LiveSettings {
     std::size_t participants = 2; ///< the host is none of them
     StrategyKind strategy = StrategyKind::SessionClock;
     Duration longestLag = StrategyChoice{}.longestLag; ///< of local lag
+    AsaParameters asa{};
     ActionScript::Settings script;
     std::uint32_t seed = 1;
     Duration warmUp = std::chrono::seconds{20}; ///< of the clocks, before the first action

@@ -28,6 +28,7 @@ QByteArray lineOf(const LiveOrders& orders)
                            {QStringLiteral("key"), textOf(toHex(orders.key))},
                            {QStringLiteral("strategy"), static_cast<int>(orders.strategy)},
                            {QStringLiteral("lag_ns"), qint64{orders.longestLag.count()}},
+                           {QStringLiteral("asa_delays"), int{orders.asaDelays}},
                            {QStringLiteral("frame_ns"), qint64{orders.frames.interval.count()}},
                            {QStringLiteral("first_frame_ns"), qint64{orders.frames.first.count()}},
                            {QStringLiteral("actions"), orders.script.actions},
@@ -50,6 +51,7 @@ Result<LiveOrders> ordersIn(const QByteArray& line)
     orders.isOpen = json[QStringLiteral("open")].toBool();
     orders.strategy = static_cast<StrategyKind>(json[QStringLiteral("strategy")].toInt());
     orders.longestLag = durationIn(json, "lag_ns");
+    orders.asaDelays = static_cast<std::uint16_t>(json[QStringLiteral("asa_delays")].toInt());
     orders.frames = {durationIn(json, "frame_ns"), durationIn(json, "first_frame_ns")};
     orders.script.actions = json[QStringLiteral("actions")].toInt();
     orders.script.angularSpeed = json[QStringLiteral("rad_s")].toDouble();

@@ -25,6 +25,7 @@ struct LiveOrders {
     AccessKey key{};                   ///< in place of one derived from a join code
     StrategyKind strategy = StrategyKind::SessionClock; ///< the host's choice
     Duration longestLag = StrategyChoice{}.longestLag;  ///< the same, of local lag
+    std::uint16_t asaDelays = AsaParameters{}.delays;   ///< the same, of the ASA
     DisplayFrames frames{}; ///< of this program's view; counted from the first action
     ActionScript::Settings script{};
     std::uint32_t seed = 1; ///< of the script

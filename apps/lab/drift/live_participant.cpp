@@ -55,7 +55,9 @@ Result<std::unique_ptr<LiveParticipant>> LiveParticipant::start(const LiveOrders
     if (!node)
         return tl::unexpected(node.error());
     participant->m_node = *std::move(node);
-    const StrategyChoice choice{.kind = orders.strategy, .longestLag = orders.longestLag};
+    const StrategyChoice choice{.kind = orders.strategy,
+                                .asa = {.delays = orders.asaDelays},
+                                .longestLag = orders.longestLag};
     if (orders.part == LiveOrders::Part::Host && choice != StrategyChoice{})
         participant->m_node->propose(kNoStation, fact::StrategyChosen{choice});
     return participant;

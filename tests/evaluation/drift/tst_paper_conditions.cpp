@@ -75,6 +75,17 @@ private Q_SLOTS:
                  QByteArray::number(deg(figures.actions.back().rawAngle)));
         QVERIFY2(greatest > 210.0, QByteArray::number(greatest));
     }
+
+    void rawAngleSaysNothingOfDrift()
+    {
+        // The same of a strategy that corrects everything.
+        const DriftFigures figures = figuresOf("session-clock", *findScenario("lan"), 40);
+        double raw = 0.0;
+        for (const ActionDrift& action : figures.actions)
+            raw += deg(action.rawAngle) / 50.0;
+        QVERIFY(deg(figures.atEvent) < 0.1);
+        QVERIFY2(std::abs(raw - 180.0) < 30.0, QByteArray::number(raw));
+    }
 };
 
 CARINA_TEST(PaperConditionsTest)
